@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bodies.hpp"
+
+#include <iostream>
+
+#include "app/options.hpp"
+
+namespace sonde::app {
+namespace {
+
+void add_models(CLI::App& parser, BodyOptions& options) {
+  const auto models = CLI::IsMember({"auto", "solid", "surface"});
+  const std::string doc =
+      ": solid (the interior counts), surface (only the triangles) or auto (solid where closed)";
+  parser.add_option("--probe-model", options.probe_model, "the probe's model" + doc)->check(models);
+  parser.add_option("--fixed-model", options.fixed_model, "the fixed body's model" + doc)
+      ->check(models);
+}
+
+void note_changes(const char* which, const Body& body) {
+  if (body.turned)
+    std::cerr << "sonde: " << which << " " << body.name << " was inside out and has been turned\n";
+  if (body.degenerate > 0)
+    std::cerr << "sonde: " << which << " " << body.name << ": " << body.degenerate
+              << " triangles without area set aside\n";
+}
+
+}  // namespace
+
+void add_scene(CLI::App& parser, BodyOptions& options) {
+  parser.add_option("SCENE", options.scene, "scene file, NAME.sonde.json")->required();
+  add_models(parser, options);
+}
+
+void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
+  CLI::Option* scene = parser.add_option("SCENE", options.scene, "scene file, NAME.sonde.json");
+  CLI::Option* probe = parser.add_option("--probe", options.probe, "mesh of the moving body");
+  CLI::Option* fixed = parser.add_option("--fixed", options.fixed, "mesh of the body that stays");
+  probe->excludes(scene)->needs(fixed);
+  fixed->excludes(scene)->needs(probe);
+  add_models(parser, options);
+  parser.add_option("--probe-scale", options.probe_scale, "multiplies the probe's mesh")
+      ->needs(probe)
+      ->check(check_positive)
+      ->capture_default_str();
+  parser.add_option("--fixed-scale", options.fixed_scale, "multiplies the fixed body's mesh")
+      ->needs(fixed)
+      ->check(check_positive)
+      ->capture_default_str();
+  parser.add_option("--unit", options.unit, "unit of the two loose meshes")
+      ->needs(probe)
+      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->capture_default_str();
+}
+
+Scene scene_of(const BodyOptions& options) {
+  Scene scene;
+  if (!options.scene.empty()) {
+    scene = read_scene(options.scene);
+  } else if (!options.probe.empty()) {
+    scene.unit = unit_in_metres(options.unit).value();
+    scene.probe.mesh = options.probe;
+    scene.probe.scale = options.probe_scale;
+    scene.fixed.mesh = options.fixed;
+    scene.fixed.scale = options.fixed_scale;
+  } else {
+    throw UsageError("give a SCENE, or --probe and --fixed");
+  }
+  if (!options.probe_model.empty()) scene.probe.model = model_named(options.probe_model).value();
+  if (!options.fixed_model.empty()) scene.fixed.model = model_named(options.fixed_model).value();
+  return scene;
+}
+
+std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
+  return {scene.file, scene.probe.mesh, scene.fixed.mesh};
+}
+
+BodyPair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {
+  BodyPair pair;
+  pair.probe = load(scene.probe, scene.unit, progress.percent("reading the probe"));
+  pair.fixed = load(scene.fixed, scene.unit, progress.percent("reading the fixed body"));
+  progress.clear();
+  if (!quiet) {
+    note_changes("the probe", *pair.probe);
+    note_changes("the fixed body", *pair.fixed);
+  }
+  return pair;
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <vector>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/mesh_report.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct InfoOptions {
+  std::vector<std::string> meshes;
+  std::string model = "auto";
+  std::string unit = "m";
+  double scale = 1;
+  OutputOptions output;
+};
+
+/// All the meshes, or an InputError that gives the reason for every bad one.
+std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
+  ProgressLine progress(options.output.quiet);
+  const double scale = unit_in_metres(options.unit).value() * options.scale;
+  const Model model = model_named(options.model).value();
+  std::vector<std::shared_ptr<const Body>> bodies;
+  std::string reasons;
+  for (const std::string& mesh : options.meshes) {
+    try {
+      bodies.push_back(load_body(mesh, model, scale, progress.percent("reading " + mesh)));
+    } catch (const InputError& error) {
+      reasons += (reasons.empty() ? "" : "\nsonde: ") + std::string(error.what());
+    }
+  }
+  if (!reasons.empty()) throw InputError(reasons);
+  return bodies;
+}
+
+void run(const InfoOptions& options) {
+  check_output(options.output, {options.meshes.begin(), options.meshes.end()});
+  const auto bodies = load_all(options);
+  std::vector<MeshReport> reports;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    reports.push_back({options.meshes[i], *bodies[i]});
+  write_result(options.output, options.output.json ? to_json(reports) : to_text(reports));
+}
+
+}  // namespace
+
+Command add_info_command(CLI::App& program) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "info", "What meshes hold: counts, model, mass properties, bounds and defects");
+  parser->add_option("MESH", options->meshes, "OFF, OBJ, PLY or STL files")->required();
+  parser
+      ->add_option("--model", options->model,
+                   "solid (the interior counts), surface (only the triangles) or auto")
+      ->check(CLI::IsMember({"auto", "solid", "surface"}))
+      ->capture_default_str();
+  parser->add_option("--unit", options->unit, "unit of the files")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->capture_default_str();
+  parser->add_option("--scale", options->scale, "multiplies the meshes, beside the unit")
+      ->check(check_positive)
+      ->capture_default_str();
+  add_flags(*parser, options->output);
+  parser->get_option("--json")->description("write JSON instead of text");
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

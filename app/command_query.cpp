@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/result_table.hpp"
+#include "app/static_searches.hpp"
+#include "app/timed.hpp"
+#include "engine/penetration/coherent.hpp"
+#include "engine/scene/poses.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct QueryOptions {
+  BodyOptions bodies;
+  SolverOptions solver;
+  OutputOptions output;
+  std::string poses;
+};
+
+constexpr std::array<Column, 16> columns{{{"index", ""},
+                                          {"status", ""},
+                                          {"depth", "m"},
+                                          {"sigma", "m^2"},
+                                          {"px", "m"},
+                                          {"py", "m"},
+                                          {"pz", "m"},
+                                          {"qw", ""},
+                                          {"qx", ""},
+                                          {"qy", ""},
+                                          {"qz", ""},
+                                          {"lower_bound", "m"},
+                                          {"contacts", ""},
+                                          {"residual", ""},
+                                          {"iterations", ""},
+                                          {"time_us", "us"}}};
+
+const char* name_of(Status status) {
+  switch (status) {
+    case Status::separated:
+      return "separated";
+    case Status::penetrating:
+      return "penetrating";
+    case Status::failed:
+      break;
+  }
+  return "failed";
+}
+
+Row row_of(const TimedSeparation& result, std::size_t index) {
+  const Separation& s = result.separation;
+  const bool failed = s.status == Status::failed;
+  Row row{static_cast<std::int64_t>(index), name_of(s.status)};
+  if (failed) {
+    append_nothing(row, 10);  // from depth to lower_bound
+  } else {
+    row.insert(row.end(), {s.depth, s.sigma});
+    append(row, s.separated);
+    row.push_back(s.lower_bound ? Cell(*s.lower_bound) : Cell());
+  }
+  row.push_back(std::int64_t{failed ? 0 : s.contacts.size});
+  row.push_back(failed ? Cell() : Cell(s.residual));
+  row.push_back(std::int64_t{s.iterations});
+  row.push_back(result.time_us);
+  return row;
+}
+
+std::vector<TimedSeparation> follow_all(const BodyPair& bodies, std::span<const Pose> poses,
+                                        const SolverOptions& options, ProgressLine& progress) {
+  std::vector<TimedSeparation> results(poses.size());
+  CoherentSolver solver(bodies.probe, bodies.fixed, options.chosen_method());
+  bool started = false;  // a search that failed leaves nothing to follow: search again
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Separation& separation = results[i].separation;
+    results[i].time_us = timed_us([&] {
+      separation = started ? solver.tick(poses[i], options.budget)
+                           : solver.reset(poses[i], options.static_options());
+    });
+    started = started || separation.status != Status::failed;
+    progress.show("following", i + 1, poses.size());
+  }
+  progress.clear();
+  return results;
+}
+
+void note_unfinished(const std::vector<TimedSeparation>& results) {
+  std::size_t unfinished = 0;
+  for (const TimedSeparation& result : results)
+    if (result.separation.status == Status::penetrating && !result.separation.converged)
+      ++unfinished;
+  if (unfinished > 0)
+    std::cerr << "sonde: " << unfinished << " of " << results.size()
+              << " poses did not converge: their depths are upper bounds\n";
+}
+
+void run(const QueryOptions& options) {
+  const Scene scene = scene_of(options.bodies);
+  std::vector<std::filesystem::path> inputs = inputs_of(scene);
+  inputs.emplace_back(options.poses);
+  check_output(options.output, inputs);
+  const std::vector<Pose> poses = read_poses(options.poses);
+
+  ProgressLine progress(options.output.quiet);
+  const BodyPair bodies = load_bodies(scene, options.output.quiet, progress);
+  const auto results = options.solver.coherent()
+                           ? follow_all(bodies, poses, options.solver, progress)
+                           : search_all(bodies, poses, options.solver, progress);
+  ResultTable table{columns, {}};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    report_failure(results[i].separation, i);
+    table.rows.push_back(row_of(results[i], i));
+  }
+  if (!options.output.quiet) note_unfinished(results);
+  write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
+}
+
+}  // namespace
+
+Command add_query_command(CLI::App& program) {
+  const auto options = std::make_shared<QueryOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "query", "Penetration depth and separated pose for each pose of a file");
+  add_scene_or_meshes(*parser, options->bodies);
+  parser
+      ->add_option("--poses", options->poses,
+                   "CSV px,py,pz,qw,qx,qy,qz: the probe's mesh frame in the fixed body's, metres")
+      ->required();
+  add_flags(*parser, options->solver, "static");
+  add_flags(*parser, options->output);
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

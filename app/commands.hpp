@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/options.hpp"
+
+namespace sonde::app {
+
+/// Each adds its subcommand to the program's parser.
+Command add_info_command(CLI::App& program);
+Command add_query_command(CLI::App& program);
+Command add_replay_command(CLI::App& program);
+
+}  // namespace sonde::app

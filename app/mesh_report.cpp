@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mesh_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/scene/number_text.hpp"
+
+namespace sonde::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Bounds {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+};
+
+/// Of the triangles: a file may hold vertices that none of them uses.
+Bounds bounds_of(const Soup& soup) {
+  Bounds bounds{soup.vertices[soup.triangles[0][0]], soup.vertices[soup.triangles[0][0]]};
+  for (const Triangle& triangle : soup.triangles)
+    for (const std::uint32_t corner : triangle) {
+      bounds.low = bounds.low.cwiseMin(soup.vertices[corner]);
+      bounds.high = bounds.high.cwiseMax(soup.vertices[corner]);
+    }
+  return bounds;
+}
+
+std::string text_of(double value) { return number_text(value, 6); }
+
+std::string text_of(const Vec3& v) {
+  std::string text;
+  for (const double x : v) text.append(text.empty() ? "(" : ", ").append(text_of(x));
+  return text.append(")");
+}
+
+struct Defect {
+  const char* name;
+  const char* json_key;
+  std::size_t count;
+};
+
+std::vector<Defect> defects_of(const Body& body) {
+  const Topology& t = body.topology;
+  return {{"triangles without area, set aside", "degenerate_triangles", body.degenerate},
+          {"duplicate triangles", "duplicate_triangles", t.duplicate_triangles},
+          {"open edges", "open_edges", t.open_edges},
+          {"edges of three triangles or more", "nonmanifold_edges", t.nonmanifold_edges},
+          {"edges with sides turned differently", "misoriented_edges", t.misoriented_edges}};
+}
+
+std::string defects_text(const Body& body) {
+  std::string text;
+  const auto add = [&](const std::string& defect) {
+    text.append(text.empty() ? "" : "\n                  ").append(defect);
+  };
+  for (const Defect& defect : defects_of(body))
+    if (defect.count > 0) add(std::to_string(defect.count) + " " + defect.name);
+  if (body.turned) add("was inside out and has been turned");
+  return text.empty() ? "none" : text;
+}
+
+std::string text_of(const MeshReport& report) {
+  const Body& body = report.body;
+  const MassProperties& mass = body.mass;
+  const Bounds bounds = bounds_of(body.soup);
+  const auto line = [](std::string name, std::size_t letters, const std::string& value) {
+    return "  " + name.append(16 - letters, ' ') + value + '\n';
+  };
+  const auto plain = [&](const std::string& name, const std::string& value) {
+    return line(name, name.size(), value);
+  };
+  const auto axis = [&](int i) { return text_of(Vec3(mass.R_MP.col(i))); };
+
+  std::string text = report.file + '\n';
+  text += plain("triangles", std::to_string(body.soup.triangles.size()));
+  text += plain("vertices", std::to_string(body.soup.vertices.size()));
+  text += plain("components", std::to_string(body.topology.components));
+  text += plain("model", std::string(body.solid ? "solid" : "surface") + " (" + body.why + ")");
+  text += mass.by_volume ? plain("volume V", text_of(mass.measure) + " m³")
+                         : plain("area V", text_of(mass.measure) + " m²");
+  text += plain("centre of mass", text_of(mass.com) + " m");
+  text += line("inertia Î = I/V", 15, text_of(mass.inertia) + " m²");  // Î is two bytes, one letter
+  text += plain("principal axes", axis(0) + " " + axis(1) + " " + axis(2));
+  text += plain("radius R", text_of(mass.radius) + " m");
+  text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
+  text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
+  return text + plain("defects", defects_text(body));
+}
+
+Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json json_of(const MeshReport& report) {
+  const Body& body = report.body;
+  const MassProperties& mass = body.mass;
+  const Bounds bounds = bounds_of(body.soup);
+  Json json;
+  json["file"] = report.file;
+  json["triangles"] = body.soup.triangles.size();
+  json["vertices"] = body.soup.vertices.size();
+  json["components"] = body.topology.components;
+  json["model"] = body.solid ? "solid" : "surface";
+  json["why"] = body.why;
+  json[mass.by_volume ? "volume" : "area"] = mass.measure;
+  json["center_of_mass"] = json_of(mass.com);
+  json["inertia"] = json_of(mass.inertia);
+  for (int i = 0; i < 3; ++i) json["principal_axes"].push_back(json_of(Vec3(mass.R_MP.col(i))));
+  json["radius"] = mass.radius;
+  json["bounds"] = {{"low", json_of(bounds.low)}, {"high", json_of(bounds.high)}};
+  for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
+  json["defects"]["turned"] = body.turned;
+  return json;
+}
+
+}  // namespace
+
+std::string to_text(const std::vector<MeshReport>& reports) {
+  std::string text;
+  for (const MeshReport& report : reports)
+    text.append(text.empty() ? "" : "\n").append(text_of(report));
+  return text;
+}
+
+std::string to_json(const std::vector<MeshReport>& reports) {
+  Json json;
+  json["units"] = {{"volume", "m^3"},  {"area", "m^2"}, {"center_of_mass", "m"},
+                   {"inertia", "m^2"}, {"radius", "m"}, {"bounds", "m"}};
+  json["meshes"] = Json::array();
+  for (const MeshReport& report : reports) json["meshes"].push_back(json_of(report));
+  // A file's name may be no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/geometry/body.hpp"
+
+namespace sonde::app {
+
+/// A mesh to report on.
+struct MeshReport {
+  std::string file;
+  const Body& body;
+};
+
+/// For people: one block for each mesh, six digits, with units.
+std::string to_text(const std::vector<MeshReport>& reports);
+/// {"units": {...}, "meshes": [{...}, ...]}, every digit.
+std::string to_json(const std::vector<MeshReport>& reports);
+
+}  // namespace sonde::app

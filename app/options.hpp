@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/penetration/static_search.hpp"
+#include "engine/scene/settings.hpp"
+
+namespace sonde::app {
+
+/// Flags that contradict each other, found after parsing. Exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A command of the program: its parser, and what it does once that has parsed.
+struct Command {
+  CLI::App* parser;
+  std::function<void()> run;
+};
+
+/// How the separation is searched for: the flags every computing command has.
+struct SolverOptions {
+  std::string method = "pdg";
+  std::string mode;  ///< "static" or "coherent"
+  Budget budget;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  ///< 0: as many as the machine runs at once
+
+  bool coherent() const { return mode == "coherent"; }
+  Method chosen_method() const { return method == "pdt" ? Method::pdt : Method::pdg; }
+  StaticOptions static_options() const {
+    return {.method = chosen_method(), .budget = budget, .seed = seed};
+  }
+};
+void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode);
+
+/// What results are written as, and where to.
+struct OutputOptions {
+  std::string out = "-";  ///< "-": standard output
+  bool json = false;
+  bool quiet = false;
+
+  bool to_file() const { return out != "-"; }
+};
+void add_flags(CLI::App& parser, OutputOptions& options);
+
+/// Values given on the command line for settings of a table, by key. One flag for each setting.
+using SettingValues = std::map<std::string, double>;
+void add_setting_flags(CLI::App& parser, std::span<const Setting> settings, SettingValues& values);
+
+/// Refuses, before any work, an output that cannot be written or is one of the inputs.
+void check_output(const OutputOptions& options, const std::vector<std::filesystem::path>& inputs);
+/// Writes the result, whole.
+void write_result(const OutputOptions& options, const std::string& text);
+
+/// Validators for CLI11 that read numbers the way the rest of the program does.
+std::string check_positive(const std::string& text);
+std::string check_not_negative(const std::string& text);
+std::string check_whole(const std::string& text);
+
+}  // namespace sonde::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+#include "engine/error.hpp"
+
+namespace sonde::app {
+
+/// One line on stderr that says how far a command is, where stderr is a terminal and the user has
+/// not asked for quiet. May be called from any thread.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// "what: done of total"; drawn ten times a second at most.
+  void show(const std::string& what, std::size_t done, std::size_t total);
+  /// A callback that shows "what: n %" and never cancels.
+  Progress percent(const std::string& what);
+  void clear();
+
+ private:
+  void draw(const std::string& text);
+  bool on_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point last_;
+  std::mutex mutex_;
+};
+
+}  // namespace sonde::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sonde: the program without a window.
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "engine/error.hpp"
+
+namespace {
+
+enum ExitCode { done = 0, wrong_usage = 2, bad_input = 3, our_fault = 4, interrupted = 130 };
+
+int fail(ExitCode code, const std::string& reason) {
+  std::cerr << "sonde: " << reason << '\n';
+  return code;
+}
+
+/// What is wrong, where no known command was named.
+std::string about_commands(const CLI::App& program) {
+  const std::vector<std::string> extra = program.remaining();
+  std::string text = extra.empty() ? "no command" : "unknown command " + extra.front();
+  const char* separator = ": the commands are ";
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    text.append(separator).append(command->get_name());
+    separator = ", ";
+  }
+  return text;
+}
+
+int wrong_usage_of(const CLI::App& program, const std::string& reason) {
+  std::string command = "sonde";
+  for (const CLI::App* parsed : program.get_subcommands()) command += " " + parsed->get_name();
+  return fail(wrong_usage, reason + "\nTry '" + command + " --help'.");
+}
+
+/// Help and version are no errors; the rest of what the parser throws is wrong usage.
+int after_parse_error(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return program.exit(error);
+  const bool no_command = program.get_subcommands().empty();
+  return wrong_usage_of(program, no_command ? about_commands(program) : error.what());
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Penetration depth of two polygon soups, and the force it makes.", "sonde");
+  program.set_version_flag("--version", "sonde " SONDE_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 a fault of ours, 130 interrupted.");
+  const sonde::app::Command commands[] = {
+      sonde::app::add_info_command(program),
+      sonde::app::add_query_command(program),
+      sonde::app::add_replay_command(program),
+  };
+  try {
+    program.parse(argc, argv);
+    for (const auto& command : commands)
+      if (command.parser->parsed()) command.run();
+  } catch (const CLI::ParseError& error) {
+    return after_parse_error(program, error);
+  } catch (const sonde::app::UsageError& error) {
+    return wrong_usage_of(program, error.what());
+  }
+  return done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  sonde::app::catch_interrupts();
+  try {
+    return run(argc, argv);
+  } catch (const sonde::InputError& error) {
+    return fail(bad_input, error.what());
+  } catch (const sonde::Cancelled&) {
+    return interrupted;
+  } catch (const std::bad_alloc&) {
+    return fail(our_fault, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(our_fault, std::string("internal fault: ") + error.what());
+  }
+}

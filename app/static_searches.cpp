@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/static_searches.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "app/timed.hpp"
+
+namespace sonde::app {
+namespace {
+
+/// The seed of one pose: the splitmix64 step, which tells neighbouring indices well apart.
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
+  std::uint64_t z = seed + (index + 1) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return z ^ (z >> 31);
+}
+
+std::size_t thread_count(unsigned asked, std::size_t tasks) {
+  const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
+  return std::clamp<std::size_t>(asked == 0 ? machine : asked, 1, std::max<std::size_t>(tasks, 1));
+}
+
+/// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
+/// thrown here.
+template <class Task>
+void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (std::size_t i; (i = next++) < n;) task(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = n;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const Pose> poses,
+                                        const SolverOptions& options, ProgressLine& progress) {
+  std::vector<TimedSeparation> results(poses.size());
+  std::atomic<std::size_t> done{0};
+  run_parallel(poses.size(), thread_count(options.threads, poses.size()), [&](std::size_t i) {
+    StaticOptions own = options.static_options();
+    own.seed = seed_of(options.seed, i);
+    TimedSeparation& result = results[i];
+    result.time_us = timed_us(
+        [&] { result.separation = separate_static(*bodies.probe, *bodies.fixed, poses[i], own); });
+    progress.show("searching", ++done, poses.size());
+  });
+  progress.clear();
+  return results;
+}
+
+void report_failure(const Separation& separation, std::size_t index) {
+  if (separation.status != Status::failed) return;
+  std::cerr << "sonde: pose " << index << " failed: " << separation.reason << '\n';
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace sonde {
+
+/// Input that cannot be used: what() is one line, "FILE:LINE: reason" or "FILE: byte N: reason" or
+/// "FILE: reason". The programs answer it with exit code 3 or a message box.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  static InputError at_line(const std::string& file, std::size_t line, const std::string& reason) {
+    return InputError(file + ":" + std::to_string(line) + ": " + reason);
+  }
+  static InputError at_byte(const std::string& file, std::size_t byte, const std::string& reason) {
+    return InputError(file + ": byte " + std::to_string(byte) + ": " + reason);
+  }
+  static InputError in(const std::string& file, const std::string& reason) {
+    return InputError(file + ": " + reason);
+  }
+};
+
+/// The user cancelled a long operation; nothing was changed.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Called with the fraction done, 0 to 1; returns false to cancel (the operation throws Cancelled).
+using Progress = std::function<bool(double fraction)>;
+
+}  // namespace sonde

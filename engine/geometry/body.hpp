@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/geometry/mass.hpp"
+#include "engine/geometry/soup.hpp"
+#include "engine/geometry/topology.hpp"
+#include "engine/geometry/tree.hpp"
+
+namespace sonde {
+
+enum class Model { automatic, solid, surface };
+
+/// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
+/// in the mesh frame. The triangles are in the order of the tree's leaves.
+struct Body {
+  std::string name;
+  Soup soup;
+  bool solid = false;   ///< the interior counts (winding number ≠ 0); else only the triangles
+  std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
+  bool turned = false;  ///< was inside out and has been turned
+  std::size_t degenerate = 0;  ///< triangles set aside for having no area
+  Topology topology;
+  /// One triangle of each connected component.
+  std::vector<std::uint32_t> component_triangle;
+  MassProperties mass;
+  Tree tree;
+};
+
+/// Builds a body. `asked` solid throws InputError where the mesh is not closed or has no volume;
+/// automatic falls back to surface and says why. A closed mesh whose volume cannot be told from
+/// zero (flat) is a surface. Throws InputError where no triangle has an area.
+std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
+                                      const std::string& name, const Progress& progress = {});
+
+/// read_mesh and make_body in one.
+std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale = 1.0,
+                                      const Progress& progress = {});
+
+}  // namespace sonde

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/soup.hpp"
+
+namespace sonde {
+
+/// Mass properties at density 1 (by volume for a solid, by area for a surface).
+struct MassProperties {
+  bool by_volume = false;
+  double measure =
+      0;  ///< V: volume in m³ or area in m²; a solid's is signed (negative: inside out)
+  Vec3 com = Vec3::Zero();  ///< centre of mass in the mesh frame, m
+  /// Rotation from principal axes to mesh axes; columns are the principal axes, inertia ascending,
+  /// sign-canonical: the largest component of the first two is positive, the third completes a
+  /// right-handed frame. The identity where all three inertias agree to rounding.
+  Mat3 R_MP = Mat3::Identity();
+  /// Principal moments of Î = I/V in m², ascending, never negative. One that cannot be told from
+  /// zero (≤ 1e-14 of the largest) is exactly zero: turning about that axis moves nothing.
+  Vec3 inertia = Vec3::Zero();
+  double radius = 0;  ///< R: largest distance of a vertex of a triangle from com, m
+};
+
+MassProperties mass_by_volume(const Soup& soup);
+MassProperties mass_by_area(const Soup& soup);
+
+}  // namespace sonde

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace sonde {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond;
+
+/// A rigid pose X_BA of frame A in frame B: x_B = q x_A + p. Lengths in metres; q is unit.
+struct Pose {
+  Quat q = Quat::Identity();
+  Vec3 p = Vec3::Zero();
+};
+
+/// X_CA = X_CB * X_BA.
+inline Pose operator*(const Pose& X_CB, const Pose& X_BA) {
+  return {(X_CB.q * X_BA.q).normalized(), X_CB.q * X_BA.p + X_CB.p};
+}
+
+inline Vec3 operator*(const Pose& X_BA, const Vec3& x_A) { return X_BA.q * x_A + X_BA.p; }
+
+/// X_AB from X_BA.
+inline Pose inverse(const Pose& X_BA) {
+  const Quat q = X_BA.q.conjugate();
+  return {q, -(q * X_BA.p)};
+}
+
+/// Pose as a rotation matrix and a translation: what the geometric kernels multiply points with.
+/// Every kernel and every test of freedom goes through this one conversion, so that all of them
+/// see the same transformed vertices, to the bit.
+struct Transform {
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+  Transform() = default;
+  Transform(const Mat3& R_BA, const Vec3& p_BA) : R(R_BA), p(p_BA) {}
+  explicit Transform(const Pose& X) : R(X.q.toRotationMatrix()), p(X.p) {}
+  Vec3 operator*(const Vec3& x) const { return R * x + p; }
+};
+
+}  // namespace sonde

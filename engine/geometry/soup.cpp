@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/geometry/soup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+using Polygon = std::vector<std::size_t>;
+
+/// Angles whose sine is below this count as straight while ears are clipped. It only steers the
+/// choice of ears, never what is kept.
+constexpr double straight = 1e-12;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Turn from a→b to b→c: positive where it is to the left, zero where it is straight.
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 ab = b - a, bc = c - b;
+  const double z = cross(ab, bc);
+  return std::abs(z) <= straight * ab.norm() * bc.norm() ? 0 : z;
+}
+
+/// Newell's normal, relative to the first corner so that far from the origin it stays accurate;
+/// `unit` is the size of the polygon.
+Vec3 newell_normal(const std::vector<Vec3>& points, const Polygon& polygon, double unit) {
+  const Vec3 origin = points[polygon[0]];
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    normal +=
+        ((points[polygon[i]] - origin) / unit).cross((points[polygon[i + 1]] - origin) / unit);
+  return normal;
+}
+
+double polygon_size(const std::vector<Vec3>& points, const Polygon& polygon) {
+  double size = 0;
+  for (const std::size_t i : polygon)
+    size = std::max(size, (points[i] - points[polygon[0]]).cwiseAbs().maxCoeff());
+  return size;
+}
+
+/// The corners in the plane of the normal, counter-clockwise, of unit size.
+std::vector<Vec2> flatten(const std::vector<Vec3>& points, const Polygon& polygon,
+                          const Vec3& normal, double unit) {
+  int smallest = 0;
+  normal.cwiseAbs().minCoeff(&smallest);
+  const Vec3 u = Vec3::Unit(smallest).cross(normal).normalized();
+  const Vec3 v = normal.cross(u).normalized();
+  std::vector<Vec2> flat;
+  flat.reserve(polygon.size());
+  for (const std::size_t i : polygon) {
+    const Vec3 x = (points[i] - points[polygon[0]]) / unit;
+    flat.emplace_back(u.dot(x), v.dot(x));
+  }
+  return flat;
+}
+
+/// Clips the ears of one polygon, going round so that a convex one does not become a fan.
+class EarClipper {
+ public:
+  EarClipper(const Polygon& polygon, std::vector<Vec2> flat, std::vector<Triangle>& out)
+      : polygon_(polygon), flat_(std::move(flat)), out_(out) {
+    const std::size_t n = polygon.size();
+    next_.resize(n);
+    previous_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      next_[i] = (i + 1) % n;
+      previous_[i] = (i + n - 1) % n;
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      if (turn_at(i) <= 0) blockers_.push_back(i);
+    left_ = n;
+  }
+
+  void clip() {
+    std::size_t at = 0, tried = 0;
+    while (left_ > 3) {
+      if (tried > left_) {  // crosses itself: take the least bad corner and go on
+        cut(at = most_convex(at));
+      } else if (is_ear(at)) {
+        cut(at);
+      } else {
+        at = next_[at];
+        ++tried;
+        continue;
+      }
+      tried = 0;
+      at = next_[next_[at]];
+    }
+    emit(at);
+  }
+
+ private:
+  double turn_at(std::size_t i) const {
+    return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]);
+  }
+
+  /// Convex, and no other corner inside or on it. Only corners that are not convex can be.
+  bool is_ear(std::size_t i) const {
+    if (turn_at(i) <= 0) return false;
+    const Vec2 &a = flat_[previous_[i]], &b = flat_[i], &c = flat_[next_[i]];
+    return std::none_of(blockers_.begin(), blockers_.end(), [&](std::size_t k) {
+      const Vec2& x = flat_[k];
+      if (x == a || x == b || x == c)
+        return false;  // a corner, or a bridge to a hole that meets one
+      return turn(a, b, x) >= 0 && turn(b, c, x) >= 0 && turn(c, a, x) >= 0;
+    });
+  }
+
+  std::size_t most_convex(std::size_t start) const {
+    std::size_t best = start;
+    for (std::size_t i = next_[start]; i != start; i = next_[i])
+      if (turn_at(i) > turn_at(best)) best = i;
+    return best;
+  }
+
+  void emit(std::size_t i) {
+    const auto vertex = [&](std::size_t k) { return static_cast<std::uint32_t>(polygon_[k]); };
+    out_.push_back({vertex(previous_[i]), vertex(i), vertex(next_[i])});
+  }
+
+  void cut(std::size_t i) {
+    emit(i);
+    next_[previous_[i]] = next_[i];
+    previous_[next_[i]] = previous_[i];
+    --left_;
+    // A corner only becomes more convex when its neighbour goes, so blockers only ever leave.
+    std::erase_if(blockers_, [&](std::size_t k) {
+      return k == i || ((k == next_[i] || k == previous_[i]) && turn_at(k) > 0);
+    });
+  }
+
+  const Polygon& polygon_;
+  std::vector<Vec2> flat_;
+  std::vector<Triangle>& out_;
+  std::vector<std::size_t> next_, previous_, blockers_;
+  std::size_t left_ = 0;
+};
+
+Triangle triangle(std::size_t a, std::size_t b, std::size_t c) {
+  return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+          static_cast<std::uint32_t>(c)};
+}
+
+/// A quad is cut along the shorter diagonal of those that lie inside it.
+void split_quad(const std::vector<Vec3>& points, const Polygon& q, const std::vector<Vec2>& flat,
+                std::vector<Triangle>& out) {
+  const auto fits = [&](std::size_t i) {  // both triangles of the diagonal from corner i
+    return turn(flat[i], flat[i + 1], flat[i + 2]) > 0 &&
+           turn(flat[i + 2], flat[(i + 3) % 4], flat[i]) > 0;
+  };
+  const bool second_is_shorter =
+      (points[q[1]] - points[q[3]]).norm() < (points[q[0]] - points[q[2]]).norm();
+  const bool use_second = flat.empty() ? false : fits(1) && (second_is_shorter || !fits(0));
+  if (use_second) {
+    out.push_back(triangle(q[0], q[1], q[3]));
+    out.push_back(triangle(q[1], q[2], q[3]));
+  } else {
+    out.push_back(triangle(q[0], q[1], q[2]));
+    out.push_back(triangle(q[0], q[2], q[3]));
+  }
+}
+
+/// The polygon without corners that repeat the one before.
+const Polygon& without_repeats(const Polygon& polygon, Polygon& scratch) {
+  bool repeats = polygon.size() > 1 && polygon.front() == polygon.back();
+  for (std::size_t i = 1; i < polygon.size() && !repeats; ++i)
+    repeats = polygon[i] == polygon[i - 1];
+  if (!repeats) return polygon;
+  scratch = polygon;
+  scratch.erase(std::unique(scratch.begin(), scratch.end()), scratch.end());
+  while (scratch.size() > 1 && scratch.front() == scratch.back()) scratch.pop_back();
+  return scratch;
+}
+
+void triangulate_one(const std::vector<Vec3>& points, const Polygon& polygon,
+                     std::vector<Triangle>& out) {
+  if (polygon.empty()) return;
+  if (polygon.size() < 3) {
+    out.push_back(triangle(polygon.front(), polygon.back(), polygon.back()));
+    return;
+  }
+  if (polygon.size() == 3) {
+    out.push_back(triangle(polygon[0], polygon[1], polygon[2]));
+    return;
+  }
+  const double unit = polygon_size(points, polygon);
+  const Vec3 normal = unit > 0 ? newell_normal(points, polygon, unit) : Vec3::Zero();
+  std::vector<Vec2> flat;
+  if (normal.squaredNorm() > 0) flat = flatten(points, polygon, normal, unit);
+  if (polygon.size() == 4) {
+    split_quad(points, polygon, flat, out);
+  } else if (flat.empty()) {  // no area at all: any triangulation that keeps the corners will do
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      out.push_back(triangle(polygon[0], polygon[i], polygon[i + 1]));
+  } else {
+    EarClipper(polygon, std::move(flat), out).clip();
+  }
+}
+
+}  // namespace
+
+bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Vec3 edge[3] = {b - a, c - b, a - c};
+  double unit = 0;  // in units of their own size, edges neither overflow nor vanish when squared
+  for (const Vec3& e : edge) unit = std::max(unit, e.cwiseAbs().maxCoeff());
+  if (!(unit > 0)) return true;
+  for (Vec3& e : edge) e /= unit;
+  std::sort(edge, edge + 3,
+            [](const Vec3& x, const Vec3& y) { return x.squaredNorm() < y.squaredNorm(); });
+  return edge[0].cross(edge[1]).norm() <= 1e-15 * edge[2].squaredNorm();
+}
+
+Soup triangulate_all(const PolygonSoup& polygons) {
+  Soup soup;
+  soup.vertices = polygons.points;
+  soup.triangles.reserve(polygons.polygons.size());
+  Polygon scratch;
+  for (const Polygon& polygon : polygons.polygons)
+    triangulate_one(polygons.points, without_repeats(polygon, scratch), soup.triangles);
+  return soup;
+}
+
+Triangulated triangulate(const PolygonSoup& polygons) {
+  Triangulated out{triangulate_all(polygons), 0};
+  const auto& x = out.soup.vertices;
+  out.degenerate = std::erase_if(out.soup.triangles, [&](const Triangle& t) {
+    return is_degenerate(x[t[0]], x[t[1]], x[t[2]]);
+  });
+  return out;
+}
+
+}  // namespace sonde

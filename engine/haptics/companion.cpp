@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/companion.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/static_search.hpp"
+
+namespace sonde {
+namespace {
+
+/// Few starts and a bounded time: the answer should follow the hand, and closing should not wait.
+StaticOptions modest_search() {
+  StaticOptions options;
+  options.method = Method::pdt;
+  options.starts = 6;
+  options.budget.microseconds = 300'000;
+  options.want_lower_bound = false;
+  return options;
+}
+
+CompanionResult compute(const Body& probe, const Body& fixed, const Pose& X_FM) {
+  const auto begin = std::chrono::steady_clock::now();
+  CompanionResult out;
+  out.device = X_FM;
+  const Separation separation = separate_static(probe, fixed, X_FM, modest_search());
+  out.pdt_valid = separation.status != Status::failed;
+  if (out.pdt_valid) {
+    out.pdt = separation.depth;
+    out.lower_bound = depth_lower_bound(probe, fixed, X_FM);
+  }
+  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
+  out.time_us = time.count();
+  return out;
+}
+
+}  // namespace
+
+struct Companion::State {
+  std::shared_ptr<const Body> probe, fixed;
+  std::mutex mutex;  ///< guards the three below
+  std::optional<Pose> wanted;
+  std::optional<CompanionResult> result;
+  bool stopping = false;
+  std::condition_variable changed;
+  std::thread thread;
+
+  void run();
+};
+
+void Companion::State::run() {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [this] { return stopping || wanted; });
+    if (stopping) return;
+    const Pose X_FM = *std::exchange(wanted, std::nullopt);
+    lock.unlock();
+    CompanionResult found;
+    try {
+      found = compute(*probe, *fixed, X_FM);
+    } catch (const std::exception&) {  // no memory left: there is no answer for this pose
+      found = CompanionResult{};
+      found.device = X_FM;
+    }
+    lock.lock();
+    result = found;
+  }
+}
+
+Companion::Companion(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed)
+    : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.probe = std::move(probe);
+  s.fixed = std::move(fixed);
+  s.thread = std::thread([&s] { s.run(); });
+}
+
+Companion::~Companion() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stopping = true;
+  }
+  state_->changed.notify_one();
+  state_->thread.join();
+}
+
+void Companion::request(const Pose& X_FM) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->wanted = X_FM;
+  }
+  state_->changed.notify_one();
+}
+
+std::optional<CompanionResult> Companion::latest() {
+  const std::lock_guard lock(state_->mutex);
+  return state_->result;
+}
+
+}  // namespace sonde

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/geometry/body.hpp"
+#include "engine/penetration/separation.hpp"
+
+namespace sonde {
+
+/// What is too slow for a tick, computed for the newest pose in a thread of its own, only while
+/// wanted.
+struct CompanionResult {
+  Pose device;     ///< the pose it is about
+  double pdt = 0;  ///< PD_t at that pose, m (0 where free)
+  bool pdt_valid = false;
+  std::optional<double> lower_bound;  ///< of √PD_g, m
+  double time_us = 0;
+};
+
+/// A thread that computes PD_t and the lower bound for the newest pose asked about.
+class Companion {
+ public:
+  Companion(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed);
+  ~Companion();
+  Companion(const Companion&) = delete;
+  Companion& operator=(const Companion&) = delete;
+  void request(const Pose& X_FM);           ///< replaces a request not yet begun
+  std::optional<CompanionResult> latest();  ///< the newest finished, if any
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sonde

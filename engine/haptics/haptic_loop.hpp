@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "engine/geometry/body.hpp"
+#include "engine/haptics/coupling.hpp"
+#include "engine/penetration/static_search.hpp"
+
+namespace sonde {
+
+/// One tick of the loop, with no thread and no clock: what `replay` and the servo thread both run.
+class HapticLoop {
+ public:
+  HapticLoop(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
+             const Coupling& coupling);
+  ~HapticLoop();
+  HapticLoop(HapticLoop&&) noexcept;
+  HapticLoop& operator=(HapticLoop&&) noexcept;
+
+  /// First pose: free, or a static search (by this loop's method). Allocates. Leaves the wrench of
+  /// that pose, without damping.
+  void reset(const Pose& X_FM, const StaticOptions& options);
+  void set_coupling(const Coupling& coupling) noexcept;
+  /// dt in s since the last tick (for the rates of the classic mode); 0 where that is not known,
+  /// and then nothing is damped. No allocation, lock, log, throw.
+  ///
+  /// Rates are backward differences of the separation, which is zero out of contact. There is none
+  /// after a reset, a failed tick or a jump: the separation before belongs to another contact.
+  void tick(const Pose& X_FM, double dt, const Budget& budget) noexcept;
+  const Separation& separation() const;
+  const Wrench& wrench() const;  ///< zero where the separation failed
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/contact_rows.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/proximity/placement.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr std::size_t most_pairs = 512;
+constexpr std::size_t most_rows = 128;
+
+}  // namespace
+
+ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method)
+    : probe_(probe),
+      fixed_(fixed),
+      method_(method),
+      list_(probe, fixed),
+      pairs_(most_pairs),
+      contacts_(most_rows),
+      rows_(most_rows),
+      at_(most_rows) {}
+
+void ContactRows::take(const NearPair& pair, const Transform& X) noexcept {
+  const Corners local = corners(probe_.soup, pair.triangle_a);
+  const Corners ta{X * local[0], X * local[1], X * local[2]};
+  const Corners tb = corners(fixed_.soup, pair.triangle_b);
+  Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Contact& row = contacts_[i];
+    if (gap_along(row.normal, ta, tb) < row.gap * (1 - 1e-9)) continue;
+    own.normal = row.normal;
+    own.gap = row.normal.dot(own.on_probe - own.on_fixed);
+    // A turn of the size to be expected brings it no nearer than the row: it says nothing new.
+    if (own.gap - row.gap >= turn_ * (own.on_probe - row.on_probe).norm()) return;
+  }
+  if (count_ < most_rows) contacts_[count_++] = own;
+}
+
+void ContactRows::gather(const Chart& chart, const Vec6& y, double reach) noexcept {
+  const Transform X(chart.pose(y));
+  if (list_.reach_at(X) < reach) list_.build(X, 3 * reach);
+  const NearPairs near = list_.reach_at(X) >= reach ? list_.near(X, reach, pairs_)
+                                                    : near_pairs(probe_, fixed_, X, reach, pairs_);
+  reach_ = near.reach;
+  turn_ = 2 * reach_ / probe_.mass.radius;
+  const std::span<NearPair> pairs(pairs_.data(), near.count);
+  std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
+    if (p.gap != q.gap) return p.gap < q.gap;
+    return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
+  });
+  count_ = 0;
+  smallest_gap_ = pairs.empty() ? reach_ : pairs.front().gap;
+  for (const NearPair& p : pairs)
+    take(p, X);
+  for (std::size_t i = 0; i < count_; ++i) {
+    rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
+    if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
+    at_[i] = rows_[i].normal.dot(y);
+  }
+}
+
+Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
+                              double clearance) noexcept {
+  const double path = motion.linear_distance() + motion.turn_bound() * probe_.mass.radius;
+  const Transform X(chart.pose(y));
+  if (list_.reach_at(X) > path + clearance) return list_.sweep_along(motion, clearance);
+  return sweep(probe_, fixed_, motion, clearance);
+}
+
+LeastDistance ContactRows::solve(double margin, Narrow narrow) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double room = contacts_[i].gap - margin;
+    rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room));
+  }
+  return least_distance({rows_.data(), count_}, 0.05 * margin);
+}
+
+}  // namespace sonde

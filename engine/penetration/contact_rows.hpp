@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/penetration/least_distance.hpp"
+#include "engine/penetration/separation.hpp"
+#include "engine/proximity/motion.hpp"
+#include "engine/proximity/pair_list.hpp"
+
+namespace sonde {
+
+/// The contacts near a free pose, linearised: what the least-distance problem is made of.
+///
+/// Any direction that separates two triangles gives a half-space in which they stay apart, and the direction
+/// of their closest points is not the best one for every pair: beside a convex contact it forbids sliding by
+/// more than half of the pair's offset. So pairs are taken nearest first, and one that the normal of a
+/// nearer row separates too takes over that normal; it is dropped where it then says nothing new.
+class ContactRows {
+ public:
+  ContactRows(const Body& probe, const Body& fixed, Method method);
+
+  /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
+  void gather(const Chart& chart, const Vec6& y, double reach) noexcept;
+
+  /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.
+  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y, double clearance) noexcept;
+
+  /// What becomes of a gap that is smaller than the margin already.
+  enum class Narrow { keep, open };
+  /// The point nearest to the origin that keeps every gap at `margin` or more, to first order.
+  LeastDistance solve(double margin, Narrow narrow) noexcept;
+
+  Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
+  int size() const { return static_cast<int>(count_); }
+  double smallest_gap() const { return smallest_gap_; }  ///< m; the reach where there is no row
+  double reach() const { return reach_; }
+
+ private:
+  void take(const NearPair& pair, const Transform& X) noexcept;
+
+  const Body& probe_;
+  const Body& fixed_;
+  Method method_;
+  PairList list_;
+  std::vector<NearPair> pairs_;
+  std::vector<Contact> contacts_;
+  std::vector<HalfSpace> rows_;
+  std::vector<double> at_;  // J·y of each row
+  std::size_t count_ = 0;
+  double smallest_gap_ = 0;
+  double reach_ = 0;
+  double turn_ = 0;  // rad, that a step of the size of the reach may make
+};
+
+}  // namespace sonde

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/body.hpp"
+#include "engine/penetration/contact_rows.hpp"
+#include "engine/penetration/separation.hpp"
+#include "engine/proximity/motion.hpp"
+
+namespace sonde {
+
+/// How near a returned pose may lie to contact: max(1e-9 R, 1e-4·min(R, depth)), m.
+double allowed_clearance(double radius, double depth);
+
+/// When a descent is good enough.
+struct DescentGoal {
+  double residual = 1e-4;   ///< |y − Jᵀλ| / |y|
+  double clearance = 1.0;   ///< gaps kept, as a multiple of what a returned pose keeps; more is quicker
+  int steps = 60;           ///< iterations at most
+  double give_up_above = 0;  ///< where positive: stop once the descent cannot be hoped to end below, m
+};
+
+/// A clock that a descent asks between iterations; null deadline: never out of time.
+struct Deadline {
+  double microseconds = 0;  ///< 0: none
+  double started = 0;       ///< from now_us()
+  bool passed() const;
+};
+double now_us();
+
+/// Local optimisation on the contact space: from a free pose, linearise the near pairs, solve the
+/// least-distance problem of the rows, go along the straight path in y as far as it is swept free, repeat.
+/// |y| never rises along the path, so every pose on it is an upper bound. Holds its own workspace: run()
+/// never allocates.
+class Descent {
+ public:
+  Descent(const Body& probe, const Body& fixed, Method method);
+
+  struct Outcome {
+    Vec6 y = Vec6::Zero();
+    ContactSet contacts;
+    double residual = 0;
+    double smallest_gap = 0;  ///< m, of the near pairs at y; the reach where there were none
+    int iterations = 0;
+    bool converged = false;
+  };
+
+  /// From the free pose at y (in the chart of the device pose). `expected_step`: how far, in y, the
+  /// answer is thought to lie (0: unknown).
+  Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
+              const Deadline& deadline) noexcept;
+
+ private:
+  void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
+
+  ContactRows rows_;
+};
+
+}  // namespace sonde

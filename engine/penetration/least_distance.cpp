@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/least_distance.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+
+namespace sonde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+using Normals = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
+
+/// The active rows and what they make of a further normal.
+class ActiveSet {
+ public:
+  int size() const { return size_; }
+  int row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  double& multiplier(int i) { return multipliers_[static_cast<std::size_t>(i)]; }
+
+  void add(int row, const Vec6& normal, double multiplier) {
+    normals_.col(size_) = normal;
+    rows_[static_cast<std::size_t>(size_)] = row;
+    multipliers_[static_cast<std::size_t>(size_++)] = multiplier;
+  }
+  void drop(int i) {
+    for (int j = i; j + 1 < size_; ++j) {
+      normals_.col(j) = normals_.col(j + 1).eval();
+      rows_[static_cast<std::size_t>(j)] = rows_[static_cast<std::size_t>(j + 1)];
+      multipliers_[static_cast<std::size_t>(j)] = multipliers_[static_cast<std::size_t>(j + 1)];
+    }
+    --size_;
+  }
+  /// n in terms of the active normals, in the least-squares sense.
+  Coefficients project(const Vec6& n) const {
+    const Normals N = normals_.leftCols(size_);
+    return N.colPivHouseholderQr().solve(n);
+  }
+  Vec6 combine(const Coefficients& c) const { return normals_.leftCols(size_) * c; }
+  Vec6 point() const {
+    Vec6 y = Vec6::Zero();
+    for (int i = 0; i < size_; ++i) y += multipliers_[static_cast<std::size_t>(i)] * normals_.col(i);
+    return y;
+  }
+
+ private:
+  Eigen::Matrix<double, 6, 6> normals_ = Eigen::Matrix<double, 6, 6>::Zero();
+  std::array<int, 6> rows_{};
+  std::array<double, 6> multipliers_{};
+  int size_ = 0;
+};
+
+/// Brings in row p, dropping rows whose multipliers would turn negative. False: infeasible.
+bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
+  double multiplier = 0;
+  const double normal2 = row.normal.squaredNorm();
+  for (int guard = 0; guard < 64; ++guard) {
+    Vec6 z = row.normal;
+    Coefficients r(active.size());
+    if (active.size() > 0) {
+      r = active.project(row.normal);
+      z -= active.combine(r);
+    }
+    const double z2 = z.squaredNorm();
+    const bool dependent = active.size() == 6 || z2 <= 1e-14 * normal2;
+    const double full = dependent ? infinity : (row.bound - row.normal.dot(y)) / z2;
+    double partial = infinity;
+    int leaving = -1;
+    for (int i = 0; i < active.size(); ++i)
+      if (r[i] > 1e-12 && active.multiplier(i) / r[i] < partial)
+        partial = active.multiplier(i) / r[i], leaving = i;
+    const double step = std::min(full, partial);
+    if (step == infinity) return false;
+    for (int i = 0; i < active.size(); ++i) active.multiplier(i) -= step * r[i];
+    multiplier += step;
+    if (!dependent) y += step * z;
+    if (full <= partial) {
+      active.add(p, row.normal, multiplier);
+      return true;
+    }
+    active.drop(leaving);
+  }
+  return false;
+}
+
+}  // namespace
+
+LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance) {
+  LeastDistance out;
+  ActiveSet active;
+  Vec6 y = Vec6::Zero();
+  for (int round = 0; round < 200; ++round) {
+    int worst = -1;
+    double violation = tolerance;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double v = rows[i].bound - rows[i].normal.dot(y);
+      if (v > violation) violation = v, worst = static_cast<int>(i);
+    }
+    if (worst < 0) break;
+    bool already = false;  // an active row violated again: rounding, nothing more to gain
+    for (int i = 0; i < active.size(); ++i) already = already || active.row(i) == worst;
+    if (already) break;
+    if (!bring_in(active, worst, rows[static_cast<std::size_t>(worst)], y)) {
+      out.feasible = false;
+      break;
+    }
+    y = active.point();
+  }
+  out.y = y;
+  for (int i = 0; i < active.size(); ++i) {
+    const auto at = static_cast<std::size_t>(out.active_count++);
+    out.active[at] = active.row(i);
+    out.multiplier[at] = active.multiplier(i);
+  }
+  return out;
+}
+
+}  // namespace sonde

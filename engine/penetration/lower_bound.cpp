@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/lower_bound.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "engine/proximity/distance.hpp"
+#include "engine/proximity/inside.hpp"
+#include "engine/proximity/placement.hpp"
+
+namespace sonde {
+namespace {
+
+/// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where a
+/// turn that costs nothing moves the point. Rounded up.
+double leverage(const Vec3& inertia, const Vec3& r) {
+  const Mat3 arm = r.squaredNorm() * Mat3::Identity() - r * r.transpose();
+  Vec3 scale;
+  for (int i = 0; i < 3; ++i) {
+    if (inertia[i] > 0) {
+      scale[i] = 1 / std::sqrt(inertia[i]);
+    } else {
+      // Off the axis of a line-like probe, if only by rounding, the bound says nothing.
+      if (arm(i, i) > 1e-12 * inertia.maxCoeff()) return std::numeric_limits<double>::infinity();
+      scale[i] = 0;
+    }
+  }
+  const Mat3 weighted = scale.asDiagonal() * arm * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(weighted, Eigen::EigenvaluesOnly);
+  return std::max(0.0, solver.eigenvalues()[2]) * (1 + 1e-12);
+}
+
+/// Looks for the point of `points` that gives the best bound inside `solid`, nodes of its tree first in
+/// which a better one may lie.
+class Search {
+ public:
+  Search(const Body& points, const Body& solid, const Transform& X_SP, const MassProperties& mass,
+         const Transform& X_RP, double best)
+      : points_(points), solid_(solid), X_SP_(X_SP), mass_(mass), X_RP_(X_RP), best_(best) {
+    guard_ = rounding_guard(extent(points), extent(solid), X_SP.p);
+  }
+
+  double run() {
+    visit(0);
+    return best_;
+  }
+
+ private:
+  /// Signed depth of a corner in the solid (negative: outside, by that distance at least).
+  double bound_at(const Vec3& x, double& depth) {
+    const Vec3 in_solid = X_SP_ * x;
+    depth = point_distance(solid_, in_solid) - guard_;
+    if (depth <= 0 || !inside(solid_, in_solid)) {
+      depth = -std::max(0.0, depth);
+      return 0;
+    }
+    return depth / std::sqrt(1 + leverage(mass_.inertia, X_RP_ * x));
+  }
+
+  void visit(std::uint32_t index) {
+    if (++visited_ > most_visits) return;
+    const Tree::Node& n = points_.tree.nodes[index];
+    // A corner of the node's first triangle speaks for all of the node: no point of it is deeper by
+    // more than its distance from that corner.
+    const Tree::Node* leaf = &n;
+    while (!leaf->is_leaf()) leaf = &points_.tree.nodes[leaf->first];
+    const Vec3 x = points_.soup.vertices[points_.soup.triangles[leaf->first][0]];
+    double depth = 0;
+    best_ = std::max(best_, bound_at(x, depth));
+    if (n.is_leaf()) return;
+    const Vec3 half(n.half[0], n.half[1], n.half[2]);
+    if (depth + 2 * half.norm() <= best_) return;
+    visit(n.first);
+    visit(n.first + 1);
+  }
+
+  static constexpr int most_visits = 600;
+  const Body& points_;
+  const Body& solid_;
+  Transform X_SP_;
+  const MassProperties& mass_;
+  Transform X_RP_;  // points' frame to the probe's principal frame at its centre of mass
+  double best_;
+  double guard_ = 0;
+  int visited_ = 0;
+};
+
+}  // namespace
+
+std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM) {
+  if (!probe.solid && !fixed.solid) return std::nullopt;
+  const Transform X(X_FM), back(inverse(X_FM));
+  const Mat3 R_PM = probe.mass.R_MP.transpose();
+  const Transform principal(R_PM, -(R_PM * probe.mass.com));
+  double best = 0;
+  if (fixed.solid) best = Search(probe, fixed, X, probe.mass, principal, best).run();
+  if (probe.solid) {
+    const Transform from_fixed(principal.R * back.R, principal.R * back.p + principal.p);
+    best = Search(fixed, probe, back, probe.mass, from_fixed, best).run();
+  }
+  return best * (1 - 1e-9);
+}
+
+}  // namespace sonde

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+enum class Method { pdg, pdt };                          ///< all six degrees, or translation only
+enum class Status { separated, penetrating, failed };
+
+/// One contact of a separated pose, in the fixed body's mesh frame, metres.
+struct Contact {
+  Vec3 on_probe = Vec3::Zero();  ///< a, the point on A at the separated pose
+  Vec3 on_fixed = Vec3::Zero();  ///< b, the point on B
+  Vec3 normal = Vec3::UnitZ();   ///< n, unit, from B to A
+  double gap = 0;                ///< n·(a − b), m
+  double multiplier = 0;         ///< λ ≥ 0 in metres: y = Jᵀλ at the optimum
+};
+
+/// The contacts that carry the separation (positive multiplier): at most six independent rows.
+struct ContactSet {
+  static constexpr int capacity = 8;
+  std::array<Contact, capacity> items;
+  int size = 0;
+  const Contact* begin() const { return items.data(); }
+  const Contact* end() const { return items.data() + size; }
+  const Contact& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
+  bool push(const Contact& c) {
+    if (size == capacity) return false;
+    items[static_cast<std::size_t>(size++)] = c;
+    return true;
+  }
+};
+
+/// The answer to one penetration query: plain data, no allocation. Poses are X_FM, the probe's mesh
+/// frame M in the fixed body's mesh frame F.
+struct Separation {
+  Status status = Status::failed;
+  const char* reason = "";       ///< why it failed; static text
+  Pose device;                   ///< O, the pose asked about
+  Pose separated;                ///< Q, verified free; equals O where the status is separated
+  double sigma = 0;              ///< σ(O, Q), m²: mean squared displacement of the probe's points
+  double depth = 0;              ///< √σ, m
+  double translation = 0;        ///< |t|, the part of √σ that is displacement of the centre of mass, m
+  double rotation = 0;           ///< 2√(vᵀÎv), the part of √σ that is rotation, m
+  ContactSet contacts;
+  double residual = 0;           ///< |y − Jᵀλ| / |y|, 0 where y = 0
+  int iterations = 0;            ///< linearise-solve-advance steps taken
+  bool converged = false;        ///< false: the budget ran out first
+  bool jumped = false;           ///< coherent only: Q is not joined to the last Q by a path swept free
+  std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
+  std::optional<double> pdt;          ///< static only: the translational depth found on the way, m
+};
+
+/// Work allowed to one query: 0 means no limit of that kind. `steps` counts iterations of the local
+/// optimiser (the same bits on every machine); `microseconds` is wall-clock.
+struct Budget {
+  int steps = 0;
+  double microseconds = 0;
+};
+
+}  // namespace sonde

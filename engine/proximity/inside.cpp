@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/inside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/proximity/placement.hpp"
+
+namespace sonde {
+namespace {
+
+/// Directions in general position: no axis, no diagonal. The third component is never the smallest.
+constexpr double rays[][3] = {{0.2113, 0.3719, 0.9039}, {-0.4127, 0.2371, 0.8795},
+                              {0.3317, -0.5923, 0.7343}, {-0.1931, -0.4409, -0.8765},
+                              {0.6113, 0.1297, -0.7807}, {-0.5479, 0.6151, -0.5669}};
+
+bool ray_meets_box(const Vec3& x, const Vec3& inverse, const Tree::Node& n, double guard) {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const double c = static_cast<double>(n.center[i]) - x[i];
+    const double h = static_cast<double>(n.half[i]) + guard;
+    const double t0 = (c - h) * inverse[i], t1 = (c + h) * inverse[i];
+    low = std::max(low, std::min(t0, t1));
+    high = std::min(high, std::max(t0, t1));
+  }
+  return low <= high * (1 + 1e-12);
+}
+
+/// Signed crossing of a ray with a triangle: ±1, 0, or no value where too near an edge to tell.
+std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
+  const Vec3 p = t[0] - x, q = t[1] - x, r = t[2] - x;
+  const double scale = d.norm();
+  const auto volume = [&](const Vec3& a, const Vec3& b) {
+    const double v = d.dot(a.cross(b));
+    const double error = 1e-14 * scale * a.norm() * b.norm();
+    return std::abs(v) <= error ? 0 : (v > 0 ? 1 : -1);
+  };
+  const int s0 = volume(p, q), s1 = volume(q, r), s2 = volume(r, p);
+  if (s0 * s1 < 0 || s1 * s2 < 0 || s2 * s0 < 0) return 0;
+  // In front or behind: the sign of the height of the plane along the ray.
+  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double facing = n.dot(d), height = n.dot(p);
+  if (s0 == 0 || s1 == 0 || s2 == 0) {
+    const bool behind = p.dot(d) < 0 && q.dot(d) < 0 && r.dot(d) < 0;
+    if (behind) return 0;
+    return std::nullopt;
+  }
+  if (std::abs(height) <= 1e-14 * n.norm() * p.norm()) return std::nullopt;
+  if ((height > 0) != (facing > 0)) return 0;
+  return s0;
+}
+
+std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d, double guard) {
+  const Vec3 inverse = d.cwiseInverse();
+  PairStack<std::uint32_t> stack;
+  stack.push(0);
+  int winding = 0;
+  while (!stack.empty()) {
+    const Tree::Node& n = body.tree.nodes[stack.pop()];
+    if (!ray_meets_box(x, inverse, n, guard)) continue;
+    if (!n.is_leaf()) {
+      stack.push(n.first);
+      stack.push(n.first + 1);
+      continue;
+    }
+    for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
+      const auto c = crossing(x, d, corners(body.soup, i));
+      if (!c) return std::nullopt;
+      winding += *c;
+    }
+  }
+  return winding;
+}
+
+/// Sum of signed solid angles over 4π (Van Oosterom and Strackee, 1983), rounded.
+int winding_by_solid_angles(const Body& body, const Vec3& x) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i) {
+    const Corners t = corners(body.soup, i);
+    const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)),
+                      la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
+}
+
+/// One corner of each component of `body`; does one lie inside `solid`? X takes body to solid.
+bool any_component_inside(const Body& body, const Body& solid, const Transform& X) {
+  for (const std::uint32_t triangle : body.component_triangle) {
+    const Vec3 x = X * body.soup.vertices[body.soup.triangles[triangle][0]];
+    if (inside(solid, x)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int winding_number(const Body& body, const Vec3& x) {
+  const double guard = rounding_guard(extent(body), 0, x);
+  for (const auto& ray : rays)
+    if (const auto w = count_along(body, x, Vec3(ray[0], ray[1], ray[2]), guard)) return *w;
+  return winding_by_solid_angles(body, x);
+}
+
+bool inside(const Body& solid, const Vec3& x) {
+  const Tree::Node& root = solid.tree.nodes.front();
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(x[i] - static_cast<double>(root.center[i])) > static_cast<double>(root.half[i])) return false;
+  return winding_number(solid, x) != 0;
+}
+
+bool component_inside(const Body& a, const Body& b, const Transform& X_BA) {
+  if (b.solid && any_component_inside(a, b, X_BA)) return true;
+  if (!a.solid) return false;
+  const Transform X_AB(X_BA.R.transpose(), -(X_BA.R.transpose() * X_BA.p));
+  return any_component_inside(b, a, X_AB);
+}
+
+}  // namespace sonde

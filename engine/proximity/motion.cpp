@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sonde {
+
+Chart::Chart(const MassProperties& mass, const Pose& X_FO)
+    : mass_(mass),
+      device_(X_FO),
+      q_MP_(mass.R_MP),
+      q_FP_((X_FO.q * q_MP_).normalized()),
+      com_(X_FO * mass.com) {
+  for (int i = 0; i < 3; ++i) {
+    root_[i] = 2 * std::sqrt(mass.inertia[i]);
+    per_root_[i] = root_[i] > 0 ? 1 / root_[i] : 0;
+  }
+}
+
+Pose Chart::pose(const Vec6& y) const {
+  const Vec3 u = v(y);
+  const Quat turn(std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z());
+  const Quat q = (q_FP_ * turn * q_MP_.conjugate()).normalized();
+  return {q, com_ + y.tail<3>() - q * mass_.com};
+}
+
+Vec6 Chart::coordinates(const Pose& X_FM) const {
+  Quat turn = q_FP_.conjugate() * (X_FM.q * q_MP_);
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  Vec6 y;
+  y.head<3>() = root_.cwiseProduct(turn.vec());
+  y.tail<3>() = X_FM * mass_.com - com_;
+  return y;
+}
+
+Vec6 Chart::row(const Vec6& y, const Vec3& a, const Vec3& n) const {
+  const Vec3 u = v(y);
+  const double w = std::sqrt(std::max(1e-12, 1 - u.squaredNorm()));
+  const Quat turn(w, u.x(), u.y(), u.z());
+  const Mat3 R = (q_FP_ * turn).toRotationMatrix();
+  const Vec3 r = a - (com_ + y.tail<3>());
+  // Moment of n about the centre of mass in principal axes at Q; the body's angular velocity is
+  // ω = 2 (w + v vᵀ/w − [v]×) v̇, so the row in v̇ is its transpose applied to the moment.
+  const Vec3 m = R.transpose() * r.cross(n);
+  const Vec3 in_v = 2 * (w * m + u * (u.dot(m) / w) + u.cross(m));
+  Vec6 row;
+  row.head<3>() = in_v.cwiseProduct(per_root_);
+  row.tail<3>() = n;
+  return row;
+}
+
+Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
+    : q_FP_(chart.principal()),
+      q_PM_(Quat(chart.mass().R_MP).conjugate()),
+      com_M_(chart.mass().com),
+      com_from_(chart.com() + from.tail<3>()),
+      com_step_(to.tail<3>() - from.tail<3>()),
+      v_from_(chart.v(from)),
+      v_step_(chart.v(to) - chart.v(from)) {
+  // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|. |v(s)| is
+  // largest at an end of the path.
+  const double v2 = std::max(v_from_.squaredNorm(), (v_from_ + v_step_).squaredNorm());
+  const double w2 = std::max(1e-12, 1 - v2);
+  const double step2 = v_step_.squaredNorm();
+  const double q2 = step2 + step2 * v2 / w2;
+  turn_ = 2 * std::sqrt(q2) * (1 + 1e-12);
+  acceleration_ = (4 * q2 + 2 * q2 / std::sqrt(w2)) * (1 + 1e-12);
+}
+
+Quat Motion::relative(double s) const {
+  const Vec3 u = v_from_ + s * v_step_;
+  return {std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z()};
+}
+
+Transform Motion::at(double s) const {
+  const Quat q = (q_FP_ * relative(s) * q_PM_).normalized();
+  const Mat3 R = q.toRotationMatrix();
+  return {R, com_from_ + s * com_step_ - R * com_M_};
+}
+
+Motion::Velocity Motion::velocity(double s) const {
+  const Quat turn = relative(s);
+  const double w = std::max(1e-6, turn.w());
+  const Vec3 u = turn.vec();
+  const Vec3 body = 2 * (w * v_step_ + u * (u.dot(v_step_) / w) - u.cross(v_step_));
+  return {com_step_, q_FP_ * (turn * body)};
+}
+
+}  // namespace sonde

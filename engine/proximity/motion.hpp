@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/mass.hpp"
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// Motions of the probe from its device pose O in the coordinates in which the object norm is Euclidean:
+/// y = (2√Î₁ v₁, 2√Î₂ v₂, 2√Î₃ v₃, t), σ = |y|², with v the vector part of the relative unit quaternion in
+/// principal axes (w ≥ 0) and t the displacement of the centre of mass in the fixed frame, m. An axis
+/// about which turning moves nothing (Î = 0) is left out: its coordinate is 0.
+class Chart {
+ public:
+  Chart(const MassProperties& mass, const Pose& X_FO);
+
+  /// The pose X_FM at y. |v| must be below 1.
+  Pose pose(const Vec6& y) const;
+  /// y of a pose. What a turn about an axis with Î = 0 contributes is dropped.
+  Vec6 coordinates(const Pose& X_FM) const;
+  Vec3 v(const Vec6& y) const { return y.head<3>().cwiseProduct(per_root_); }
+
+  /// The row J of a contact at point a with normal n (fixed frame), at y: n·ȧ = J·ẏ.
+  Vec6 row(const Vec6& y, const Vec3& a, const Vec3& n) const;
+
+  const MassProperties& mass() const { return mass_; }
+  const Pose& device() const { return device_; }
+  const Quat& principal() const { return q_FP_; }
+  const Vec3& com() const { return com_; }
+
+ private:
+  const MassProperties& mass_;
+  Pose device_;
+  Quat q_MP_;
+  Quat q_FP_;       // principal axes at O in the fixed frame
+  Vec3 com_;        // centre of mass at O, fixed frame
+  Vec3 root_;       // 2√Î
+  Vec3 per_root_;   // 1 / (2√Î), 0 where Î is 0
+};
+
+/// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what the
+/// sweep needs of it. |v| must stay below 1.
+class Motion {
+ public:
+  Motion(const Chart& chart, const Vec6& from, const Vec6& to);
+
+  Transform at(double s) const;  ///< X_FM
+  struct Velocity {
+    Vec3 linear;   ///< of the centre of mass, per unit of s, fixed frame
+    Vec3 angular;  ///< fixed frame
+  };
+  Velocity velocity(double s) const;
+  /// No point at distance r of the centre of mass accelerates by more than r times this, anywhere on
+  /// the path (per unit of s squared).
+  double acceleration_per_radius() const { return acceleration_; }
+  /// Length of the path of the centre of mass, m, and a bound of the angle turned through on the path
+  /// (its whole length, not its ends), rad: no point at distance r of the centre of mass travels
+  /// further than linear_distance() + r turn_bound().
+  double linear_distance() const { return com_step_.norm(); }
+  double turn_bound() const { return turn_; }
+  /// The centre of mass in the mesh frame.
+  const Vec3& com() const { return com_M_; }
+
+ private:
+  Quat relative(double s) const;
+  Quat q_FP_, q_PM_;
+  Vec3 com_M_, com_from_, com_step_, v_from_, v_step_;
+  double acceleration_;
+  double turn_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/body.hpp"
+#include "engine/proximity/motion.hpp"
+#include "engine/proximity/near_pairs.hpp"
+#include "engine/proximity/sweep.hpp"
+
+namespace sonde {
+
+/// The pairs of triangles that were within a reach of each other at one pose. As long as the probe has moved
+/// by less than that, near pairs and sweeps need to look at these alone: a walk of the trees pays for many
+/// small steps (after the neighbour lists of L. Verlet, 1967). Nothing here allocates but the constructor.
+class PairList {
+ public:
+  PairList(const Body& a, const Body& b);
+
+  /// Takes down every pair that may be within reach at X. False (and an empty list) where there are
+  /// more than it holds.
+  bool build(const Transform& X, double reach) noexcept;
+
+  /// Every pair at a distance of at most this, at X, is in the list. Negative: no statement.
+  double reach_at(const Transform& X) const noexcept;
+
+  /// As near_pairs and sweep; the reach (and the path with the clearance) must lie within reach_at.
+  NearPairs near(const Transform& X, double reach, std::span<NearPair> out) noexcept;
+  Sweep sweep_along(const Motion& motion, double clearance) noexcept;
+
+ private:
+  struct Item {
+    std::uint32_t a, b;
+    double bound;  ///< the pair was at least this far apart at the pose of the list, m
+    Vec3 normal;   ///< the last direction found to separate it; zero: none yet
+  };
+  double displacement(const Transform& X) const noexcept;
+
+  const Body& a_;
+  const Body& b_;
+  std::vector<Item> items_;
+  std::size_t count_ = 0;
+  Transform X_;
+  double reach_ = -1;
+};
+
+}  // namespace sonde

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/body.hpp"
+#include "engine/proximity/motion.hpp"
+#include "engine/proximity/sweep.hpp"
+#include "engine/proximity/triangle_pair.hpp"
+
+namespace sonde {
+
+/// How far s may advance until `slack` could have been used up by a gap that changes at `speed` (negative:
+/// closing) with an acceleration of at most `acceleration`. Units of s.
+double safe_advance(double slack, double speed, double acceleration);
+
+/// The motion at one s.
+struct Moment {
+  Transform X;
+  Motion::Velocity velocity;
+  Moment() = default;
+  Moment(const Motion& motion, double s) : X(motion.at(s)), velocity(motion.velocity(s)) {}
+};
+
+/// Advances pairs of triangles along one motion and keeps the earliest stop.
+class PairSweep {
+ public:
+  PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance);
+
+  /// The pair (i, j), known to be free on [0, from]. `normal`: a direction to try first (zero: none);
+  /// holds the last one found on return.
+  void advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
+
+  const Sweep& result() const { return result_; }
+  double free_until() const { return result_.free_until; }
+  const Moment& start() const { return start_; }
+  /// The moment at s; the last one asked for is kept.
+  const Moment& at(double s);
+  double guard() const { return guard_; }
+  double clearance() const { return clearance_; }
+
+ private:
+  const Body& a_;
+  const Body& b_;
+  const Motion& motion_;
+  double clearance_;
+  double guard_;  // rounding error of a gap, m
+  Moment start_, kept_;
+  double kept_s_ = 0;
+  Sweep result_;
+};
+
+}  // namespace sonde

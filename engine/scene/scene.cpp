@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/scene/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+#include "engine/scene/located_json.hpp"
+#include "engine/scene/nearest.hpp"
+#include "engine/scene/number_text.hpp"
+#include "engine/scene/pose_numbers.hpp"
+#include "engine/scene/settings.hpp"
+#include "engine/scene/text_file.hpp"
+
+namespace sonde {
+namespace {
+
+using Kind = JsonNode::Kind;
+using Keys = std::vector<std::string_view>;
+
+constexpr std::size_t most_bytes = 1 << 20;
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array<Unit, 6> units{
+    {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
+
+// The keys of each object of a scene; "$schema" is there for editors that complete and check.
+const Keys& scene_object_keys() {
+  static const Keys keys{"$schema",  "unit",   "probe", "fixed", "trajectory",
+                         "coupling", "device", "servo", "view"};
+  return keys;
+}
+const Keys& body_keys() {
+  static const Keys keys{"mesh", "model", "scale", "pose"};
+  return keys;
+}
+Keys keys_of(std::span<const Setting> settings) {
+  Keys keys;
+  for (const Setting& setting : settings) keys.emplace_back(setting.key);
+  return keys;
+}
+Keys coupling_keys() {
+  Keys keys = keys_of(coupling_settings());
+  keys.insert(keys.begin(), "mode");
+  return keys;
+}
+
+std::string in_quotes(std::string_view text) {
+  const bool fits = text.size() <= 60;
+  return std::string("\"").append(text.substr(0, fits ? 60 : 57)).append(fits ? "\"" : "...\"");
+}
+
+/// Reads the values of one file and complains with its name and the line.
+struct Reader {
+  std::filesystem::path file;
+
+  [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
+    throw InputError::at_line(file.string(), line, reason);
+  }
+
+  void expect(const JsonNode& node, Kind kind) const {
+    if (node.kind == kind) return;
+    const std::string what = node.key.empty() ? "the file's value" : in_quotes(node.key);
+    fail(node.line, what + " is " + name_of(node.kind) + "; expected " + name_of(kind));
+  }
+
+  /// An object with no other keys than these.
+  void expect_object(const JsonNode& node, const Keys& known) const {
+    expect(node, Kind::object);
+    for (const JsonNode& child : node.children)
+      if (std::ranges::find(known, child.key) == known.end())
+        fail(child.key_line, "unknown key " + in_quotes(child.key) + "; the nearest known one is " +
+                                 in_quotes(nearest(child.key, known)));
+  }
+
+  const JsonNode& need(const JsonNode& object, std::string_view key) const {
+    const JsonNode* found = object.find(key);
+    if (!found) {
+      const std::string where = object.key.empty() ? "the scene" : in_quotes(object.key);
+      fail(object.line, "key " + in_quotes(key) + " is missing from " + where);
+    }
+    return *found;
+  }
+
+  /// One of a few words; `known` as a list for the complaint.
+  template <class Value>
+  Value choice(const JsonNode& node, const std::optional<Value>& value, const Keys& known) const {
+    if (value) return *value;
+    fail(node.line, in_quotes(node.key) + " is " + in_quotes(node.text) +
+                        "; the nearest known value is " + in_quotes(nearest(node.text, known)));
+  }
+
+  std::filesystem::path path(const JsonNode& node) const {
+    expect(node, Kind::string);
+    if (node.text.empty()) fail(node.line, in_quotes(node.key) + " is an empty path");
+    if (node.text.find('\0') != std::string::npos)
+      fail(node.line, in_quotes(node.key) + " is a path with a null character");
+    return (file.parent_path() / node.text).lexically_normal();
+  }
+
+  double unit(const JsonNode& node) const {
+    expect(node, Kind::string);
+    Keys known;
+    for (const Unit& u : units) known.push_back(u.name);
+    return choice(node, unit_in_metres(node.text), known);
+  }
+
+  Pose pose(const JsonNode& node, double unit) const {
+    expect(node, Kind::array);
+    if (node.children.size() != 7)
+      fail(node.line, "\"pose\" has " + std::to_string(node.children.size()) +
+                          " numbers; expected 7: px, py, pz, qw, qx, qy, qz");
+    std::array<double, 7> numbers{};
+    for (std::size_t i = 0; i < 7; ++i) {
+      if (node.children[i].kind != Kind::number)
+        fail(node.children[i].line, std::string("\"pose\" holds ") +
+                                        name_of(node.children[i].kind) + "; expected numbers");
+      numbers[i] = node.children[i].number * (i < 3 ? unit : 1);
+    }
+    try {
+      return pose_of_numbers(numbers);
+    } catch (const std::invalid_argument& error) {
+      fail(node.line, error.what());
+    }
+  }
+
+  SceneBody body(const JsonNode& node, double unit) const {
+    expect_object(node, body_keys());
+    SceneBody body;
+    body.mesh = path(need(node, "mesh"));
+    if (const JsonNode* model = node.find("model")) {
+      expect(*model, Kind::string);
+      body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
+    }
+    if (const JsonNode* scale = node.find("scale")) {
+      expect(*scale, Kind::number);
+      body.scale = scale->number;
+      if (!(body.scale > 0))
+        fail(scale->line, "\"scale\" is " + number_text(body.scale) + "; it must be above zero");
+    }
+    if (const JsonNode* given = node.find("pose")) body.pose = pose(*given, unit);
+    return body;
+  }
+
+  /// The settings of a table that the object sets.
+  template <class Target>
+  void read_settings(const JsonNode& object, std::span<const Setting> settings,
+                     Target& target) const {
+    for (const Setting& setting : settings) {
+      const JsonNode* node = object.find(setting.key);
+      if (!node) continue;
+      expect(*node, Kind::number);
+      if (!allowed(setting, node->number))
+        fail(node->line, in_quotes(setting.key) + " is " + number_text(node->number) +
+                             "; it must be " + range_text(setting));
+      set(target, setting.key, node->number);
+    }
+  }
+
+  Coupling coupling(const JsonNode& node) const {
+    Coupling coupling;
+    expect_object(node, coupling_keys());
+    if (const JsonNode* mode = node.find("mode")) {
+      expect(*mode, Kind::string);
+      Keys known;
+      for (const Choice& choice : coupling_modes()) known.emplace_back(choice.key);
+      coupling.mode = choice(*mode, coupling_mode(mode->text), known);
+    }
+    read_settings(node, coupling_settings(), coupling);
+    return coupling;
+  }
+
+  ServoSettings servo(const JsonNode& node) const {
+    ServoSettings servo;
+    expect_object(node, keys_of(servo_settings()));
+    read_settings(node, servo_settings(), servo);
+    return servo;
+  }
+};
+
+std::string name_of_scene(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  for (const std::string_view ending : {".json", ".sonde"})
+    if (name.ends_with(ending) && name.size() > ending.size())
+      name.resize(name.size() - ending.size());
+  return name;
+}
+
+}  // namespace
+
+Coupling read_coupling(const std::filesystem::path& file) {
+  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  const std::string text = read_text(file, most_bytes);
+  const JsonNode root = parse_json(file.string(), text);
+  const Reader reader{file};
+  reader.expect_object(root, scene_object_keys());
+
+  Scene scene;
+  scene.file = file;
+  scene.name = name_of_scene(file);
+  if (const JsonNode* schema = root.find("$schema")) reader.expect(*schema, Kind::string);
+  if (const JsonNode* unit = root.find("unit")) scene.unit = reader.unit(*unit);
+  scene.probe = reader.body(reader.need(root, "probe"), scene.unit);
+  scene.fixed = reader.body(reader.need(root, "fixed"), scene.unit);
+  if (const JsonNode* path = root.find("trajectory")) scene.trajectory = reader.path(*path);
+  if (const JsonNode* coupling = root.find("coupling"))
+    scene.coupling = coupling->kind == Kind::string ? read_coupling(reader.path(*coupling))
+                                                    : reader.coupling(*coupling);
+  if (const JsonNode* servo = root.find("servo")) scene.servo = reader.servo(*servo);
+  const auto keep = [&](const char* key, std::string& into) {
+    const JsonNode* node = root.find(key);
+    if (!node) return;
+    reader.expect(*node, Kind::object);
+    into = text.substr(node->begin, node->end - node->begin);
+  };
+  keep("view", scene.view);
+  keep("device", scene.device);
+  return scene;
+}
+
+std::vector<std::string> scene_keys() {
+  std::vector<std::string> all;
+  const auto add = [&](std::string_view prefix, const Keys& keys) {
+    for (const std::string_view key : keys) all.push_back(std::string(prefix) + std::string(key));
+  };
+  add("", scene_object_keys());
+  add("probe.", body_keys());
+  add("fixed.", body_keys());
+  add("coupling.", coupling_keys());
+  add("servo.", keys_of(servo_settings()));
+  return all;
+}
+
+std::optional<double> unit_in_metres(const std::string& unit) {
+  const auto found = std::ranges::find(units, unit, &Unit::name);
+  return found == units.end() ? std::nullopt : std::optional(found->metres);
+}
+
+Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }
+
+std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
+  return load_body(body.mesh.string(), body.model, unit * body.scale, progress);
+}
+
+}  // namespace sonde

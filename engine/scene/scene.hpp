@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/body.hpp"
+#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/servo.hpp"
+
+namespace sonde {
+
+/// One of the two bodies of a scene as its file describes it.
+struct SceneBody {
+  std::filesystem::path mesh;  ///< absolute, or relative to the working directory
+  Model model = Model::automatic;
+  double scale = 1;
+  Pose pose;  ///< X_WM, metres
+};
+
+/// A scene file, read and checked (NAME.sonde.json). Meshes are not loaded yet.
+struct Scene {
+  std::filesystem::path file;
+  std::string name;
+  double unit = 1;  ///< metres per unit of the mesh files and of the scene's lengths
+  SceneBody probe;
+  SceneBody fixed;
+  std::optional<std::filesystem::path> trajectory;
+  Coupling coupling;
+  ServoSettings servo;
+  /// The `view` and `device` objects as JSON text, for the desktop program; "{}" where absent.
+  std::string view = "{}";
+  std::string device = "{}";
+};
+
+/// Reads a scene. Throws InputError naming the file, the line and the reason: JSON that does not
+/// parse, a missing key, an unknown one (with the nearest known), a value out of range or a
+/// quaternion far from unit.
+Scene read_scene(const std::filesystem::path& file);
+
+/// Reads a file that holds a scene's `coupling` object alone. Errors as read_scene.
+Coupling read_coupling(const std::filesystem::path& file);
+
+/// Every key read_scene knows, with the objects it lies in: "unit", "probe", "probe.mesh", ...
+std::vector<std::string> scene_keys();
+
+/// Metres per unit, "m" | "cm" | "mm" | "um" | "in" | "ft"; no value for anything else.
+std::optional<double> unit_in_metres(const std::string& unit);
+
+/// The pose of the probe's mesh frame in the fixed body's mesh frame, from the two poses of a
+/// scene.
+Pose relative_pose(const Scene& scene);
+
+/// Loads one body of a scene, in metres.
+std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
+
+}  // namespace sonde

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/servo.hpp"
+
+namespace sonde {
+
+/// One setting. The slider, the flag, the scene key, the saved setting and the tooltip all come
+/// from this one declaration, in the table of settings.cpp.
+struct Setting {
+  const char* key;    ///< scene key; the flag is the same with '-' for '_'
+  const char* label;  ///< for people, in sentence case
+  const char* unit;   ///< SI, "" where there is none
+  double minimum;     ///< allowed values, both ends included
+  double maximum;
+  double fallback;   ///< the value where nothing sets it; that of the struct's own initialiser
+  bool logarithmic;  ///< the scale of a slider; its minimum is then above zero
+  const char* doc;   ///< one line: tooltip and help
+  bool integer = false;
+  const char* coupling_mode = "";  ///< used in this coupling mode only; "" in every mode
+};
+
+/// One value of a setting that is a choice.
+struct Choice {
+  const char* key;
+  const char* label;
+  const char* doc;
+};
+
+/// The gains: k, k_t, k_r, b_t, b_r, max_force, max_torque. (The mode is a choice: coupling_modes.)
+std::span<const Setting> coupling_settings();
+/// The values of the coupling's "mode", in the order of Coupling::Mode.
+std::span<const Choice> coupling_modes();
+/// The servo's: rate_hz, budget_us, budget_steps.
+std::span<const Setting> servo_settings();
+
+/// The setting of that key; null where there is none.
+const Setting* find_setting(std::span<const Setting> settings, std::string_view key);
+
+/// True where the value is finite, within the range, and whole where the setting is an integer.
+bool allowed(const Setting& setting, double value);
+/// The range in words for messages: "between 1 and 100000 N/m".
+std::string range_text(const Setting& setting);
+
+/// Reads and writes a setting by its key. set() brings the value into the range. Both throw
+/// std::invalid_argument for an unknown key, set() for a value that is not finite.
+double get(const Coupling& coupling, std::string_view key);
+void set(Coupling& coupling, std::string_view key, double value);
+double get(const ServoSettings& servo, std::string_view key);
+void set(ServoSettings& servo, std::string_view key, double value);
+
+const char* name_of(Coupling::Mode mode);
+std::optional<Coupling::Mode> coupling_mode(std::string_view name);
+const char* name_of(Model model);
+std::optional<Model> model_named(std::string_view name);  ///< "auto" | "solid" | "surface"
+
+}  // namespace sonde

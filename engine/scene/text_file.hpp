@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace sonde {
+
+/// The whole of a file, without a leading byte-order mark. Throws InputError naming the file and
+/// the reason: not there, not readable, a folder, empty, or longer than `most` bytes.
+std::string read_text(const std::filesystem::path& file, std::size_t most);
+
+}  // namespace sonde

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every target of the project is compiled with, as the interface target sonde_options.
+
+add_library(sonde_options INTERFACE)
+target_compile_features(sonde_options INTERFACE cxx_std_20)
+# Without contraction a*b+c rounds twice on every machine: the same input gives the same bits.
+target_compile_options(sonde_options INTERFACE -Wall -Wextra -Wconversion -ffp-contract=off)
+if(SONDE_WARNINGS_AS_ERRORS)
+  target_compile_options(sonde_options INTERFACE -Werror)
+endif()
+if(SONDE_SANITIZE)
+  target_compile_options(sonde_options INTERFACE -fsanitize=${SONDE_SANITIZE}
+                                                 -fno-omit-frame-pointer)
+  target_link_options(sonde_options INTERFACE -fsanitize=${SONDE_SANITIZE})
+endif()

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+include(GoogleTest)
+
+# sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY])
+#
+# One test program `test_NAME`, of the *_test.cpp files given (default: all in the calling folder),
+# with every GoogleTest case registered in ctest.
+#   LABELS     ci (default): runs in CI. full, soak, fuzz: longer ones, each by `ctest -L LABEL`.
+#   LIBRARIES  beside sonde::engine and GoogleTest.
+#   DISPLAY    the tests open windows: they need an X server, and run one at a time.
+# Cases whose names hold a label after a dot-free prefix (Full_, Soak_, Fuzz_) get that label
+# instead: TEST(Suite, Full_name) runs under `full` alone.
+function(sonde_test NAME)
+  cmake_parse_arguments(ARG "DISPLAY" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(GLOB ARG_SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp")
+  endif()
+  if(NOT ARG_SOURCES)
+    return()
+  endif()
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS ci)
+  endif()
+  add_executable(test_${NAME} ${ARG_SOURCES})
+  target_link_libraries(test_${NAME} PRIVATE sonde::engine sonde_options sonde_test_support
+                                             ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  set(properties LABELS "${ARG_LABELS}" TIMEOUT 600)
+  if(ARG_DISPLAY)
+    list(APPEND properties RUN_SERIAL TRUE)
+  endif()
+  gtest_discover_tests(test_${NAME} TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 60
+                       TEST_FILTER "-*.Full_*:*.Soak_*:*.Fuzz_*" PROPERTIES ${properties})
+  foreach(label Full Soak Fuzz)
+    string(TOLOWER ${label} lower)
+    gtest_discover_tests(test_${NAME} TEST_PREFIX "${NAME}." TEST_SUFFIX "" DISCOVERY_TIMEOUT 60
+                         TEST_FILTER "*.${label}_*" TEST_LIST ${NAME}_${label}
+                         PROPERTIES LABELS ${lower} TIMEOUT 5400)
+  endforeach()
+endfunction()

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using Info = AppTest;
+
+TEST_F(Info, text_has_numbers_and_units) {
+  const Outcome run = sonde("info small.off large.off");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, AllOf(HasSubstr("small.off\n"), HasSubstr("large.off\n"),
+                             HasSubstr("triangles       12\n"), HasSubstr("solid ("),
+                             HasSubstr("volume V        0.001 m³"), HasSubstr("none")));
+}
+
+TEST_F(Info, json_has_every_digit) {
+  const Outcome run = sonde("info --json --unit mm small.off");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json mesh = json::parse(run.out).at("meshes").at(0);
+  EXPECT_EQ(mesh.at("triangles"), 12);
+  EXPECT_EQ(mesh.at("vertices"), 8);
+  EXPECT_EQ(mesh.at("model"), "solid");
+  EXPECT_NEAR(mesh.at("volume").get<double>(), 1e-12, 1e-24);
+  EXPECT_NEAR(mesh.at("inertia").at(2).get<double>(), 1e-8 / 6, 1e-20);
+  EXPECT_NEAR(mesh.at("bounds").at("high").at(0).get<double>(), 5e-5, 1e-16);
+  EXPECT_EQ(mesh.at("defects").at("open_edges"), 0);
+  EXPECT_EQ(mesh.at("defects").at("turned"), false);
+}
+
+TEST_F(Info, defects_are_counted) {
+  folder.write("open.off",
+               "OFF\n6 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n5 5 5\n5 6 5\n"
+               "3 0 1 2\n3 0 1 2\n3 3 4 5\n");
+  const Outcome text = sonde("info open.off");
+  EXPECT_THAT(text.out, AllOf(HasSubstr("surface ("), HasSubstr("area V"),
+                              HasSubstr("1 triangles without area"), HasSubstr("1 duplicate")));
+  const json mesh = json::parse(sonde("info --json open.off").out).at("meshes").at(0);
+  EXPECT_EQ(mesh.at("defects").at("degenerate_triangles"), 1);
+  EXPECT_EQ(mesh.at("bounds").at("high").at(0), 1) << "of the triangles that count";
+}
+
+TEST_F(Info, one_bad_mesh_among_good_ones_and_nothing_is_written) {
+  folder.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+  expect_refused("info small.off bad.off none.off", 3, "bad.off");
+  expect_refused("info small.off bad.off none.off", 3, "none.off");
+  expect_refused("info small.off bad.off --out r.txt", 3, "bad.off");
+}
+
+TEST_F(Info, a_model_that_does_not_fit_is_refused) {
+  folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  expect_refused("info --model solid open.off", 3, "open.off");
+  EXPECT_EQ(sonde("info --model surface small.off").exit_code, 0);
+}
+
+TEST_F(Info, out_writes_a_file) {
+  EXPECT_EQ(sonde("info small.off --out r.txt").out, "");
+  EXPECT_EQ(text_of(folder / "r.txt"), sonde("info small.off").out);
+}
+
+}  // namespace
+}  // namespace sonde::test

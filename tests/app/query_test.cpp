@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* header =
+    "index,status,depth,sigma,px,py,pz,qw,qx,qy,qz,lower_bound,contacts,residual,iterations,time_"
+    "us";
+
+class Query : public AppTest {
+ protected:
+  /// The result of a run that has to succeed.
+  Csv query(const std::string& arguments) const {
+    const Outcome run = sonde("query " + arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Csv(run.out);
+  }
+  const std::string scene = "boxes.sonde.json --poses poses.csv ";
+};
+
+TEST_F(Query, columns_statuses_and_numbers) {
+  const Csv csv = query(scene);
+  EXPECT_EQ(csv.header, header);
+  ASSERT_EQ(csv.rows.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(csv.rows[i].size(), 16u);
+    EXPECT_EQ(csv.text(i, "index"), std::to_string(i));
+    EXPECT_GT(csv.number(i, "time_us"), 0);
+  }
+  EXPECT_EQ(csv.text(0, "status"), "penetrating");
+  EXPECT_NEAR(csv.number(0, "depth"), 0.01, 2e-5);
+  EXPECT_NEAR(csv.number(0, "px"), 0.15, 2e-5);
+  const double depth = csv.number(0, "depth");
+  EXPECT_NEAR(csv.number(0, "sigma"), depth * depth, 1e-15);
+  EXPECT_LE(csv.number(0, "lower_bound"), depth);
+  EXPECT_GE(csv.number(0, "contacts"), 1);
+  EXPECT_LT(csv.number(0, "residual"), 1e-3);
+  EXPECT_EQ(csv.text(1, "status"), "separated");
+  EXPECT_EQ(csv.text(1, "depth"), "0");
+  EXPECT_EQ(csv.text(1, "lower_bound"), "");
+  EXPECT_EQ(csv.text(1, "px"), "0.29999999999999999") << "as given, 17 digits";
+}
+
+TEST_F(Query, out_is_what_stdout_would_be) {
+  const Outcome run = sonde("query --out r.csv " + scene);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "");
+  const Csv file(text_of(folder / "r.csv"));
+  EXPECT_EQ(file.without({"time_us"}), query("--out - " + scene).without({"time_us"}));
+}
+
+TEST_F(Query, quiet_and_a_pipe_leave_stderr_empty) {
+  EXPECT_EQ(sonde("query --quiet " + scene).err, "");
+  EXPECT_THAT(sonde("query " + scene).err, testing::Not(HasSubstr("searching"))) << "no terminal";
+}
+
+TEST_F(Query, same_bits_at_any_thread_count) {
+  const auto one = query("--threads 1 " + scene).without({"time_us"});
+  EXPECT_EQ(query("--threads 2 " + scene).without({"time_us"}), one);
+  EXPECT_EQ(query("--threads 7 " + scene).without({"time_us"}), one);
+  EXPECT_EQ(query(scene).without({"time_us"}), one);
+}
+
+TEST_F(Query, loose_meshes_and_a_scene_give_the_same) {
+  EXPECT_EQ(query("--poses poses.csv " + loose).without({"time_us"}),
+            query(scene).without({"time_us"}));
+}
+
+TEST_F(Query, the_poses_of_a_scene_are_not_used_but_its_scales_and_unit_are) {
+  const auto expected = query(scene).without({"time_us"});
+  folder.write("moved.sonde.json", R"({"unit": "cm",
+      "probe": {"mesh": "small.off", "scale": 100, "pose": [7, 0, 0, 0, 1, 0, 0]},
+      "fixed": {"mesh": "large.off", "scale": 100, "pose": [0, 3, 0, 0.6, 0.8, 0, 0]}})");
+  EXPECT_EQ(query("moved.sonde.json --poses poses.csv").without({"time_us"}), expected);
+  EXPECT_EQ(query("--poses poses.csv --unit cm --probe-scale 100 --fixed-scale 100 " + loose)
+                .without({"time_us"}),
+            expected);
+}
+
+TEST_F(Query, json_holds_the_same_numbers) {
+  const Outcome run = sonde("query --json " + scene);
+  ASSERT_EQ(run.exit_code, 0);
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result.at("units").at("depth"), "m");
+  const Csv csv = query(scene);
+  ASSERT_EQ(result.at("results").size(), csv.rows.size());
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const json& row = result.at("results")[i];
+    EXPECT_EQ(row.size(), 16u);
+    EXPECT_EQ(row.at("status"), csv.text(i, "status"));
+    for (const char* name : {"index", "depth", "sigma", "px", "qw", "contacts", "iterations"})
+      EXPECT_EQ(row.at(name).get<double>(), csv.number(i, name)) << name;
+  }
+  EXPECT_TRUE(result.at("results")[1].at("lower_bound").is_null());
+}
+
+TEST_F(Query, coherent_follows) {
+  const Csv csv = query("--mode coherent " + scene);
+  EXPECT_EQ(csv.header, header);
+  ASSERT_EQ(csv.rows.size(), 3u);
+  EXPECT_NEAR(csv.number(0, "depth"), 0.01, 2e-5);
+  EXPECT_EQ(csv.without({"time_us"}), query("--mode coherent " + scene).without({"time_us"}));
+}
+
+TEST_F(Query, translation_only_turns_nothing) {
+  const Csv csv = query("--method pdt " + scene);
+  const Csv all = query(scene);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double slack = 1e-4 * all.number(i, "depth");  // the clearance a returned pose may have
+    EXPECT_GE(csv.number(i, "depth"), all.number(i, "depth") - slack);
+  }
+  EXPECT_NEAR(csv.number(2, "qw"), 0.8, 1e-12);
+  EXPECT_NEAR(csv.number(2, "qx"), 0.6, 1e-12);
+}
+
+TEST_F(Query, budgets_are_taken) {
+  const Csv csv = query("--budget-steps 3 " + scene);
+  EXPECT_EQ(csv.rows.size(), 3u);
+  EXPECT_EQ(csv.without({"time_us"}),
+            query("--threads 2 --budget-steps 3 " + scene).without({"time_us"}));
+  EXPECT_EQ(query("--budget-us 1000000 " + scene).rows.size(), 3u);
+}
+
+TEST_F(Query, the_seed_is_any_64_bit_number) {
+  EXPECT_EQ(query("--seed 18446744073709551615 " + scene).rows.size(), 3u);
+}
+
+TEST_F(Query, no_poses_give_a_header) {
+  folder.write("none.csv", "px,py,pz,qw,qx,qy,qz\n");
+  const Outcome run = sonde("query boxes.sonde.json --poses none.csv");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, std::string(header) + "\n");
+  EXPECT_TRUE(json::parse(sonde("query boxes.sonde.json --poses none.csv --json").out)
+                  .at("results")
+                  .empty());
+}
+
+TEST_F(Query, meshes_that_never_touch_are_separated) {
+  folder.write("far.csv", "px,py,pz,qw,qx,qy,qz\n9,0,0,1,0,0,0\n1e6,0,0,1,0,0,0\n");
+  for (const char* mode : {"static", "coherent"}) {
+    const Csv csv = query(std::string("boxes.sonde.json --poses far.csv --mode ") + mode);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(csv.text(i, "status"), "separated");
+      EXPECT_EQ(csv.text(i, "sigma"), "0");
+    }
+  }
+}
+
+TEST_F(Query, one_triangle_against_one_triangle) {
+  folder.write("flat.off", "OFF\n3 1 0\n0 0 0\n0.1 0 0\n0 0.1 0\n3 0 1 2\n");
+  folder.write("turn.csv",
+               "px,py,pz,qw,qx,qy,qz\n"
+               "0.02,0.02,-0.01,0.70710678118654757,0.70710678118654757,0,0\n");
+  const Csv csv = query("--probe flat.off --fixed flat.off --poses turn.csv");
+  ASSERT_EQ(csv.rows.size(), 1u);
+  EXPECT_EQ(csv.text(0, "status"), "penetrating");
+  EXPECT_GT(csv.number(0, "depth"), 0);
+  EXPECT_LT(csv.number(0, "depth"), 0.011);
+  EXPECT_EQ(csv.text(0, "lower_bound"), "") << "two surfaces have none";
+}
+
+TEST_F(Query, a_mesh_against_itself_at_the_same_pose_gets_an_answer) {
+  folder.write("same.csv", "px,py,pz,qw,qx,qy,qz\n0,0,0,1,0,0,0\n");
+  const Csv csv = query("--probe small.off --fixed small.off --poses same.csv");
+  EXPECT_EQ(csv.text(0, "status"), "penetrating");
+  EXPECT_GT(csv.number(0, "depth"), 0.03);
+  EXPECT_LT(csv.number(0, "depth"), 0.1001) << "one edge's length always does";
+}
+
+TEST_F(Query, an_inside_out_mesh_is_turned_and_reported) {
+  folder.write("turned.off",
+               "OFF\n4 4 0\n0 0 0\n.1 0 0\n0 .1 0\n0 0 .1\n"
+               "3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n");
+  const std::string arguments = "query --probe turned.off --fixed large.off --poses poses.csv";
+  EXPECT_THAT(sonde(arguments).err, HasSubstr("inside out"));
+  EXPECT_THAT(sonde(arguments + " --quiet").err, testing::Not(HasSubstr("inside out")));
+}
+
+}  // namespace
+}  // namespace sonde::test

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/companion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+using namespace std::chrono_literals;
+
+class CompanionTest : public testing::Test {
+ protected:
+  std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
+  std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  Companion companion{probe, fixed};
+
+  static Pose at_depth(double depth, double x = 0) {
+    return {Quat::Identity(), Vec3(x, 0, 0.075 - depth)};
+  }
+  /// The answer about this pose; for a minute, which only a hung companion takes.
+  std::optional<CompanionResult> answer(const Pose& X) {
+    for (const auto end = std::chrono::steady_clock::now() + 60s;
+         std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(1ms))
+      if (const auto r = companion.latest(); r && r->device.p == X.p) return r;
+    return std::nullopt;
+  }
+};
+
+TEST_F(CompanionTest, has_nothing_to_say_before_it_is_asked) {
+  std::this_thread::sleep_for(5ms);
+  EXPECT_FALSE(companion.latest());
+}
+
+TEST_F(CompanionTest, computes_the_translational_depth_and_a_lower_bound) {
+  companion.request(at_depth(0.002));
+  const auto r = answer(at_depth(0.002));
+  ASSERT_TRUE(r);
+  EXPECT_TRUE(r->pdt_valid);
+  EXPECT_NEAR(r->pdt, 0.002, 1e-5);  // a box flat in a block: straight up
+  ASSERT_TRUE(r->lower_bound);
+  EXPECT_GE(*r->lower_bound, 0);
+  EXPECT_LE(*r->lower_bound, r->pdt);
+  EXPECT_GT(r->time_us, 0);
+}
+
+TEST_F(CompanionTest, is_zero_where_the_probe_is_free) {
+  companion.request(at_depth(-0.01));
+  const auto r = answer(at_depth(-0.01));
+  ASSERT_TRUE(r);
+  EXPECT_TRUE(r->pdt_valid);
+  EXPECT_EQ(r->pdt, 0);
+}
+
+TEST_F(CompanionTest, answers_the_newest_of_many_requests_and_goes_on_after_a_rest) {
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 1; i <= 1000; ++i) companion.request(at_depth(0.001, 1e-5 * i + 0.01 * round));
+    EXPECT_TRUE(answer(at_depth(0.001, 1e-2 + 0.01 * round))) << round;
+    std::this_thread::sleep_for(5ms);
+  }
+}
+
+TEST_F(CompanionTest, a_pose_that_is_no_pose_has_no_answer) {
+  Pose bad = at_depth(0.001);
+  bad.q.w() = std::numeric_limits<double>::quiet_NaN();
+  companion.request(bad);
+  const auto r = answer(bad);
+  ASSERT_TRUE(r);
+  EXPECT_FALSE(r->pdt_valid);
+  EXPECT_FALSE(r->lower_bound);
+  companion.request(at_depth(0.002));
+  EXPECT_TRUE(answer(at_depth(0.002)));
+}
+
+TEST_F(CompanionTest, ends_with_requests_waiting) {
+  for (int i = 0; i < 20; ++i) {
+    Companion brief(probe, fixed);
+    brief.request(at_depth(0.002));
+    brief.request(at_depth(0.003));
+  }
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/scene/scene.hpp"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "engine/scene/settings.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde {
+namespace {
+
+using test::TempFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// The complaint about a scene of this text; empty where there is none.
+std::string complaint(const std::string& text) {
+  const TempFolder folder;
+  const auto file = folder.write("a.sonde.json", text);
+  try {
+    read_scene(file);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_THAT(what, StartsWith(file.string() + ":"));
+    return what.substr(file.string().size() + 1);
+  }
+  return {};
+}
+
+constexpr const char* smallest = R"({"probe": {"mesh": "a.off"}, "fixed": {"mesh": "b.off"}})";
+
+/// A scene that is right but for one more line, line 4.
+std::string with_line(const std::string& line) {
+  return "{\n\"probe\": {\"mesh\": \"a.off\"},\n\"fixed\": {\"mesh\": \"b.off\"},\n" + line +
+         "\n}\n";
+}
+/// A scene whose probe has one more line, line 4.
+std::string with_probe_line(const std::string& line) {
+  return "{\n\"fixed\": {\"mesh\": \"b.off\"},\n\"probe\": {\"mesh\": \"a.off\",\n" + line +
+         "\n}}\n";
+}
+
+TEST(Scene, the_smallest_one_has_the_defaults) {
+  const TempFolder folder;
+  const Scene scene = read_scene(folder.write("pegs.sonde.json", smallest));
+  EXPECT_EQ(scene.name, "pegs");
+  EXPECT_EQ(scene.unit, 1);
+  EXPECT_EQ(scene.probe.mesh, folder / "a.off");
+  EXPECT_EQ(scene.fixed.mesh, folder / "b.off");
+  EXPECT_EQ(scene.probe.model, Model::automatic);
+  EXPECT_EQ(scene.probe.scale, 1);
+  EXPECT_EQ(scene.probe.pose.p, Vec3(0, 0, 0));
+  EXPECT_EQ(scene.probe.pose.q.w(), 1);
+  EXPECT_FALSE(scene.trajectory);
+  EXPECT_EQ(scene.coupling.k, Coupling{}.k);
+  EXPECT_EQ(scene.servo.rate_hz, 1000);
+  EXPECT_EQ(scene.view, "{}");
+  EXPECT_EQ(scene.device, "{}");
+}
+
+TEST(Scene, everything_is_read) {
+  const TempFolder folder;
+  const Scene scene = read_scene(folder.write("full.sonde.json", R"({
+    "$schema": "sonde-scene.schema.json",
+    "unit": "mm",
+    "probe": {"mesh": "sub/a.off", "model": "solid", "scale": 2,
+              "pose": [1, 2, 3, 0.5, 0.5, 0.5, 0.5]},
+    "fixed": {"mesh": "/b.off", "model": "surface", "pose": [10, 0, 0, 1, 0, 0, 0]},
+    "trajectory": "../path.csv",
+    "coupling": {"mode": "classic", "k": 1, "k_t": 2, "k_r": 3, "b_t": 4, "b_r": 0.5,
+                 "max_force": 6, "max_torque": 7},
+    "device": {"id": "x"},
+    "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5},
+    "view": {"camera": [1, 2, {"a": null}]}
+  })"));
+  EXPECT_EQ(scene.unit, 1e-3);
+  EXPECT_EQ(scene.probe.mesh, folder / "sub/a.off");
+  EXPECT_EQ(scene.fixed.mesh, "/b.off");
+  EXPECT_EQ(scene.probe.model, Model::solid);
+  EXPECT_EQ(scene.fixed.model, Model::surface);
+  EXPECT_EQ(scene.probe.scale, 2);
+  EXPECT_LT((scene.probe.pose.p - Vec3(1e-3, 2e-3, 3e-3)).norm(), 1e-18) << "lengths in the unit";
+  EXPECT_EQ(scene.trajectory, folder.path().parent_path() / "path.csv");
+  EXPECT_EQ(scene.coupling.mode, Coupling::Mode::classic);
+  EXPECT_EQ(scene.coupling.max_torque, 7);
+  EXPECT_EQ(scene.servo.rate_hz, 500);
+  EXPECT_EQ(scene.servo.budget.microseconds, 100);
+  EXPECT_EQ(scene.servo.budget.steps, 5);
+  EXPECT_EQ(scene.device, R"({"id": "x"})");
+  EXPECT_EQ(scene.view, R"({"camera": [1, 2, {"a": null}]})");
+
+  const Pose relative = relative_pose(scene);
+  EXPECT_LT((relative.p - Vec3(-9e-3, 2e-3, 3e-3)).norm(), 1e-15);
+}
+
+TEST(Scene, each_setting_of_the_table_is_a_key) {
+  const TempFolder folder;
+  for (const Setting& setting : coupling_settings()) {
+    const std::string line = std::string("\"coupling\": {\"") + setting.key + "\": ";
+    for (const double value : {setting.minimum, setting.maximum}) {
+      const Scene scene =
+          read_scene(folder.write("a.json", with_line(line + std::to_string(value) + "}")));
+      EXPECT_EQ(get(scene.coupling, setting.key), value);
+    }
+    EXPECT_THAT(complaint(with_line(line + std::to_string(setting.maximum * 2) + "}")),
+                AllOf(StartsWith("4: "), HasSubstr(setting.key), HasSubstr("between")));
+    EXPECT_THAT(complaint(with_line(line + "\"1\"}")), HasSubstr("a string; expected a number"));
+  }
+  for (const Setting& setting : servo_settings()) {
+    const std::string line = std::string("\"servo\": {\"") + setting.key + "\": ";
+    const Scene scene = read_scene(folder.write("a.json", with_line(line + "7}")));
+    EXPECT_EQ(get(scene.servo, setting.key), 7);
+    EXPECT_THAT(complaint(with_line(line + "-1}")),
+                AllOf(StartsWith("4: "), HasSubstr(setting.key), HasSubstr("between")));
+  }
+}
+
+TEST(Scene, coupling_may_be_a_file_of_its_own) {
+  const TempFolder folder;
+  folder.write("gains.json", "{\n\"k\": 900}");
+  const auto file = folder.write("a.sonde.json", with_line("\"coupling\": \"gains.json\""));
+  EXPECT_EQ(read_scene(file).coupling.k, 900);
+  folder.write("gains.json", "{\n\"kk\": 900}");
+  try {
+    read_scene(file);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith((folder / "gains.json").string() + ":2: unknown key"));
+  }
+  std::filesystem::remove(folder / "gains.json");
+  EXPECT_THROW(read_scene(file), InputError);
+}
+
+TEST(Scene, unknown_keys_are_named_with_the_nearest_known) {
+  EXPECT_THAT(complaint(with_line("\"trajektory\": \"a.csv\"")),
+              AllOf(StartsWith("4: "), HasSubstr("\"trajektory\""), HasSubstr("\"trajectory\"")));
+  EXPECT_THAT(complaint(with_probe_line("\"sclae\": 2")),
+              AllOf(StartsWith("4: "), HasSubstr("\"sclae\""), HasSubstr("\"scale\"")));
+  EXPECT_THAT(complaint(with_line("\"coupling\":\n {\"kt\": 2}")),
+              AllOf(StartsWith("5: "), HasSubstr("\"kt\""), HasSubstr("\"k_t\"")));
+  EXPECT_THAT(complaint(with_line("\"servo\": {\n\n\"rate\": 2}")),
+              AllOf(StartsWith("6: "), HasSubstr("\"rate\""), HasSubstr("\"rate_hz\"")));
+}
+
+TEST(Scene, missing_keys_are_named) {
+  EXPECT_THAT(complaint("\n{\"probe\": {\"mesh\": \"a.off\"}}"),
+              AllOf(StartsWith("2: "), HasSubstr("\"fixed\" is missing")));
+  EXPECT_THAT(complaint("{\n\"fixed\":\n{}, \"probe\": {\"mesh\": \"a.off\"}}"),
+              AllOf(StartsWith("3: "), HasSubstr("\"mesh\" is missing from \"fixed\"")));
+}
+
+TEST(Scene, keys_given_twice_are_refused) {
+  EXPECT_THAT(complaint(with_line("\"unit\": \"m\",\n\"unit\": \"mm\"")),
+              AllOf(StartsWith("5: "), HasSubstr("\"unit\" is given twice"), HasSubstr("line 4")));
+  EXPECT_THAT(complaint(with_line("\"view\": {\"a\": 1, \"a\": 2}")), HasSubstr("given twice"));
+}
+
+TEST(Scene, wrong_types_are_refused) {
+  EXPECT_THAT(complaint("[]"), StartsWith("1: the file's value is a list; expected an object"));
+  EXPECT_THAT(complaint(with_line("\"unit\": 3")),
+              StartsWith("4: \"unit\" is a number; expected a string"));
+  EXPECT_THAT(complaint(with_line("\"view\": []")), HasSubstr("a list; expected an object"));
+  EXPECT_THAT(complaint(with_line("\"device\": true")), HasSubstr("expected an object"));
+  EXPECT_THAT(complaint(with_line("\"coupling\": null")), HasSubstr("null; expected an object"));
+  EXPECT_THAT(complaint(with_line("\"trajectory\": 1")), HasSubstr("expected a string"));
+  EXPECT_THAT(complaint(with_line("\"trajectory\": \"\"")), HasSubstr("empty path"));
+  EXPECT_THAT(complaint(with_probe_line("\"scale\": \"2\"")),
+              StartsWith("4: \"scale\" is a string; expected a number"));
+  EXPECT_THAT(complaint(with_probe_line("\"pose\": {}")), HasSubstr("expected a list"));
+}
+
+TEST(Scene, unknown_words_are_refused) {
+  EXPECT_THAT(complaint(with_line("\"unit\": \"km\"")),
+              AllOf(StartsWith("4: "), HasSubstr("\"km\""), HasSubstr("nearest")));
+  EXPECT_THAT(complaint(with_probe_line("\"model\": \"soild\"")),
+              AllOf(StartsWith("4: "), HasSubstr("\"soild\""), HasSubstr("\"solid\"")));
+  EXPECT_THAT(complaint(with_line("\"coupling\": {\"mode\": \"clasic\"}")),
+              AllOf(StartsWith("4: "), HasSubstr("\"clasic\""), HasSubstr("\"classic\"")));
+}
+
+TEST(Scene, numbers_out_of_range_are_refused) {
+  for (const char* scale : {"0", "-1"})
+    EXPECT_THAT(complaint(with_probe_line(std::string("\"scale\": ") + scale)),
+                AllOf(StartsWith("4: "), HasSubstr("above zero")));
+  for (const char* number : {"1e999", "NaN", "Infinity", "-Infinity", "0x10", "1,5"})
+    EXPECT_THAT(complaint(with_probe_line(std::string("\"scale\": ") + number)), StartsWith("4: "))
+        << number;
+}
+
+TEST(Scene, poses_are_checked) {
+  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0]")),
+              AllOf(StartsWith("4: "), HasSubstr("3 numbers; expected 7")));
+  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 1,\n\"0\", 0, 0]")),
+              AllOf(StartsWith("5: "), HasSubstr("a string; expected numbers")));
+  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 1, 0.1, 0, 0]")),
+              AllOf(StartsWith("4: "), HasSubstr("length 1.00499")));
+  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 0, 0, 0, 0]")), HasSubstr("length 0"));
+  EXPECT_EQ(complaint(with_probe_line("\"pose\": [0, 0, 0, 1.0009, 0, 0, 0]")), "");
+}
+
+TEST(Scene, a_quaternion_near_unit_is_normalised) {
+  const TempFolder folder;
+  const auto file =
+      folder.write("a.sonde.json", with_probe_line("\"pose\": [0, 0, 0, 0.6003, 0, 0.8004, 0]"));
+  EXPECT_NEAR(read_scene(file).probe.pose.q.norm(), 1, 1e-15);
+}
+
+TEST(Scene, text_that_is_no_json_is_refused_with_its_line) {
+  EXPECT_THAT(complaint("{\n\"unit\": \"m\",\n\"probe\""), StartsWith("3: not JSON: "));
+  EXPECT_THAT(complaint("{\n\"unit\": \"m\"\n\"probe\": 1}"), StartsWith("3: not JSON: "));
+  EXPECT_THAT(complaint("{\n\"unit\": m}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(complaint(std::string(smallest) + "\n}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(complaint("{\n\"unit\": \"\xFF\"}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(complaint("\n\n"), HasSubstr("not JSON"));
+  EXPECT_THAT(complaint(std::string(1000, '[')), HasSubstr("nested too deeply"));
+  EXPECT_THAT(complaint(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(complaint(std::string(2 << 20, ' ')), HasSubstr("longer than"));
+  // The library's own codes and columns stay out of the message.
+  EXPECT_THAT(complaint("{"), testing::Not(HasSubstr("exception")));
+}
+
+TEST(Scene, every_beginning_of_a_scene_is_an_error_and_no_crash) {
+  const std::string whole = smallest;
+  for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(complaint(whole.substr(0, n)), "") << n;
+  EXPECT_EQ(complaint(whole), "");
+  EXPECT_EQ(complaint("\xEF\xBB\xBF" + whole), "") << "a byte-order mark";
+}
+
+TEST(Scene, damaged_text_is_read_or_refused_and_never_worse) {
+  const std::string whole = with_line(
+      R"("unit": "mm", "coupling": {"mode": "classic", "k_t": 2.5e1}, "view": {"a": [1, {}]})");
+  std::mt19937_64 random(1);
+  const TempFolder folder;
+  for (int i = 0; i < 300; ++i) {
+    std::string text = whole;
+    for (int n = 0; n <= i % 4; ++n) text[random() % text.size()] = static_cast<char>(random());
+    const auto file = folder.write("a.sonde.json", text);
+    try {
+      read_scene(file);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), StartsWith(file.string() + ":"));
+    }
+  }
+}
+
+TEST(Scene, a_file_that_is_not_there_or_a_folder_is_refused) {
+  const TempFolder folder;
+  EXPECT_THROW(read_scene(folder / "none.sonde.json"), InputError);
+  EXPECT_THROW(read_scene(folder.path()), InputError);
+}
+
+TEST(Scene, units) {
+  EXPECT_EQ(unit_in_metres("m"), 1);
+  EXPECT_EQ(unit_in_metres("cm"), 0.01);
+  EXPECT_EQ(unit_in_metres("mm"), 0.001);
+  EXPECT_EQ(unit_in_metres("um"), 1e-6);
+  EXPECT_EQ(unit_in_metres("in"), 0.0254);
+  EXPECT_EQ(unit_in_metres("ft"), 0.3048);
+  EXPECT_FALSE(unit_in_metres("M"));
+}
+
+TEST(Scene, load_applies_unit_and_scale) {
+  const TempFolder folder;
+  const auto mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const auto body = load({mesh, Model::automatic, 2, Pose{}}, 1e-3);
+  EXPECT_NEAR(body->mass.measure, 2e-6, 1e-18) << "half of a square of 2 mm";
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/allocation_counter.hpp"
+
+#include <cerrno>
+#include <cstddef>
+
+namespace {
+
+// Plain thread-local numbers of the executable itself: reaching them never allocates.
+struct Counts {
+  bool on;
+  std::uint64_t allocations;
+  std::uint64_t frees;
+};
+thread_local Counts counts{};
+
+void count_allocation() noexcept {
+  if (counts.on) ++counts.allocations;
+}
+void count_free(const volatile void* block) noexcept {
+  if (counts.on && block != nullptr) ++counts.frees;
+}
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+
+// A sanitizer replaces malloc itself, and offers hooks instead.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
+
+namespace {
+const int hooks_installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { count_allocation(); },
+    [](const volatile void* block) { count_free(block); });
+}  // namespace
+
+#else
+
+// glibc lets a program bring its own malloc; operator new of the C++ library ends here too.
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t size) noexcept {
+  count_allocation();
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t n, std::size_t size) noexcept {
+  count_allocation();
+  return __libc_calloc(n, size);
+}
+void* realloc(void* block, std::size_t size) noexcept {
+  count_allocation();
+  return __libc_realloc(block, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  count_allocation();
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  return memalign(alignment, size);
+}
+int posix_memalign(void** out, std::size_t alignment, std::size_t size) noexcept {
+  void* const block = memalign(alignment, size);
+  if (block == nullptr) return ENOMEM;
+  *out = block;
+  return 0;
+}
+void free(void* block) noexcept {
+  count_free(block);
+  __libc_free(block);
+}
+}
+
+#endif
+
+namespace sonde::test {
+
+AllocationCounter::AllocationCounter() { counts = {.on = true, .allocations = 0, .frees = 0}; }
+
+void AllocationCounter::stop() {
+  if (!running_) return;
+  running_ = false;
+  counts.on = false;
+  allocations_ = counts.allocations;
+  frees_ = counts.frees;
+}
+
+}  // namespace sonde::test

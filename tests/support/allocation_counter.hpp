@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace sonde::test {
+
+/// Counts what this thread allocates and frees, by operator new, malloc or their relatives, from
+/// construction until stop(). Anything that allocates by itself (a GoogleTest assertion, say)
+/// belongs after stop(). One at a time in a thread.
+class AllocationCounter {
+ public:
+  AllocationCounter();
+  ~AllocationCounter() { stop(); }
+  AllocationCounter(const AllocationCounter&) = delete;
+  AllocationCounter& operator=(const AllocationCounter&) = delete;
+  void stop();
+  std::uint64_t allocations() const { return allocations_; }
+  std::uint64_t frees() const { return frees_; }
+
+ private:
+  bool running_ = true;
+  std::uint64_t allocations_ = 0;
+  std::uint64_t frees_ = 0;
+};
+
+}  // namespace sonde::test

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/half_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/shapes.hpp"
+
+namespace sonde::test {
+namespace {
+
+/// σ as a function of the turn v alone: the translation is straight up.
+class TurnCost {
+ public:
+  TurnCost(const Body& body, const Pose& X_FM, double height) : inertia_(body.mass.inertia) {
+    const Vec3 up_M = X_FM.q.conjugate() * Vec3::UnitZ();
+    up_ = body.mass.R_MP.transpose() * up_M;
+    room_ = (X_FM * body.mass.com).z() - height;
+    for (const Triangle& t : body.soup.triangles)
+      for (const std::uint32_t i : t)
+        corners_.push_back(body.mass.R_MP.transpose() * (body.soup.vertices[i] - body.mass.com));
+  }
+  double operator()(const Vec3& v) const {
+    const double vv = v.squaredNorm();
+    if (vv > 1) return std::numeric_limits<double>::infinity();
+    // The plane seen from the turned body: up, turned back.
+    const double w = std::sqrt(1 - vv);
+    const Vec3 up = up_ - 2 * w * v.cross(up_) + 2 * v.cross(v.cross(up_));
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& c : corners_) lowest = std::min(lowest, up.dot(c));
+    const double depth = std::max(0.0, -(room_ + lowest));
+    return depth * depth + 4 * v.dot(inertia_.cwiseProduct(v));
+  }
+
+ private:
+  Vec3 inertia_;
+  Vec3 up_;      ///< the plane's normal in principal axes at O
+  double room_;  ///< height of the centre of mass over the plane
+  std::vector<Vec3> corners_;
+};
+
+struct Point {
+  Vec3 v;
+  double cost;
+};
+
+/// One run of Nelder and Mead's simplex from a corner with the given edge.
+Point simplex_search(const TurnCost& cost, const Vec3& start, double edge) {
+  std::array<Point, 4> s;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 v = i == 0 ? start : Vec3(start + edge * Vec3::Unit(i - 1));
+    s[static_cast<std::size_t>(i)] = {v, cost(v)};
+  }
+  const auto order = [&] {
+    std::sort(s.begin(), s.end(), [](const Point& a, const Point& b) { return a.cost < b.cost; });
+  };
+  const auto at = [&](const Vec3& v) { return Point{v, cost(v)}; };
+  order();
+  for (int i = 0; i < 600 && (s[3].v - s[0].v).norm() > 1e-13; ++i) {
+    const Vec3 middle = (s[0].v + s[1].v + s[2].v) / 3, away = middle - s[3].v;
+    const Point reflected = at(middle + away);
+    if (reflected.cost < s[0].cost) {
+      const Point further = at(middle + 2 * away);
+      s[3] = further.cost < reflected.cost ? further : reflected;
+    } else if (reflected.cost < s[2].cost) {
+      s[3] = reflected;
+    } else {
+      const Point inner =
+          at(reflected.cost < s[3].cost ? Vec3(middle + 0.5 * away) : Vec3(middle - 0.5 * away));
+      if (inner.cost < std::min(reflected.cost, s[3].cost)) {
+        s[3] = inner;
+      } else {
+        for (std::size_t k = 1; k < 4; ++k) s[k] = at(s[0].v + 0.5 * (s[k].v - s[0].v));
+      }
+    }
+    order();
+  }
+  return s[0];
+}
+
+/// Again and again from where the last simplex ended, with a new one: at a kink they collapse
+/// early.
+Point descend(const TurnCost& cost, Point from, double edge, int rounds) {
+  for (int i = 0; i < rounds; ++i) {
+    const double size = edge * std::pow(0.3, i % 6);
+    const Point found = simplex_search(cost, from.v, i % 2 == 0 ? size : -size);
+    if (found.cost < from.cost) from = found;
+  }
+  return from;
+}
+
+}  // namespace
+
+double half_space_depth(const Body& body, const Pose& X_FM, double height, std::uint64_t seed,
+                        int starts) {
+  const TurnCost cost(body, X_FM, height);
+  std::mt19937_64 random(seed);
+  std::vector<Point> found;
+  for (int i = 0; i < starts; ++i) {
+    // Where σ may still beat not turning at all; a small turn is the likeliest.
+    const double most = std::pow(uniform(random, 0, 1), 2);
+    const Vec3 v = i == 0 ? Vec3(Vec3::Zero()) : random_in_ball(random, most);
+    found.push_back(descend(cost, {v, cost(v)}, 0.1, 3));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Point& a, const Point& b) { return a.cost < b.cost; });
+  double best = found.front().cost;
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, found.size()); ++i)
+    best = std::min(best, descend(cost, found[i], 0.05, 40).cost);
+  return std::sqrt(best);
+}
+
+}  // namespace sonde::test

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/menus.hpp"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QUndoStack>
+#include <QUrl>
+#include <functional>
+
+#include "ui/main_window.hpp"
+#include "ui/resources.hpp"
+#include "ui/viewport.hpp"
+#include "ui/views/hint_view.hpp"
+
+namespace sonde::ui {
+namespace {
+
+using Slot = std::function<void(bool)>;
+
+QAction* add(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+             const QKeySequence& key, const Slot& slot) {
+  QAction* action = menu.addAction(text);
+  action->setObjectName(QLatin1String(object));
+  action->setShortcut(key);
+  if (!key.isEmpty())
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(
+        QString(text).remove('&').remove(QStringLiteral("…")), key.toString()));
+  QObject::connect(action, &QAction::triggered, &window, slot);
+  return action;
+}
+
+QAction* add_toggle(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+                    const QKeySequence& key, bool on, const Slot& slot) {
+  QAction* action = add(window, menu, object, text, key, slot);
+  action->setCheckable(true);
+  action->setChecked(on);
+  return action;
+}
+
+void add_layer(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+               const QKeySequence& key, Layer layer) {
+  Viewport* view = &window.viewport();
+  add_toggle(window, menu, object, text, key, view->shown(layer),
+             [view, layer](bool on) { view->set_shown(layer, on); });
+}
+
+void show_keys(MainWindow& window) {
+  QString rows;
+  for (const auto& [key, action] : HintView::keys())
+    rows += QStringLiteral("<tr><td style='padding-right:16px'><b>%1</b></td><td>%2</td></tr>")
+                .arg(key.toHtmlEscaped(), action.toHtmlEscaped());
+  for (const QAction* action : window.findChildren<QAction*>())
+    if (!action->shortcut().isEmpty() && !action->objectName().isEmpty())
+      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                  .arg(action->shortcut().toString().toHtmlEscaped(),
+                       QString(action->text()).remove('&').toHtmlEscaped());
+  QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Mouse and keys"),
+                  QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, &window);
+  box.exec();
+}
+
+void show_about(MainWindow& window) {
+  QMessageBox::about(
+      &window, QStringLiteral("About Sonde"),
+      QStringLiteral("<b>Sonde %1</b><p>Feel how two polygon soups touch: generalized penetration "
+                     "depth and six-degree haptic rendering.</p><p>GPL-3.0-or-later.</p>")
+          .arg(QStringLiteral(SONDE_VERSION)));
+}
+
+void open_manual(MainWindow& window) {
+  const QString folder = resource(QStringLiteral("docs"));
+  if (folder.isEmpty())
+    window.prompts().report_error(QStringLiteral("The manual is not installed."));
+  else
+    QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+}
+
+void add_file_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&File"));
+  MainWindow* w = &window;
+  bar.addAction(add(window, menu, "open_scene", QStringLiteral("&Open scene…"), QKeySequence::Open,
+                    [w](bool) { w->ask_scene(); }));
+  bar.addAction(add(window, menu, "open_meshes", QStringLiteral("Open two &meshes…"),
+                    QKeySequence(QStringLiteral("Ctrl+M")), [w](bool) { w->ask_meshes(); }));
+  menu.addSeparator();
+  bar.addAction(add(window, menu, "screenshot", QStringLiteral("&Screenshot…"),
+                    QKeySequence(QStringLiteral("S")), [w](bool) { w->ask_picture(); }));
+  menu.addSeparator();
+  add(window, menu, "quit", QStringLiteral("&Quit"), QKeySequence::Quit, [w](bool) { w->close(); });
+  bar.addSeparator();
+}
+
+void add_edit_menu(MainWindow& window, QUndoStack& stack) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Edit"));
+  QAction* undo = stack.createUndoAction(&window, QStringLiteral("&Undo:"));
+  undo->setObjectName(QStringLiteral("undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = stack.createRedoAction(&window, QStringLiteral("&Redo:"));
+  redo->setObjectName(QStringLiteral("redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  menu.addAction(undo);
+  menu.addAction(redo);
+}
+
+void add_probe_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Probe"));
+  MainWindow* w = &window;
+  bar.addAction(add(window, menu, "reset", QStringLiteral("&Reset"),
+                    QKeySequence(QStringLiteral("R")), [w](bool) { w->reset(); }));
+  QAction* pause =
+      add_toggle(window, menu, "pause", QStringLiteral("&Pause"),
+                 QKeySequence(QStringLiteral("Space")), false, [w](bool on) { w->set_paused(on); });
+  QObject::connect(w, &MainWindow::paused_changed, pause, &QAction::setChecked);
+  bar.addAction(pause);
+  bar.addSeparator();
+}
+
+void add_view_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
+  MainWindow* w = &window;
+  const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe"), key("1"), Layer::ghost);
+  add_layer(window, menu, "show_screw", QStringLiteral("Separation as a screw"), key("2"),
+            Layer::screw);
+  add_layer(window, menu, "show_contacts", QStringLiteral("Contacts"), key("3"), Layer::contacts);
+  add_layer(window, menu, "show_wrench", QStringLiteral("Force and torque"), key("4"),
+            Layer::wrench);
+  add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
+  menu.addSeparator();
+  bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
+                    [w](bool) { w->viewport().fit(); }));
+  bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
+                           [w](bool on) { w->set_trail(on); }));
+}
+
+void add_help_menu(MainWindow& window) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Help"));
+  MainWindow* w = &window;
+  add(window, menu, "manual", QStringLiteral("&Manual"), QKeySequence::HelpContents,
+      [w](bool) { open_manual(*w); });
+  add(window, menu, "keys", QStringLiteral("Mouse and &keys"), QKeySequence(QStringLiteral("F2")),
+      [w](bool) { show_keys(*w); });
+  add(window, menu, "about", QStringLiteral("&About Sonde"), {}, [w](bool) { show_about(*w); });
+}
+
+}  // namespace
+
+void add_menus(MainWindow& window, QUndoStack& undo) {
+  QToolBar* bar = window.addToolBar(QStringLiteral("Actions"));
+  bar->setObjectName(QStringLiteral("actions_bar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  add_file_menu(window, *bar);
+  add_edit_menu(window, undo);
+  add_probe_menu(window, *bar);
+  add_view_menu(window, *bar);
+  add_help_menu(window);
+}
+
+}  // namespace sonde::ui

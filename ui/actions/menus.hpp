@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QUndoStack;
+
+namespace sonde::ui {
+
+class MainWindow;
+
+/// Fills the menu bar and the tool bar. Object names of actions: open_scene, open_meshes,
+/// screenshot, quit, undo, redo, reset, pause, show_ghost, show_screw, show_contacts, show_wrench,
+/// show_hint, trail, fit, keys, about.
+void add_menus(MainWindow& window, QUndoStack& undo);
+
+}  // namespace sonde::ui

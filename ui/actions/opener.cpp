@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/opener.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QFileInfo>
+#include <memory>
+#include <utility>
+
+namespace sonde::ui {
+namespace {
+
+std::filesystem::path path_of(const QString& file) {
+  return std::filesystem::path(file.toStdString());
+}
+
+QString reason_of(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const Cancelled&) {
+    return {};
+  } catch (const InputError& bad) {
+    return QString::fromStdString(bad.what());
+  } catch (const std::bad_alloc&) {
+    return QStringLiteral("There is not enough memory for these meshes.");
+  } catch (const std::exception& fault) {
+    return QStringLiteral("An error of the program: ") + QString::fromUtf8(fault.what());
+  }
+}
+
+}  // namespace
+
+Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
+
+void Opener::open_scene(const QString& file) {
+  begin(
+      QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()),
+      [path = path_of(file)](const Progress& progress) { return ui::open_scene(path, progress); });
+}
+
+void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
+  const auto pair = std::make_shared<MeshPair>();
+  job_.start(
+      QStringLiteral("Reading %1 and %2")
+          .arg(QFileInfo(probe).fileName(), QFileInfo(fixed).fileName()),
+      [pair, a = path_of(probe), b = path_of(fixed)](const Progress& progress) {
+        *pair = read_pair(a, b, progress);
+      },
+      [this, pair, unit](std::exception_ptr error) {
+        if (error)
+          fail(error);
+        else
+          ask_and_build(pair, unit);
+      });
+}
+
+void Opener::open_files(const QStringList& files, std::optional<double> unit) {
+  if (files.size() == 1 && files[0].endsWith(QStringLiteral(".json"), Qt::CaseInsensitive))
+    open_scene(files[0]);
+  else if (files.size() == 2)
+    open_meshes(files[0], files[1], unit);
+  else
+    refuse(
+        QStringLiteral("Open one scene (NAME.sonde.json), or two meshes: the probe first, then "
+                       "the fixed body."));
+}
+
+void Opener::ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit) {
+  if (!unit) unit = prompts_.ask_unit(*pair);
+  if (!unit) return fail(std::make_exception_ptr(Cancelled()));
+  begin(QStringLiteral("Building both bodies"), [pair, metres = *unit](const Progress& progress) {
+    return build_pair(std::move(*pair), metres, progress);
+  });
+}
+
+void Opener::begin(const QString& what, std::function<Opened(const Progress&)> open) {
+  const auto stage = std::make_shared<Stage>();
+  job_.start(
+      what,
+      [stage, open = std::move(open)](const Progress& progress) {
+        *stage = make_stage(open(progress));
+      },
+      [this, stage](std::exception_ptr error) {
+        if (error)
+          fail(error);
+        else if (ready)
+          ready(std::move(*stage));
+      });
+}
+
+void Opener::fail(const std::exception_ptr& error) { refuse(reason_of(error)); }
+
+void Opener::refuse(const QString& reason) {
+  if (!reason.isEmpty() && prompts_.report_error) prompts_.report_error(reason);
+  if (failed) failed(reason);
+}
+
+}  // namespace sonde::ui

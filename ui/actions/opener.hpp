@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <exception>
+#include <functional>
+#include <optional>
+
+#include "ui/actions/prompts.hpp"
+#include "ui/job.hpp"
+#include "ui/stage.hpp"
+
+namespace sonde::ui {
+
+/// Opens scenes and pairs of meshes, in a worker. What was open is touched only once the new pair
+/// is ready: on bad input, or when the user gives up, it stays.
+class Opener : public QObject {
+ public:
+  Opener(QWidget& window, Prompts& prompts);
+
+  void open_scene(const QString& file);
+  /// With no unit, asks for it once both files are read.
+  void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
+  /// What was dropped, or given on a command line: one scene, or the probe and the fixed body.
+  void open_files(const QStringList& files, std::optional<double> unit);
+
+  std::function<void(Stage)> ready;
+  /// Nothing was opened: the reason (empty if the user gave up) was reported already.
+  std::function<void(const QString& reason)> failed;
+
+ private:
+  void begin(const QString& what, std::function<Opened(const Progress&)> open);
+  void ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit);
+  void fail(const std::exception_ptr& error);
+  void refuse(const QString& reason);
+
+  Prompts& prompts_;
+  Job job_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "engine/scene/scene.hpp"
+
+namespace sonde::ui {
+
+Parsed parse_arguments(int argc, char** argv) {
+  Parsed parsed;
+  Arguments& arguments = parsed.arguments;
+  std::string unit;
+  CLI::App app("Feel how two polygon soups touch: the desktop program.", "sonde-view");
+  app.set_version_flag("--version", SONDE_VERSION);
+  app.add_option("files", arguments.files,
+                 "A scene (NAME.sonde.json), or two meshes: the probe and the fixed body")
+      ->type_name("SCENE | PROBE FIXED")
+      ->expected(0, 2);
+  app.add_option("--unit", unit, "Unit of two meshes: m, cm, mm, um, in or ft")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
+  auto* picture = app.add_option("--screenshot", arguments.screenshot,
+                                 "Write a picture of the window (PNG), then end")
+                      ->type_name("FILE");
+  app.add_option("--demo", arguments.demo,
+                 "Play the scene's trajectory, write a picture of its deepest pose, then end")
+      ->type_name("PICTURE")
+      ->excludes(picture);
+  app.footer("With no files: the scene spoon-in-cup.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    parsed.exit_code = app.exit(error) == 0 ? 0 : 2;
+    return parsed;
+  }
+  if (!unit.empty()) arguments.unit = unit_in_metres(unit);
+  if (arguments.files.size() == 1 && arguments.unit) {
+    std::cerr << "sonde-view: --unit is for two meshes; a scene says its own\n";
+    parsed.exit_code = 2;
+  }
+  return parsed;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sonde::ui {
+
+/// The command line of sonde-view, checked.
+struct Arguments {
+  std::vector<std::string> files;  ///< none: the default scene; one: a scene; two: probe and fixed
+  std::optional<double> unit;      ///< metres
+  std::string screenshot;          ///< a picture to write, then end; empty for none
+  std::string demo;                ///< a picture to write after playing the scene's trajectory
+};
+
+/// Either arguments, or an exit code where there is nothing left to do (help, version: 0; wrong
+/// usage: 2), after saying so.
+struct Parsed {
+  Arguments arguments;
+  std::optional<int> exit_code;
+};
+Parsed parse_arguments(int argc, char** argv);
+
+}  // namespace sonde::ui

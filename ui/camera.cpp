@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera.hpp"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sonde::ui {
+namespace {
+
+double half_angle(vtkCamera& camera) {
+  return camera.GetViewAngle() * std::numbers::pi / 360;  // half, and degrees to radians
+}
+
+}  // namespace
+
+Vec3 default_view_direction() { return Vec3(-0.45, -1, 0.55).normalized(); }
+
+ViewAxes Camera::axes() const {
+  double up[3];
+  camera_->GetViewUp(up);
+  const Vec3 towards = (eye() - target()).normalized();
+  const Vec3 right = Vec3(up).cross(towards).normalized();
+  return {right, towards.cross(right), towards};
+}
+
+Vec3 Camera::eye() const { return Vec3(camera_->GetPosition()); }
+Vec3 Camera::target() const { return Vec3(camera_->GetFocalPoint()); }
+
+double Camera::metres_per_pixel(const Vec3& at, int height) const {
+  const double depth = (eye() - at).dot(axes().towards);
+  // A point behind the eye has no scale; that of a near point keeps drags finite.
+  const double nearest = 1e-3 * (eye() - target()).norm();
+  return 2 * std::max(depth, nearest) * std::tan(half_angle(*camera_)) / std::max(height, 1);
+}
+
+void Camera::look_at(const Vec3& target, const Vec3& direction, const Vec3& up, double distance) {
+  const Vec3 eye = target + direction.normalized() * distance;
+  camera_->SetFocalPoint(target.data());
+  camera_->SetPosition(eye.data());
+  camera_->SetViewUp(up.data());
+  camera_->OrthogonalizeViewUp();
+}
+
+void Camera::fit(const Vec3& centre, double radius, double aspect) {
+  const double angle = half_angle(*camera_);
+  const double narrow = std::atan(std::tan(angle) * std::min(1.0, aspect));
+  const ViewAxes view = axes();
+  look_at(centre, view.towards, view.up, radius / std::sin(narrow));
+}
+
+void Camera::orbit(double about_up, double about_right) {
+  const ViewAxes view = axes();
+  const double distance = (eye() - target()).norm();
+  // The eye goes the other way, so that the scene seems to follow the cursor.
+  const Quat turn(Eigen::AngleAxisd(-about_up, view.up) *
+                  Eigen::AngleAxisd(-about_right, view.right));
+  look_at(target(), turn * view.towards, turn * view.up, distance);
+}
+
+void Camera::pan(const Vec3& shift) {
+  const Vec3 eye_now = eye() + shift;
+  const Vec3 target_now = target() + shift;
+  camera_->SetPosition(eye_now.data());
+  camera_->SetFocalPoint(target_now.data());
+}
+
+void Camera::zoom(double factor) {
+  const Vec3 eye_now = target() + (eye() - target()) / factor;
+  camera_->SetPosition(eye_now.data());
+}
+
+void Camera::clip_to(const Vec3& centre, double radius) {
+  const double depth = (eye() - centre).dot(axes().towards);
+  const double far = depth + radius;
+  const double span = std::max(far, radius);
+  camera_->SetClippingRange(std::max(depth - radius, 2e-3 * span), span * 1.01);
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace sonde::ui {
+
+/// The length unit people read in a scene of this size: chosen once, so that numbers do not change
+/// unit while one looks at them.
+class LengthUnit {
+ public:
+  /// For bodies of this radius, m.
+  explicit LengthUnit(double radius = 0.05);
+  const QString& name() const { return name_; }
+  double metres() const { return metres_; }
+  /// "1.234 mm", with decimals that resolve about 1e-4 of the radius.
+  QString text(double metres) const;
+
+ private:
+  QString name_;
+  double metres_;
+  int decimals_;
+};
+
+/// Three significant digits, '.' whatever the locale: "0.0123", "12.3", "1230".
+QString number(double value);
+
+/// The next of 1, 2, 5 times a power of ten that is not above the value.
+double round_down_125(double value);
+
+}  // namespace sonde::ui

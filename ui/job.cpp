@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/job.hpp"
+
+#include <QElapsedTimer>
+#include <QProgressDialog>
+#include <atomic>
+#include <utility>
+
+namespace sonde::ui {
+namespace {
+
+constexpr int patience_ms = 600;  // before a dialog appears
+constexpr int poll_ms = 8;
+constexpr int steps = 1000;
+
+}  // namespace
+
+struct Job::Task {
+  std::atomic<double> fraction = 0;
+  std::atomic<bool> cancelled = false;
+  std::atomic<bool> ended = false;
+  std::exception_ptr error;  ///< set before `ended`
+  QElapsedTimer since;
+  std::thread thread;
+  ~Task() {
+    cancelled = true;
+    if (thread.joinable()) thread.join();
+  }
+};
+
+Job::Job(QWidget* window) : window_(window) {
+  connect(&timer_, &QTimer::timeout, this, [this] { poll(); });
+}
+
+Job::~Job() { abandon(); }
+
+void Job::start(const QString& what, std::function<void(const Progress&)> work,
+                std::function<void(std::exception_ptr)> done) {
+  abandon();
+  auto task = std::make_shared<Task>();
+  task->since.start();
+  done_ = std::move(done);
+  dialog_ = new QProgressDialog(what, QStringLiteral("Cancel"), 0, steps, window_);
+  dialog_->setObjectName(QStringLiteral("progress_dialog"));
+  dialog_->setWindowModality(Qt::WindowModal);
+  dialog_->setMinimumDuration(1 << 30);  // we show it ourselves: its own guess is erratic
+  dialog_->setAutoClose(false);
+  dialog_->setAutoReset(false);
+  connect(dialog_, &QProgressDialog::canceled, this,
+          [this] { finish(std::make_exception_ptr(Cancelled())); });
+  Task* shared = task.get();  // outlives the thread: its destructor joins
+  task->thread = std::thread([shared, work = std::move(work)] {
+    try {
+      work([shared](double fraction) {
+        shared->fraction = fraction;
+        return !shared->cancelled;
+      });
+    } catch (...) {
+      shared->error = std::current_exception();
+    }
+    shared->ended = true;
+  });
+  current_ = std::move(task);
+  timer_.start(poll_ms);
+}
+
+void Job::poll() {
+  std::erase_if(abandoned_, [](const auto& task) { return task->ended.load(); });
+  if (!current_) {
+    if (abandoned_.empty()) timer_.stop();
+    return;
+  }
+  if (current_->ended) {
+    const std::exception_ptr error = current_->error;
+    finish(error);
+    return;
+  }
+  if (current_->since.elapsed() < patience_ms) return;
+  if (!dialog_->isVisible()) dialog_->show();
+  dialog_->setValue(static_cast<int>(current_->fraction * (steps - 1)));
+}
+
+void Job::finish(std::exception_ptr error) {
+  const auto done = std::move(done_);
+  abandon();
+  if (done) done(error);
+}
+
+void Job::abandon() {
+  done_ = nullptr;
+  if (dialog_) {
+    dialog_->disconnect(this);
+    dialog_->hide();
+    dialog_->deleteLater();
+    dialog_ = nullptr;
+  }
+  if (!current_) return;
+  current_->cancelled = true;
+  abandoned_.push_back(std::move(current_));
+  current_ = nullptr;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QAction>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QImage>
+#include <QLabel>
+#include <QMimeData>
+#include <QPixmap>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStatusBar>
+#include <QUndoStack>
+#include <QUrl>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "ui/actions/menus.hpp"
+#include "ui/actions/meshes_dialog.hpp"
+#include "ui/actions/opener.hpp"
+#include "ui/mouse_probe.hpp"
+#include "ui/panels/coupling_panel.hpp"
+#include "ui/panels/readout_panel.hpp"
+#include "ui/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int frame_ms = 16;
+constexpr qint64 numbers_ms = 120;    // faster than that nobody reads
+constexpr qint64 companion_ms = 100;  // it shares the machine with the servo
+constexpr double trail_seconds = 1.6;
+
+bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
+
+/// Would the picture of b look like that of a?
+bool same_picture(const Snapshot& a, const Snapshot& b) {
+  return a.separation.status == b.separation.status &&
+         same(a.separation.device, b.separation.device) &&
+         same(a.separation.separated, b.separation.separated) && a.wrench.force == b.wrench.force &&
+         a.wrench.torque == b.wrench.torque && a.paused == b.paused;
+}
+
+QString nature(const char* role, const Body& body) {
+  QString text = QStringLiteral("%1: %2 (%3)")
+                     .arg(QLatin1String(role),
+                          body.solid ? QStringLiteral("solid") : QStringLiteral("surface"),
+                          QString::fromStdString(body.why));
+  if (body.turned) text += QStringLiteral(", was inside out and has been turned");
+  if (body.degenerate > 0)
+    text += QStringLiteral(", %1 triangles without area set aside").arg(body.degenerate);
+  return text;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      prompts_(dialogs(*this)),
+      undo_(new QUndoStack(this)),
+      viewport_(new Viewport(this)),
+      mouse_(new MouseProbe(*viewport_, this)),
+      coupling_panel_(new CouplingPanel(*undo_, this)),
+      readout_(new ReadoutPanel(this)),
+      what_happens_(new QLabel(this)),
+      rates_(new QLabel(this)),
+      opener_(std::make_unique<Opener>(*this, prompts_)) {
+  setObjectName(QStringLiteral("main_window"));
+  setWindowTitle(QStringLiteral("Sonde"));
+  setAcceptDrops(true);
+  setCentralWidget(viewport_);
+  addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
+  addDockWidget(Qt::RightDockWidgetArea, readout_);
+  what_happens_->setObjectName(QStringLiteral("what_happens"));
+  what_happens_->setMinimumWidth(1);  // a long line is cut, the window does not grow
+  rates_->setObjectName(QStringLiteral("rates"));
+  statusBar()->addWidget(what_happens_, 1);
+  statusBar()->addPermanentWidget(rates_);
+  add_menus(*this, *undo_);
+  mouse_->moved = [this](const Pose& pose) {
+    if (session()) session()->set_device_pose(pose);
+  };
+  coupling_panel_->changed = [this](const Coupling& coupling) {
+    if (session()) session()->set_coupling(coupling);
+    readout_->set_coupling(coupling);
+    viewport_->set_coupling(coupling);
+  };
+  coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
+  opener_->failed = [this](const QString& reason) { emit open_failed(reason); };
+  connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
+  frame_timer_.setTimerType(Qt::PreciseTimer);
+  frame_timer_.start(frame_ms);
+  clock_.start();
+  restore_window();
+  viewport_->canvas()->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::restore_window() {
+  resize(1360, 860);
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("docks")).toByteArray());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("docks"), saveState());
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::open(const QStringList& files, std::optional<double> unit) {
+  statusBar()->showMessage(QStringLiteral("Opening %1 …").arg(QFileInfo(files.value(0)).fileName()),
+                           4000);
+  opener_->open_files(files, unit);
+}
+
+void MainWindow::ask_scene() {
+  const QString file = prompts_.ask_scene();
+  if (file.isEmpty()) return;
+  remember_folder_of(file);
+  opener_->open_scene(file);
+}
+
+void MainWindow::ask_meshes() {
+  if (const auto files = prompts_.ask_meshes())
+    opener_->open_meshes(files->first, files->second, std::nullopt);
+}
+
+void MainWindow::show_stage(Stage stage) {
+  statusBar()->clearMessage();
+  stage_ = std::move(stage);
+  const Session& now = *stage_.session;
+  shown_.reset();
+  companion_.reset();
+  viewport_->show_stage(stage_);
+  mouse_->take(now.probe().mass, now.device_pose());
+  coupling_panel_->take(now.coupling());
+  readout_->set_coupling(now.coupling());
+  readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
+  setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));
+  emit paused_changed(false);
+  on_frame();
+  emit opened();
+}
+
+void MainWindow::set_device_pose(const Pose& X_FM) {
+  if (!session()) return;
+  session()->set_device_pose(X_FM);
+  mouse_->take(session()->probe().mass, X_FM);
+}
+
+void MainWindow::set_paused(bool paused) {
+  if (session()) session()->set_paused(paused);
+  emit paused_changed(session() && paused);
+}
+
+void MainWindow::reset() {
+  if (!session()) return;
+  session()->reset();
+  mouse_->take(session()->probe().mass, session()->device_pose());
+  shown_.reset();
+  emit paused_changed(false);
+}
+
+void MainWindow::on_frame() {
+  if (!session()) return;
+  draw_if_changed();
+  if (!shown_) return;
+  const qint64 now = clock_.elapsed();
+  if (now >= companion_due_) {
+    companion_due_ = now + companion_ms;
+    ask_companion();
+  }
+  if (now >= numbers_due_) {
+    numbers_due_ = now + numbers_ms;
+    show_numbers();
+  }
+}
+
+void MainWindow::draw_if_changed() {
+  const Snapshot* newest = session()->latest();
+  if (!newest) return;
+  Snapshot next = *newest;
+  next.paused = session()->paused();
+  const bool changed = !shown_ || !same_picture(*shown_, next);
+  shown_ = next;
+  readout_->sample(next);
+  const bool swings = trail_ && next.separation.status == Status::penetrating;
+  if (!changed && !swings && !viewport_->dirty()) return;
+  const double turn = double(clock_.elapsed()) / 1000 / trail_seconds;
+  const double trail = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
+  viewport_->draw(next, trail);
+  count_frame();
+}
+
+void MainWindow::count_frame() {
+  ++frames_;
+  ++rate_frames_;
+}
+
+/// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown.
+void MainWindow::ask_companion() {
+  if (!readout_->isVisible() || session()->paused()) return;
+  if (const auto result = session()->companion()) companion_ = result;
+  if (!companion_ || !same(companion_->device, shown_->separation.device))
+    session()->ask_companion(shown_->separation.device);
+}
+
+void MainWindow::show_numbers() {
+  const qint64 now = clock_.elapsed();
+  if (now - rate_since_ >= 500) {
+    frame_rate_ = double(rate_frames_) * 1000 / double(now - rate_since_);
+    rate_since_ = now;
+    rate_frames_ = 0;
+  }
+  readout_->show_numbers(*shown_, companion_);
+  show_status();
+}
+
+void MainWindow::show_status() {
+  const Snapshot& s = *shown_;
+  QString happens;
+  if (s.paused)
+    happens = QStringLiteral("Paused.");
+  else if (s.separation.status == Status::failed)
+    happens = QStringLiteral("No separation found: %1.").arg(QLatin1String(s.separation.reason));
+  else if (s.separation.status == Status::separated)
+    happens = QStringLiteral("Free.");
+  else
+    happens = QStringLiteral("In contact.");
+  what_happens_->setText(QStringLiteral("%1   %2   %3")
+                             .arg(happens, nature("Probe", session()->probe()),
+                                  nature("Fixed body", session()->fixed())));
+  what_happens_->setToolTip(what_happens_->text());
+  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s")
+                      .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
+                      .arg(s.tick_us, 0, 'f', 0)
+                      .arg(frame_rate_, 0, 'f', 0));
+}
+
+bool MainWindow::save_picture(const QString& file) {
+  const QImage image = grab().toImage();
+  QSaveFile out(file);
+  if (out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit()) {
+    statusBar()->showMessage(QStringLiteral("Saved %1").arg(file), 4000);
+    return true;
+  }
+  prompts_.report_error(QStringLiteral("%1: %2").arg(file, out.errorString()));
+  return false;
+}
+
+void MainWindow::ask_picture() {
+  const QString file = prompts_.ask_picture();
+  if (file.isEmpty()) return;
+  remember_folder_of(file);
+  save_picture(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
+  event->acceptProposedAction();
+  // Whoever drops is still holding a drag: answer it first, then ask and open.
+  QTimer::singleShot(0, this, [this, files] { open(files); });
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "ui/actions/prompts.hpp"
+#include "ui/stage.hpp"
+
+class QAction;
+class QLabel;
+class QUndoStack;
+
+namespace sonde::ui {
+
+class CouplingPanel;
+class MouseProbe;
+class Opener;
+class ReadoutPanel;
+class Viewport;
+
+/// The window: a view, two docks, and sixty times a second the newest snapshot.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// One scene, or the probe and the fixed body. Ends in opened() or open_failed().
+  void open(const QStringList& files, std::optional<double> unit = std::nullopt);
+  void ask_scene();
+  void ask_meshes();
+
+  Session* session() { return stage_.session.get(); }
+  Viewport& viewport() { return *viewport_; }
+  Prompts& prompts() { return prompts_; }
+  const std::optional<CompanionResult>& companion() const { return companion_; }
+  /// The newest snapshot shown; none before the first.
+  const std::optional<Snapshot>& shown() const { return shown_; }
+
+  void set_device_pose(const Pose& X_FM);
+  void set_paused(bool paused);
+  void reset();
+  void set_trail(bool on) { trail_ = on; }
+  /// Docks and overlays included. False, and a message, where the file cannot be written.
+  bool save_picture(const QString& file);
+  void ask_picture();
+
+  double frames_per_second() const { return frame_rate_; }
+  std::size_t frames() const { return frames_; }
+
+ signals:
+  void opened();
+  void open_failed(const QString& reason);
+  void paused_changed(bool paused);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void show_stage(Stage stage);
+  void on_frame();
+  void draw_if_changed();
+  void count_frame();
+  void ask_companion();
+  void show_numbers();
+  void show_status();
+  void restore_window();
+
+  Prompts prompts_;
+  Stage stage_;
+  QUndoStack* undo_;
+  Viewport* viewport_;
+  MouseProbe* mouse_;
+  CouplingPanel* coupling_panel_;
+  ReadoutPanel* readout_;
+  QLabel *what_happens_, *rates_;
+  std::unique_ptr<Opener> opener_;
+  QTimer frame_timer_;
+  QElapsedTimer clock_;
+  std::optional<Snapshot> shown_;
+  std::optional<CompanionResult> companion_;
+  bool trail_ = false;
+  std::size_t frames_ = 0;
+  qint64 rate_since_ = 0;
+  std::size_t rate_frames_ = 0;
+  double frame_rate_ = 0;
+  qint64 numbers_due_ = 0;
+  qint64 companion_due_ = 0;
+};
+
+}  // namespace sonde::ui

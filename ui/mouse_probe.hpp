@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <functional>
+
+#include "engine/geometry/mass.hpp"
+#include "engine/geometry/pose.hpp"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace sonde::ui {
+
+class Viewport;
+
+/// All six degrees of freedom of the probe from mouse and keyboard, and the camera from the other
+/// buttons. HintView::keys() tells people how.
+///
+/// The probe follows the cursor: a drag across the picture moves it as far as the cursor went, at
+/// its depth, times the gain. It turns about its centre of mass.
+class MouseProbe : public QObject {
+ public:
+  MouseProbe(Viewport& viewport, QObject* parent);
+
+  /// Takes over a probe where it is.
+  void take(const MassProperties& mass, const Pose& X_FM);
+  void set_gain(double gain) { gain_ = gain; }
+
+  /// Called with each new device pose X_FM.
+  std::function<void(const Pose&)> moved;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool press(const QMouseEvent& event);
+  bool drag(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool key(const QKeyEvent& event);
+  void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);
+  void drag_camera(QPointF by);
+  void pan_camera(QPointF by);
+  void translate(const Vec3& by);
+  /// About the centre of mass; the vector is axis times angle.
+  void rotate(const Vec3& by);
+  Vec3 com() const { return pose_ * mass_.com; }
+
+  Viewport& viewport_;
+  MassProperties mass_;
+  Pose pose_;
+  QPointF last_;
+  double gain_ = 1;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/poses.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace sonde::ui {
+
+/// Where a scene wants to be looked at from, in the fixed body's mesh frame, metres.
+struct CameraPlace {
+  Vec3 position;
+  Vec3 target;
+  Vec3 up;
+};
+
+/// What a session starts from: two bodies in place, and the settings that go with them. Made in a
+/// worker thread, so nothing here touches a widget.
+struct Opened {
+  std::string name;
+  std::shared_ptr<const Body> probe;
+  std::shared_ptr<const Body> fixed;
+  Pose start;  ///< X_FM, the probe's mesh frame in the fixed body's
+  Coupling coupling;
+  ServoSettings servo;
+  std::vector<TimedPose> trajectory;  ///< empty where the scene has none
+  std::optional<CameraPlace> camera;  ///< the scene's `view`; none: the window chooses
+};
+
+/// Reads a scene, its meshes and its trajectory. Throws InputError or Cancelled.
+Opened open_scene(const std::filesystem::path& file, const Progress& progress = {});
+
+/// Two meshes as their files give them, before anybody has said what their unit is.
+struct MeshPair {
+  std::filesystem::path probe_file;
+  std::filesystem::path fixed_file;
+  PolygonSoup probe;
+  PolygonSoup fixed;
+  Vec3 probe_size = Vec3::Zero();  ///< sides of the bounding box, in file units
+  Vec3 fixed_size = Vec3::Zero();
+};
+MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,
+                   const Progress& progress = {});
+
+/// The unit two meshes are probably in, by their larger side: "mm" from 20 up, "cm" from 2, else
+/// "m". Objects that a hand explores are centimetres to a metre across.
+const char* guess_unit(const MeshPair& pair);
+
+/// Builds both bodies; the probe starts just outside the fixed body, on the side of the default
+/// camera. Gains: the force limit is reached at 2 % of the probe's radius.
+Opened build_pair(MeshPair pair, double unit, const Progress& progress = {});
+
+/// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R.
+Coupling suited_coupling(const MassProperties& probe);
+
+/// A pose beside the fixed body, in the given direction from it: a plane with a gap of 5 % of the
+/// probe's radius lies between the two.
+Pose beside(const Body& probe, const Body& fixed, const Vec3& direction);
+
+}  // namespace sonde::ui

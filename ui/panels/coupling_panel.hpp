@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <functional>
+#include <vector>
+
+#include "engine/haptics/coupling.hpp"
+
+class QButtonGroup;
+class QLabel;
+class QUndoStack;
+
+namespace sonde::ui {
+
+class SliderRow;
+
+/// The dock of gains: the mode of the coupling and a slider with a typed value for each setting of
+/// the table. Rows that the mode does not use are left out. Every change can be undone.
+class CouplingPanel : public QDockWidget {
+ public:
+  explicit CouplingPanel(QUndoStack& undo, QWidget* parent = nullptr);
+
+  /// Shows the gains of a newly opened pair, which become what "defaults" goes back to.
+  void take(const Coupling& coupling);
+  const Coupling& coupling() const { return coupling_; }
+
+  /// Called at once with every change.
+  std::function<void(const Coupling&)> changed;
+  std::function<void(double)> mouse_gain_changed;
+
+ private:
+  friend class CouplingChange;
+  void build();
+  void request(const Coupling& wanted, const char* what);
+  void apply(const Coupling& coupling);
+  void show_values();
+
+  QUndoStack& undo_;
+  Coupling coupling_;
+  Coupling defaults_;
+  QButtonGroup* modes_ = nullptr;
+  QLabel* mode_doc_ = nullptr;
+  std::vector<SliderRow*> rows_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/history_plot.hpp"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "ui/format.hpp"
+#include "ui/theme.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double span = 10;  // s
+
+/// The next 1, 2 or 5 above: the top of the scale, so that the curve does not breathe.
+double round_up(double value) {
+  const double below = round_down_125(value);
+  for (const double factor : {1.0, 2.0, 2.5, 5.0})
+    if (const double above = round_down_125(below * factor * 1.0001); above >= value) return above;
+  return value;
+}
+
+}  // namespace
+
+HistoryPlot::HistoryPlot(const QString& title, const QColor& colour, QWidget* parent)
+    : QWidget(parent), title_(title), colour_(colour) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void HistoryPlot::add(double time, double value) {
+  if (!samples_.empty() && time < samples_.back().time) samples_.clear();
+  samples_.push_back({time, value});
+  while (samples_.front().time < time - span) samples_.pop_front();
+}
+
+void HistoryPlot::clear() {
+  samples_.clear();
+  update();
+}
+
+void HistoryPlot::set_unit(double scale, const QString& name) {
+  scale_ = scale;
+  unit_ = name;
+}
+
+void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().base());
+  QFont small = font();
+  small.setPointSizeF(8.5);
+  painter.setFont(small);
+  const QFontMetrics metrics(small);
+  double largest = 0;
+  for (const Sample& sample : samples_) largest = std::max(largest, sample.value * scale_);
+  const double top = largest > 0 ? round_up(largest) : 1;
+  const double head = metrics.height() + 4.0;
+  const double tall = height() - head - 3;
+  painter.setPen(QColor(60, 68, 78));
+  painter.drawLine(QPointF(0, head), QPointF(width(), head));
+  painter.setPen(colour::faint);
+  painter.drawText(QPointF(5, metrics.ascent() + 2),
+                   QStringLiteral("%1, %2 %3").arg(title_, number(top), unit_));
+  const QString seconds = QStringLiteral("%1 s").arg(span);
+  painter.drawText(QPointF(width() - metrics.horizontalAdvance(seconds) - 5, metrics.ascent() + 2),
+                   seconds);
+  if (samples_.size() < 2) return;
+  const double now = samples_.back().time;
+  QPainterPath curve;
+  for (const Sample& sample : samples_) {
+    const QPointF at((1 - (now - sample.time) / span) * width(),
+                     head + tall * (1 - sample.value * scale_ / top));
+    if (curve.elementCount() == 0)
+      curve.moveTo(at);
+    else
+      curve.lineTo(at);
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour_, 1.5));
+  painter.drawPath(curve);
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <deque>
+
+namespace sonde::ui {
+
+/// A strip of the last ten seconds of one quantity, with its largest value at the upper left.
+class HistoryPlot : public QWidget {
+ public:
+  HistoryPlot(const QString& title, const QColor& colour, QWidget* parent);
+  /// `time` in s, not falling; a fall starts the strip afresh.
+  void add(double time, double value);
+  void clear();
+  /// What the value is multiplied by to be shown, and the unit's name.
+  void set_unit(double scale, const QString& name);
+  QSize sizeHint() const override { return {200, 74}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  struct Sample {
+    double time;
+    double value;
+  };
+  QString title_;
+  QColor colour_;
+  double scale_ = 1;
+  QString unit_;
+  std::deque<Sample> samples_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <optional>
+
+#include "engine/haptics/companion.hpp"
+#include "engine/haptics/servo.hpp"
+#include "ui/format.hpp"
+
+class QFormLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+class Bar;
+class HistoryPlot;
+
+/// The dock of numbers: depth and its two parts, PD_t and the lower bound beside it, force and
+/// torque against the device's limits, and how the servo keeps time.
+class ReadoutPanel : public QDockWidget {
+ public:
+  explicit ReadoutPanel(QWidget* parent = nullptr);
+
+  /// A new pair was opened: the unit of its lengths, and whether there can be a lower bound.
+  void take(const LengthUnit& unit, bool any_solid);
+  void set_coupling(const Coupling& coupling) { coupling_ = coupling; }
+  /// Adds to the curves: called with every frame.
+  void sample(const Snapshot& snapshot);
+  /// Writes the numbers: a few times a second, so that they can be read.
+  void show_numbers(const Snapshot& snapshot, const std::optional<CompanionResult>& companion);
+
+ private:
+  QLabel* value(QFormLayout& form, const QString& name, const char* object, const QString& doc);
+  void build_depth(QVBoxLayout& layout);
+  void build_wrench(QVBoxLayout& layout);
+  void build_loop(QVBoxLayout& layout);
+  void show_depth(const Separation& separation);
+  void show_companion(const Separation& separation,
+                      const std::optional<CompanionResult>& companion);
+  void show_wrench(const Wrench& wrench);
+  void show_loop(const Snapshot& snapshot);
+
+  LengthUnit unit_;
+  bool any_solid_ = false;
+  Coupling coupling_;
+  QLabel *depth_, *translation_, *rotation_, *pdt_, *bound_, *force_, *torque_, *contacts_, *tick_,
+      *rate_, *late_, *steps_;
+  Bar *split_, *force_bar_, *torque_bar_;
+  HistoryPlot *depth_plot_, *force_plot_;
+};
+
+}  // namespace sonde::ui

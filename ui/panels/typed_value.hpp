@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDoubleSpinBox>
+
+#include "engine/scene/settings.hpp"
+
+namespace sonde::ui {
+
+/// A box to type the value of a setting into: unit shown, '.' or ',' taken as the decimal point,
+/// steps of a tenth (of the value where the setting is logarithmic, else of the range's tenth).
+class TypedValue : public QDoubleSpinBox {
+ public:
+  TypedValue(const Setting& setting, QWidget* parent);
+  void stepBy(int steps) override;
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+
+ private:
+  QString bare(const QString& text) const;
+  Setting setting_;
+};
+
+}  // namespace sonde::ui

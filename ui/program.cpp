@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/program.hpp"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+
+#include "ui/arguments.hpp"
+#include "ui/demo.hpp"
+#include "ui/main_window.hpp"
+#include "ui/resources.hpp"
+#include "ui/theme.hpp"
+#include "ui/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int bad_input = 3, our_fault = 4;
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value;
+}
+
+/// Why no window can be drawn here; null where one can. Qt's offscreen platform would open a view
+/// of no size and draw nothing, silently.
+const char* no_display() {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  const std::string_view name = platform ? platform : "";
+  for (const std::string_view blind : {"offscreen", "minimal", "linuxfb", "vnc"})
+    if (name.starts_with(blind)) return "QT_QPA_PLATFORM names a platform without OpenGL; unset it";
+  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
+    return "no display: set DISPLAY, or start an X server such as Xvfb";
+  return nullptr;
+}
+
+/// Qt aborts, with a core file, where the display cannot be opened. One line does.
+void on_message(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+  std::fprintf(stderr, "sonde-view: %s\n", message.toLocal8Bit().constData());
+  if (type == QtFatalMsg) std::_Exit(our_fault);
+}
+
+QStringList files_to_open(const Arguments& arguments) {
+  QStringList files;
+  for (const std::string& file : arguments.files) files.push_back(QString::fromStdString(file));
+  if (files.isEmpty()) files.push_back(resource(QStringLiteral("scenes/spoon-in-cup.sonde.json")));
+  return files;
+}
+
+int picture_and_code(MainWindow& window, const std::string& file) {
+  if (lit_share(window.viewport().picture()) <= 0) {
+    std::fprintf(stderr, "sonde-view: nothing was drawn\n");
+    return our_fault;
+  }
+  return window.save_picture(QString::fromStdString(file)) ? 0 : bad_input;
+}
+
+/// What the command line wants done once its files are open.
+void when_opened(MainWindow& window, const Arguments& arguments) {
+  if (!arguments.demo.empty()) {
+    auto* demo = new Demo(window, arguments.demo);
+    demo->setParent(&window);
+    demo->ended = [](int code) { QApplication::exit(code); };
+    demo->play();
+  } else if (!arguments.screenshot.empty()) {
+    // A moment for the servo's first ticks and the numbers.
+    QTimer::singleShot(900, &window, [&window, file = arguments.screenshot] {
+      QApplication::exit(picture_and_code(window, file));
+    });
+  }
+}
+
+void say(const QString& reason) {
+  std::fprintf(stderr, "sonde-view: %s\n", reason.toLocal8Bit().constData());
+}
+
+/// Bad input on the command line ends the program; later, a message box says it.
+void open_command_line(MainWindow& window, const Arguments& arguments) {
+  const Prompts interactive = window.prompts();
+  const bool unattended = !arguments.demo.empty() || !arguments.screenshot.empty();
+  window.prompts().report_error = say;
+  if (unattended)
+    window.prompts().ask_unit = [](const MeshPair& pair) {
+      return unit_in_metres(guess_unit(pair));
+    };
+  const auto first = std::make_shared<bool>(true);
+  QObject::connect(&window, &MainWindow::opened, &window,
+                   [&window, arguments, interactive, unattended, first] {
+                     if (!std::exchange(*first, false)) return;
+                     if (!unattended) window.prompts() = interactive;
+                     when_opened(window, arguments);
+                   });
+  QObject::connect(&window, &MainWindow::open_failed, &window,
+                   [&window, interactive, first](const QString& reason) {
+                     if (!std::exchange(*first, false)) return;
+                     // Cancelled by hand: the empty window stays, to open something else.
+                     if (reason.isEmpty())
+                       window.prompts() = interactive;
+                     else
+                       QApplication::exit(bad_input);
+                   });
+  window.open(files_to_open(arguments), arguments.unit);
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  const Parsed parsed = parse_arguments(argc, argv);
+  if (parsed.exit_code) return *parsed.exit_code;
+  if (const char* reason = no_display()) {
+    std::fprintf(stderr, "sonde-view: %s\n", reason);
+    return our_fault;
+  }
+  qInstallMessageHandler(on_message);
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // else readers take "1.5" for 1 where the comma is decimal
+  QLocale::setDefault(QLocale::c());
+  QApplication::setOrganizationName(QStringLiteral("sonde"));
+  QApplication::setApplicationName(QStringLiteral("sonde-view"));
+  apply_theme(application);
+  MainWindow window;
+  window.show();
+  // Through the event loop: a failure ends the loop, which must have begun.
+  QTimer::singleShot(0, &window,
+                     [&window, &parsed] { open_command_line(window, parsed.arguments); });
+  return QApplication::exec();
+}
+
+}  // namespace sonde::ui

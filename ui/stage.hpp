@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+#include "ui/session.hpp"
+
+class vtkPolyData;
+
+namespace sonde::ui {
+
+/// A session with its bodies as they are drawn: all that takes long to make, made in a worker.
+struct Stage {
+  std::unique_ptr<Session> session;
+  vtkSmartPointer<vtkPolyData> probe_surface;
+  vtkSmartPointer<vtkPolyData> fixed_surface;
+};
+Stage make_stage(Opened opened);
+
+}  // namespace sonde::ui

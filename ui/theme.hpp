@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+
+class QApplication;
+
+namespace sonde::ui {
+
+/// The colours of the picture: one meaning each, the same in view, legend and panels.
+namespace colour {
+inline const QColor probe{242, 160, 61};
+inline const QColor fixed{134, 153, 173};
+inline const QColor ghost{87, 211, 255};  ///< the separated probe and the motion to it
+inline const QColor contact{255, 225, 77};
+inline const QColor force{255, 92, 84};
+inline const QColor torque{255, 128, 200};
+inline const QColor bound{140, 220, 130};
+inline const QColor text{222, 228, 235};
+inline const QColor faint{150, 160, 172};
+inline const QColor background_top{46, 53, 62};
+inline const QColor background_bottom{22, 26, 31};
+}  // namespace colour
+
+/// A dark palette on Qt's Fusion style.
+void apply_theme(QApplication& application);
+
+}  // namespace sonde::ui

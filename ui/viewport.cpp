@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport.hpp"
+
+#include <QVTKInteractor.h>
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <QImage>
+#include <array>
+#include <cstring>
+
+#include "ui/theme.hpp"
+#include "ui/views/contact_view.hpp"
+#include "ui/views/hint_view.hpp"
+#include "ui/views/probe_view.hpp"
+#include "ui/views/separation_view.hpp"
+#include "ui/views/wrench_view.hpp"
+
+namespace sonde::ui {
+namespace {
+
+void set_background(vtkRenderer& renderer) {
+  const QColor top = colour::background_top, bottom = colour::background_bottom;
+  renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+  renderer.SetBackground2(top.redF(), top.greenF(), top.blueF());
+  renderer.GradientBackgroundOn();
+}
+
+QString describe(const char* role, const Body& body) {
+  return QStringLiteral("%1 %2: %3, %4 triangles")
+      .arg(QLatin1String(role), QString::fromStdString(body.name),
+           body.solid ? QStringLiteral("solid") : QStringLiteral("surface"))
+      .arg(body.soup.triangles.size());
+}
+
+}  // namespace
+
+struct Viewport::Scenery {
+  explicit Scenery(Viewport& owner)
+      : widget(new QVTKOpenGLNativeWidget(&owner)),
+        hints(new HintView(&owner)),
+        screw(*above, shapes),
+        contacts(*above, shapes),
+        wrench(*above, shapes) {}
+
+  // The overlays have a depth buffer of their own: no body hides a contact.
+  vtkNew<vtkRenderer> bodies;
+  vtkNew<vtkRenderer> above;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  QVTKOpenGLNativeWidget* widget;
+  HintView* hints;
+  GlyphShapes shapes;
+  vtkSmartPointer<vtkActor> fixed_actor;
+  std::unique_ptr<ProbeView> probe;
+  std::unique_ptr<GhostView> ghost;
+  SeparationView screw;
+  ContactView contacts;
+  WrenchView wrench;
+
+  // Of the session on show.
+  MassProperties mass;
+  LengthUnit unit;
+  std::array<QString, 2> descriptions;
+  Vec3 centre = Vec3::Zero();  ///< of the fixed body
+  double radius = 1;           ///< of the fixed body, about centre
+  Pose last_device;
+  bool ghost_shown = true;
+  bool hint_shown = true;
+};
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique<Scenery>(*this)) {
+  setObjectName(QStringLiteral("viewport"));
+  setMinimumSize(320, 240);
+  Scenery& s = *scenery_;
+  s.widget->setObjectName(QStringLiteral("canvas"));
+  s.widget->setFocusPolicy(Qt::StrongFocus);
+  s.widget->setAcceptDrops(false);  // drops belong to the window
+  s.window->SetMultiSamples(4);
+  s.widget->setRenderWindow(s.window);
+  s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
+  s.window->SetNumberOfLayers(2);
+  s.window->AddRenderer(s.bodies);
+  s.window->AddRenderer(s.above);
+  s.above->SetLayer(1);
+  s.above->SetActiveCamera(s.bodies->GetActiveCamera());
+  s.above->InteractiveOff();
+  set_background(*s.bodies);
+  s.hints->raise();
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::show_stage(const Stage& stage) {
+  Scenery& s = *scenery_;
+  const Session& session = *stage.session;
+  s.mass = session.probe().mass;
+  s.unit = LengthUnit(s.mass.radius);
+  s.centre = session.fixed().mass.com;
+  s.radius = session.fixed().mass.radius;
+  s.last_device = session.device_pose();
+  s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
+
+  if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(stage.fixed_surface);
+  s.fixed_actor = vtkSmartPointer<vtkActor>::New();
+  s.fixed_actor->SetMapper(mapper);
+  s.fixed_actor->GetProperty()->SetColor(colour::fixed.redF(), colour::fixed.greenF(),
+                                         colour::fixed.blueF());
+  s.bodies->AddActor(s.fixed_actor);
+  s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface);
+  s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
+  s.ghost->set_visible(s.ghost_shown);
+  set_coupling(session.coupling());
+
+  if (const auto& place = session.opened().camera) {
+    const Vec3 towards = place->position - place->target;
+    camera().look_at(place->target, towards, place->up, towards.norm());
+  } else {
+    camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 4 * s.radius);
+    fit();
+  }
+}
+
+void Viewport::set_coupling(const Coupling& coupling) {
+  Scenery& s = *scenery_;
+  s.wrench.set_scale(wrench_scale(s.mass.radius, coupling));
+  update_legend();
+  invalidate();
+}
+
+void Viewport::update_legend() {
+  const Scenery& s = *scenery_;
+  std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
+                                 {colour::fixed, s.descriptions[1]}};
+  if (shown(Layer::ghost)) legend.push_back({colour::ghost, QStringLiteral("separated probe")});
+  if (shown(Layer::contacts))
+    legend.push_back({colour::contact, QStringLiteral("contacts with normals")});
+  if (shown(Layer::wrench)) {
+    legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
+    legend.push_back({colour::torque, s.wrench.torque_legend()});
+  }
+  s.hints->set_legend(std::move(legend));
+}
+
+void Viewport::draw(const Snapshot& snapshot, double trail) {
+  Scenery& s = *scenery_;
+  if (!s.probe) return;
+  s.last_device = snapshot.separation.device;
+  const Vec3 com = s.last_device * s.mass.com;
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail};
+  s.probe->show(frame);
+  s.ghost->show(frame);
+  s.screw.show(frame);
+  s.contacts.show(frame);
+  s.wrench.show(frame);
+  // Room for the arrows too, which are about as long as the probe is large.
+  const double away = std::max((com - s.centre).norm(),
+                               (snapshot.separation.separated * s.mass.com - s.centre).norm());
+  camera().clip_to(s.centre, std::max(s.radius, away + 3 * s.mass.radius));
+  s.window->Render();
+  update_text(snapshot);
+  dirty_ = false;
+}
+
+void Viewport::update_text(const Snapshot& snapshot) {
+  Scenery& s = *scenery_;
+  std::vector<PlacedLabel> labels;
+  for (const Overlay* overlay : {static_cast<Overlay*>(&s.wrench), static_cast<Overlay*>(&s.screw)})
+    for (const Label& label : overlay->labels())
+      labels.push_back({on_screen(label.at), label.text, label.colour});
+  s.hints->set_banner(snapshot.paused ? QStringLiteral("Paused – Space goes on") : QString());
+  const double pixel = metres_per_pixel(s.last_device * s.mass.com);
+  const double length = round_down_125(160 * pixel);
+  s.hints->set_ruler(length / pixel, number(length / s.unit.metres()) + ' ' + s.unit.name());
+  s.hints->set_labels(std::move(labels));
+}
+
+void Viewport::set_shown(Layer layer, bool shown) {
+  Scenery& s = *scenery_;
+  switch (layer) {
+    case Layer::ghost:
+      s.ghost_shown = shown;
+      if (s.ghost) s.ghost->set_visible(shown);
+      break;
+    case Layer::screw:
+      s.screw.set_visible(shown);
+      break;
+    case Layer::contacts:
+      s.contacts.set_visible(shown);
+      break;
+    case Layer::wrench:
+      s.wrench.set_visible(shown);
+      break;
+    case Layer::hint:
+      s.hint_shown = shown;
+      s.hints->set_hint_visible(shown);
+      break;
+  }
+  if (s.probe) update_legend();
+  invalidate();
+}
+
+bool Viewport::shown(Layer layer) const {
+  const Scenery& s = *scenery_;
+  switch (layer) {
+    case Layer::ghost:
+      return s.ghost_shown;
+    case Layer::screw:
+      return s.screw.visible();
+    case Layer::contacts:
+      return s.contacts.visible();
+    case Layer::wrench:
+      return s.wrench.visible();
+    case Layer::hint:
+      return s.hint_shown;
+  }
+  return false;
+}
+
+Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }
+
+void Viewport::fit() {
+  const Scenery& s = *scenery_;
+  // The ball round both: the fixed body's, grown to take in the probe's.
+  const Vec3 probe = s.last_device * s.mass.com;
+  const double apart = (probe - s.centre).norm();
+  Vec3 centre = s.centre;
+  double radius = std::max(s.radius, 1e-9);
+  if (apart + s.mass.radius > radius) {
+    radius = 0.5 * (apart + s.mass.radius + s.radius);
+    centre += (probe - s.centre) * ((radius - s.radius) / std::max(apart, 1e-12));
+  }
+  camera().fit(centre, radius, double(width()) / std::max(height(), 1));
+  invalidate();
+}
+
+double Viewport::metres_per_pixel(const Vec3& at) const {
+  return camera().metres_per_pixel(at, height());
+}
+
+QPointF Viewport::on_screen(const Vec3& point) const {
+  vtkCamera* camera = scenery_->bodies->GetActiveCamera();
+  const double aspect = double(width()) / std::max(height(), 1);
+  const double in[4] = {point.x(), point.y(), point.z(), 1};
+  double out[4];
+  camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->MultiplyPoint(in, out);
+  if (!(std::abs(out[3]) > 0)) return {};
+  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+}
+
+QWidget* Viewport::canvas() const { return scenery_->widget; }
+
+QImage Viewport::picture() const { return scenery_->widget->grabFramebuffer(); }
+
+const char* Viewport::window_class() {
+  return vtkSmartPointer<vtkRenderWindow>::New()->GetClassName();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  scenery_->widget->setGeometry(rect());
+  scenery_->hints->setGeometry(rect());
+  invalidate();
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "engine/geometry/body.hpp"
+#include "engine/haptics/servo.hpp"
+#include "ui/camera.hpp"
+#include "ui/opening.hpp"
+#include "ui/stage.hpp"
+
+namespace sonde::ui {
+
+/// What can be shown or hidden in the view.
+enum class Layer { ghost, screw, contacts, wrench, hint };
+
+/// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
+/// told to, at most once a frame.
+class Viewport : public QWidget {
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  /// Takes the bodies of a new session and turns the camera to them.
+  void show_stage(const Stage& stage);
+  /// The limits of the device changed: so do the scales of force and torque.
+  void set_coupling(const Coupling& coupling);
+  /// Draws one picture. `trail`: where the ghost is on its way, 1 where it has arrived.
+  void draw(const Snapshot& snapshot, double trail);
+
+  /// The camera was moved, or a layer toggled: the next frame must be drawn.
+  void invalidate() { dirty_ = true; }
+  bool dirty() const { return dirty_; }
+
+  void set_shown(Layer layer, bool shown);
+  bool shown(Layer layer) const;
+
+  Camera camera() const;
+  void fit();
+  double metres_per_pixel(const Vec3& at) const;
+  /// Where a point of the scene is in the view, in Qt's pixels from the upper left.
+  QPointF on_screen(const Vec3& point) const;
+
+  /// The widget that receives mouse and keyboard.
+  QWidget* canvas() const;
+  /// The picture as drawn by OpenGL, with no text.
+  QImage picture() const;
+  /// The class of window VTK makes on this machine, for the test that it can draw at all.
+  static const char* window_class();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Scenery;
+  void update_text(const Snapshot& snapshot);
+  void update_legend();
+
+  std::unique_ptr<Scenery> scenery_;
+  bool dirty_ = true;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/contact_view.hpp"
+
+#include <algorithm>
+
+#include "ui/theme.hpp"
+
+namespace sonde::ui {
+
+ContactView::ContactView(vtkRenderer& renderer, GlyphShapes& shapes) {
+  for (int i = 0; i < ContactSet::capacity; ++i)
+    markers_.push_back(
+        std::unique_ptr<Marker>(new Marker{.on_probe{renderer, shapes, colour::probe.lighter(130)},
+                                           .on_fixed{renderer, shapes, colour::contact},
+                                           .normal{renderer, shapes, colour::contact}}));
+}
+
+void ContactView::draw(const Frame& frame) {
+  if (frame.snapshot.separation.status != Status::penetrating) return hide();
+  const ContactSet& contacts = frame.snapshot.separation.contacts;
+  double largest = 0;
+  for (const Contact& contact : contacts) largest = std::max(largest, contact.multiplier);
+  int shown = 0;
+  for (const Contact& contact : contacts) {
+    Marker& marker = *markers_[static_cast<std::size_t>(shown++)];
+    const double share = largest > 0 ? contact.multiplier / largest : 1;
+    const double length = (24 + 40 * share) * frame.pixel;
+    marker.on_fixed.set(contact.on_fixed, 5 * frame.pixel);
+    // The two points all but coincide: the smaller ball of the probe shows when they do not.
+    marker.on_probe.set(contact.on_probe, 3.5 * frame.pixel);
+    marker.normal.set(contact.on_fixed, contact.on_fixed + contact.normal * length,
+                      1.3 * frame.pixel);
+  }
+  for (int i = shown; i < ContactSet::capacity; ++i) {
+    Marker& marker = *markers_[static_cast<std::size_t>(i)];
+    marker.on_probe.hide();
+    marker.on_fixed.hide();
+    marker.normal.hide();
+  }
+}
+
+void ContactView::hide() {
+  for (const auto& marker : markers_) {
+    marker->on_probe.hide();
+    marker->on_fixed.hide();
+    marker->normal.hide();
+  }
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/views/glyphs.hpp"
+#include "ui/views/overlay.hpp"
+
+namespace sonde::ui {
+
+/// The contacts that carry the separation: the point on either body, and the normal, longer where
+/// the contact carries more.
+class ContactView : public Overlay {
+ public:
+  ContactView(vtkRenderer& renderer, GlyphShapes& shapes);
+
+ private:
+  struct Marker {
+    Ball on_probe;
+    Ball on_fixed;
+    Arrow normal;
+  };
+  void draw(const Frame& frame) override;
+  void hide() override;
+  std::vector<std::unique_ptr<Marker>> markers_;  ///< ContactSet::capacity of them, made once
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+
+#include "engine/geometry/pose.hpp"
+
+class vtkActor;
+class vtkMapper;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace sonde::ui {
+
+/// Puts an actor where the pose says.
+void place(vtkActor& actor, const Pose& pose);
+
+/// The shapes of small things, of unit size, each with one mapper that all actors share.
+class GlyphShapes {
+ public:
+  GlyphShapes();
+  ~GlyphShapes();
+  GlyphShapes(const GlyphShapes&) = delete;
+  GlyphShapes& operator=(const GlyphShapes&) = delete;
+
+  vtkMapper& shaft();  ///< a cylinder of radius 1 round y, from 0 to 1
+  vtkMapper& head();   ///< a cone of radius 1 round y, its tip at 1
+  vtkMapper& ball();   ///< radius 1
+
+ private:
+  vtkSmartPointer<vtkMapper> shaft_, head_, ball_;
+};
+
+/// A ball of given radius.
+class Ball {
+ public:
+  Ball(vtkRenderer& renderer, GlyphShapes& shapes, const QColor& colour);
+  ~Ball();
+  Ball(const Ball&) = delete;
+  Ball& operator=(const Ball&) = delete;
+  void set(const Vec3& centre, double radius);
+  void hide();
+
+ private:
+  vtkSmartPointer<vtkActor> actor_;
+};
+
+/// An arrow: a shaft and a head. `thickness` is the radius of the shaft; the head is three times as
+/// wide and shrinks with an arrow too short for it. Without a head it is a rod.
+class Arrow {
+ public:
+  Arrow(vtkRenderer& renderer, GlyphShapes& shapes, const QColor& colour);
+  ~Arrow();
+  Arrow(const Arrow&) = delete;
+  Arrow& operator=(const Arrow&) = delete;
+  void set(const Vec3& from, const Vec3& to, double thickness, bool with_head = true);
+  void hide();
+
+ private:
+  vtkSmartPointer<vtkActor> shaft_, head_;
+};
+
+/// An arc round an axis, with a head at its end.
+class Arc {
+ public:
+  Arc(vtkRenderer& renderer, GlyphShapes& shapes, const QColor& colour);
+  ~Arc();
+  Arc(const Arc&) = delete;
+  Arc& operator=(const Arc&) = delete;
+  /// Begins at centre + start and turns by `angle` about the unit `axis`, which start is normal to.
+  void set(const Vec3& centre, const Vec3& axis, const Vec3& start, double angle, double thickness);
+  void hide();
+
+ private:
+  vtkSmartPointer<vtkPolyData> path_;
+  vtkSmartPointer<vtkActor> tube_, head_;
+};
+
+/// A unit vector normal to a unit vector.
+Vec3 any_normal(const Vec3& axis);
+
+}  // namespace sonde::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+namespace sonde::ui {
+
+/// One line of the legend: a colour and what it stands for.
+struct LegendLine {
+  QColor colour;
+  QString text;
+};
+
+/// A label with its place on screen.
+struct PlacedLabel {
+  QPointF at;
+  QString text;
+  QColor colour;
+};
+
+/// All text in the view, drawn by Qt on a clear sheet above the picture: legend (what the colours
+/// are, what the lengths mean), labels beside arrows, a ruler, and how the mouse moves the probe.
+class HintView : public QWidget {
+ public:
+  explicit HintView(QWidget* parent);
+
+  void set_legend(std::vector<LegendLine> legend);
+  void set_labels(std::vector<PlacedLabel> labels);
+  /// A bar of that many pixels, with its length in words.
+  void set_ruler(double pixels, const QString& text);
+  /// One large line in the middle: "Paused"; empty for none.
+  void set_banner(const QString& text);
+  void set_hint_visible(bool visible);
+
+  /// Each way to move, as "keys" and "what it does".
+  static const std::vector<std::pair<QString, QString>>& keys();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void draw_legend(QPainter& painter) const;
+  void draw_hint(QPainter& painter) const;
+  void draw_labels(QPainter& painter) const;
+  void draw_ruler(QPainter& painter) const;
+  void draw_banner(QPainter& painter) const;
+
+  std::vector<LegendLine> legend_;
+  std::vector<PlacedLabel> labels_;
+  double ruler_pixels_ = 0;
+  QString ruler_text_;
+  QString banner_;
+  bool hint_visible_ = true;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <vector>
+
+#include "engine/haptics/servo.hpp"
+#include "ui/format.hpp"
+
+namespace sonde::ui {
+
+/// What one picture shows. Everything is in the fixed body's mesh frame, metres.
+struct Frame {
+  const Snapshot& snapshot;
+  const MassProperties& mass;  ///< the probe's
+  const LengthUnit& unit;
+  double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
+  double trail = 1;  ///< where the ghost is on its way from O (0) to Q (1)
+};
+
+/// Text that belongs to a point of the scene.
+struct Label {
+  Vec3 at;
+  QString text;
+  QColor colour;
+};
+
+/// Something drawn from a snapshot. Its actors are made once and hidden while there is nothing to
+/// show.
+class Overlay {
+ public:
+  Overlay() = default;
+  virtual ~Overlay() = default;
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  void show(const Frame& frame) {
+    labels_.clear();
+    if (visible_)
+      draw(frame);
+    else
+      hide();
+  }
+  void set_visible(bool visible) { visible_ = visible; }
+  bool visible() const { return visible_; }
+  const std::vector<Label>& labels() const { return labels_; }
+
+ protected:
+  virtual void draw(const Frame& frame) = 0;
+  virtual void hide() = 0;
+  void label(const Vec3& at, const QString& text, const QColor& colour) {
+    labels_.push_back({at, text, colour});
+  }
+
+ private:
+  bool visible_ = true;
+  std::vector<Label> labels_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/probe_view.hpp"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include "ui/theme.hpp"
+#include "ui/views/glyphs.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double ghost_opacity = 0.38;
+
+vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface,
+                                     const QColor& colour) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&surface);
+  mapper->ScalarVisibilityOff();
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->VisibilityOff();
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+  property->SetAmbient(0.12);
+  property->SetDiffuse(0.88);
+  property->SetSpecular(0.15);
+  property->SetSpecularPower(30);
+  renderer.AddActor(actor);
+  return actor;
+}
+
+}  // namespace
+
+ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface)
+    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::probe)) {}
+
+ProbeView::~ProbeView() { renderer_->RemoveActor(actor_); }
+
+void ProbeView::draw(const Frame& frame) {
+  place(*actor_, frame.snapshot.separation.device);
+  actor_->VisibilityOn();
+}
+
+void ProbeView::hide() { actor_->VisibilityOff(); }
+
+GhostView::GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
+    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::ghost)) {
+  actor_->GetProperty()->SetOpacity(ghost_opacity);
+  actor_->GetProperty()->SetBackfaceCulling(solid);
+  // Where the ghost and the probe all but coincide, the probe is what one sees.
+  actor_->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+  actor_->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+}
+
+GhostView::~GhostView() { renderer_->RemoveActor(actor_); }
+
+void GhostView::draw(const Frame& frame) {
+  const Separation& separation = frame.snapshot.separation;
+  if (separation.status != Status::penetrating) return hide();
+  place(*actor_, on_the_way(frame.mass, separation.device, separation.separated, frame.trail));
+  actor_->VisibilityOn();
+}
+
+void GhostView::hide() { actor_->VisibilityOff(); }
+
+Pose on_the_way(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ, double part) {
+  const Vec3 from = X_FO * mass.com;
+  const Vec3 to = X_FQ * mass.com;
+  const Quat turned = X_FO.q.slerp(part, X_FQ.q);
+  return {turned, from + part * (to - from) - turned * mass.com};
+}
+
+}  // namespace sonde::ui
