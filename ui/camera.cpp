@@ -51,6 +51,21 @@ void Camera::fit(const Vec3& centre, double radius, double aspect) {
   look_at(centre, view.towards, view.up, radius / std::sin(narrow));
 }
 
+void Camera::back_off(const std::vector<Vec3>& points, double aspect) {
+  constexpr double room = 1.12;  // for arrows and labels
+  const ViewAxes view = axes();
+  const double slope_up = std::tan(half_angle(*camera_));
+  const double slope_right = slope_up * aspect;
+  double distance = (eye() - target()).norm();
+  for (const Vec3& point : points) {
+    const Vec3 x = point - target();
+    const double aside =
+        std::max(std::abs(x.dot(view.right)) / slope_right, std::abs(x.dot(view.up)) / slope_up);
+    distance = std::max(distance, x.dot(view.towards) + room * aside);
+  }
+  look_at(target(), view.towards, view.up, distance);
+}
+
 void Camera::orbit(double about_up, double about_right) {
   const ViewAxes view = axes();
   const double distance = (eye() - target()).norm();

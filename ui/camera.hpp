@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "engine/geometry/pose.hpp"
 
 class vtkCamera;
@@ -32,6 +34,8 @@ class Camera {
   void look_at(const Vec3& target, const Vec3& direction, const Vec3& up, double distance);
   /// Keeps the direction and shows a ball whole, in a picture of that aspect (width / height).
   void fit(const Vec3& centre, double radius, double aspect);
+  /// Goes back along its line of sight until all points are in the picture.
+  void back_off(const std::vector<Vec3>& points, double aspect);
   /// The scene turns with the cursor: about the picture's up and right axes.
   void orbit(double about_up, double about_right);
   void pan(const Vec3& shift);

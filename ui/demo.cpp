@@ -91,10 +91,12 @@ void Demo::step() {
   }
 }
 
-/// Remembers where along the path the depth shown was largest.
+/// Remembers where along the path the depth was largest.
 void Demo::watch(double place) {
-  if (!window_.shown() || !(window_.shown()->separation.depth > deepest_)) return;
-  deepest_ = window_.shown()->separation.depth;
+  const Snapshot* now = window_.session()->latest();
+  if (!now || now->separation.status != Status::penetrating) return;
+  if (!(now->separation.depth > deepest_)) return;
+  deepest_ = now->separation.depth;
   deepest_place_ = place;
 }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+
+#include "engine/geometry/body.hpp"
 
 namespace sonde::ui {
 
@@ -33,6 +36,12 @@ QString number(double value) {
   const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 5);
   return QString::number(value, 'f', decimals);
 }
+
+QString short_name(const Body& body) {
+  return QString::fromStdString(std::filesystem::path(body.name).stem().string());
+}
+
+QString round_figure(double value) { return QString::number(value, 'g', 6); }
 
 double round_down_125(double value) {
   if (!(value > 0) || !std::isfinite(value)) return 1;

@@ -3,6 +3,10 @@
 
 #include <QString>
 
+namespace sonde {
+struct Body;
+}
+
 namespace sonde::ui {
 
 /// The length unit people read in a scene of this size: chosen once, so that numbers do not change
@@ -24,6 +28,12 @@ class LengthUnit {
 
 /// Three significant digits, '.' whatever the locale: "0.0123", "12.3", "1230".
 QString number(double value);
+
+/// A body's name for people: the file's, with no folder and no extension.
+QString short_name(const Body& body);
+
+/// A figure that is round already, with nothing added: "5", "0.2".
+QString round_figure(double value);
 
 /// The next of 1, 2, 5 times a power of ten that is not above the value.
 double round_down_125(double value);

@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QUndoStack>
 #include <QUrl>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -175,10 +176,7 @@ void MainWindow::on_frame() {
   draw_if_changed();
   if (!shown_) return;
   const qint64 now = clock_.elapsed();
-  if (now >= companion_due_) {
-    companion_due_ = now + companion_ms;
-    ask_companion();
-  }
+  ask_companion();
   if (now >= numbers_due_) {
     numbers_due_ = now + numbers_ms;
     show_numbers();
@@ -206,12 +204,20 @@ void MainWindow::count_frame() {
   ++rate_frames_;
 }
 
-/// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown.
+/// PD_t and the lower bound take longer than a tick: in their own thread, only while shown, and for
+/// at most a third of the time, since the servo and the picture need the machine as well.
 void MainWindow::ask_companion() {
   if (!readout_->isVisible() || session()->paused()) return;
-  if (const auto result = session()->companion()) companion_ = result;
-  if (!companion_ || !same(companion_->device, shown_->separation.device))
-    session()->ask_companion(shown_->separation.device);
+  const qint64 now = clock_.elapsed();
+  if (const auto result = session()->companion()) {
+    companion_ = result;
+    companion_due_ = std::max(companion_due_, companion_asked_ + qint64(3e-3 * result->time_us));
+  }
+  if (now < companion_due_) return;
+  if (companion_ && same(companion_->device, shown_->separation.device)) return;
+  session()->ask_companion(shown_->separation.device);
+  companion_asked_ = now;
+  companion_due_ = now + companion_ms;
 }
 
 void MainWindow::show_numbers() {

@@ -92,6 +92,7 @@ class MainWindow : public QMainWindow {
   double frame_rate_ = 0;
   qint64 numbers_due_ = 0;
   qint64 companion_due_ = 0;
+  qint64 companion_asked_ = 0;
 };
 
 }  // namespace sonde::ui

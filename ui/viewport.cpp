@@ -9,13 +9,14 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <QImage>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <array>
-#include <cstring>
+#include <string_view>
+#include <vector>
 
 #include "ui/theme.hpp"
 #include "ui/views/contact_view.hpp"
@@ -35,10 +36,31 @@ void set_background(vtkRenderer& renderer) {
 }
 
 QString describe(const char* role, const Body& body) {
-  return QStringLiteral("%1 %2: %3, %4 triangles")
-      .arg(QLatin1String(role), QString::fromStdString(body.name),
+  return QStringLiteral("%1 %2, %3, %4 triangles")
+      .arg(QLatin1String(role), short_name(body),
            body.solid ? QStringLiteral("solid") : QStringLiteral("surface"))
       .arg(body.soup.triangles.size());
+}
+
+/// Smoothing edges by samples triples the time of a picture where the processor draws it.
+int affordable_samples(QVTKOpenGLNativeWidget& widget) {
+  widget.makeCurrent();
+  const QOpenGLContext* context = widget.context();
+  if (!context) return 0;
+  const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
+  const std::string_view renderer = name ? name : "";
+  for (const std::string_view software : {"llvmpipe", "softpipe", "SWR", "Software"})
+    if (renderer.find(software) != renderer.npos) return 0;
+  return 4;
+}
+
+/// The corners of the box round a body's triangles, placed.
+void add_corners(std::vector<Vec3>& points, const Body& body, const Pose& pose) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& triangle : body.soup.triangles)
+    for (const auto index : triangle) box.extend(body.soup.vertices[index]);
+  for (int i = 0; i < 8; ++i)
+    points.push_back(pose * Vec3(box.corner(Eigen::AlignedBox3d::CornerType(i))));
 }
 
 }  // namespace
@@ -83,7 +105,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   s.widget->setObjectName(QStringLiteral("canvas"));
   s.widget->setFocusPolicy(Qt::StrongFocus);
   s.widget->setAcceptDrops(false);  // drops belong to the window
-  s.window->SetMultiSamples(4);
+  s.window->SetMultiSamples(0);     // see show_stage
   s.widget->setRenderWindow(s.window);
   s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
   s.window->SetNumberOfLayers(2);
@@ -100,6 +122,7 @@ Viewport::~Viewport() = default;
 
 void Viewport::show_stage(const Stage& stage) {
   Scenery& s = *scenery_;
+  s.window->SetMultiSamples(affordable_samples(*s.widget));
   const Session& session = *stage.session;
   s.mass = session.probe().mass;
   s.unit = LengthUnit(s.mass.radius);
@@ -109,14 +132,9 @@ void Viewport::show_stage(const Stage& stage) {
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
 
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(stage.fixed_surface);
-  s.fixed_actor = vtkSmartPointer<vtkActor>::New();
-  s.fixed_actor->SetMapper(mapper);
-  s.fixed_actor->GetProperty()->SetColor(colour::fixed.redF(), colour::fixed.greenF(),
-                                         colour::fixed.blueF());
-  s.bodies->AddActor(s.fixed_actor);
-  s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface);
+  s.fixed_actor = body_actor(*s.bodies, *stage.fixed_surface, colour::fixed, session.fixed().solid);
+  s.fixed_actor->VisibilityOn();
+  s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface, session.probe().solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
   s.ghost->set_visible(s.ghost_shown);
   set_coupling(session.coupling());
@@ -128,6 +146,11 @@ void Viewport::show_stage(const Stage& stage) {
     camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 4 * s.radius);
     fit();
   }
+  // A scene's own camera knows nothing of the window's shape: both bodies are seen whole.
+  std::vector<Vec3> corners;
+  add_corners(corners, session.fixed(), Pose{});
+  add_corners(corners, session.probe(), session.device_pose());
+  camera().back_off(corners, aspect());
 }
 
 void Viewport::set_coupling(const Coupling& coupling) {
@@ -143,7 +166,7 @@ void Viewport::update_legend() {
                                  {colour::fixed, s.descriptions[1]}};
   if (shown(Layer::ghost)) legend.push_back({colour::ghost, QStringLiteral("separated probe")});
   if (shown(Layer::contacts))
-    legend.push_back({colour::contact, QStringLiteral("contacts with normals")});
+    legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {
     legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
     legend.push_back({colour::torque, s.wrench.torque_legend()});
@@ -180,7 +203,7 @@ void Viewport::update_text(const Snapshot& snapshot) {
   s.hints->set_banner(snapshot.paused ? QStringLiteral("Paused – Space goes on") : QString());
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
-  s.hints->set_ruler(length / pixel, number(length / s.unit.metres()) + ' ' + s.unit.name());
+  s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
   s.hints->set_labels(std::move(labels));
 }
 
@@ -239,7 +262,7 @@ void Viewport::fit() {
     radius = 0.5 * (apart + s.mass.radius + s.radius);
     centre += (probe - s.centre) * ((radius - s.radius) / std::max(apart, 1e-12));
   }
-  camera().fit(centre, radius, double(width()) / std::max(height(), 1));
+  camera().fit(centre, radius, aspect());
   invalidate();
 }
 
@@ -249,13 +272,14 @@ double Viewport::metres_per_pixel(const Vec3& at) const {
 
 QPointF Viewport::on_screen(const Vec3& point) const {
   vtkCamera* camera = scenery_->bodies->GetActiveCamera();
-  const double aspect = double(width()) / std::max(height(), 1);
   const double in[4] = {point.x(), point.y(), point.z(), 1};
   double out[4];
-  camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1)->MultiplyPoint(in, out);
+  camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
   if (!(std::abs(out[3]) > 0)) return {};
   return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
 }
+
+double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }
 
 QWidget* Viewport::canvas() const { return scenery_->widget; }
 

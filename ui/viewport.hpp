@@ -56,6 +56,7 @@ class Viewport : public QWidget {
   struct Scenery;
   void update_text(const Snapshot& snapshot);
   void update_legend();
+  double aspect() const;
 
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;

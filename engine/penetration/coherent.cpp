@@ -3,20 +3,56 @@
 
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/placement.hpp"
+#include "engine/proximity/sweep.hpp"
 
 namespace sonde {
+
+namespace {
+
+/// Beyond this many times the bodies' size, the rounding of coordinates drowns the geometry.
+constexpr double farthest = 1e9;
+
+}  // namespace
 
 struct CoherentSolver::State {
   std::shared_ptr<const Body> probe, fixed;
   Method method;
   Descent descent;
   Separation last;
+  Pose device;     ///< the last one that was not refused
+  Pose separated;  ///< the last one, free
   bool started = false;
 
   State(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, Method m)
       : probe(std::move(a)), fixed(std::move(b)), method(m), descent(*probe, *fixed, m) {
     last.reason = "not started";
+  }
+
+  bool within_reach(const Pose& X) const {
+    return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(*probe) + extent(*fixed));
+  }
+
+  /// Translation only: the separated probe has to turn with the device first. It is lifted off its contacts
+  /// by as much as the turn can move a point of it, turned, and let down again by the descent; each part
+  /// is swept. False where the way is blocked: then it stays turned as it was.
+  bool follow_turn(const Chart& chart, Vec6& y) noexcept {
+    const double turn = y.head<3>().norm();
+    if (!(turn > 0)) return true;
+    const double clearance = 0.25 * allowed_clearance(probe->mass.radius, y.norm());
+    const double depth = y.tail<3>().norm();
+    for (double lift = 0; lift <= 4; lift = lift > 0 ? 2 * lift : 1) {
+      Vec6 lifted = y, turned = y;
+      const double reach = 2 * chart.v(y).norm() * probe->mass.radius * lift;
+      if (depth > 0) lifted.tail<3>() *= 1 + reach / depth;
+      turned = lifted;
+      turned.head<3>().setZero();
+      if (sweep(*probe, *fixed, Motion(chart, y, lifted), clearance).hit) continue;
+      if (sweep(*probe, *fixed, Motion(chart, lifted, turned), clearance).hit) continue;
+      y = turned;
+      return true;
+    }
+    return false;
   }
 };
 
@@ -37,35 +73,35 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.last = separate_static(*s.probe, *s.fixed, X_FM, search);
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
+  s.device = s.last.device;
+  s.separated = s.last.separated;
   return s.last;
 }
 
 const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) noexcept {
   State& s = *state_;
-  if (!s.started) {
-    s.last = failed(X_FM, "not started");
-    return s.last;
-  }
-  if (!is_finite(X_FM)) {
-    // The last separated pose stays what the next tick starts from.
-    const Pose kept = s.last.separated;
-    s.last = failed(X_FM, "the device pose is not finite");
-    s.last.separated = kept;
+  const char* refusal = !s.started            ? "not started"
+                        : !is_finite(X_FM)     ? "the device pose is not finite"
+                        : !s.within_reach(X_FM) ? "the device pose is too far away to compute with"
+                                               : nullptr;
+  if (refusal) {
+    s.last = failed(X_FM, refusal);
+    s.last.separated = s.separated;
     return s.last;
   }
   const Deadline deadline{budget.microseconds, budget.microseconds > 0 ? now_us() : 0};
   const Pose device{X_FM.q.normalized(), X_FM.p};
   const Chart chart(s.probe->mass, device);
-  const Vec6 y = chart.coordinates(s.last.separated);
-  if (s.method == Method::pdt) {
-    // Translation only: the separated probe turns with the device where that is free all the way.
-    // (Its start is found as a motion of its own: see follow_rotation.)
-  }
+  Vec6 y = chart.coordinates(s.separated);
+  const bool followed = s.method == Method::pdg || s.follow_turn(chart, y);
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
-  const double moved = Chart(s.probe->mass, s.last.device).coordinates(device).norm();
+  const double moved = Chart(s.probe->mass, s.device).coordinates(device).norm();
   const Descent::Outcome found = s.descent.run(chart, y, goal, 2 * moved, deadline);
   s.last = make_separation(chart, found);
+  s.last.converged = s.last.converged && followed;
+  s.device = device;
+  s.separated = s.last.separated;
   return s.last;
 }
 

@@ -42,7 +42,10 @@ void ContactRows::take(const NearPair& pair, const Transform& X) noexcept {
 
 void ContactRows::gather(const Chart& chart, const Vec6& y, double reach) noexcept {
   const Transform X(chart.pose(y));
-  if (list_.reach_at(X) < reach) list_.build(X, 3 * reach);
+  // A list pays where the steps are short beside its reach; long steps walk the trees.
+  const bool short_steps = reach < 0.02 * probe_.mass.radius;
+  if (short_steps && list_.reach_at(X) < reach && !list_.build(X, 4 * reach))
+    list_.build(X, 1.5 * reach);
   const NearPairs near = list_.reach_at(X) >= reach ? list_.near(X, reach, pairs_)
                                                     : near_pairs(probe_, fixed_, X, reach, pairs_);
   reach_ = near.reach;

@@ -67,7 +67,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const double length = y.norm();
     const double allowed = allowed_clearance(radius, length);
     const double margin = 0.5 * allowed * goal.clearance;
-    const double reach = std::clamp(2 * scale, 16 * margin, std::max(0.02 * radius, 16 * margin));
+    const double reach = std::clamp(2 * scale, 16 * margin, std::max(0.03 * radius, 16 * margin));
     rows_.gather(chart, y, reach);
     out.smallest_gap = rows_.smallest_gap();
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);

@@ -77,12 +77,6 @@ class Search {
     for (const Found& f : found_) best = std::min(best, f.depth);
     return best;
   }
-  double best_translation() const {
-    double best = std::numeric_limits<double>::infinity();
-    for (const Found& f : translated_) best = std::min(best, f.depth);
-    return best;
-  }
-
   void descend(const Vec6& y, bool translate = false) {
     const auto o = (translate ? pdt_ : pdg_).run(chart_, y, limited(coarse), 0, deadline_);
     iterations_ += o.iterations;
@@ -129,36 +123,40 @@ class Search {
 
   /// The best few to the last digit; the best of them that stands the exact test.
   Separation finish(bool rotate) {
-    const double pdt_depth = polish_translation();
     std::vector<Separation> answers;
+    const std::optional<Separation> translated = polish_translation();
+    if (translated && rotate)
+      answers.push_back(polish(pdg_, {chart_.coordinates(translated->separated), translated->depth}));
+    if (translated) answers.push_back(*translated);
     const double worth = 1.1 * best_depth();
     for (std::size_t i = 0; i < std::min<std::size_t>(4, found_.size()); ++i) {
       if (found_[i].depth > worth) break;
-      const Deadline none;
-      const auto o = (rotate ? pdg_ : pdt_).run(chart_, found_[i].y, fine, 0.1 * found_[i].depth, deadline_.passed() ? deadline_ : none);
-      iterations_ += o.iterations;
-      answers.push_back(make_separation(chart_, o));
+      answers.push_back(polish(rotate ? pdg_ : pdt_, found_[i]));
     }
     std::stable_sort(answers.begin(), answers.end(), [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
     for (Separation& answer : answers) {
       if (overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact)) continue;
       answer.iterations = iterations_;
-      if (std::isfinite(pdt_depth)) answer.pdt = pdt_depth;
+      if (translated) answer.pdt = translated->depth;
       return answer;
     }
     return failed(chart_.device(), "no separated pose stood the exact test");
   }
 
-  double polish_translation() {
+  Separation polish(Descent& descent, const Found& from) {
+    // At least a few steps even past the budget: a pose fit to be returned, with its multipliers.
+    const auto o = descent.run(chart_, from.y, limited(fine), 0.1 * from.depth, deadline_);
+    iterations_ += o.iterations;
+    return make_separation(chart_, o);
+  }
+
+  /// The translational depth to the last digit; among the starts from here on.
+  std::optional<Separation> polish_translation() {
     const Found* best = nullptr;
     for (const Found& f : translated_)
       if (!best || f.depth < best->depth) best = &f;
-    if (!best) return std::numeric_limits<double>::infinity();
-    const auto o = pdt_.run(chart_, best->y, fine, 0.1 * best->depth, deadline_);
-    iterations_ += o.iterations;
-    found_.push_back({o.y, o.y.norm()});
-    sort();
-    return o.y.norm();
+    if (!best) return std::nullopt;
+    return polish(pdt_, *best);
   }
 
   const Body& probe_;

@@ -14,7 +14,7 @@ struct Search {
   Distance best;
 
   void try_pair(std::uint32_t i, std::uint32_t j) {
-    const ClosestPoints c = closest_points(at.corners_a(i), at.corners_b(j));
+    const ClosestPoints c = closest_points(at.corners_a(i), at.corners_b(j), best.distance);
     if (c.distance < best.distance)
       best = {c.distance, c.a, c.b, i, j, c.distance <= 0};
   }

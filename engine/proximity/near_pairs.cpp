@@ -38,7 +38,7 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
         const Corners ta = at.corners_a(i);
         for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
           const Corners tb = at.corners_b(j);
-          const ClosestPoints c = closest_points(ta, tb);
+          const ClosestPoints c = closest_points(ta, tb, reach);
           if (!(c.distance > 0) || c.distance > reach) continue;
           if (found == out.size()) found = keep_nearer_half(out, reach);
           const Vec3 n = (c.a - c.b) / c.distance;

@@ -6,7 +6,7 @@
 
 namespace sonde {
 namespace {
-constexpr std::size_t most_items = 4096;
+constexpr std::size_t most_items = 16384;
 }
 
 PairList::PairList(const Body& a, const Body& b) : a_(a), b_(b), items_(most_items) {}
@@ -68,11 +68,14 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
     const Corners ta = place(X, corners(a_.soup, item.a));
     const Corners tb = corners(b_.soup, item.b);
     if (gap_along(item.normal, ta, tb) > reach) continue;
-    const ClosestPoints c = closest_points(ta, tb);
+    const ClosestPoints c = closest_points(ta, tb, reach);
+    if (c.distance > reach) {
+      item.bound = std::max(item.bound, reach - moved);
+      continue;
+    }
     item.bound = std::max(item.bound, c.distance * (1 - 1e-12) - moved);
     if (!(c.distance > 0)) continue;
     item.normal = (c.a - c.b) / c.distance;
-    if (c.distance > reach) continue;
     if (found == out.size()) found = keep_nearer_half(out, reach);
     out[found++] = {c.a, c.b, item.normal, gap_along(item.normal, ta, tb), item.a, item.b};
   }

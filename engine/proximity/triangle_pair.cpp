@@ -44,13 +44,25 @@ struct Face {
   std::array<double, 3> length2;
   Vec3 normal;
   double normal2;
-  explicit Face(const Corners& t) : v(t) {
+  /// Heights of the other triangle's corners over the plane, times |normal|.
+  std::array<double, 3> height{};
+  Face(const Corners& t, const Corners& other) : v(t) {
     for (std::size_t i = 0; i < 3; ++i) {
       edge[i] = t[(i + 1) % 3] - t[i];
       length2[i] = edge[i].squaredNorm();
     }
     normal = edge[0].cross(edge[1]);
     normal2 = normal.squaredNorm();
+    for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(other[i] - t[0]);
+  }
+  bool all_above() const { return height[0] > 0 && height[1] > 0 && height[2] > 0; }
+  bool all_below() const { return height[0] < 0 && height[1] < 0 && height[2] < 0; }
+  /// Is the other triangle on one side of the plane, further from it than limit?
+  bool beyond(double limit) const {
+    if (!(all_above() || all_below())) return false;
+    const double nearest =
+        std::min({std::abs(height[0]), std::abs(height[1]), std::abs(height[2])});
+    return nearest * nearest > limit * limit * normal2 * (1 + 1e-12);
   }
   /// Is x, seen along the normal, inside?
   bool covers(const Vec3& x) const {
@@ -63,17 +75,14 @@ struct Face {
 /// Corners of `other` over the inside of `face`, and edges of `other` through it. `swap`: face is of B.
 bool over_face(const Face& face, const Corners& other, bool swap, Best& best) {
   if (face.normal2 <= 0) return false;
-  std::array<double, 3> height;
-  for (std::size_t i = 0; i < 3; ++i) height[i] = face.normal.dot(other[i] - face.v[0]);
-  const bool above = height[0] > 0 && height[1] > 0 && height[2] > 0;
-  const bool below = height[0] < 0 && height[1] < 0 && height[2] < 0;
+  const std::array<double, 3>& height = face.height;
   for (std::size_t i = 0; i < 3; ++i) {
     // A corner further than the best so far cannot improve on it.
     if (height[i] * height[i] > best.squared * face.normal2 || !face.covers(other[i])) continue;
     const Vec3 foot = other[i] - (height[i] / face.normal2) * face.normal;
     swap ? best.offer(other[i], foot) : best.offer(foot, other[i]);
   }
-  if (above || below) return false;
+  if (face.all_above() || face.all_below()) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if ((height[i] > 0) == (height[j] > 0)) continue;
@@ -126,8 +135,10 @@ bool pierces(const Corners& face, const Corners& other) {
 
 }  // namespace
 
-ClosestPoints closest_points(const Corners& a, const Corners& b) {
-  const Face face_a(a), face_b(b);
+ClosestPoints closest_points(const Corners& a, const Corners& b, double limit) {
+  const Face face_a(a, b), face_b(b, a);
+  if (face_a.beyond(limit) || face_b.beyond(limit))
+    return {Vec3::Zero(), Vec3::Zero(), std::numeric_limits<double>::infinity()};
   Best best;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -154,7 +165,7 @@ Meeting classify(const Corners& a, const Corners& b) {
     const Vec3 n = axis / length;
     return gap_along(n, a, b) > margin || gap_along(-n, a, b) > margin;
   };
-  const Face face_a(a), face_b(b);
+  const Face face_a(a, b), face_b(b, a);
   if (apart_along(face_a.normal) || apart_along(face_b.normal)) return Meeting::apart;
   if (pierces(a, b) || pierces(b, a)) return Meeting::meeting;
   for (std::size_t i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "engine/geometry/pose.hpp"
 
@@ -19,8 +20,10 @@ struct ClosestPoints {
 
 /// Closest points of two triangles, degenerate ones included (needles, points). Plain floating point:
 /// the distance is right to about 1e-15 of the size of the coordinates. Twelve vertex-face and nine
-/// edge-edge candidates, after C. Ericson, Real-Time Collision Detection, 2005, chapter 5.1.
-ClosestPoints closest_points(const Corners& a, const Corners& b);
+/// edge-edge candidates, after C. Ericson, Real-Time Collision Detection, 2005, chapter 5.1. Triangles
+/// seen to be further apart than `limit` get the distance infinity and no points.
+ClosestPoints closest_points(const Corners& a, const Corners& b,
+                             double limit = std::numeric_limits<double>::infinity());
 
 /// min over A of n·a − max over B of n·b: where positive, A and B are separated along n by that much,
 /// whatever n is. This, not the distance, is what freedom is certified with.

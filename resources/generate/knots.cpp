@@ -22,8 +22,7 @@ Soup knot_mesh() {
   return wrapped_grid(360, 30, [](double u, double v) {
     const Vec3 c = trefoil(u);
     const Vec3 tangent = (trefoil(u + 1e-4) - trefoil(u - 1e-4)).normalized();
-    const Vec3 radial =
-        (c - knot_major * Vec3(std::cos(2 * u), std::sin(2 * u), 0)).normalized();
+    const Vec3 radial = (c - knot_major * Vec3(std::cos(2 * u), std::sin(2 * u), 0)).normalized();
     const Vec3 side = tangent.cross(radial).normalized();
     const Vec3 up = side.cross(tangent);
     return Vec3(c + knot_tube * (std::cos(v) * up + std::sin(v) * side));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "resources/generate/mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -122,15 +123,16 @@ Ring at_height(const Outline& outline, double z) {
 Outline resample(const Outline& line, int count) {
   std::vector<double> along = {0};
   for (std::size_t i = 1; i < line.size(); ++i)
-    along.push_back(along.back() + std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
+    along.push_back(along.back() +
+                    std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
   Outline out;
   std::size_t i = 0;
   for (int k = 0; k < count; ++k) {
     const double s = along.back() * k / (count - 1);
     while (i + 2 < line.size() && along[i + 1] < s) ++i;
     const double f = (s - along[i]) / (along[i + 1] - along[i]);
-    out.push_back({line[i].x + f * (line[i + 1].x - line[i].x),
-                   line[i].y + f * (line[i + 1].y - line[i].y)});
+    out.push_back(
+        {line[i].x + f * (line[i + 1].x - line[i].x), line[i].y + f * (line[i + 1].y - line[i].y)});
   }
   return out;
 }
@@ -147,6 +149,24 @@ void append(Soup& a, const Soup& b) {
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (const Triangle& t : b.triangles)
     a.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
+
+Soup compacted(const Soup& soup) {
+  constexpr std::uint32_t unused = 0xffffffffU;
+  std::vector<std::uint32_t> renumbered(soup.vertices.size(), unused);
+  Soup out;
+  for (const Triangle& t : soup.triangles) {
+    Triangle fresh{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (renumbered[t[k]] == unused) {
+        renumbered[t[k]] = static_cast<std::uint32_t>(out.vertices.size());
+        out.vertices.push_back(soup.vertices[t[k]]);
+      }
+      fresh[k] = renumbered[t[k]];
+    }
+    out.triangles.push_back(fresh);
+  }
+  return out;
 }
 
 double smooth_step(double a, double b, double x) {

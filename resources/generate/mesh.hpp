@@ -51,6 +51,9 @@ void add_arc(Outline& line, Point2 center, double radius, double from, double to
 /// Joins b to a.
 void append(Soup& a, const Soup& b);
 
+/// Without the vertices that no triangle uses, in the order of their first use.
+Soup compacted(const Soup& soup);
+
 /// 0 below a, 1 above b, smooth between (first and second derivatives zero at both).
 double smooth_step(double a, double b, double x);
 

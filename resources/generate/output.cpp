@@ -95,7 +95,8 @@ void Output::scene(const SceneText& text, const Path& path) const {
   out += "  \"fixed\": {\n    \"mesh\": \"../models/" + text.fixed + "\",\n";
   out += "    \"model\": \"" + text.model + "\",\n    \"pose\": [0, 0, 0, 1, 0, 0, 0]\n  },\n";
   out += "  \"trajectory\": \"" + path_name + "\",\n";
-  out += "  \"coupling\": {\n    \"mode\": \"object\",\n    \"k\": " + number(text.k) + ",\n    \"max_force\": 10,\n    \"max_torque\": 0.5\n  },\n";
+  out += "  \"coupling\": {\n    \"mode\": \"object\",\n    \"k\": " + number(text.k) +
+         ",\n    \"max_force\": 10,\n    \"max_torque\": 0.5\n  },\n";
   out += "  \"view\": {\n    \"direction\": " + vector_list(text.view) +
          ",\n    \"up\": [0, 0, 1]\n  }\n}\n";
   write(root_ / "scenes" / (text.name + ".sonde.json"), out);

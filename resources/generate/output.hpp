@@ -12,10 +12,10 @@ namespace sonde::generate {
 /// What a scene file says, beside its two meshes and its path.
 struct SceneText {
   std::string name;
-  std::string probe;        ///< file in models/
-  std::string fixed;        ///< file in models/
-  std::string model;        ///< "solid", "surface" or "auto", of the fixed body
-  double k = 500;  ///< N/m
+  std::string probe;                  ///< file in models/
+  std::string fixed;                  ///< file in models/
+  std::string model;                  ///< "solid", "surface" or "auto", of the fixed body
+  double k = 500;                     ///< N/m
   Vec3 view = Vec3(-0.45, -1, 0.55);  ///< from what is looked at towards the eye
 };
 

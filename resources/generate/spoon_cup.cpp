@@ -1,230 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scene one starts with: a teaspoon in a cup.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "resources/generate/cup.hpp"
 #include "resources/generate/mesh.hpp"
 #include "resources/generate/output.hpp"
 
 namespace sonde::generate {
 namespace {
 
-// ---- The cup: a solid of revolution about z, 9 cm high, with a handle grown out of its wall.
+// The spoon: the bowl about the origin, open towards +y, the handle up along +z.
 
-constexpr int cup_sides = 72;
-constexpr double cup_height = 0.090;
-constexpr double cup_wall = 0.0036;
-constexpr double cup_rim = 0.041;  ///< outer radius under the rim
-
-/// Outer radius of the wall at a height: a little belly, narrower at the foot.
-double outer_radius(double z) {
-  const double s = z / cup_height;
-  return 0.0285 + (cup_rim - 0.0285) * std::sin(s * 1.5) / std::sin(1.5);
-}
-
-/// Half the section of the cup, from under the foot out, up, over the rim and down inside.
-std::vector<Outline> cup_profile() {
-  Outline foot = {{0.004, 0.0030}, {0.021, 0.0030}, {0.0225, 0.0022}, {0.0235, 0.0008}};
-  add_arc(foot, {0.0258, 0.0018}, 0.0018, -std::numbers::pi / 2 - 0.5, 0.1, 6);
-  Outline outside;
-  for (int i = 0; i <= 60; ++i) {
-    const double z = 0.0040 + (cup_height - 0.0020 - 0.0040) * i / 60;
-    outside.push_back({outer_radius(z), z});
-  }
-  Outline rim;
-  add_arc(rim, {cup_rim - cup_wall / 2, cup_height - cup_wall / 2}, cup_wall / 2, 0.15,
-          std::numbers::pi - 0.15, 8);
-  Outline inside;
-  for (int i = 0; i <= 60; ++i) {
-    const double z = cup_height - 0.0022 - (cup_height - 0.0022 - 0.0160) * i / 60;
-    inside.push_back({outer_radius(z) - cup_wall, z});
-  }
-  Outline floor;
-  const double corner = outer_radius(0.0160) - cup_wall;
-  for (int i = 1; i <= 20; ++i) {  // a quarter of an ellipse from the wall to the floor
-    const double a = std::numbers::pi / 2 * i / 20;
-    floor.push_back({corner - 0.014 * (1 - std::cos(a)), 0.0160 - 0.0095 * std::sin(a)});
-  }
-  floor.push_back({0.003, 0.0065});
-  return {resample(foot, 12), resample(outside, 27), rim, resample(inside, 22), resample(floor, 13)};
-}
-
-Ring circle(double radius, double z) {
-  Ring ring;
-  for (int i = 0; i < cup_sides; ++i) {
-    const double a = two_pi * i / cup_sides;
-    ring.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
-  }
-  return ring;
-}
-
-/// A window in the outer wall: rows and columns of the grid of rings, both ends included.
-struct Window {
-  int row = 0;
-  int rows = 0;     ///< quads
-  int columns = 4;  ///< quads, centred on the +x axis
-  int half() const { return columns / 2; }
-};
-
-std::uint32_t grid_index(int row, int column) {
-  return static_cast<std::uint32_t>(row * cup_sides + (column + cup_sides) % cup_sides);
-}
-
-/// The vertices round a window, anticlockwise seen from outside the cup, from its lowest left one.
-std::vector<std::uint32_t> border(const Window& w) {
-  std::vector<std::uint32_t> out;
-  for (int c = -w.half(); c < w.half(); ++c) out.push_back(grid_index(w.row, c));
-  for (int r = 0; r < w.rows; ++r) out.push_back(grid_index(w.row + r, w.half()));
-  for (int c = w.half(); c > -w.half(); --c) out.push_back(grid_index(w.row + w.rows, c));
-  for (int r = w.rows; r > 0; --r) out.push_back(grid_index(w.row + r, -w.half()));
-  return out;
-}
-
-void cut(Soup& cup, const Window& w) {
-  const auto inside = [&](std::uint32_t vertex) {
-    const int row = static_cast<int>(vertex) / cup_sides;
-    int column = static_cast<int>(vertex) % cup_sides;
-    if (column > cup_sides / 2) column -= cup_sides;
-    return row >= w.row && row <= w.row + w.rows && std::abs(column) <= w.half();
-  };
-  std::erase_if(cup.triangles, [&](const Triangle& t) {
-    return inside(t[0]) && inside(t[1]) && inside(t[2]);
-  });
-}
-
-/// Moves the corners of a window's border along the wall, so that it becomes an ellipse.
-void round_off(Soup& cup, const std::vector<std::uint32_t>& border) {
-  double low = cup_height, high = 0, half_angle = 0;
-  for (const std::uint32_t v : border) {
-    const Vec3& x = cup.vertices[v];
-    low = std::min(low, x.z());
-    high = std::max(high, x.z());
-    half_angle = std::max(half_angle, std::atan2(x.y(), x.x()));
-  }
-  for (const std::uint32_t v : border) {
-    Vec3& x = cup.vertices[v];
-    const double across = std::atan2(x.y(), x.x()) / half_angle;
-    const double up = (2 * x.z() - low - high) / (high - low);
-    const double to_ellipse = 1 / std::hypot(across, up);
-    const double angle = across * to_ellipse * half_angle;
-    const double z = (low + high + up * to_ellipse * (high - low)) / 2;
-    x = {outer_radius(z) * std::cos(angle), outer_radius(z) * std::sin(angle), z};
-  }
-}
-
-/// The middle line of the handle in the plane y = 0 (x, z), from the lower window to the upper one.
-Point2 handle_line(double s, Point2 low, Point2 high) {
-  const Point2 a = {0.074, low.y - 0.004};
-  const Point2 b = {0.082, high.y + 0.010};
-  const double u = 1 - s;
-  const double w0 = u * u * u, w1 = 3 * u * u * s, w2 = 3 * u * s * s, w3 = s * s * s;
-  return {w0 * low.x + w1 * a.x + w2 * b.x + w3 * high.x,
-          w0 * low.y + w1 * a.y + w2 * b.y + w3 * high.y};
-}
-
-/// How much of the window's shape is left at a distance s from it: falls steeply, for a soft fillet.
-double flare(double s) { return std::pow(std::max(0.0, 1 - s / 0.16), 3); }
-
-Vec3 middle_of(const Soup& cup, const std::vector<std::uint32_t>& vertices) {
-  Vec3 sum = Vec3::Zero();
-  for (const std::uint32_t v : vertices) sum += cup.vertices[v];
-  return sum / static_cast<double>(vertices.size());
-}
-
-/// Cuts two windows and joins them by a tube, so that the cup with its handle is one closed surface.
-void add_handle(Soup& cup, const Window& low, const Window& high) {
-  const std::vector<std::uint32_t> start = border(low);
-  const std::vector<std::uint32_t> upper = border(high);
-  const int n = static_cast<int>(start.size());
-  // Seen along the tube the upper window is the mirror image of the lower one, turned upside down:
-  // the point over column c, low edge, goes to the point over column c, high edge.
-  std::vector<std::uint32_t> end;
-  for (int i = 0; i < n; ++i) {
-    const int k = (low.columns + high.rows + low.columns - i + 2 * n) % n;
-    end.push_back(upper[static_cast<std::size_t>(k)]);
-  }
-  round_off(cup, start);
-  round_off(cup, upper);
-  const Vec3 a = middle_of(cup, start);
-  const Vec3 b = middle_of(cup, end);
-  const int steps = 44;
-  std::vector<std::uint32_t> previous = start;
-  for (int k = 1; k <= steps; ++k) {
-    const double s = static_cast<double>(k) / steps;
-    const Point2 c = handle_line(s, {a.x(), a.z()}, {b.x(), b.z()});
-    const Point2 d = handle_line(s + 1e-5, {a.x(), a.z()}, {b.x(), b.z()});
-    const Vec3 along = Vec3(d.x - c.x, 0, d.y - c.y).normalized();
-    const Vec3 outwards = Vec3::UnitY().cross(along);  // away from the loop's inside
-    const double thick = 0.0030 + 0.0006 * std::cos(two_pi * s);
-    std::vector<std::uint32_t> ring = end;
-    for (int i = 0; k < steps && i < n; ++i) {
-      const Vec3& from = cup.vertices[start[static_cast<std::size_t>(i)]];
-      const Vec3& to = cup.vertices[end[static_cast<std::size_t>(i)]];
-      const double angle = two_pi * (i - low.half()) / n;  // 0 in the middle of the low edge
-      const Vec3 tube = Vec3(c.x, 0, c.y) + 0.0052 * std::sin(angle) * Vec3::UnitY() +
-                        thick * std::cos(angle) * outwards;
-      const double leave = flare(s);
-      const double arrive = flare(1 - s);
-      ring[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(cup.vertices.size());
-      cup.vertices.push_back((1 - leave - arrive) * tube + leave * (from + Vec3(c.x, 0, c.y) - a) +
-                             arrive * (to + Vec3(c.x, 0, c.y) - b));
-    }
-    for (int i = 0; i < n; ++i) {
-      const auto p = static_cast<std::size_t>(i);
-      const auto q = static_cast<std::size_t>((i + 1) % n);
-      cup.triangles.push_back({previous[p], previous[q], ring[q]});
-      cup.triangles.push_back({previous[p], ring[q], ring[p]});
-    }
-    previous = ring;
-  }
-}
-
-/// Drops the vertices that no triangle uses.
-Soup compacted(const Soup& soup) {
-  constexpr std::uint32_t unused = 0xffffffffU;
-  std::vector<std::uint32_t> renumbered(soup.vertices.size(), unused);
-  Soup out;
-  for (const Triangle& t : soup.triangles) {
-    Triangle fresh{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (renumbered[t[k]] == unused) {
-        renumbered[t[k]] = static_cast<std::uint32_t>(out.vertices.size());
-        out.vertices.push_back(soup.vertices[t[k]]);
-      }
-      fresh[k] = renumbered[t[k]];
-    }
-    out.triangles.push_back(fresh);
-  }
-  return out;
-}
-
-Soup cup_mesh() {
-  std::vector<Ring> rings;
-  int wall_begins = 0;
-  const std::vector<Outline> profile = cup_profile();
-  for (const Outline& part : profile) {
-    if (&part == &profile[1]) wall_begins = static_cast<int>(rings.size());
-    for (const Point2& p : part) rings.push_back(circle(p.x, p.y));
-  }
-  Soup cup = loft(rings, Ends::capped, Vec3(0, 0, 0.0030), Vec3(0, 0, 0.0065));
-  const Window low{wall_begins + 5, 4, 4};
-  const Window high{wall_begins + 18, 4, 4};
-  cut(cup, low);
-  cut(cup, high);
-  add_handle(cup, low, high);
-  return compacted(cup);
-}
-
-// ---- The spoon: the bowl about the origin, open towards +y, the handle up along +z.
-
-constexpr double bowl_low = -0.026;    ///< z of the tip of the bowl
-constexpr double handle_end = 0.112;   ///< z of the end of the handle
+constexpr double bowl_low = -0.026;   ///< z of the tip of the bowl
+constexpr double handle_end = 0.112;  ///< z of the end of the handle
 
 /// Half the width of the spoon seen from the front.
 double half_width(double z) {
   const double s = (z - bowl_low) / 0.052;  // 0 to 1 along the bowl
-  const double egg = s < 1 ? 0.0165 * std::pow(std::sin(std::numbers::pi * std::pow(s, 0.82)), 0.6)
-                           : 0.0;
+  const double egg =
+      s < 1 ? 0.0165 * std::pow(std::sin(std::numbers::pi * std::pow(s, 0.82)), 0.6) : 0.0;
   const double neck = 0.0024 + 0.0036 * smooth_step(0.035, handle_end - 0.008, z);
   const double tip = std::sqrt(std::max(0.0, 1 - std::pow(std::max(0.0, (z - 0.104) / 0.008), 2)));
   const double handle = neck * tip * smooth_step(0.006, 0.024, z);
@@ -244,9 +40,8 @@ double edge_line(double z) {
 }
 
 Vec3 spoon_point(double z, double angle) {
-  const double half_thickness =
-      0.5 * (0.0014 + 0.0010 * smooth_step(0.015, 0.035, z)) *
-      std::sqrt(std::min(1.0, half_width(z) / 0.0012));
+  const double half_thickness = 0.5 * (0.0014 + 0.0010 * smooth_step(0.015, 0.035, z)) *
+                                std::sqrt(std::min(1.0, half_width(z) / 0.0012));
   const double across = std::cos(angle);
   const double depth = dish(z) * (1 - across * across);
   return {-half_width(z) * across, edge_line(z) - depth + half_thickness * std::sin(angle), z};

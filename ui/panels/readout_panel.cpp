@@ -50,8 +50,8 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QDockWidget(QStringLiteral("Readou
   build_loop(*layout);
   layout->addStretch();
   scroll->setWidget(content);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 4);
   setWidget(scroll);
-  setMinimumWidth(290);
 }
 
 QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* object,
@@ -61,6 +61,9 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   number->setObjectName(QLatin1String(object));
   number->setAlignment(Qt::AlignRight);
   number->setTextFormat(Qt::RichText);
+  // As wide as the widest number: the dock keeps its width while they change.
+  number->setMinimumWidth(
+      number->fontMetrics().horizontalAdvance(QStringLiteral("8888.888 mm (888 %)")));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);
@@ -87,11 +90,12 @@ void ReadoutPanel::build_depth(QVBoxLayout& layout) {
   rotation_ =
       value(*form, in_colour(rotation_colour, QStringLiteral("by rotation")), "rotation_value",
             QStringLiteral("How far the turn moves the points, and its share of σ."));
-  pdt_ = value(*form, QStringLiteral("PD_t, translation only"), "pdt_value",
-               QStringLiteral("The depth if the probe may not turn; grey while it is computed "
-                              "for the newest pose."));
-  bound_ = value(*form, QStringLiteral("lower bound"), "bound_value",
-                 QStringLiteral("No motion shorter than this separates the two."));
+  pdt_ = value(*form, QStringLiteral("PD_t (no turning)"), "pdt_value",
+               QStringLiteral("The depth if the probe may not turn, and its ratio to √σ; grey "
+                              "while it is computed for the newest pose."));
+  bound_ =
+      value(*form, QStringLiteral("lower bound"), "bound_value",
+            QStringLiteral("No motion shorter than this separates the two; and its ratio to √σ."));
   contacts_ = value(*form, QStringLiteral("contacts"), "contacts_value",
                     QStringLiteral("Contacts that carry the separation."));
   depth_plot_ = new HistoryPlot(QStringLiteral("depth"), colour::ghost, group);
@@ -165,7 +169,7 @@ void ReadoutPanel::show_depth(const Separation& separation) {
   const double moved = sigma > 0 ? separation.translation * separation.translation / sigma : 0;
   split_->set({{moved, colour::ghost}, {turned, rotation_colour}});
   const auto share = [&](double length, double part) {
-    return sigma > 0 ? QStringLiteral("%1, %2").arg(unit_.text(length), percent(part))
+    return sigma > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(part))
                      : unit_.text(length);
   };
   translation_->setText(share(separation.translation, moved));
@@ -177,21 +181,20 @@ void ReadoutPanel::show_companion(const Separation& separation,
                                   const std::optional<CompanionResult>& companion) {
   if (!companion) {
     pdt_->setText(QStringLiteral("…"));
-    bound_->setText(any_solid_ ? QStringLiteral("…") : QStringLiteral("none: both are surfaces"));
+    bound_->setText(any_solid_ ? QStringLiteral("…") : QStringLiteral("none: two surfaces"));
     return;
   }
   const QColor shade = same(companion->device, separation.device) ? colour::text : colour::faint;
   const double depth = separation.depth;
   const auto beside = [&](double length) {
-    return in_colour(
-        shade, depth > 0
-                   ? QStringLiteral("%1, %2 of √σ").arg(unit_.text(length), percent(length / depth))
-                   : unit_.text(length));
+    return in_colour(shade, depth > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length),
+                                                                      percent(length / depth))
+                                      : unit_.text(length));
   };
   pdt_->setText(companion->pdt_valid ? beside(companion->pdt)
                                      : in_colour(shade, QStringLiteral("not found")));
   bound_->setText(companion->lower_bound ? beside(*companion->lower_bound)
-                                         : QStringLiteral("none: both are surfaces"));
+                                         : QStringLiteral("none: two surfaces"));
 }
 
 void ReadoutPanel::show_wrench(const Wrench& wrench) {

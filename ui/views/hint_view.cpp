@@ -11,11 +11,11 @@ namespace sonde::ui {
 namespace {
 
 constexpr int margin = 14;
-const QColor plate(14, 17, 21, 185);
+const QColor plate(14, 17, 21, 165);
 
 QFont small_font(const QWidget& widget) {
   QFont font = widget.font();
-  font.setPointSizeF(9.5);
+  font.setPointSizeF(9);
   return font;
 }
 
@@ -36,14 +36,21 @@ HintView::HintView(QWidget* parent) : QWidget(parent) {
 
 const std::vector<std::pair<QString, QString>>& HintView::keys() {
   static const std::vector<std::pair<QString, QString>> list{
-      {"Drag", "move the probe in the view plane"},
-      {"Wheel", "move it in depth"},
-      {"Shift + drag", "turn it"},
-      {"Ctrl + drag", "roll it about the line of sight"},
-      {"Arrows, PgUp, PgDn", "nudge it; with Shift, turn it"},
-      {"Right drag", "orbit the camera"},
-      {"Middle drag, Ctrl + wheel", "pan, zoom"},
-      {"R, Space, F, S, H", "reset, pause, fit, screenshot, hide this"},
+      {"Drag", "moves the probe"},
+      {"Wheel", "in depth"},
+      {"Shift+drag", "turns it"},
+      {"Ctrl+drag", "rolls it"},
+      {"Arrows, PgUp, PgDn", "nudge it"},
+      {"with Shift", "turn it"},
+      {"Right drag", "orbits the view"},
+      {"Middle drag", "pans"},
+      {"Ctrl+wheel", "zooms"},
+      {"R", "reset"},
+      {"Space", "pause"},
+      {"F", "fit"},
+      {"T", "trail"},
+      {"S", "screenshot"},
+      {"H", "hide this"},
   };
   return list;
 }
@@ -84,55 +91,71 @@ void HintView::paintEvent(QPaintEvent* /*event*/) {
   draw_banner(painter);
 }
 
-void HintView::draw_legend(QPainter& painter) const {
-  if (legend_.empty()) return;
+QRectF HintView::legend_box() const {
+  if (legend_.empty()) return {};
   const QFontMetricsF metrics(font());
-  const double line = metrics.height() + 3;
   double width = 0;
   for (const LegendLine& entry : legend_)
     width = std::max(width, metrics.horizontalAdvance(entry.text));
-  draw_plate(painter, {margin, margin, width + 38, line * double(legend_.size()) + 12});
-  double y = margin + 6;
+  return {margin, margin, width + 36, (metrics.height() + 2) * double(legend_.size()) + 10};
+}
+
+void HintView::draw_legend(QPainter& painter) const {
+  if (legend_.empty()) return;
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height() + 2;
+  draw_plate(painter, legend_box());
+  double y = margin + 5;
   for (const LegendLine& entry : legend_) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(entry.colour);
-    painter.drawRoundedRect(QRectF(margin + 9, y + line / 2 - 5, 10, 10), 2, 2);
+    painter.drawRoundedRect(QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), 2, 2);
     painter.setPen(colour::text);
-    painter.drawText(QPointF(margin + 28, y + metrics.ascent() + 1.5), entry.text);
+    painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1), entry.text);
     y += line;
   }
 }
 
+/// The pieces of the hint flow into lines, as words do; the plate grows upwards from the bottom.
 void HintView::draw_hint(QPainter& painter) const {
   const QFontMetricsF metrics(font());
-  const double line = metrics.height() + 2;
-  double first = 0, second = 0;
+  const double line = metrics.height() + 3, gap = 16, right = width() - margin - 10.0;
+  struct Piece {
+    QPointF at;
+    const QString* text;
+    QColor colour;
+  };
+  std::vector<Piece> pieces;
+  double x = margin + 10, y = 0;
   for (const auto& [key, action] : keys()) {
-    first = std::max(first, metrics.horizontalAdvance(key));
-    second = std::max(second, metrics.horizontalAdvance(action));
+    const double key_width = metrics.horizontalAdvance(key) + 5;
+    const double wide = key_width + metrics.horizontalAdvance(action);
+    if (x + wide > right && x > margin + 10) {
+      x = margin + 10;
+      y += line;
+    }
+    pieces.push_back({{x, y}, &key, colour::text});
+    pieces.push_back({{x + key_width, y}, &action, colour::faint});
+    x += wide + gap;
   }
-  const double tall = line * double(keys().size()) + 12;
-  const QRectF box(margin, height() - margin - tall, first + second + 34, tall);
-  draw_plate(painter, box);
-  double y = box.top() + 6 + metrics.ascent();
-  for (const auto& [key, action] : keys()) {
-    painter.setPen(colour::text);
-    painter.drawText(QPointF(box.left() + 10, y), key);
-    painter.setPen(colour::faint);
-    painter.drawText(QPointF(box.left() + 24 + first, y), action);
-    y += line;
+  const double tall = y + line + 8;
+  const double top = height() - margin - tall;
+  draw_plate(painter, {margin, top, width() - 2.0 * margin, tall});
+  for (const Piece& piece : pieces) {
+    painter.setPen(piece.colour);
+    painter.drawText(piece.at + QPointF(0, top + 4 + metrics.ascent()), *piece.text);
   }
 }
 
 void HintView::draw_labels(QPainter& painter) const {
   const QFontMetricsF metrics(font());
-  std::vector<QRectF> taken;
+  std::vector<QRectF> taken{legend_box()};
   for (const PlacedLabel& label : labels_) {
     QRectF box(label.at.x() + 10, label.at.y() - metrics.height() / 2 - 2,
                metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
     box.moveLeft(std::clamp(box.left(), 2.0, std::max(2.0, width() - box.width() - 2)));
     box.moveTop(std::clamp(box.top(), 2.0, std::max(2.0, height() - box.height() - 2)));
-    // A label that would lie on another steps down.
+    // A label that would lie on another, or on the legend, steps down.
     for (const QRectF& other : taken)
       if (box.intersects(other)) box.moveTop(other.bottom() + 2);
     taken.push_back(box);
@@ -147,7 +170,7 @@ void HintView::draw_ruler(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   const double right = width() - margin - 4;
   const double left = right - ruler_pixels_;
-  const double y = height() - margin - 4;
+  const double y = margin + QFontMetricsF(font()).height() + 12.0;
   painter.setPen(QPen(colour::text, 2));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - 5), QPointF(left, y));

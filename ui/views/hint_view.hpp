@@ -44,6 +44,7 @@ class HintView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QRectF legend_box() const;
   void draw_legend(QPainter& painter) const;
   void draw_hint(QPainter& painter) const;
   void draw_labels(QPainter& painter) const;

@@ -16,8 +16,10 @@ namespace {
 
 constexpr double ghost_opacity = 0.38;
 
+}  // namespace
+
 vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface,
-                                     const QColor& colour) {
+                                     const QColor& colour, bool solid) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);
   mapper->ScalarVisibilityOff();
@@ -30,14 +32,13 @@ vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface
   property->SetDiffuse(0.88);
   property->SetSpecular(0.15);
   property->SetSpecularPower(30);
+  property->SetBackfaceCulling(solid);
   renderer.AddActor(actor);
   return actor;
 }
 
-}  // namespace
-
-ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface)
-    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::probe)) {}
+ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
+    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::probe, solid)) {}
 
 ProbeView::~ProbeView() { renderer_->RemoveActor(actor_); }
 
@@ -49,9 +50,8 @@ void ProbeView::draw(const Frame& frame) {
 void ProbeView::hide() { actor_->VisibilityOff(); }
 
 GhostView::GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
-    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::ghost)) {
+    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::ghost, solid)) {
   actor_->GetProperty()->SetOpacity(ghost_opacity);
-  actor_->GetProperty()->SetBackfaceCulling(solid);
   // Where the ghost and the probe all but coincide, the probe is what one sees.
   actor_->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
   actor_->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);

@@ -14,7 +14,7 @@ namespace sonde::ui {
 /// The probe, opaque, where the device holds it.
 class ProbeView : public Overlay {
  public:
-  ProbeView(vtkRenderer& renderer, vtkPolyData& surface);
+  ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
   ~ProbeView() override;
 
  private:
@@ -27,7 +27,6 @@ class ProbeView : public Overlay {
 /// The separated probe, a translucent ghost; with a trail it swings from the device pose to there.
 class GhostView : public Overlay {
  public:
-  /// A solid's back faces are left out: one layer to look through instead of two.
   GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
   ~GhostView() override;
 
@@ -37,6 +36,11 @@ class GhostView : public Overlay {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkActor> actor_;
 };
+
+/// An actor for a body of that colour. Of a solid the back faces are left out: they are never seen,
+/// cost half of the drawing on software GL, and would be a second layer of a ghost.
+vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface,
+                                     const QColor& colour, bool solid);
 
 /// The pose a part of the way from O to Q: the centre of mass on a line, the turn at even speed.
 Pose on_the_way(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ, double part);

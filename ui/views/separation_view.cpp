@@ -83,7 +83,9 @@ void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Ve
                                       : Vec3(any_normal(screw.axis) * arm);
   const double angle = std::min(screw.turn * magnification_, 1.9 * std::numbers::pi);
   turn_.set(screw.point, screw.axis, start, angle, thick);
-  label(screw.point + half,
+  const Vec3 end =
+      screw.point + std::cos(angle) * start + std::sin(angle) * screw.axis.cross(start);
+  label(end,
         QStringLiteral("slide %1, turn %2°%3")
             .arg(frame.unit.text(screw.slide), number(screw.turn * degrees),
                  magnified(magnification_)),

@@ -51,13 +51,13 @@ void WrenchView::hide() {
 }
 
 QString WrenchView::force_legend(const LengthUnit& unit) const {
-  return QStringLiteral("force: 1 N is drawn %1 %2 long")
-      .arg(number(scale_.metres_per_newton / unit.metres()), unit.name());
+  return QStringLiteral("force, 1 N is %1 %2")
+      .arg(round_figure(scale_.metres_per_newton / unit.metres()), unit.name());
 }
 
 QString WrenchView::torque_legend() const {
-  return QStringLiteral("torque: a quarter turn is %1 N·m")
-      .arg(number(scale_.newton_metres_per_quarter));
+  return QStringLiteral("torque, a quarter turn is %1 N·m")
+      .arg(round_figure(scale_.newton_metres_per_quarter));
 }
 
 }  // namespace sonde::ui

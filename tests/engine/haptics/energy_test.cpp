@@ -168,6 +168,7 @@ TEST(Energy, a_slow_closed_loop_gives_the_hand_no_work_and_loses_none_but_at_jum
     CoherentSolver solver(pair.probe, pair.fixed);
     solver.reset(slow_loop(pair, 0));
     constexpr int ticks = 4000;
+    int stuck = 0;
     double work = 0, lost = 0, largest = 0, stored = 0;
     Wrench last;
     for (int i = 1; i <= ticks; ++i) {
@@ -180,6 +181,7 @@ TEST(Energy, a_slow_closed_loop_gives_the_hand_no_work_and_loses_none_but_at_jum
       const double done =
           0.5 * (w.force + last.force).dot(step.t) + 0.5 * (w.torque + last.torque).dot(step.theta);
       const double energy = k / 2 * s.sigma;
+      stuck += !s.converged;
       if (!s.jumped) lost += stored - energy - done;
       work += done;
       stored = energy;
@@ -188,6 +190,8 @@ TEST(Energy, a_slow_closed_loop_gives_the_hand_no_work_and_loses_none_but_at_jum
     }
     ASSERT_GT(largest, 1e-4) << pair.name;
     EXPECT_EQ(stored, 0) << pair.name;  // back where it began
+    EXPECT_EQ(stuck, 0)
+        << pair.name;  // with no budget there is no reason to end short of a KKT point
     EXPECT_LE(work, 1e-3 * largest) << pair.name;
     EXPECT_LE(lost, 1e-3 * largest) << pair.name;
     EXPECT_GE(lost, -1e-3 * largest) << pair.name;
