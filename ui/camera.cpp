@@ -10,6 +10,8 @@
 namespace sonde::ui {
 namespace {
 
+using Vec2 = Eigen::Vector2d;
+
 double half_angle(vtkCamera& camera) {
   return camera.GetViewAngle() * std::numbers::pi / 360;  // half, and degrees to radians
 }
@@ -44,26 +46,31 @@ void Camera::look_at(const Vec3& target, const Vec3& direction, const Vec3& up, 
   camera_->OrthogonalizeViewUp();
 }
 
-void Camera::fit(const Vec3& centre, double radius, double aspect) {
-  const double angle = half_angle(*camera_);
-  const double narrow = std::atan(std::tan(angle) * std::min(1.0, aspect));
+void Camera::frame(const std::vector<Vec3>& points, double aspect) {
+  if (points.empty()) return;
+  constexpr double room = 1.14;  // for arrows and labels
   const ViewAxes view = axes();
-  look_at(centre, view.towards, view.up, radius / std::sin(narrow));
-}
-
-void Camera::back_off(const std::vector<Vec3>& points, double aspect) {
-  constexpr double room = 1.12;  // for arrows and labels
-  const ViewAxes view = axes();
-  const double slope_up = std::tan(half_angle(*camera_));
-  const double slope_right = slope_up * aspect;
-  double distance = (eye() - target()).norm();
-  for (const Vec3& point : points) {
-    const Vec3 x = point - target();
-    const double aside =
-        std::max(std::abs(x.dot(view.right)) / slope_right, std::abs(x.dot(view.up)) / slope_up);
-    distance = std::max(distance, x.dot(view.towards) + room * aside);
+  const Vec2 slope(std::tan(half_angle(*camera_)) * aspect, std::tan(half_angle(*camera_)));
+  Vec3 middle = Eigen::AlignedBox3d(points.front()).center();
+  double distance = 0;
+  // Nearer points reach further out on screen: the middle of the picture is found in a few rounds.
+  for (int round = 0; round < 6; ++round) {
+    distance = 0;
+    for (const Vec3& point : points) {
+      const Vec3 x = point - middle;
+      const Vec2 aside = Vec2(x.dot(view.right), x.dot(view.up)).cwiseAbs().cwiseQuotient(slope);
+      distance = std::max(distance, x.dot(view.towards) + room * aside.maxCoeff());
+    }
+    Eigen::AlignedBox2d on_screen;
+    for (const Vec3& point : points) {
+      const Vec3 x = point - middle;
+      const double depth = std::max(distance - x.dot(view.towards), 1e-6 * distance);
+      on_screen.extend(Vec2(x.dot(view.right), x.dot(view.up)) / depth);
+    }
+    const Vec2 off = on_screen.center() * distance;
+    middle += view.right * off.x() + view.up * off.y();
   }
-  look_at(target(), view.towards, view.up, distance);
+  look_at(middle, view.towards, view.up, std::max(distance, 1e-9));
 }
 
 void Camera::orbit(double about_up, double about_right) {

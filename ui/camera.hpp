@@ -32,10 +32,9 @@ class Camera {
   double metres_per_pixel(const Vec3& at, int height) const;
 
   void look_at(const Vec3& target, const Vec3& direction, const Vec3& up, double distance);
-  /// Keeps the direction and shows a ball whole, in a picture of that aspect (width / height).
-  void fit(const Vec3& centre, double radius, double aspect);
-  /// Goes back along its line of sight until all points are in the picture.
-  void back_off(const std::vector<Vec3>& points, double aspect);
+  /// Keeps its direction and shows all points, as large as they fit a picture of that aspect
+  /// (width / height).
+  void frame(const std::vector<Vec3>& points, double aspect);
   /// The scene turns with the cursor: about the picture's up and right axes.
   void orbit(double about_up, double about_right);
   void pan(const Vec3& shift);

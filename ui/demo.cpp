@@ -15,8 +15,8 @@ namespace {
 
 constexpr int step_ms = 4;
 constexpr double back_seconds = 0.9;
-constexpr double rest_seconds = 0.8;  // at least: the numbers catch up
-constexpr double rest_at_most = 6;    // for PD_t of the last pose
+constexpr double numbers_seconds = 0.4;
+constexpr double rest_at_most = 6;  // for PD_t of the last pose
 constexpr double least_lit = 0.01;
 
 /// With no trajectory: from the start straight towards the fixed body's centre, a third of the way
@@ -114,6 +114,7 @@ void Demo::back(double seconds) {
   window_.set_device_pose(at(1 + part * (deepest_place_ - 1)));
   if (part < 1) return;
   motion_seconds_ += seconds;
+  window_.viewport().fit();  // the path may have begun far away
   frames_per_second_ = double(window_.frames() - frames_at_start_) / motion_seconds_;
   begin(Act::rest);
 }
@@ -123,7 +124,9 @@ void Demo::rest(double seconds) {
   const bool caught_up =
       companion && window_.shown() && companion->device.p == window_.shown()->separation.device.p &&
       companion->device.q.coeffs() == window_.shown()->separation.device.q.coeffs();
-  if (seconds < rest_seconds || (!caught_up && seconds < rest_at_most)) return;
+  if (!caught_up) caught_up_at_ = seconds;
+  // Then a moment for the numbers to be written.
+  if (seconds < std::min(caught_up_at_ + numbers_seconds, rest_at_most)) return;
   timer_.stop();
   const int code = finish();
   if (ended) ended(code);

@@ -47,6 +47,7 @@ class Demo : public QObject {
   std::size_t frames_at_start_ = 0;
   double motion_seconds_ = 0;
   double frames_per_second_ = 0;
+  double caught_up_at_ = 0;  ///< s into the rest
 };
 
 /// Share of a picture's pixels that differ from those of the left edge in the same row, where there

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/program.hpp"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <QApplication>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -119,7 +117,7 @@ int run(int argc, char** argv) {
     return our_fault;
   }
   qInstallMessageHandler(on_message);
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // else readers take "1.5" for 1 where the comma is decimal
   QLocale::setDefault(QLocale::c());

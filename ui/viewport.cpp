@@ -54,11 +54,15 @@ int affordable_samples(QVTKOpenGLNativeWidget& widget) {
   return 4;
 }
 
-/// The corners of the box round a body's triangles, placed.
-void add_corners(std::vector<Vec3>& points, const Body& body, const Pose& pose) {
+Eigen::AlignedBox3d box_of(const Body& body) {
   Eigen::AlignedBox3d box;
   for (const Triangle& triangle : body.soup.triangles)
     for (const auto index : triangle) box.extend(body.soup.vertices[index]);
+  return box;
+}
+
+void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, const Pose& pose) {
+  if (box.isEmpty()) return;
   for (int i = 0; i < 8; ++i)
     points.push_back(pose * Vec3(box.corner(Eigen::AlignedBox3d::CornerType(i))));
 }
@@ -91,6 +95,7 @@ struct Viewport::Scenery {
   MassProperties mass;
   LengthUnit unit;
   std::array<QString, 2> descriptions;
+  Eigen::AlignedBox3d probe_box, fixed_box;
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
   double radius = 1;           ///< of the fixed body, about centre
   Pose last_device;
@@ -129,6 +134,8 @@ void Viewport::show_stage(const Stage& stage) {
   s.centre = session.fixed().mass.com;
   s.radius = session.fixed().mass.radius;
   s.last_device = session.device_pose();
+  s.probe_box = box_of(session.probe());
+  s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
 
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
@@ -139,18 +146,13 @@ void Viewport::show_stage(const Stage& stage) {
   s.ghost->set_visible(s.ghost_shown);
   set_coupling(session.coupling());
 
-  if (const auto& place = session.opened().camera) {
-    const Vec3 towards = place->position - place->target;
-    camera().look_at(place->target, towards, place->up, towards.norm());
-  } else {
-    camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 4 * s.radius);
-    fit();
-  }
-  // A scene's own camera knows nothing of the window's shape: both bodies are seen whole.
-  std::vector<Vec3> corners;
-  add_corners(corners, session.fixed(), Pose{});
-  add_corners(corners, session.probe(), session.device_pose());
-  camera().back_off(corners, aspect());
+  // A scene's camera says where to look from; how near depends on the window's shape.
+  const auto& place = session.opened().camera;
+  if (place)
+    camera().look_at(place->target, place->position - place->target, place->up, 1);
+  else
+    camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 1);
+  fit();
 }
 
 void Viewport::set_coupling(const Coupling& coupling) {
@@ -253,16 +255,10 @@ Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCame
 
 void Viewport::fit() {
   const Scenery& s = *scenery_;
-  // The ball round both: the fixed body's, grown to take in the probe's.
-  const Vec3 probe = s.last_device * s.mass.com;
-  const double apart = (probe - s.centre).norm();
-  Vec3 centre = s.centre;
-  double radius = std::max(s.radius, 1e-9);
-  if (apart + s.mass.radius > radius) {
-    radius = 0.5 * (apart + s.mass.radius + s.radius);
-    centre += (probe - s.centre) * ((radius - s.radius) / std::max(apart, 1e-12));
-  }
-  camera().fit(centre, radius, aspect());
+  std::vector<Vec3> corners;
+  add_corners(corners, s.fixed_box, Pose{});
+  add_corners(corners, s.probe_box, s.last_device);
+  camera().frame(corners, aspect());
   invalidate();
 }
 
@@ -284,6 +280,8 @@ double Viewport::aspect() const { return double(width()) / std::max(height(), 1)
 QWidget* Viewport::canvas() const { return scenery_->widget; }
 
 QImage Viewport::picture() const { return scenery_->widget->grabFramebuffer(); }
+
+QSurfaceFormat Viewport::surface_format() { return QVTKOpenGLNativeWidget::defaultFormat(); }
 
 const char* Viewport::window_class() {
   return vtkSmartPointer<vtkRenderWindow>::New()->GetClassName();

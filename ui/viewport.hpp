@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
 
@@ -46,6 +47,8 @@ class Viewport : public QWidget {
   QWidget* canvas() const;
   /// The picture as drawn by OpenGL, with no text.
   QImage picture() const;
+  /// What OpenGL has to offer: to be made the default before there is an application.
+  static QSurfaceFormat surface_format();
   /// The class of window VTK makes on this machine, for the test that it can draw at all.
   static const char* window_class();
 

@@ -33,9 +33,9 @@ struct CoherentSolver::State {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(*probe) + extent(*fixed));
   }
 
-  /// Translation only: the separated probe has to turn with the device first. It is lifted off its contacts
-  /// by as much as the turn can move a point of it, turned, and let down again by the descent; each part
-  /// is swept. False where the way is blocked: then it stays turned as it was.
+  /// Translation only: the separated probe has to turn with the device first. It is lifted off its
+  /// contacts by as much as the turn can move a point of it, turned, and let down again by the
+  /// descent; each part is swept. False where the way is blocked: then it stays turned as it was.
   bool follow_turn(const Chart& chart, Vec6& y) noexcept {
     const double turn = y.head<3>().norm();
     if (!(turn > 0)) return true;
@@ -80,10 +80,10 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
 
 const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) noexcept {
   State& s = *state_;
-  const char* refusal = !s.started            ? "not started"
-                        : !is_finite(X_FM)     ? "the device pose is not finite"
+  const char* refusal = !s.started              ? "not started"
+                        : !is_finite(X_FM)      ? "the device pose is not finite"
                         : !s.within_reach(X_FM) ? "the device pose is too far away to compute with"
-                                               : nullptr;
+                                                : nullptr;
   if (refusal) {
     s.last = failed(X_FM, refusal);
     s.last.separated = s.separated;
@@ -98,7 +98,12 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   if (budget.steps > 0) goal.steps = budget.steps;
   const double moved = Chart(s.probe->mass, s.device).coordinates(device).norm();
   const Descent::Outcome found = s.descent.run(chart, y, goal, 2 * moved, deadline);
+  const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
+  // The depth that the last tick found was the best near by; it can only have fallen further than
+  // the device moved by leaving that place for another.
+  s.last.jumped = s.last.depth <
+                  before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe->mass.radius, before);
   s.last.converged = s.last.converged && followed;
   s.device = device;
   s.separated = s.last.separated;

@@ -9,9 +9,9 @@
 
 namespace sonde {
 
-/// Follows the separated pose of a moving probe: each tick's Q is reached from the last along a path
-/// swept free, on which σ to the new device pose never rises, and ends at a KKT point (or at the end
-/// of the budget, and says so).
+/// Follows the separated pose of a moving probe: each tick's Q is reached from the last along a
+/// path swept free, on which σ to the new device pose never rises, and ends at a KKT point (or at
+/// the end of the budget, and says so).
 class CoherentSolver {
  public:
   CoherentSolver(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
@@ -24,8 +24,8 @@ class CoherentSolver {
   /// the servo thread. The result is marked as jumped where a search was needed.
   const Separation& reset(const Pose& X_FM, const StaticOptions& options = {});
 
-  /// The next device pose. Never allocates, locks, logs or throws. Before the first reset the result
-  /// is failed; a pose that is not finite is refused (failed) and changes nothing.
+  /// The next device pose. Never allocates, locks, logs or throws. Before the first reset the
+  /// result is failed; a pose that is not finite is refused (failed) and changes nothing.
   const Separation& tick(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
   const Separation& last() const;

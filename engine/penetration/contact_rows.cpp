@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/penetration/overlay.hpp"
 #include "engine/proximity/placement.hpp"
 
 namespace sonde {
@@ -24,9 +25,23 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method)
       rows_(most_rows),
       at_(most_rows) {}
 
-void ContactRows::take(const NearPair& pair, const Transform& X) noexcept {
-  const Corners local = corners(probe_.soup, pair.triangle_a);
-  const Corners ta{X * local[0], X * local[1], X * local[2]};
+void ContactRows::accept(const Contact& contact) noexcept {
+  if (count_ < most_rows) contacts_[count_++] = contact;
+}
+
+bool ContactRows::is_news(const Contact& contact) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Contact& row = contacts_[i];
+    if (row.normal.dot(contact.normal) < 1 - 1e-12) continue;
+    // A turn of the size to be expected brings it no nearer than the row.
+    const double apart = (contact.on_probe - row.on_probe).norm();
+    if (contact.gap - row.gap >= turn_ * apart) return false;
+  }
+  return true;
+}
+
+void ContactRows::take(const NearPair& pair, const Transform& X, double flat) noexcept {
+  const Corners ta = place(X, corners(probe_.soup, pair.triangle_a));
   const Corners tb = corners(fixed_.soup, pair.triangle_b);
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
   for (std::size_t i = 0; i < count_; ++i) {
@@ -34,13 +49,15 @@ void ContactRows::take(const NearPair& pair, const Transform& X) noexcept {
     if (gap_along(row.normal, ta, tb) < row.gap * (1 - 1e-9)) continue;
     own.normal = row.normal;
     own.gap = row.normal.dot(own.on_probe - own.on_fixed);
-    // A turn of the size to be expected brings it no nearer than the row: it says nothing new.
-    if (own.gap - row.gap >= turn_ * (own.on_probe - row.on_probe).norm()) return;
+    break;
   }
-  if (count_ < most_rows) contacts_[count_++] = own;
+  if (is_news(own)) accept(own);
+  if (pair.gap > flat) return;
+  for (const Contact& corner : overlay(ta, tb, own.normal))
+    if (is_news(corner)) accept(corner);
 }
 
-void ContactRows::gather(const Chart& chart, const Vec6& y, double reach) noexcept {
+void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
   const Transform X(chart.pose(y));
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   const bool short_steps = reach < 0.02 * probe_.mass.radius;
@@ -57,8 +74,7 @@ void ContactRows::gather(const Chart& chart, const Vec6& y, double reach) noexce
   });
   count_ = 0;
   smallest_gap_ = pairs.empty() ? reach_ : pairs.front().gap;
-  for (const NearPair& p : pairs)
-    take(p, X);
+  for (const NearPair& p : pairs) take(p, X, flat);
   for (std::size_t i = 0; i < count_; ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();

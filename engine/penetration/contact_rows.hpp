@@ -13,19 +13,23 @@ namespace sonde {
 
 /// The contacts near a free pose, linearised: what the least-distance problem is made of.
 ///
-/// Any direction that separates two triangles gives a half-space in which they stay apart, and the direction
-/// of their closest points is not the best one for every pair: beside a convex contact it forbids sliding by
-/// more than half of the pair's offset. So pairs are taken nearest first, and one that the normal of a
-/// nearer row separates too takes over that normal; it is dropped where it then says nothing new.
+/// Any direction that separates two triangles gives a half-space in which they stay apart, and the
+/// direction of their closest points is not the best one for every pair: beside a convex contact it
+/// forbids sliding by more than half of the pair's offset. So pairs are taken nearest first, and
+/// one that the normal of a nearer row separates too takes over that normal; it is dropped where it
+/// then says nothing new.
 class ContactRows {
  public:
   ContactRows(const Body& probe, const Body& fixed, Method method);
 
   /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
-  void gather(const Chart& chart, const Vec6& y, double reach) noexcept;
+  /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one
+  /// point alone.
+  void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept;
 
   /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.
-  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y, double clearance) noexcept;
+  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
+                   double clearance) noexcept;
 
   /// What becomes of a gap that is smaller than the margin already.
   enum class Narrow { keep, open };
@@ -38,7 +42,9 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
-  void take(const NearPair& pair, const Transform& X) noexcept;
+  void accept(const Contact& contact) noexcept;
+  bool is_news(const Contact& contact) const noexcept;
+  void take(const NearPair& pair, const Transform& X, double flat) noexcept;
 
   const Body& probe_;
   const Body& fixed_;

@@ -68,7 +68,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const double allowed = allowed_clearance(radius, length);
     const double margin = 0.5 * allowed * goal.clearance;
     const double reach = std::clamp(2 * scale, 16 * margin, std::max(0.03 * radius, 16 * margin));
-    rows_.gather(chart, y, reach);
+    rows_.gather(chart, y, reach, 4 * margin);
     out.smallest_gap = rows_.smallest_gap();
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
     Vec6 step = nearest.y - y;
@@ -81,8 +81,9 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     if (out.iterations >= goal.steps || deadline.passed() || stalled >= 4) return out;
     ++out.iterations;
 
-    // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
-    // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
+    // The contacts bend into the straight path by about κ|step|²: room for that is left at them,
+    // less and less as the steps shorten. More than |step|²/|y| would cost more than the step
+    // gains.
     const double affordable = size * size / length;
     const double room = std::min(0.8 * affordable, std::max(bending * size * size, margin));
     if (room > 0.5 * out.smallest_gap) {

@@ -13,10 +13,12 @@ double allowed_clearance(double radius, double depth);
 
 /// When a descent is good enough.
 struct DescentGoal {
-  double residual = 1e-4;   ///< |y − Jᵀλ| / |y|
-  double clearance = 1.0;   ///< gaps kept, as a multiple of what a returned pose keeps; more is quicker
-  int steps = 60;           ///< iterations at most
-  double give_up_above = 0;  ///< where positive: stop once the descent cannot be hoped to end below, m
+  double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
+  double clearance =
+      1.0;         ///< gaps kept, as a multiple of what a returned pose keeps; more is quicker
+  int steps = 60;  ///< iterations at most
+  double give_up_above =
+      0;  ///< where positive: stop once the descent cannot be hoped to end below, m
 };
 
 /// A clock that a descent asks between iterations; null deadline: never out of time.
@@ -28,9 +30,9 @@ struct Deadline {
 double now_us();
 
 /// Local optimisation on the contact space: from a free pose, linearise the near pairs, solve the
-/// least-distance problem of the rows, go along the straight path in y as far as it is swept free, repeat.
-/// |y| never rises along the path, so every pose on it is an upper bound. Holds its own workspace: run()
-/// never allocates.
+/// least-distance problem of the rows, go along the straight path in y as far as it is swept free,
+/// repeat. |y| never rises along the path, so every pose on it is an upper bound. Holds its own
+/// workspace: run() never allocates.
 class Descent {
  public:
   Descent(const Body& probe, const Body& fixed, Method method);

@@ -40,7 +40,8 @@ class ActiveSet {
   Vec6 combine(const Coefficients& c) const { return normals_.leftCols(size_) * c; }
   Vec6 point() const {
     Vec6 y = Vec6::Zero();
-    for (int i = 0; i < size_; ++i) y += multipliers_[static_cast<std::size_t>(i)] * normals_.col(i);
+    for (int i = 0; i < size_; ++i)
+      y += multipliers_[static_cast<std::size_t>(i)] * normals_.col(i);
     return y;
   }
 

@@ -14,19 +14,20 @@ struct HalfSpace {
   double bound;
 };
 
-/// The point nearest to the origin in an intersection of half-spaces: y = Σ multiplierᵢ normalᵢ, all
-/// multipliers positive.
+/// The point nearest to the origin in an intersection of half-spaces: y = Σ multiplierᵢ normalᵢ,
+/// all multipliers positive.
 struct LeastDistance {
   Vec6 y = Vec6::Zero();
-  std::array<int, 6> active{};          ///< indices of the rows that hold y
-  std::array<double, 6> multiplier{};   ///< in the unit of y per unit of the normals
+  std::array<int, 6> active{};         ///< indices of the rows that hold y
+  std::array<double, 6> multiplier{};  ///< in the unit of y per unit of the normals
   int active_count = 0;
-  bool feasible = true;                 ///< false: the half-spaces have no common point (y is of no use)
+  bool feasible = true;  ///< false: the half-spaces have no common point (y is of no use)
 };
 
-/// min |y|² subject to the rows, by the dual active-set method of Goldfarb and Idnani (1983), which for the
-/// identity as Hessian starts at the origin and adds the row most violated. At most six rows are active.
-/// Violations below `tolerance` (in the unit of bound) are let stand. Never allocates.
+/// min |y|² subject to the rows, by the dual active-set method of Goldfarb and Idnani (1983), which
+/// for the identity as Hessian starts at the origin and adds the row most violated. At most six
+/// rows are active. Violations below `tolerance` (in the unit of bound) are let stand. Never
+/// allocates.
 LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance);
 
 }  // namespace sonde

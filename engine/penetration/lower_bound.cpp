@@ -11,8 +11,8 @@
 namespace sonde {
 namespace {
 
-/// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where a
-/// turn that costs nothing moves the point. Rounded up.
+/// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where
+/// a turn that costs nothing moves the point. Rounded up.
 double leverage(const Vec3& inertia, const Vec3& r) {
   const Mat3 arm = r.squaredNorm() * Mat3::Identity() - r * r.transpose();
   Vec3 scale;
@@ -30,8 +30,8 @@ double leverage(const Vec3& inertia, const Vec3& r) {
   return std::max(0.0, solver.eigenvalues()[2]) * (1 + 1e-12);
 }
 
-/// Looks for the point of `points` that gives the best bound inside `solid`, nodes of its tree first in
-/// which a better one may lie.
+/// Looks for the point of `points` that gives the best bound inside `solid`, nodes of its tree
+/// first in which a better one may lie.
 class Search {
  public:
   Search(const Body& points, const Body& solid, const Transform& X_SP, const MassProperties& mass,

@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// SplitMix64 (Steele, Lea and Flood, 2014): the same numbers on every machine, which the distributions
-/// of the standard library do not promise.
+/// SplitMix64 (Steele, Lea and Flood, 2014): the same numbers on every machine, which the
+/// distributions of the standard library do not promise.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

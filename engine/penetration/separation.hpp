@@ -9,7 +9,7 @@
 
 namespace sonde {
 
-enum class Method { pdg, pdt };                          ///< all six degrees, or translation only
+enum class Method { pdg, pdt };  ///< all six degrees, or translation only
 enum class Status { separated, penetrating, failed };
 
 /// One contact of a separated pose, in the fixed body's mesh frame, metres.
@@ -40,18 +40,21 @@ struct ContactSet {
 /// frame M in the fixed body's mesh frame F.
 struct Separation {
   Status status = Status::failed;
-  const char* reason = "";       ///< why it failed; static text
-  Pose device;                   ///< O, the pose asked about
-  Pose separated;                ///< Q, verified free; equals O where the status is separated
-  double sigma = 0;              ///< σ(O, Q), m²: mean squared displacement of the probe's points
-  double depth = 0;              ///< √σ, m
-  double translation = 0;        ///< |t|, the part of √σ that is displacement of the centre of mass, m
-  double rotation = 0;           ///< 2√(vᵀÎv), the part of √σ that is rotation, m
+  const char* reason = "";  ///< why it failed; static text
+  Pose device;              ///< O, the pose asked about
+  Pose separated;           ///< Q, verified free; equals O where the status is separated
+  double sigma = 0;         ///< σ(O, Q), m²: mean squared displacement of the probe's points
+  double depth = 0;         ///< √σ, m
+  double translation = 0;  ///< |t|, the part of √σ that is displacement of the centre of mass, m
+  double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ that is rotation, m
   ContactSet contacts;
-  double residual = 0;           ///< |y − Jᵀλ| / |y|, 0 where y = 0
-  int iterations = 0;            ///< linearise-solve-advance steps taken
-  bool converged = false;        ///< false: the budget ran out first
-  bool jumped = false;           ///< coherent only: Q is not joined to the last Q by a path swept free
+  double residual = 0;     ///< |y − Jᵀλ| / |y|, 0 where y = 0
+  int iterations = 0;      ///< linearise-solve-advance steps taken
+  bool converged = false;  ///< false: the budget ran out first
+  /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
+  /// free led over an edge to another place, the depth fell by more than the device moved (force is
+  /// not continuous there).
+  bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
   std::optional<double> pdt;          ///< static only: the translational depth found on the way, m
 };

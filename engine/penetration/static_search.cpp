@@ -46,7 +46,9 @@ class Search {
   Separation run() {
     translations();
     const bool rotate = options_.method == Method::pdg;
-    if (rotate) for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.size()); ++i) descend(found_[i].y);
+    if (rotate)
+      for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.size()); ++i)
+        descend(found_[i].y);
     if (rotate) sort();
     random_starts(rotate);
     return finish(rotate);
@@ -59,7 +61,8 @@ class Search {
   };
 
   bool out_of_budget() const {
-    return deadline_.passed() || (options_.budget.steps > 0 && iterations_ >= options_.budget.steps);
+    return deadline_.passed() ||
+           (options_.budget.steps > 0 && iterations_ >= options_.budget.steps);
   }
   DescentGoal limited(DescentGoal goal) const {
     if (options_.budget.steps > 0)
@@ -70,7 +73,8 @@ class Search {
     return !overlap(probe_, fixed_, Transform(chart_.pose(y)), Doubt::contact);
   }
   void sort() {
-    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.depth < b.depth; });
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Found& a, const Found& b) { return a.depth < b.depth; });
   }
   double best_depth() const {
     double best = std::numeric_limits<double>::infinity();
@@ -99,8 +103,9 @@ class Search {
     sort();
   }
 
-  /// From random free poses in a ball of the weighted space (translations alone: of the three) somewhat larger than the best
-  /// depth so far: what lies inside a tangle cannot be reached from outside.
+  /// From random free poses in a ball of the weighted space (translations alone: of the three)
+  /// somewhat larger than the best depth so far: what lies inside a tangle cannot be reached from
+  /// outside.
   void random_starts(bool rotate) {
     for (int start = 0; start < options_.starts && !out_of_budget(); ++start) {
       const double widest = start % 3 == 2 ? 2.0 : 1.4;
@@ -126,14 +131,16 @@ class Search {
     std::vector<Separation> answers;
     const std::optional<Separation> translated = polish_translation();
     if (translated && rotate)
-      answers.push_back(polish(pdg_, {chart_.coordinates(translated->separated), translated->depth}));
+      answers.push_back(
+          polish(pdg_, {chart_.coordinates(translated->separated), translated->depth}));
     if (translated) answers.push_back(*translated);
     const double worth = 1.1 * best_depth();
     for (std::size_t i = 0; i < std::min<std::size_t>(4, found_.size()); ++i) {
       if (found_[i].depth > worth) break;
       answers.push_back(polish(rotate ? pdg_ : pdt_, found_[i]));
     }
-    std::stable_sort(answers.begin(), answers.end(), [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
+    std::stable_sort(answers.begin(), answers.end(),
+                     [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
     for (Separation& answer : answers) {
       if (overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact)) continue;
       answer.iterations = iterations_;

@@ -12,13 +12,14 @@ struct StaticOptions {
   Method method = Method::pdg;
   Budget budget;
   std::uint64_t seed = 1;
-  int starts = 24;             ///< random free starts descended after the translational ones
+  int starts = 24;  ///< random free starts descended after the translational ones
   bool want_lower_bound = true;
 };
 
-/// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B, searched
-/// globally from many starts, each descended on the contact space. The separated pose is verified
-/// free with exact predicates. Never throws on geometry: a failure says so in the result. Allocates.
+/// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,
+/// searched globally from many starts, each descended on the contact space. The separated pose is
+/// verified free with exact predicates. Never throws on geometry: a failure says so in the result.
+/// Allocates.
 Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
                            const StaticOptions& options = {});
 

@@ -15,8 +15,7 @@ struct Search {
 
   void try_pair(std::uint32_t i, std::uint32_t j) {
     const ClosestPoints c = closest_points(at.corners_a(i), at.corners_b(j), best.distance);
-    if (c.distance < best.distance)
-      best = {c.distance, c.a, c.b, i, j, c.distance <= 0};
+    if (c.distance < best.distance) best = {c.distance, c.a, c.b, i, j, c.distance <= 0};
   }
 
   void try_leaves(const Tree::Node& na, const Tree::Node& nb) {
@@ -28,7 +27,8 @@ struct Search {
 double point_box_squared(const Tree::Node& n, const Vec3& x) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
-    const double out = std::abs(x[i] - static_cast<double>(n.center[i])) - static_cast<double>(n.half[i]);
+    const double out =
+        std::abs(x[i] - static_cast<double>(n.center[i])) - static_cast<double>(n.half[i]);
     if (out > 0) sum += out * out;
   }
   return sum;

@@ -10,7 +10,7 @@ namespace sonde {
 
 /// Closest points of two bodies, in B's mesh frame, metres.
 struct Distance {
-  double distance = 0;       ///< 0 where triangles meet, or where a component lies inside a solid
+  double distance = 0;  ///< 0 where triangles meet, or where a component lies inside a solid
   Vec3 on_a = Vec3::Zero();
   Vec3 on_b = Vec3::Zero();
   std::uint32_t triangle_a = 0;
@@ -24,8 +24,8 @@ struct DistanceHint {
   std::uint32_t triangle_b = 0;
 };
 
-/// Distance of A, placed at X_BA, from B, triangles only: never allocates. Right to about 1e-14 of the
-/// largest coordinate.
+/// Distance of A, placed at X_BA, from B, triangles only: never allocates. Right to about 1e-14 of
+/// the largest coordinate.
 Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
                            std::optional<DistanceHint> hint = {});
 
@@ -34,8 +34,8 @@ Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
 Distance distance(const Body& a, const Body& b, const Transform& X_BA,
                   std::optional<DistanceHint> hint = {});
 
-/// Distance of the point x from the triangles of a body, m; both in its mesh frame. Stops early, with
-/// any value below `enough`, once that is certain.
+/// Distance of the point x from the triangles of a body, m; both in its mesh frame. Stops early,
+/// with any value below `enough`, once that is certain.
 double point_distance(const Body& body, const Vec3& x, double enough = 0);
 
 }  // namespace sonde

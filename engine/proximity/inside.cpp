@@ -12,7 +12,7 @@ namespace sonde {
 namespace {
 
 /// Directions in general position: no axis, no diagonal. The third component is never the smallest.
-constexpr double rays[][3] = {{0.2113, 0.3719, 0.9039}, {-0.4127, 0.2371, 0.8795},
+constexpr double rays[][3] = {{0.2113, 0.3719, 0.9039},  {-0.4127, 0.2371, 0.8795},
                               {0.3317, -0.5923, 0.7343}, {-0.1931, -0.4409, -0.8765},
                               {0.6113, 0.1297, -0.7807}, {-0.5479, 0.6151, -0.5669}};
 
@@ -81,8 +81,8 @@ int winding_by_solid_angles(const Body& body, const Vec3& x) {
     const Corners t = corners(body.soup, i);
     const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)),
-                      la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    sum +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
@@ -108,7 +108,8 @@ int winding_number(const Body& body, const Vec3& x) {
 bool inside(const Body& solid, const Vec3& x) {
   const Tree::Node& root = solid.tree.nodes.front();
   for (int i = 0; i < 3; ++i)
-    if (std::abs(x[i] - static_cast<double>(root.center[i])) > static_cast<double>(root.half[i])) return false;
+    if (std::abs(x[i] - static_cast<double>(root.center[i])) > static_cast<double>(root.half[i]))
+      return false;
   return winding_number(solid, x) != 0;
 }
 

@@ -5,8 +5,8 @@
 
 namespace sonde {
 
-/// What a pair of triangles in doubt counts as: decided by exact predicates (may allocate), or taken
-/// as contact (never allocates; errs on the side of contact).
+/// What a pair of triangles in doubt counts as: decided by exact predicates (may allocate), or
+/// taken as contact (never allocates; errs on the side of contact).
 enum class Doubt { exact, contact };
 
 /// Does any triangle of A, placed at X_BA, meet or touch one of B? First hit.

@@ -59,8 +59,8 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
       com_step_(to.tail<3>() - from.tail<3>()),
       v_from_(chart.v(from)),
       v_step_(chart.v(to) - chart.v(from)) {
-  // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|. |v(s)| is
-  // largest at an end of the path.
+  // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|. |v(s)|
+  // is largest at an end of the path.
   const double v2 = std::max(v_from_.squaredNorm(), (v_from_ + v_step_).squaredNorm());
   const double w2 = std::max(1e-12, 1 - v2);
   const double step2 = v_step_.squaredNorm();

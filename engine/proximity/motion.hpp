@@ -8,10 +8,11 @@ namespace sonde {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-/// Motions of the probe from its device pose O in the coordinates in which the object norm is Euclidean:
-/// y = (2√Î₁ v₁, 2√Î₂ v₂, 2√Î₃ v₃, t), σ = |y|², with v the vector part of the relative unit quaternion in
-/// principal axes (w ≥ 0) and t the displacement of the centre of mass in the fixed frame, m. An axis
-/// about which turning moves nothing (Î = 0) is left out: its coordinate is 0.
+/// Motions of the probe from its device pose O in the coordinates in which the object norm is
+/// Euclidean: y = (2√Î₁ v₁, 2√Î₂ v₂, 2√Î₃ v₃, t), σ = |y|², with v the vector part of the relative
+/// unit quaternion in principal axes (w ≥ 0) and t the displacement of the centre of mass in the
+/// fixed frame, m. An axis about which turning moves nothing (Î = 0) is left out: its coordinate is
+/// 0.
 class Chart {
  public:
   Chart(const MassProperties& mass, const Pose& X_FO);
@@ -34,14 +35,14 @@ class Chart {
   const MassProperties& mass_;
   Pose device_;
   Quat q_MP_;
-  Quat q_FP_;       // principal axes at O in the fixed frame
-  Vec3 com_;        // centre of mass at O, fixed frame
-  Vec3 root_;       // 2√Î
-  Vec3 per_root_;   // 1 / (2√Î), 0 where Î is 0
+  Quat q_FP_;      // principal axes at O in the fixed frame
+  Vec3 com_;       // centre of mass at O, fixed frame
+  Vec3 root_;      // 2√Î
+  Vec3 per_root_;  // 1 / (2√Î), 0 where Î is 0
 };
 
-/// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what the
-/// sweep needs of it. |v| must stay below 1.
+/// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what
+/// the sweep needs of it. |v| must stay below 1.
 class Motion {
  public:
   Motion(const Chart& chart, const Vec6& from, const Vec6& to);
@@ -52,12 +53,12 @@ class Motion {
     Vec3 angular;  ///< fixed frame
   };
   Velocity velocity(double s) const;
-  /// No point at distance r of the centre of mass accelerates by more than r times this, anywhere on
-  /// the path (per unit of s squared).
+  /// No point at distance r of the centre of mass accelerates by more than r times this, anywhere
+  /// on the path (per unit of s squared).
   double acceleration_per_radius() const { return acceleration_; }
-  /// Length of the path of the centre of mass, m, and a bound of the angle turned through on the path
-  /// (its whole length, not its ends), rad: no point at distance r of the centre of mass travels
-  /// further than linear_distance() + r turn_bound().
+  /// Length of the path of the centre of mass, m, and a bound of the angle turned through on the
+  /// path (its whole length, not its ends), rad: no point at distance r of the centre of mass
+  /// travels further than linear_distance() + r turn_bound().
   double linear_distance() const { return com_step_.norm(); }
   double turn_bound() const { return turn_; }
   /// The centre of mass in the mesh frame.

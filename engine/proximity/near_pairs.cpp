@@ -41,8 +41,8 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
           const ClosestPoints c = closest_points(ta, tb, reach);
           if (!(c.distance > 0) || c.distance > reach) continue;
           if (found == out.size()) found = keep_nearer_half(out, reach);
-          const Vec3 n = (c.a - c.b) / c.distance;
-          out[found++] = {c.a, c.b, n, gap_along(n, ta, tb), i, j};
+          const Separator apart = separator(c, ta, tb);
+          out[found++] = {c.a, c.b, apart.normal, apart.gap, i, j};
         }
       }
     } else if (open_first(na, nb)) {

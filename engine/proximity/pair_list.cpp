@@ -75,9 +75,10 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
     }
     item.bound = std::max(item.bound, c.distance * (1 - 1e-12) - moved);
     if (!(c.distance > 0)) continue;
-    item.normal = (c.a - c.b) / c.distance;
+    const Separator apart = separator(c, ta, tb);
+    item.normal = apart.normal;
     if (found == out.size()) found = keep_nearer_half(out, reach);
-    out[found++] = {c.a, c.b, item.normal, gap_along(item.normal, ta, tb), item.a, item.b};
+    out[found++] = {c.a, c.b, apart.normal, apart.gap, item.a, item.b};
   }
   return {found, reach};
 }

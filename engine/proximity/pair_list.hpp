@@ -12,9 +12,10 @@
 
 namespace sonde {
 
-/// The pairs of triangles that were within a reach of each other at one pose. As long as the probe has moved
-/// by less than that, near pairs and sweeps need to look at these alone: a walk of the trees pays for many
-/// small steps (after the neighbour lists of L. Verlet, 1967). Nothing here allocates but the constructor.
+/// The pairs of triangles that were within a reach of each other at one pose. As long as the probe
+/// has moved by less than that, near pairs and sweeps need to look at these alone: a walk of the
+/// trees pays for many small steps (after the neighbour lists of L. Verlet, 1967). Nothing here
+/// allocates but the constructor.
 class PairList {
  public:
   PairList(const Body& a, const Body& b);

@@ -34,34 +34,41 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
   for (const Vec3& x : local) radius2 = std::max(radius2, (x - motion_.com()).squaredNorm());
   const double acceleration = motion_.acceleration_per_radius() * std::sqrt(radius2);
   double stop = clearance_;
-  const auto step_along = [&](const Vec3& n, const Moment& now, const Corners& ta, double slack,
-                              double& speed) {
+  // Along n the triangle is as far as its corners are: each is given the time that its own height
+  // over B and its own speed allow.
+  bool closing = false;
+  const auto step_along = [&](const Vec3& n, const Moment& now, const Corners& ta, double floor) {
     const Vec3 com = now.X * motion_.com();
-    // n·(v + ω×r) = n·v + (n×ω)·r
-    const Vec3 turning = n.cross(now.velocity.angular);
-    speed = n.dot(now.velocity.linear) +
-            std::min({turning.dot(ta[0] - com), turning.dot(ta[1] - com), turning.dot(ta[2] - com)});
-    return safe_advance(slack, speed, acceleration);
+    const double top = std::max({n.dot(tb[0]), n.dot(tb[1]), n.dot(tb[2])});
+    const double sliding = n.dot(now.velocity.linear);
+    const Vec3 turning = n.cross(now.velocity.angular);  // n·(ω×r) = (n×ω)·r
+    double step = std::numeric_limits<double>::infinity();
+    for (const Vec3& x : ta) {
+      const double speed = sliding + turning.dot(x - com);
+      const double mine = safe_advance(n.dot(x) - top - floor, speed, acceleration);
+      if (mine < step) step = mine, closing = speed < 0;
+    }
+    return step;
   };
-  double speed = 0;
   if (normal.squaredNorm() > 0) {
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const double gap = gap_along(normal, ta, tb);
-    if (gap > 2 * stop) s += step_along(normal, now, ta, gap - stop - guard_, speed);
+    if (gap > 2 * stop) s += step_along(normal, now, ta, stop + guard_);
   }
   for (int tries = 0; s < result_.free_until; ++tries) {
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const ClosestPoints c = closest_points(ta, tb);
-    double gap = 0;
-    if (c.distance > 0) normal = (c.a - c.b) / c.distance, gap = gap_along(normal, ta, tb);
+    const Separator apart = separator(c, ta, tb);
+    normal = apart.normal;
+    const double gap = apart.gap;
     // Nearer than asked from the start: let it slide, or move away, on half of what it has.
     if (s <= 0 && gap < 2 * stop) stop = 0.5 * gap;
     const double slack = gap - stop - guard_;
-    const double step = step_along(normal, now, ta, slack, speed);
+    const double step = step_along(normal, now, ta, stop + guard_);
     // Stopped, or closing in on the stop in ever smaller steps: here is where the freedom ends.
-    if (slack <= 0 || tries == 50 || (speed < 0 && slack < 0.05 * stop)) {
+    if (slack <= 0 || tries == 50 || (closing && slack < 0.05 * stop)) {
       result_ = {s, true, i, j};
       return;
     }

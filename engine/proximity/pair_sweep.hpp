@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// How far s may advance until `slack` could have been used up by a gap that changes at `speed` (negative:
-/// closing) with an acceleration of at most `acceleration`. Units of s.
+/// How far s may advance until `slack` could have been used up by a gap that changes at `speed`
+/// (negative: closing) with an acceleration of at most `acceleration`. Units of s.
 double safe_advance(double slack, double speed, double acceleration);
 
 /// The motion at one s.
@@ -25,8 +25,8 @@ class PairSweep {
  public:
   PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance);
 
-  /// The pair (i, j), known to be free on [0, from]. `normal`: a direction to try first (zero: none);
-  /// holds the last one found on return.
+  /// The pair (i, j), known to be free on [0, from]. `normal`: a direction to try first (zero:
+  /// none); holds the last one found on return.
   void advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
 
   const Sweep& result() const { return result_; }

@@ -8,8 +8,8 @@ Float4 to_float(const Vec3& x) {
   return Float4{static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z()), 0};
 }
 
-/// Every coordinate that a comparison of boxes passes through is at most the sum of the extents; about ten
-/// operations, each rounding by 2⁻²⁴ of that, and rotation entries off by as much.
+/// Every coordinate that a comparison of boxes passes through is at most the sum of the extents;
+/// about ten operations, each rounding by 2⁻²⁴ of that, and rotation entries off by as much.
 float float_rounding(double extent_a, double extent_b, const Vec3& p) {
   const double size = extent_a + extent_b + p.cwiseAbs().maxCoeff();
   return static_cast<float>(40 * 0x1p-24 * size);

@@ -19,13 +19,15 @@ inline Corners corners(const Soup& soup, std::uint32_t triangle) {
   return {soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]};
 }
 
-inline Corners place(const Transform& X, const Corners& c) { return {X * c[0], X * c[1], X * c[2]}; }
+inline Corners place(const Transform& X, const Corners& c) {
+  return {X * c[0], X * c[1], X * c[2]};
+}
 
 inline Vec3 center(const Tree::Node& n) { return {n.center[0], n.center[1], n.center[2]}; }
 inline Vec3 half_size(const Tree::Node& n) { return {n.half[0], n.half[1], n.half[2]}; }
 
-/// The rounding error allowed for in coordinates of A placed at X in B's frame, m: well above what a
-/// rotation, a translation and a projection of such numbers can lose.
+/// The rounding error allowed for in coordinates of A placed at X in B's frame, m: well above what
+/// a rotation, a translation and a projection of such numbers can lose.
 inline double rounding_guard(double extent_a, double extent_b, const Vec3& translation) {
   return 64 * std::numeric_limits<double>::epsilon() *
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
@@ -34,8 +36,9 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
 /// Four floats at once; the fourth lane idles.
 typedef float Float4 __attribute__((vector_size(16)));
 
-/// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with. Boxes
-/// are compared in single precision, four numbers at a time, with its rounding error taken off the distance.
+/// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
+/// Boxes are compared in single precision, four numbers at a time, with its rounding error taken
+/// off the distance.
 class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);
@@ -45,7 +48,8 @@ class Placement {
 
   /// The axis of least overlap of two boxes among their six face normals.
   struct BoxGap {
-    double gap;  ///< a lower bound of the separation along the axis (negative: they overlap on all six), m
+    double gap;  ///< a lower bound of the separation along the axis (negative: they overlap on all
+                 ///< six), m
     Vec3 axis;   ///< unit, in B's frame, from box B to box A
   };
   static BoxGap box_gap_at(const Transform& X, double guard, const Tree::Node& na,
@@ -103,9 +107,9 @@ class Placement {
   float float_guard_;
 };
 
-/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. A depth-first walk of two trees
-/// of depth p and q that pushes two children for the one popped never holds more than p + q + 1 entries, and
-/// trees are at most 60 deep.
+/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. A depth-first walk of
+/// two trees of depth p and q that pushes two children for the one popped never holds more than p +
+/// q + 1 entries, and trees are at most 60 deep.
 template <class Entry>
 class PairStack {
  public:

@@ -12,16 +12,17 @@ struct Sweep {
   /// The path is free on [0, free_until], every pair of triangles separated along some axis by at
   /// least the clearance asked for (or half of what it had at the start, if that was less).
   double free_until = 0;
-  bool hit = false;                ///< false: free to the end of the path
-  std::uint32_t triangle_a = 0;    ///< the pair that stopped it
+  bool hit = false;              ///< false: free to the end of the path
+  std::uint32_t triangle_a = 0;  ///< the pair that stopped it
   std::uint32_t triangle_b = 0;
 };
 
-/// Sweeps the probe along the path to the first contact. Conservative: what it calls free is free. Each
-/// pair of boxes or triangles is advanced by the time in which the gap along a separating axis cannot
-/// close, from the speed along that axis and a bound of the acceleration (conservative advancement with
-/// directional motion bounds; after Mirtich 1996 and Tang, Kim and Manocha, C2A, 2009). The start must be
-/// free: a start without a gap above the rounding error gives free_until = 0. Never allocates.
+/// Sweeps the probe along the path to the first contact. Conservative: what it calls free is free.
+/// Each pair of boxes or triangles is advanced by the time in which the gap along a separating axis
+/// cannot close, from the speed along that axis and a bound of the acceleration (conservative
+/// advancement with directional motion bounds; after Mirtich 1996 and Tang, Kim and Manocha, C2A,
+/// 2009). The start must be free: a start without a gap above the rounding error gives free_until =
+/// 0. Never allocates.
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance);
 
 }  // namespace sonde

@@ -27,7 +27,16 @@ void segment_segment(const Vec3& p, const Vec3& u, double uu, const Vec3& q, con
   const Vec3 r = p - q;
   const double ur = u.dot(r), wr = w.dot(r), uw = u.dot(w);
   const double determinant = uu * ww - uw * uw;
-  // Nearly parallel segments: any s will do to begin with, the clamping below finds an end.
+  if (determinant < 1e-8 * uu * ww) {
+    // Nearly parallel: s below is lost to rounding, and one end or another is about as near.
+    const auto end = [&](double s) {
+      best.offer(p + s * u, q + clamp01(ww > 0 ? (uw * s + wr) / ww : 0.0) * w);
+    };
+    const auto other_end = [&](double t) {
+      best.offer(p + clamp01(uu > 0 ? (uw * t - ur) / uu : 0.0) * u, q + t * w);
+    };
+    end(0), end(1), other_end(0), other_end(1);
+  }
   double s = determinant > 1e-14 * uu * ww ? clamp01((uw * wr - ur * ww) / determinant) : 0.0;
   double t = ww > 0 ? (uw * s + wr) / ww : 0.0;
   if (t < 0 || t > 1) {
@@ -40,7 +49,7 @@ void segment_segment(const Vec3& p, const Vec3& u, double uu, const Vec3& q, con
 /// A triangle with what its candidates share.
 struct Face {
   const Corners& v;
-  std::array<Vec3, 3> edge;      // edge i runs from corner i to corner i + 1
+  std::array<Vec3, 3> edge;  // edge i runs from corner i to corner i + 1
   std::array<double, 3> length2;
   Vec3 normal;
   double normal2;
@@ -72,7 +81,8 @@ struct Face {
   }
 };
 
-/// Corners of `other` over the inside of `face`, and edges of `other` through it. `swap`: face is of B.
+/// Corners of `other` over the inside of `face`, and edges of `other` through it. `swap`: face is
+/// of B.
 bool over_face(const Face& face, const Corners& other, bool swap, Best& best) {
   if (face.normal2 <= 0) return false;
   const std::array<double, 3>& height = face.height;
@@ -104,8 +114,8 @@ double largest_coordinate(const Corners& t) {
 int sign(double value, double error) { return value > error ? 1 : (value < -error ? -1 : 0); }
 
 /// orient3d(a, b, c, d) in double with a forward error bound: products of three differences, each
-/// difference within epsilon of its value; 1e-15 of the permanent bounds all of it (Shewchuk 1997 has
-/// 7.8e-16 for the determinant of exact differences' roundings).
+/// difference within epsilon of its value; 1e-15 of the permanent bounds all of it (Shewchuk 1997
+/// has 7.8e-16 for the determinant of exact differences' roundings).
 int orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = a - d, v = b - d, w = c - d;
   const double m1 = v.x() * w.y(), m2 = w.x() * v.y(), m3 = w.x() * u.y(), m4 = u.x() * w.y(),
@@ -152,6 +162,32 @@ double gap_along(const Vec3& n, const Corners& a, const Corners& b) {
   const double low = std::min({n.dot(a[0]), n.dot(a[1]), n.dot(a[2])});
   const double high = std::max({n.dot(b[0]), n.dot(b[1]), n.dot(b[2])});
   return low - high;
+}
+
+Separator separator(const ClosestPoints& closest, const Corners& a, const Corners& b) {
+  Separator best{Vec3::UnitZ(), -std::numeric_limits<double>::infinity()};
+  const auto offer = [&](const Vec3& axis) {
+    const double length = axis.norm();
+    if (!(length > 0)) return;
+    const Vec3 n = axis / length;
+    const double gap = gap_along(n, a, b), other = gap_along(-n, a, b);
+    if (gap > best.gap) best = {n, gap};
+    if (other > best.gap) best = {-n, other};
+  };
+  if (closest.distance > 0) {
+    best.normal = (closest.a - closest.b) / closest.distance;
+    best.gap = gap_along(best.normal, a, b);
+    if (best.gap >= 0.999 * closest.distance) return best;
+  }
+  const Face face_a(a, b), face_b(b, a);
+  offer(face_a.normal);
+  offer(face_b.normal);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) offer(face_a.edge[i].cross(face_b.edge[j]));
+    offer(face_a.edge[i].cross(face_a.normal));
+    offer(face_b.edge[i].cross(face_b.normal));
+  }
+  return best;
 }
 
 Meeting classify(const Corners& a, const Corners& b) {

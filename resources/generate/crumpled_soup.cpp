@@ -94,7 +94,7 @@ Soup star_mesh() {
   Soup star = icosphere(4);
   for (Vec3& x : star.vertices) {
     const double axial = x.array().pow(4).sum();  // 1 on the axes, a third between them
-    x *= 0.0055 + 0.0075 * std::pow(axial, 3);
+    x *= 0.0070 + 0.0060 * std::pow(axial, 3);
   }
   return star;
 }
@@ -106,18 +106,18 @@ void write_crumpled_soup(const Output& out) {
   out.mesh("star.ply", star_mesh());
   Path path({0.000, 0.000, 0.045}, {0, 0, 0});
   path.hold(0.2)
-      .via(0.7, {0.002, -0.002, 0.016}, {20, 10, 15})
-      .via(0.7, {0.008, -0.008, 0.002}, {40, 10, 40})    // pressed through
-      .via(0.8, {0.024, -0.010, 0.000}, {70, -20, 80})   // and dragged along
-      .via(0.8, {0.030, 0.020, -0.004}, {40, -60, 120})  // over a hole
-      .via(0.8, {0.000, 0.030, 0.001}, {-30, -40, 160})
-      .via(0.8, {-0.028, 0.014, -0.002}, {-60, 30, 130})
-      .via(0.8, {-0.020, -0.014, 0.006}, {-30, 50, 80})
-      .via(0.7, {-0.004, -0.004, 0.022}, {-10, 20, 30})
+      .via(0.7, {0.002, -0.002, 0.018}, {20, 10, 15})
+      .via(0.7, {0.008, -0.008, 0.007}, {30, 10, 30})   // pressed through
+      .via(0.8, {0.022, -0.006, 0.008}, {40, -20, 50})  // and dragged along
+      .via(0.8, {0.024, 0.014, 0.006}, {20, -40, 60})   // past a hole
+      .via(0.8, {0.000, 0.026, 0.009}, {-20, -30, 70})
+      .via(0.8, {-0.024, 0.014, 0.007}, {-40, 10, 60})
+      .via(0.8, {-0.018, -0.012, 0.010}, {-20, 30, 40})
+      .via(0.7, {-0.004, -0.004, 0.024}, {-10, 20, 20})
       .home(0.7)
       .hold(0.2);
   SceneText text{"crumpled-soup", "star.ply", "crumpled.ply", "surface"};
-  text.k = 400;
+  text.k = 300;
   out.scene(text, path);
 }
 

@@ -40,7 +40,11 @@ std::string pose_list(const Pose& X, const std::string& separator) {
   return list({X.p.x(), X.p.y(), X.p.z(), X.q.w(), X.q.x(), X.q.y(), X.q.z()}, separator);
 }
 
-std::string vector_list(const Vec3& x) { return "[" + list({x.x(), x.y(), x.z()}, ", ") + "]"; }
+std::string vector_list(const Vec3& x) {
+  std::string out = "[";
+  out += list({x.x(), x.y(), x.z()}, ", ");
+  return out += "]";
+}
 
 void put32(std::string& out, std::uint32_t bits) {
   for (unsigned byte = 0; byte < 4; ++byte)

@@ -76,17 +76,17 @@ void write_terrain(const Output& out) {
   Path path(on_ground(-0.060, -0.040, 0.060), {0, 0, 0});
   path.hold(0.2)
       .via(0.7, on_ground(-0.056, -0.036, 0.022), {20, 10, 10})
-      .via(0.7, on_ground(-0.036, -0.026, 0.011), {10, 80, 20})  // rolled along the ground
-      .via(0.8, on_ground(-0.008, -0.004, 0.012), {-30, 170, 30})
-      .via(0.8, on_ground(0.022, 0.016, 0.008), {-60, 250, 10})
-      .via(0.8, on_ground(0.050, 0.000, 0.003), {-20, 330, -20})  // pushed in
-      .via(0.8, on_ground(0.040, -0.030, 0.012), {40, 300, -60})
-      .via(0.8, on_ground(0.010, -0.040, 0.016), {60, 200, -40})
+      .via(0.7, on_ground(-0.036, -0.026, 0.013), {10, 80, 20})  // rolled along the ground
+      .via(0.8, on_ground(-0.008, -0.004, 0.014), {-30, 170, 30})
+      .via(0.8, on_ground(0.022, 0.016, 0.013), {-60, 250, 10})
+      .via(0.8, on_ground(0.050, 0.000, 0.011), {-20, 330, -20})  // pushed in
+      .via(0.8, on_ground(0.040, -0.030, 0.015), {40, 300, -60})
+      .via(0.8, on_ground(0.010, -0.040, 0.017), {60, 200, -40})
       .via(0.7, on_ground(-0.030, -0.040, 0.040), {30, 80, -10})
       .home(0.7)
       .hold(0.2);
   SceneText text{"terrain", "boulder.ply", "ground.ply", "auto"};
-  text.k = 500;
+  text.k = 400;
   out.scene(text, path);
 }
 

@@ -60,7 +60,7 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   painter.drawLine(QPointF(0, head), QPointF(width(), head));
   painter.setPen(colour::faint);
   painter.drawText(QPointF(5, metrics.ascent() + 2),
-                   QStringLiteral("%1, %2 %3").arg(title_, number(top), unit_));
+                   QStringLiteral("%1, %2 %3").arg(title_, round_figure(top), unit_));
   const QString seconds = QStringLiteral("%1 s").arg(span);
   painter.drawText(QPointF(width() - metrics.horizontalAdvance(seconds) - 5, metrics.ascent() + 2),
                    seconds);

@@ -14,9 +14,15 @@ constexpr double least_turn = 1e-3;  // rad; a smaller one is drawn as a transla
 constexpr double far_axis = 3;       // of the probe's radius
 constexpr double degrees = 180 / std::numbers::pi;
 
-QString magnified(double magnification) {
+QString drawn(double magnification) {
   if (magnification <= 1) return {};
   return QStringLiteral(" (drawn × %1)").arg(magnification);
+}
+
+/// Powers of ten with a margin on both sides, so that a drawing does not flicker between two.
+void choose_magnification(double& magnification, double size, double small, double large) {
+  while (size * magnification < small && magnification < 1000) magnification *= 10;
+  while (size * magnification > large && magnification > 1) magnification /= 10;
 }
 
 }  // namespace
@@ -53,18 +59,12 @@ void SeparationView::draw(const Frame& frame) {
       separation_motion(frame.mass, separation.device, separation.separated);
   const Screw screw = screw_of(motion, com);
   const double reach = frame.mass.radius;
-  choose_magnification(separation.depth / std::max(reach, 1e-12));
+  choose_magnification(magnify_shift_, motion.t.norm() / std::max(reach, 1e-12), 0.06, 1.2);
+  choose_magnification(magnify_turn_, screw.turn, 0.3, 3.5);
   if (screw.turn > least_turn && (screw.point - com).norm() < far_axis * reach)
     draw_screw(frame, screw, com);
   else
     draw_arrow(frame, motion, com);
-}
-
-/// Powers of ten with a margin on both sides, so that the drawing does not flicker between two.
-void SeparationView::choose_magnification(double largest) {
-  constexpr double small = 0.06, large = 1.2;
-  while (largest * magnification_ < small && magnification_ < 1000) magnification_ *= 10;
-  while (largest * magnification_ > large && magnification_ > 1) magnification_ /= 10;
 }
 
 void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Vec3& com) {
@@ -72,7 +72,7 @@ void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Ve
   const double thick = 1.7 * frame.pixel;
   const Vec3 half = screw.axis * reach * 1.25;
   axis_.set(screw.point - half, screw.point + half, 0.45 * thick, false);
-  const double slide = screw.slide * magnification_;
+  const double slide = screw.slide * magnify_shift_;
   // The slide is beside the arc, not inside it: from where the axis leaves the probe's ball.
   const Vec3 from = screw.point + screw.axis * (0.25 * reach);
   if (std::abs(slide) > 6 * frame.pixel) slide_.set(from, from + screw.axis * slide, thick);
@@ -81,25 +81,25 @@ void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Ve
   const double arm = 0.45 * reach;
   start = start.norm() > 1e-3 * reach ? Vec3(start.normalized() * arm)
                                       : Vec3(any_normal(screw.axis) * arm);
-  const double angle = std::min(screw.turn * magnification_, 1.9 * std::numbers::pi);
+  const double angle = std::min(screw.turn * magnify_turn_, 1.9 * std::numbers::pi);
   turn_.set(screw.point, screw.axis, start, angle, thick);
   const Vec3 end =
       screw.point + std::cos(angle) * start + std::sin(angle) * screw.axis.cross(start);
   label(end,
-        QStringLiteral("slide %1, turn %2°%3")
-            .arg(frame.unit.text(screw.slide), number(screw.turn * degrees),
-                 magnified(magnification_)),
+        QStringLiteral("slide %1%2, turn %3°%4")
+            .arg(frame.unit.text(screw.slide), drawn(magnify_shift_), number(screw.turn * degrees),
+                 drawn(magnify_turn_)),
         colour::ghost);
 }
 
 void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& motion,
                                 const Vec3& com) {
-  const Vec3 tip = com + motion.t * magnification_;
+  const Vec3 tip = com + motion.t * magnify_shift_;
   slide_.set(com, tip, 1.7 * frame.pixel);
   label(tip,
-        QStringLiteral("moves %1, turns %2°%3")
-            .arg(frame.unit.text(motion.t.norm()), number(motion.theta.norm() * degrees),
-                 magnified(magnification_)),
+        QStringLiteral("moves %1%2, turns %3°")
+            .arg(frame.unit.text(motion.t.norm()), drawn(magnify_shift_),
+                 number(motion.theta.norm() * degrees)),
         colour::ghost);
 }
 

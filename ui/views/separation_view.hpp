@@ -30,12 +30,12 @@ class SeparationView : public Overlay {
   void hide() override;
   void draw_screw(const Frame& frame, const Screw& screw, const Vec3& com);
   void draw_arrow(const Frame& frame, const SeparationMotion& motion, const Vec3& com);
-  void choose_magnification(double largest);
 
   Arrow axis_;
   Arrow slide_;
   Arc turn_;
-  double magnification_ = 1;
+  double magnify_shift_ = 1;
+  double magnify_turn_ = 1;
 };
 
 }  // namespace sonde::ui
