@@ -104,7 +104,7 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::restore_window() {
-  resize(1360, 860);
+  resize(1280, 800);
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   restoreState(settings.value(QStringLiteral("docks")).toByteArray());
@@ -204,20 +204,27 @@ void MainWindow::count_frame() {
   ++rate_frames_;
 }
 
-/// PD_t and the lower bound take longer than a tick: in their own thread, only while shown, and for
-/// at most a third of the time, since the servo and the picture need the machine as well.
+/// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown. As
+/// long as the probe moves, for a tenth of the time: the servo and the picture need the machine.
 void MainWindow::ask_companion() {
   if (!readout_->isVisible() || session()->paused()) return;
   const qint64 now = clock_.elapsed();
+  const Pose& device = shown_->separation.device;
+  if (!same(device, companion_pose_)) {
+    companion_pose_ = device;
+    rest_since_ = now;
+  }
   if (const auto result = session()->companion()) {
     companion_ = result;
-    companion_due_ = std::max(companion_due_, companion_asked_ + qint64(3e-3 * result->time_us));
+    companion_due_ = companion_asked_ + std::max(companion_ms, qint64(1e-2 * result->time_us));
   }
-  if (now < companion_due_) return;
-  if (companion_ && same(companion_->device, shown_->separation.device)) return;
-  session()->ask_companion(shown_->separation.device);
+  const bool rests = now - rest_since_ > companion_ms && !same(device, asked_pose_);
+  if (!rests && now < companion_due_) return;
+  if (companion_ && same(companion_->device, device)) return;
+  session()->ask_companion(device);
+  asked_pose_ = device;
   companion_asked_ = now;
-  companion_due_ = now + companion_ms;
+  companion_due_ = now + 10 * companion_ms;
 }
 
 void MainWindow::show_numbers() {

@@ -93,6 +93,8 @@ class MainWindow : public QMainWindow {
   qint64 numbers_due_ = 0;
   qint64 companion_due_ = 0;
   qint64 companion_asked_ = 0;
+  qint64 rest_since_ = 0;
+  Pose companion_pose_, asked_pose_;
 };
 
 }  // namespace sonde::ui

@@ -42,16 +42,16 @@ QString describe(const char* role, const Body& body) {
       .arg(body.soup.triangles.size());
 }
 
-/// Smoothing edges by samples triples the time of a picture where the processor draws it.
-int affordable_samples(QVTKOpenGLNativeWidget& widget) {
+/// Does the processor draw, rather than a graphics card?
+bool software_drawn(QVTKOpenGLNativeWidget& widget) {
   widget.makeCurrent();
   const QOpenGLContext* context = widget.context();
-  if (!context) return 0;
+  if (!context) return true;
   const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
   const std::string_view renderer = name ? name : "";
   for (const std::string_view software : {"llvmpipe", "softpipe", "SWR", "Software"})
-    if (renderer.find(software) != renderer.npos) return 0;
-  return 4;
+    if (renderer.find(software) != renderer.npos) return true;
+  return false;
 }
 
 Eigen::AlignedBox3d box_of(const Body& body) {
@@ -127,7 +127,10 @@ Viewport::~Viewport() = default;
 
 void Viewport::show_stage(const Stage& stage) {
   Scenery& s = *scenery_;
-  s.window->SetMultiSamples(affordable_samples(*s.widget));
+  // Smoothing edges by samples triples the time of a picture that the processor draws.
+  const bool software = software_drawn(*s.widget);
+  s.window->SetMultiSamples(software ? 0 : 4);
+  s.bodies->SetGradientBackground(!software);
   const Session& session = *stage.session;
   s.mass = session.probe().mass;
   s.unit = LengthUnit(s.mass.radius);

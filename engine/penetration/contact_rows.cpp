@@ -23,7 +23,9 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method)
       pairs_(most_pairs),
       contacts_(most_rows),
       rows_(most_rows),
-      at_(most_rows) {}
+      at_(most_rows),
+      crowded_(probe.mass.radius),
+      list_limit_(probe.mass.radius) {}
 
 void ContactRows::accept(const Contact& contact) noexcept {
   if (count_ < most_rows) contacts_[count_++] = contact;
@@ -57,14 +59,23 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner);
 }
 
-void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
-  const Transform X(chart.pose(y));
+NearPairs ContactRows::find_pairs(const Transform& X, double reach) noexcept {
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   const bool short_steps = reach < 0.02 * probe_.mass.radius;
-  if (short_steps && list_.reach_at(X) < reach && !list_.build(X, 4 * reach))
-    list_.build(X, 1.5 * reach);
+  if (short_steps && list_.reach_at(X) < reach) {
+    // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
+    const bool fits = list_.build(X, std::max(1.5 * reach, std::min(4 * reach, list_limit_)));
+    list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
+  }
   const NearPairs near = list_.reach_at(X) >= reach ? list_.near(X, reach, pairs_)
                                                     : near_pairs(probe_, fixed_, X, reach, pairs_);
+  crowded_ = near.reach < reach ? near.reach : std::min(1.5 * crowded_, probe_.mass.radius);
+  return near;
+}
+
+void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
+  const Transform X(chart.pose(y));
+  const NearPairs near = find_pairs(X, std::min(reach, crowded_));
   reach_ = near.reach;
   turn_ = 2 * reach_ / probe_.mass.radius;
   const std::span<NearPair> pairs(pairs_.data(), near.count);
@@ -82,9 +93,15 @@ void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   }
 }
 
+double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept {
+  const double reach = list_.reach_at(Transform(chart.pose(y)));
+  const bool crowded = list_limit_ < probe_.mass.radius;
+  return crowded && reach > 0 ? reach : std::numeric_limits<double>::infinity();
+}
+
 Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
                               double clearance) noexcept {
-  const double path = motion.linear_distance() + motion.turn_bound() * probe_.mass.radius;
+  const double path = motion.farthest(probe_.mass.radius);
   const Transform X(chart.pose(y));
   if (list_.reach_at(X) > path + clearance) return list_.sweep_along(motion, clearance);
   return sweep(probe_, fixed_, motion, clearance);

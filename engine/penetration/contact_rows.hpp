@@ -27,6 +27,11 @@ class ContactRows {
   /// point alone.
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept;
 
+  /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit where
+  /// surfaces are near each other here and there; where they lie along each other over a wide area (a peg in
+  /// its hole), walking the trees for a long path costs more than many short ones along the list.
+  double quick_path(const Chart& chart, const Vec6& y) const noexcept;
+
   /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.
   Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
                    double clearance) noexcept;
@@ -42,6 +47,7 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
+  NearPairs find_pairs(const Transform& X, double reach) noexcept;
   void accept(const Contact& contact) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   void take(const NearPair& pair, const Transform& X, double flat) noexcept;
@@ -55,6 +61,9 @@ class ContactRows {
   std::vector<HalfSpace> rows_;
   std::vector<double> at_;  // J·y of each row
   std::size_t count_ = 0;
+  // Reaches found to hold more pairs than there is room for; they grow again with time.
+  double crowded_;
+  double list_limit_;
   double smallest_gap_ = 0;
   double reach_ = 0;
   double turn_ = 0;  // rad, that a step of the size of the reach may make

@@ -100,6 +100,9 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     else
       longest *= 1.5;
     if (step.norm() > longest) step *= longest / step.norm();
+    const double quick = 0.9 * rows_.quick_path(chart, y) - margin;
+    const double path = Motion(chart, y, y + step).farthest(radius);
+    if (path > quick && quick > 0) step *= quick / path;
     const Vec6 target = y + step;
     const Motion motion(chart, y, target);
     const Sweep swept = rows_.sweep_from(chart, motion, y, 0.5 * margin);

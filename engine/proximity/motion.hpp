@@ -61,6 +61,7 @@ class Motion {
   /// travels further than linear_distance() + r turn_bound().
   double linear_distance() const { return com_step_.norm(); }
   double turn_bound() const { return turn_; }
+  double farthest(double radius) const { return linear_distance() + radius * turn_bound(); }
   /// The centre of mass in the mesh frame.
   const Vec3& com() const { return com_M_; }
 

@@ -86,7 +86,7 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
 Sweep PairList::sweep_along(const Motion& motion, double clearance) noexcept {
   PairSweep pairs(a_, b_, motion, clearance);
   const double moved = displacement(pairs.start().X);
-  const double path = motion.linear_distance() + motion.turn_bound() * a_.mass.radius;
+  const double path = motion.farthest(a_.mass.radius);
   for (std::size_t k = 0; k < count_ && pairs.free_until() > 0; ++k) {
     Item& item = items_[k];
     if (item.bound - moved - path * pairs.free_until() > clearance + pairs.guard()) continue;

@@ -27,8 +27,9 @@ void segment_segment(const Vec3& p, const Vec3& u, double uu, const Vec3& q, con
   const Vec3 r = p - q;
   const double ur = u.dot(r), wr = w.dot(r), uw = u.dot(w);
   const double determinant = uu * ww - uw * uw;
-  if (determinant < 1e-8 * uu * ww) {
-    // Nearly parallel: s below is lost to rounding, and one end or another is about as near.
+  if (determinant <= 1e-8 * uu * ww) {
+    // Nearly parallel: s below is lost to rounding, and one end or another is about as near. Of a
+    // point and a segment both ends of the point are.
     const auto end = [&](double s) {
       best.offer(p + s * u, q + clamp01(ww > 0 ? (uw * s + wr) / ww : 0.0) * w);
     };
@@ -61,8 +62,20 @@ struct Face {
       length2[i] = edge[i].squaredNorm();
     }
     normal = edge[0].cross(edge[1]);
+    square_to_longest_edge();
     normal2 = normal.squaredNorm();
     for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(other[i] - t[0]);
+  }
+  /// The normal of a needle is turned by the rounding of the product, by as much as a right angle.
+  /// Turned about the needle that does no harm; what leans along it is taken out, and nothing left
+  /// means no face.
+  void square_to_longest_edge() {
+    std::size_t longest = length2[1] > length2[0] ? 1 : 0;
+    if (length2[2] > length2[longest]) longest = 2;
+    if (!(length2[longest] > 0)) return;
+    const double before = normal.squaredNorm();
+    normal -= normal.dot(edge[longest]) / length2[longest] * edge[longest];
+    if (normal.squaredNorm() < 0.25 * before) normal.setZero();
   }
   bool all_above() const { return height[0] > 0 && height[1] > 0 && height[2] > 0; }
   bool all_below() const { return height[0] < 0 && height[1] < 0 && height[2] < 0; }

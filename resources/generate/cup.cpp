@@ -131,53 +131,66 @@ Vec3 middle_of(const Soup& cup, const std::vector<std::uint32_t>& vertices) {
   return sum / static_cast<double>(vertices.size());
 }
 
-/// Cuts two windows and joins them by a tube, so that the cup with its handle is one closed
-/// surface.
+/// The vertices of the upper window in the order in which the tube from the lower one meets them:
+/// seen along the tube the upper window is the lower one's mirror image, turned upside down.
+std::vector<std::uint32_t> mirrored(const std::vector<std::uint32_t>& upper, const Window& w) {
+  const int n = static_cast<int>(upper.size());
+  std::vector<std::uint32_t> out;
+  for (int i = 0; i < n; ++i)
+    out.push_back(upper[static_cast<std::size_t>((2 * w.columns + w.rows - i + n) % n)]);
+  return out;
+}
+
+/// A point of the handle: share s along it, at an angle round it from the middle of its lower edge.
+Vec3 tube_point(const Vec3& low, const Vec3& high, double s, double angle) {
+  const Point2 c = handle_line(s, {low.x(), low.z()}, {high.x(), high.z()});
+  const Point2 d = handle_line(s + 1e-5, {low.x(), low.z()}, {high.x(), high.z()});
+  const Vec3 along = Vec3(d.x - c.x, 0, d.y - c.y).normalized();
+  const Vec3 outwards = Vec3::UnitY().cross(along);  // away from the loop's inside
+  const double thick = 0.0030 + 0.0006 * std::cos(two_pi * s);
+  return Vec3(c.x, 0, c.y) + 0.0052 * std::sin(angle) * Vec3::UnitY() +
+         thick * std::cos(angle) * outwards;
+}
+
+void join(Soup& cup, const std::vector<std::uint32_t>& ring,
+          const std::vector<std::uint32_t>& next) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t j = (i + 1) % ring.size();
+    cup.triangles.push_back({ring[i], ring[j], next[j]});
+    cup.triangles.push_back({ring[i], next[j], next[i]});
+  }
+}
+
+/// Joins two windows cut in the wall by a tube: the cup with its handle is one closed surface.
 void add_handle(Soup& cup, const Window& low, const Window& high) {
   const std::vector<std::uint32_t> start = border(low);
-  const std::vector<std::uint32_t> upper = border(high);
-  const int n = static_cast<int>(start.size());
-  // Seen along the tube the upper window is the mirror image of the lower one, turned upside down:
-  // the point over column c, low edge, goes to the point over column c, high edge.
-  std::vector<std::uint32_t> end;
-  for (int i = 0; i < n; ++i) {
-    const int k = (low.columns + high.rows + low.columns - i + 2 * n) % n;
-    end.push_back(upper[static_cast<std::size_t>(k)]);
-  }
+  const std::vector<std::uint32_t> end = mirrored(border(high), high);
   round_off(cup, start);
-  round_off(cup, upper);
+  round_off(cup, end);
   const Vec3 a = middle_of(cup, start);
   const Vec3 b = middle_of(cup, end);
   const int steps = 44;
   std::vector<std::uint32_t> previous = start;
-  for (int k = 1; k <= steps; ++k) {
+  for (int k = 1; k < steps; ++k) {
     const double s = static_cast<double>(k) / steps;
     const Point2 c = handle_line(s, {a.x(), a.z()}, {b.x(), b.z()});
-    const Point2 d = handle_line(s + 1e-5, {a.x(), a.z()}, {b.x(), b.z()});
-    const Vec3 along = Vec3(d.x - c.x, 0, d.y - c.y).normalized();
-    const Vec3 outwards = Vec3::UnitY().cross(along);  // away from the loop's inside
-    const double thick = 0.0030 + 0.0006 * std::cos(two_pi * s);
-    std::vector<std::uint32_t> ring = end;
-    for (int i = 0; k < steps && i < n; ++i) {
-      const Vec3& from = cup.vertices[start[static_cast<std::size_t>(i)]];
-      const Vec3& to = cup.vertices[end[static_cast<std::size_t>(i)]];
-      const double angle = two_pi * (i - low.half()) / n;  // 0 in the middle of the low edge
-      const Vec3 tube = Vec3(c.x, 0, c.y) + 0.0052 * std::sin(angle) * Vec3::UnitY() +
-                        thick * std::cos(angle) * outwards;
-      const double leave = flare(s);
-      const double arrive = flare(1 - s);
-      ring[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(cup.vertices.size());
-      cup.vertices.push_back((1 - leave - arrive) * tube + leave * (from + Vec3(c.x, 0, c.y) - a) +
-                             arrive * (to + Vec3(c.x, 0, c.y) - b));
+    const Vec3 middle(c.x, 0, c.y);
+    const double leave = flare(s);
+    const double arrive = flare(1 - s);
+    std::vector<std::uint32_t> ring;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const double angle =
+          two_pi * (static_cast<double>(i) - low.half()) / static_cast<double>(start.size());
+      const Vec3 from_window = cup.vertices[start[i]] + middle - a;
+      const Vec3 to_window = cup.vertices[end[i]] + middle - b;
+      ring.push_back(static_cast<std::uint32_t>(cup.vertices.size()));
+      cup.vertices.push_back((1 - leave - arrive) * tube_point(a, b, s, angle) +
+                             leave * from_window + arrive * to_window);
     }
-    for (int i = 0; i < n; ++i) {
-      const auto p = static_cast<std::size_t>(i);
-      const auto q = static_cast<std::size_t>((i + 1) % n);
-      cup.triangles.push_back({previous[p], previous[q], ring[q]});
-      cup.triangles.push_back({previous[p], ring[q], ring[p]});
-    }
+    join(cup, previous, ring);
     previous = ring;
   }
+  join(cup, previous, end);
 }
 
 }  // namespace

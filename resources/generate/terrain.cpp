@@ -36,6 +36,7 @@ Soup ground_mesh() {
       ground.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
     }
   std::vector<std::uint32_t> rim;  // anticlockwise seen from above
+  rim.reserve(4 * cells);
   for (int i = 0; i < cells; ++i) rim.push_back(index(i, 0));
   for (int j = 0; j < cells; ++j) rim.push_back(index(cells, j));
   for (int i = cells; i > 0; --i) rim.push_back(index(i, cells));

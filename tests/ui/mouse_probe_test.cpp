@@ -15,6 +15,7 @@ class MouseTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
+    if (HasFatalFailure()) return;
     open_cubes();
     start = window->session()->device_pose();
     com_before = com();

@@ -19,6 +19,7 @@ class PanelTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
+    if (HasFatalFailure()) return;
     open_cubes();
   }
   template <class T>

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <ostream>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/demo.hpp"
@@ -31,6 +32,8 @@ struct LayerCase {
   const char* action;
   int least;  ///< pixels that come with it
 };
+
+void PrintTo(const LayerCase& layer, std::ostream* out) { *out << layer.action; }
 
 class LayerTest : public WindowTest, public ::testing::WithParamInterface<LayerCase> {};
 

@@ -61,13 +61,18 @@ void HintView::set_legend(std::vector<LegendLine> legend) {
 }
 
 void HintView::set_labels(std::vector<PlacedLabel> labels) {
+  // Only where labels were and will be: painting the whole sheet anew costs a frame its share.
+  QRegion changed = label_region();
   labels_ = std::move(labels);
-  update();
+  changed += label_region();
+  update(changed);
 }
 
 void HintView::set_ruler(double pixels, const QString& text) {
+  if (pixels == ruler_pixels_ && text == ruler_text_) return;
   ruler_pixels_ = pixels;
   ruler_text_ = text;
+  update(0, 0, width(), 3 * margin + QFontMetrics(font()).height());
 }
 
 void HintView::set_banner(const QString& text) {
@@ -147,21 +152,37 @@ void HintView::draw_hint(QPainter& painter) const {
   }
 }
 
-void HintView::draw_labels(QPainter& painter) const {
+std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
-  std::vector<QRectF> taken{legend_box()};
+  std::vector<QRectF> boxes{legend_box()};
   for (const PlacedLabel& label : labels_) {
     QRectF box(label.at.x() + 10, label.at.y() - metrics.height() / 2 - 2,
                metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
     box.moveLeft(std::clamp(box.left(), 2.0, std::max(2.0, width() - box.width() - 2)));
     box.moveTop(std::clamp(box.top(), 2.0, std::max(2.0, height() - box.height() - 2)));
     // A label that would lie on another, or on the legend, steps down.
-    for (const QRectF& other : taken)
+    for (const QRectF& other : boxes)
       if (box.intersects(other)) box.moveTop(other.bottom() + 2);
-    taken.push_back(box);
-    draw_plate(painter, box);
-    painter.setPen(label.colour);
-    painter.drawText(QPointF(box.left() + 6, box.top() + 2 + metrics.ascent()), label.text);
+    boxes.push_back(box);
+  }
+  boxes.erase(boxes.begin());  // the legend's
+  return boxes;
+}
+
+QRegion HintView::label_region() const {
+  QRegion region;
+  for (const QRectF& box : label_boxes()) region += box.toAlignedRect().adjusted(-1, -1, 1, 1);
+  return region;
+}
+
+void HintView::draw_labels(QPainter& painter) const {
+  const QFontMetricsF metrics(font());
+  const std::vector<QRectF> boxes = label_boxes();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    draw_plate(painter, boxes[i]);
+    painter.setPen(labels_[i].colour);
+    painter.drawText(QPointF(boxes[i].left() + 6, boxes[i].top() + 2 + metrics.ascent()),
+                     labels_[i].text);
   }
 }
 

@@ -47,6 +47,8 @@ class HintView : public QWidget {
   QRectF legend_box() const;
   void draw_legend(QPainter& painter) const;
   void draw_hint(QPainter& painter) const;
+  std::vector<QRectF> label_boxes() const;
+  QRegion label_region() const;
   void draw_labels(QPainter& painter) const;
   void draw_ruler(QPainter& painter) const;
   void draw_banner(QPainter& painter) const;
