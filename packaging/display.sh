@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
 # Sourced by run and test: a virtual X server, on a free number, for as long as the script runs.
 
 start_display() {

@@ -41,7 +41,7 @@ class Demo : public QObject {
   QTimer timer_;
   QElapsedTimer clock_;
   Act act_ = Act::forward;
-  double forward_seconds_ = 2.2;  ///< however long the trajectory is
+  double forward_seconds_ = 2.6;  ///< however long the trajectory is
   double deepest_ = -1;           ///< m
   double deepest_place_ = 1;      ///< 0 to 1 along the path
   std::size_t frames_at_start_ = 0;

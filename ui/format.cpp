@@ -31,7 +31,7 @@ QString LengthUnit::text(double metres) const {
 QString number(double value) {
   if (!std::isfinite(value)) return QStringLiteral("–");
   const double size = std::abs(value);
-  if (size == 0) return QStringLiteral("0");
+  if (size < 1e-12) return QStringLiteral("0");
   if (size < 1e-3 || size >= 1e6) return QString::number(value, 'g', 3);
   const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 5);
   return QString::number(value, 'f', decimals);

@@ -26,7 +26,8 @@ class LengthUnit {
   int decimals_;
 };
 
-/// Three significant digits, '.' whatever the locale: "0.0123", "12.3", "1230".
+/// Three significant digits (0 below 1e-12, which is rounding), '.' whatever the locale: "0.0123",
+/// "12.3", "1230".
 QString number(double value);
 
 /// A body's name for people: the file's, with no folder and no extension.

@@ -253,10 +253,12 @@ void MainWindow::show_status() {
                              .arg(happens, nature("Probe", session()->probe()),
                                   nature("Fixed body", session()->fixed())));
   what_happens_->setToolTip(what_happens_->text());
-  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s")
+  const QString view = frame_rate_ < 1 ? QStringLiteral("at rest")
+                                       : QStringLiteral("%1 frames/s").arg(frame_rate_, 0, 'f', 0);
+  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3")
                       .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
                       .arg(s.tick_us, 0, 'f', 0)
-                      .arg(frame_rate_, 0, 'f', 0));
+                      .arg(view));
 }
 
 bool MainWindow::save_picture(const QString& file) {

@@ -39,6 +39,13 @@ double reach(const Body& body, const Vec3& direction) {
   return most;
 }
 
+/// On the side of the default camera, but to the right, so that neither body hides the other.
+Vec3 start_direction() {
+  const Vec3 towards = default_view_direction();
+  const Vec3 right = Vec3::UnitZ().cross(towards).normalized();
+  return towards + right;
+}
+
 void scale(PolygonSoup& soup, double factor) {
   for (Vec3& point : soup.points) point *= factor;
 }
@@ -109,7 +116,7 @@ Opened build_pair(MeshPair pair, double unit, const Progress& progress) {
   opened.fixed = build(pair.fixed, pair.fixed_file, part(progress, 0.5, 1));
   opened.name = opened.probe->name + " against " + opened.fixed->name;
   opened.coupling = suited_coupling(opened.probe->mass);
-  opened.start = beside(*opened.probe, *opened.fixed, default_view_direction());
+  opened.start = beside(*opened.probe, *opened.fixed, start_direction());
   return opened;
 }
 

@@ -53,68 +53,82 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
   out.residual = length > 0 ? (y - nearest.y).norm() / length : 0;
 }
 
+/// What the steps so far say about the next.
+struct Descent::Pace {
+  double scale;    ///< m: about how long a step is
+  double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
+  double longest = std::numeric_limits<double>::max();  ///< m
+  Vec6 last = Vec6::Zero();
+  int stalled = 0;  ///< steps in a row that led nowhere
+
+  /// Steps that undo each other straddle a sharp edge: they are halved until they settle on it.
+  Vec6 damped(const Vec6& step) {
+    const double size = step.norm();
+    if (step.dot(last) < -0.25 * size * last.norm())
+      longest = 0.5 * std::min({longest, size, last.norm()});
+    else
+      longest *= 1.5;
+    return size > longest ? Vec6(step * (longest / size)) : step;
+  }
+  void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
+    const double moved = swept.free_until * step.norm();
+    last = step;
+    stalled = moved > worth_while ? 0 : stalled + 1;
+    scale = std::max(moved, 0.1 * scale);
+    const bool cut_short = swept.hit && swept.free_until < 0.5;
+    bending =
+        cut_short ? std::min(4 * bending, 1e6 / radius) : std::max(0.5 * bending, 0.1 / radius);
+  }
+};
+
+Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
+                        double margin, Pace& pace) noexcept {
+  const double radius = chart.mass().radius;
+  Vec6 step = nearest.y - y;
+  const double size2 = step.squaredNorm();
+  // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
+  // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
+  const double room = std::min(0.8 * size2 / y.norm(), std::max(pace.bending * size2, margin));
+  if (room > 0.5 * rows_.smallest_gap()) {
+    const Vec6 lifted = rows_.solve(room, ContactRows::Narrow::open).y - y;
+    if (-y.dot(lifted) > 0.1 * size2) step = lifted;
+  }
+  // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
+  step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
+  step *= turn_limit(chart, y, step);
+  step = pace.damped(step);
+  const double quick = 0.9 * rows_.quick_path(chart, y) - margin;
+  const double path = Motion(chart, y, y + step).farthest(radius);
+  return path > quick && quick > 0 ? Vec6(step * (quick / path)) : step;
+}
+
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
                               double expected_step, const Deadline& deadline) noexcept {
   const double radius = chart.mass().radius;
   Outcome out;
   Vec6 y = start;
-  double scale = expected_step > 0 ? expected_step : 0.05 * radius;
-  int stalled = 0;
-  Vec6 last_step = Vec6::Zero();
-  double longest = std::numeric_limits<double>::max();  // m
-  double bending = 0.5 / radius;  // κ, 1/m: what the steps so far have met with
+  Pace pace{.scale = expected_step > 0 ? expected_step : 0.05 * radius, .bending = 0.5 / radius};
   for (;;) {
     const double length = y.norm();
-    const double allowed = allowed_clearance(radius, length);
-    const double margin = 0.5 * allowed * goal.clearance;
-    const double reach = std::clamp(2 * scale, 16 * margin, std::max(0.03 * radius, 16 * margin));
-    rows_.gather(chart, y, reach, 4 * margin);
-    out.smallest_gap = rows_.smallest_gap();
+    const double margin = 0.5 * allowed_clearance(radius, length) * goal.clearance;
+    const double widest = std::max(0.03 * radius, 16 * margin);
+    rows_.gather(chart, y, std::clamp(2 * pace.scale, 16 * margin, widest), 4 * margin);
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
-    Vec6 step = nearest.y - y;
     report(out, y, nearest);
-    const double size = step.norm();
-    if (size <= std::max(goal.residual * length, 0.2 * margin) || !(size > 0)) {
-      out.converged = true;
-      return out;
-    }
-    if (out.iterations >= goal.steps || deadline.passed() || stalled >= 4) return out;
+    const double size = (nearest.y - y).norm();
+    // Where no row holds it the probe can come all the way back, however little that is.
+    const bool held = nearest.active_count > 0;
+    const bool near_enough = size <= std::max(goal.residual * length, 0.2 * margin);
+    out.converged = (held && near_enough) || !(size > 0);
+    // One step at least, however late: a tick that never moves would never catch up.
+    const bool late = out.iterations > 0 && deadline.passed();
+    if (out.converged || late || out.iterations >= goal.steps || pace.stalled >= 4) return out;
     ++out.iterations;
-
-    // The contacts bend into the straight path by about κ|step|²: room for that is left at them,
-    // less and less as the steps shorten. More than |step|²/|y| would cost more than the step
-    // gains.
-    const double affordable = size * size / length;
-    const double room = std::min(0.8 * affordable, std::max(bending * size * size, margin));
-    if (room > 0.5 * out.smallest_gap) {
-      const Vec6 lifted = rows_.solve(room, ContactRows::Narrow::open).y - y;
-      if (-y.dot(lifted) > 0.1 * size * size) step = lifted;
-    }
-    // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
-    const double fraction = std::min(1.0, -y.dot(step) / step.squaredNorm());
-    step *= std::max(0.0, fraction);
-    step *= turn_limit(chart, y, step);
-    // Steps that undo each other straddle a sharp edge: halve them until they settle on it.
-    if (step.dot(last_step) < -0.25 * step.norm() * last_step.norm())
-      longest = 0.5 * std::min(longest, std::min(step.norm(), last_step.norm()));
-    else
-      longest *= 1.5;
-    if (step.norm() > longest) step *= longest / step.norm();
-    const double quick = 0.9 * rows_.quick_path(chart, y) - margin;
-    const double path = Motion(chart, y, y + step).farthest(radius);
-    if (path > quick && quick > 0) step *= quick / path;
+    const Vec6 step = next_step(chart, y, nearest, margin, pace);
     const Vec6 target = y + step;
-    const Motion motion(chart, y, target);
-    const Sweep swept = rows_.sweep_from(chart, motion, y, 0.5 * margin);
-    const double moved = swept.free_until * step.norm();
-    last_step = step;
+    const Sweep swept = rows_.sweep_from(chart, Motion(chart, y, target), y, 0.5 * margin);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
-    stalled = moved > 1e-3 * std::max(margin, 1e-3 * size) ? 0 : stalled + 1;
-    scale = std::max(moved, 0.1 * scale);
-    if (swept.hit && swept.free_until < 0.5)
-      bending = std::min(4 * bending, 1e6 / radius);
-    else
-      bending = std::max(0.5 * bending, 0.1 / radius);
+    pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
   }
 }
 

@@ -41,7 +41,6 @@ class Descent {
     Vec6 y = Vec6::Zero();
     ContactSet contacts;
     double residual = 0;
-    double smallest_gap = 0;  ///< m, of the near pairs at y; the reach where there were none
     int iterations = 0;
     bool converged = false;
   };
@@ -52,6 +51,10 @@ class Descent {
               const Deadline& deadline) noexcept;
 
  private:
+  struct Pace;
+  /// From y towards the nearest point of the rows, as far as it is worth while to go in one step.
+  Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
+                 Pace& pace) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;

@@ -53,7 +53,7 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   const QFontMetrics metrics(small);
   double largest = 0;
   for (const Sample& sample : samples_) largest = std::max(largest, sample.value * scale_);
-  const double top = largest > 0 ? round_up(largest) : 1;
+  const double top = largest > 1e-9 ? round_up(largest) : 1;
   const double head = metrics.height() + 4.0;
   const double tall = height() - head - 3;
   painter.setPen(QColor(60, 68, 78));

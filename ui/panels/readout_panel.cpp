@@ -91,8 +91,9 @@ void ReadoutPanel::build_depth(QVBoxLayout& layout) {
       value(*form, in_colour(rotation_colour, QStringLiteral("by rotation")), "rotation_value",
             QStringLiteral("How far the turn moves the points, and its share of σ."));
   pdt_ = value(*form, QStringLiteral("PD_t (no turning)"), "pdt_value",
-               QStringLiteral("The depth if the probe may not turn, and its ratio to √σ; grey "
-                              "while it is computed for the newest pose."));
+               QStringLiteral("The depth if the probe may not turn, and its ratio to √σ. It knows "
+                              "nothing of the way the probe came, and may be the shorter way "
+                              "through a thin wall. Grey while computed for the newest pose."));
   bound_ =
       value(*form, QStringLiteral("lower bound"), "bound_value",
             QStringLiteral("No motion shorter than this separates the two; and its ratio to √σ."));

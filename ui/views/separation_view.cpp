@@ -10,8 +10,9 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double least_turn = 1e-3;  // rad; a smaller one is drawn as a translation
-constexpr double far_axis = 3;       // of the probe's radius
+constexpr double least_turn = 1e-3;   // rad; a smaller one is drawn as a translation
+constexpr double least_depth = 1e-7;  // of the probe's radius; a smaller one is a mere touch
+constexpr double far_axis = 3;        // of the probe's radius
 constexpr double degrees = 180 / std::numbers::pi;
 
 QString drawn(double magnification) {
@@ -53,7 +54,8 @@ SeparationView::SeparationView(vtkRenderer& renderer, GlyphShapes& shapes)
 void SeparationView::draw(const Frame& frame) {
   const Separation& separation = frame.snapshot.separation;
   hide();
-  if (separation.status != Status::penetrating || !(separation.depth > 0)) return;
+  if (separation.status != Status::penetrating) return;
+  if (!(separation.depth > least_depth * frame.mass.radius)) return;
   const Vec3 com = separation.device * frame.mass.com;
   const SeparationMotion motion =
       separation_motion(frame.mass, separation.device, separation.separated);

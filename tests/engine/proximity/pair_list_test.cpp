@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/pair_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/proximity/placement.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/pairs.hpp"
+
+namespace sonde {
+namespace {
+
+using Key = std::pair<std::uint32_t, std::uint32_t>;
+
+std::map<Key, double> gaps(std::span<const NearPair> pairs) {
+  std::map<Key, double> out;
+  for (const NearPair& p : pairs) out[{p.triangle_a, p.triangle_b}] = p.gap;
+  return out;
+}
+
+/// A small random motion of X about the probe's centre of mass.
+Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
+  const Vec3 turn = test::random_in_ball(random, by / a.mass.radius);
+  const Quat q = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * X.q).normalized();
+  return {q, X * a.mass.com + test::random_in_ball(random, by) - q * a.mass.com};
+}
+
+double rounding_at(const test::BodyPair& pair, const Pose& X) {
+  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
+}
+
+// Reference: near_pairs, itself tested against all pairs. The list is asked again and again while
+// the probe walks off, so that its memory of bounds and normals is used.
+TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
+  std::mt19937_64 random(1);
+  std::vector<NearPair> from_list(1 << 15), from_trees(1 << 15);
+  for (const auto& pair : test::body_pairs(51)) {
+    PairList list(*pair.a, *pair.b);
+    int compared = 0;
+    std::size_t pairs_seen = 0;
+    for (int i = 0; i < 12; ++i) {
+      Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
+      const double reach = test::uniform(random, 0.05, 0.3) * pair.a->mass.radius;
+      ASSERT_TRUE(list.build(Transform(X), reach)) << pair.name;
+      EXPECT_EQ(list.reach_at(Transform(X)), reach);
+      for (int step = 0; step < 20; ++step) {
+        X = nudged(random, *pair.a, X, 0.03 * reach);
+        const double left = list.reach_at(Transform(X));
+        if (left <= 0) break;
+        const double asked = test::uniform(random, 0, 1) * left;
+        const auto near = list.near(Transform(X), asked, from_list);
+        const auto expected = near_pairs(*pair.a, *pair.b, Transform(X), asked, from_trees);
+        EXPECT_EQ(near.reach, asked);
+        const auto got = gaps({from_list.data(), near.count}),
+                   want = gaps({from_trees.data(), expected.count});
+        EXPECT_EQ(got.size(), near.count);
+        const double rounding = rounding_at(pair, X);
+        for (const auto& [key, gap] : want)
+          if (gap < asked - rounding) {
+            ASSERT_EQ(got.count(key), 1u) << pair.name << gap << " of " << asked;
+            EXPECT_NEAR(got.at(key), gap, rounding);
+          }
+        for (const auto& [key, gap] : got)
+          if (gap < asked - rounding) {
+            EXPECT_EQ(want.count(key), 1u) << pair.name;
+          }
+        ++compared;
+        pairs_seen += near.count;
+      }
+    }
+    EXPECT_GT(compared, 100) << pair.name;
+    EXPECT_GT(pairs_seen, 100u) << pair.name;
+  }
+}
+
+// Reference: distances of all pairs. Whatever is nearer than reach_at is in the list, which `near`
+// with that reach shows.
+TEST(PairList, its_reach_after_a_move_is_a_true_bound) {
+  std::mt19937_64 random(2);
+  std::vector<NearPair> out(1 << 15);
+  for (const auto& pair : test::body_pairs(52)) {
+    PairList list(*pair.a, *pair.b);
+    int used = 0;
+    for (int i = 0; i < 40; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 1.2);
+      const double reach = 0.3 * pair.a->mass.radius;
+      ASSERT_TRUE(list.build(Transform(start), reach));
+      const Transform X(nudged(random, *pair.a, start, test::uniform(random, 0, 0.7) * reach));
+      const double left = list.reach_at(X);
+      EXPECT_LE(left, reach);
+      if (left <= 0) continue;
+      ++used;
+      const auto got = gaps({out.data(), list.near(X, left, out).count});
+      const auto ta = test::placed_triangles(*pair.a, X), tb = test::placed_triangles(*pair.b, {});
+      for (std::uint32_t a = 0; a < ta.size(); ++a)
+        for (std::uint32_t b = 0; b < tb.size(); ++b) {
+          const double distance = closest_points(ta[a], tb[b]).distance;
+          const double rounding = rounding_at(pair, start);
+          if (distance > rounding && distance < left - rounding) {
+            EXPECT_EQ(got.count({a, b}), 1u) << pair.name << distance << " " << left;
+          }
+        }
+    }
+    EXPECT_GT(used, 15) << pair.name;
+  }
+}
+
+// Both sweeps are conservative, and they advance the same pairs by the same rule: they end at the
+// same place but for what boxes leave over, which is less than the clearance. Freedom itself is
+// tested with exact predicates on all pairs.
+TEST(PairList, sweep_along_agrees_with_sweep) {
+  std::mt19937_64 random(3);
+  for (const auto& pair : test::body_pairs(53)) {
+    PairList list(*pair.a, *pair.b);
+    int hits = 0, compared = 0;
+    for (int i = 0; i < 120; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 0.9);
+      const double reach = 0.4 * pair.a->mass.radius;
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(start))) continue;
+      ASSERT_TRUE(list.build(Transform(start), reach));
+      const Chart chart(pair.a->mass, start);
+      for (int again = 0; again < 6; ++again) {
+        const Vec6 to = chart.coordinates(nudged(random, *pair.a, start, 0.4 * reach));
+        const Motion motion(chart, Vec6::Zero(), to);
+        const double clearance = 1e-4 * reach;
+        const double path = motion.linear_distance() + motion.turn_bound() * pair.a->mass.radius;
+        if (path + clearance > list.reach_at(Transform(start))) continue;
+        const Sweep expected = sweep(*pair.a, *pair.b, motion, clearance);
+        const Sweep got = list.sweep_along(motion, clearance);
+        const double allowed = (2 * clearance + 100 * rounding_at(pair, start)) / path;
+        EXPECT_EQ(got.hit, expected.hit) << pair.name;
+        // Where the probe slides along, a little more room is a longer way.
+        EXPECT_NEAR(got.free_until, expected.free_until, 30 * allowed) << pair.name;
+        for (const double s : {got.free_until, 0.99 * got.free_until, 0.5 * got.free_until})
+          EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(s))) << pair.name;
+        hits += got.hit;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 50) << pair.name;
+    EXPECT_GT(hits, 5) << pair.name;
+  }
+}
+
+TEST(PairList, says_so_when_there_are_too_many_and_before_it_is_built) {
+  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 100, 8));
+  PairList list(*knot, *knot);
+  EXPECT_LT(list.reach_at(Transform()), 0);
+  EXPECT_FALSE(list.build(Transform(), 1));
+  EXPECT_LT(list.reach_at(Transform()), 0);
+  Transform away;
+  away.p = Vec3(1, 0, 0);
+  EXPECT_TRUE(list.build(away, 0.1));
+  EXPECT_EQ(list.reach_at(away), 0.1);
+}
+
+TEST(PairList, does_not_allocate) {
+  std::mt19937_64 random(4);
+  const auto pairs = test::body_pairs(54);
+  std::vector<NearPair> out(50);
+  for (const auto& pair : pairs) {
+    PairList list(*pair.a, *pair.b);
+    const Pose X = test::random_pose(random, *pair.a, *pair.b, 1.2);
+    const Chart chart(pair.a->mass, X);
+    Vec6 to = Vec6::Zero();
+    to[4] = 0.1 * pair.a->mass.radius;
+    test::AllocationCounter counter;
+    list.build(Transform(X), 0.3 * pair.a->mass.radius);
+    list.near(Transform(X), 0.2 * pair.a->mass.radius, out);
+    list.sweep_along(Motion(chart, Vec6::Zero(), to), 1e-4 * pair.a->mass.radius);
+    counter.stop();
+    EXPECT_EQ(counter.allocations(), 0u) << pair.name;
+  }
+}
+
+}  // namespace
+}  // namespace sonde
