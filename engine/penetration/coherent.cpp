@@ -97,7 +97,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
   const double moved = Chart(s.probe->mass, s.device).coordinates(device).norm();
-  const Descent::Outcome found = s.descent.run(chart, y, goal, moved, deadline);
+  const Descent::Outcome found =
+      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), deadline);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
   // The depth that the last tick found was the best near by; it can only have fallen further than

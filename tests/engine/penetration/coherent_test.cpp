@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/coherent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/engine/penetration/separation_checks.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/pairs.hpp"
+#include "tests/support/real_meshes.hpp"
+
+namespace sonde {
+namespace {
+
+std::shared_ptr<const Body> real(const char* name) {
+  return load_body(test::real_mesh(name).string(), Model::automatic, 1);
+}
+
+std::vector<test::BodyPair> pairs() {
+  std::mt19937_64 random(1);
+  const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.2)); };
+  const auto ring = test::body(test::torus(0.08, 0.03, 12, 8));
+  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.015, 30, 5));
+  return {{"knot, torus", knot, ring},
+          {"soup, torus", soup(20), ring},
+          {"soup, soup", soup(20), soup(20)},
+          {"box, knot", test::body(test::box({0.03, 0.04, 0.08})), knot},
+          {"cross, star", real("cross.off"), real("star.off")},
+          {"tripod, eight", real("tripod.off"), real("double-torus-example.off")}};
+}
+
+Pose moved(const Pose& X, const Vec3& by, const Vec3& turn) {
+  const double angle = turn.norm();
+  const Quat q(Eigen::AngleAxisd(angle, angle > 0 ? Vec3(turn / angle) : Vec3::UnitX()));
+  return {(q * X.q).normalized(), X.p + by};
+}
+
+/// A walk drawn to the fixed body's middle, from outside; strides are shares of the probe's radius.
+std::vector<Pose> walk(std::mt19937_64& random, const test::BodyPair& pair, int ticks,
+                       double stride) {
+  const double radius = pair.a->mass.radius, away = 1.02 * (radius + pair.b->mass.radius);
+  const Quat q = test::random_rotation(random);
+  const Vec3 out = away * test::random_in_ball(random, 1).normalized();
+  std::vector<Pose> path = {{q, pair.b->mass.com + out - q * pair.a->mass.com}};
+  const Vec3 target = pair.b->mass.com + test::random_in_ball(random, 0.3 * pair.b->mass.radius);
+  for (int i = 1; i < ticks; ++i) {
+    const Pose& last = path.back();
+    const Vec3 to_target = target - last * pair.a->mass.com;
+    const double way = std::min(1.0, stride * radius / std::max(to_target.norm(), 1e-300));
+    const Vec3 step =
+        0.7 * way * to_target + test::random_in_ball(random, 0.7 * stride * radius);
+    path.push_back(moved(last, step, test::random_in_ball(random, 0.7 * stride)));
+  }
+  return path;
+}
+
+struct Rules {
+  int contacts = 0, converged = 0, ticks = 0;
+};
+
+/// The rules of every tick, whatever the budget. Reference for σ: second moments by integration;
+/// for freedom: exact predicates on all pairs of triangles.
+void follow(const test::BodyPair& pair, const std::vector<Pose>& path, const Budget& budget,
+            int check_every, Rules& rules) {
+  CoherentSolver solver(pair.a, pair.b);
+  ASSERT_EQ(solver.reset(path[0]).status, Status::separated) << pair.name;
+  const test::Moments m = test::moments(*pair.a);
+  const auto metric = [&](const Pose& x, const Pose& y) {
+    return std::sqrt(std::max(0.0, test::mean_squared_displacement(m, x, y)));
+  };
+  const double radius = pair.a->mass.radius;
+  const double rounding = 1e-12 * (radius + pair.a->mass.com.norm() + path[0].p.norm());
+  Separation before = solver.last();
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Separation now = solver.tick(path[i], budget);
+    const std::string what = pair.name + " tick " + std::to_string(i);
+    ASSERT_NE(now.status, Status::failed) << what << now.reason;
+    const double to_new = metric(path[i], now.separated);
+    EXPECT_NEAR(to_new, now.depth, 1e-9 * now.depth + 10 * rounding) << what;
+    EXPECT_LE(to_new, metric(path[i], before.separated) * (1 + 1e-12) + rounding) << what;
+    EXPECT_LE(now.depth, before.depth + metric(path[i - 1], path[i]) * (1 + 1e-9) + rounding)
+        << what;
+    if (budget.steps > 0) {
+      EXPECT_LE(now.iterations, budget.steps) << what;
+    }
+    if (i % static_cast<std::size_t>(check_every) == 0) {
+      // A surface may not be met; being swept there it has not gone inside a solid either.
+      EXPECT_TRUE(test::is_free(*pair.a, *pair.b, Transform(now.separated))) << what;
+    }
+    ++rules.ticks;
+    if (now.status == Status::penetrating) {
+      ++rules.contacts;
+      rules.converged += now.converged;
+      if (now.converged) {
+        EXPECT_LE(now.residual * now.depth,
+                  std::max(1e-4 * now.depth, 0.1 * test::promised_clearance(radius, now.depth)) *
+                      (1 + 1e-9))
+            << what;
+        if (i % static_cast<std::size_t>(check_every) == 0)
+          test::check_contacts(*pair.a, *pair.b, now, what);
+      }
+    } else {
+      EXPECT_EQ(now.separated.p, path[i].p) << what;
+      EXPECT_EQ(now.depth, 0) << what;
+    }
+    before = now;
+  }
+}
+
+TEST(Coherent, rules_of_every_tick) {
+  std::mt19937_64 random(2);
+  for (const auto& pair : pairs())
+    for (const double stride : {0.005, 0.1}) {
+      Rules rules;
+      follow(pair, walk(random, pair, stride < 0.01 ? 600 : 120, stride), {}, 12, rules);
+      EXPECT_GT(rules.contacts, rules.ticks / 10) << pair.name << stride;
+      EXPECT_GE(rules.converged, rules.contacts * 9 / 10) << pair.name << stride;
+    }
+}
+
+TEST(Coherent, rules_hold_when_the_budget_runs_out) {
+  std::mt19937_64 random(3);
+  for (const auto& pair : pairs()) {
+    Rules rules;
+    Budget budget;
+    budget.steps = 1;
+    follow(pair, walk(random, pair, 120, 0.1), budget, 12, rules);
+    EXPECT_GT(rules.contacts, 10) << pair.name;
+    EXPECT_LT(rules.converged, rules.contacts) << pair.name;  // or the budget was no limit
+  }
+}
+
+TEST(Coherent, Full_rules_of_every_tick) {
+  for (int seed = 100; seed < 140; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    for (const auto& pair : pairs())
+      for (const double stride : {0.001, 0.01, 0.1, 0.5}) {
+        Rules rules;
+        follow(pair, walk(random, pair, 400, stride), {}, 10, rules);
+      }
+  }
+}
+
+// Walls a hundredth as thick as the probe, and with no thickness at all, wide enough that there is
+// no way round; 5 m/s at 1 kHz is 5 mm a tick. By hand: the probe's centre stays above the wall.
+void press_through(const Body& probe_body, std::shared_ptr<const Body> probe,
+                   const std::shared_ptr<const Body>& wall, double speed, bool turning) {
+  CoherentSolver solver(std::move(probe), wall);
+  Pose device{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 1, 0).normalized())), Vec3(0.01, 0.02, 0.12)};
+  ASSERT_EQ(solver.reset(device).status, Status::separated);
+  for (int tick = 0; tick * speed < 400; ++tick) {
+    device = moved(device, {0, 0, -1e-3 * speed},
+                   turning ? Vec3(0.02, -0.03, 0.05) : Vec3::Zero().eval());
+    const Separation& s = solver.tick(device);
+    ASSERT_NE(s.status, Status::failed) << s.reason;
+    EXPECT_GT((s.separated * probe_body.mass.com).z(), 0.0) << "tick " << tick;
+  }
+  EXPECT_EQ(solver.last().status, Status::penetrating);
+  EXPECT_GT(solver.last().depth, 0.25);
+}
+
+TEST(Coherent, nothing_pops_through_a_thin_wall) {
+  std::mt19937_64 random(4);
+  const auto plate = test::body(test::box({4, 4, 0.001}));
+  const auto sheet = test::body({{{-4, -4, 0}, {4, -4, 0}, {0, 6, 0}}, {{0, 1, 2}}});
+  const std::vector<std::shared_ptr<const Body>> probes = {
+      test::body(test::box({0.1, 0.1, 0.1})), test::body(test::torus(0.035, 0.015, 12, 8)),
+      test::body(test::random_soup(random, 15, 0.07))};
+  for (const auto& wall : {plate, sheet})
+    for (const auto& probe : probes)
+      for (const double speed : {0.5, 5.0, 80.0})
+        for (const bool turning : {false, true}) press_through(*probe, probe, wall, speed, turning);
+}
+
+// Translation only: the separated probe is turned as the device is, unless it could not follow.
+TEST(Coherent, translation_only_turns_with_the_device) {
+  std::mt19937_64 random(5);
+  for (const auto& pair : pairs()) {
+    CoherentSolver solver(pair.a, pair.b, Method::pdt);
+    const auto path = walk(random, pair, 200, 0.02);
+    ASSERT_EQ(solver.reset(path[0]).status, Status::separated);
+    int followed = 0, contacts = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Separation& s = solver.tick(path[i]);
+      ASSERT_NE(s.status, Status::failed);
+      if (i % 12 == 0) {
+        EXPECT_TRUE(test::is_free(*pair.a, *pair.b, Transform(s.separated))) << pair.name << i;
+      }
+      const double turn = s.separated.q.angularDistance(path[i].q);
+      if (s.converged) {
+        EXPECT_LT(turn, 1e-7) << pair.name << i;
+      }
+      contacts += s.status == Status::penetrating;
+      followed += s.status == Status::penetrating && turn < 1e-7;
+    }
+    EXPECT_GT(contacts, 20) << pair.name;
+    EXPECT_GE(followed, contacts * 9 / 10) << pair.name;
+  }
+}
+
+bool same_bits(const Separation& x, const Separation& y) {
+  return x.status == y.status && x.separated.p == y.separated.p &&
+         x.separated.q.coeffs() == y.separated.q.coeffs() && x.depth == y.depth &&
+         x.residual == y.residual && x.iterations == y.iterations && x.jumped == y.jumped &&
+         x.contacts.size == y.contacts.size;
+}
+
+TEST(Coherent, the_same_path_gives_the_same_bits) {
+  std::mt19937_64 random(6);
+  for (const auto& pair : pairs()) {
+    const auto path = walk(random, pair, 150, 0.03);
+    CoherentSolver one(pair.a, pair.b), two(pair.a, pair.b);
+    one.reset(path[0]), two.reset(path[0]);
+    // One of them has a past: a reset forgets it.
+    for (std::size_t i = 1; i < 80; ++i) two.tick(path[i]);
+    two.reset(path[0]);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Separation a = one.tick(path[i]), b = two.tick(path[i]);
+      ASSERT_TRUE(same_bits(a, b)) << pair.name << " tick " << i;
+    }
+  }
+}
+
+TEST(Coherent, refuses_what_it_cannot_compute_with_and_goes_on_after_it) {
+  std::mt19937_64 random(7);
+  const auto pair = pairs().front();
+  const auto path = walk(random, pair, 150, 0.03);
+  CoherentSolver plain(pair.a, pair.b), pestered(pair.a, pair.b);
+  EXPECT_EQ(pestered.tick(path[0]).status, Status::failed) << "not started";
+  plain.reset(path[0]), pestered.reset(path[0]);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Separation expected = plain.tick(path[i]);
+    if (i % 7 == 0) {
+      const Pose at = pestered.last().separated;
+      std::vector<Pose> bad(5, path[i]);
+      bad[0].p.y() = nan;
+      bad[1].q.x() = nan;
+      bad[2].p.z() = std::numeric_limits<double>::infinity();
+      bad[3].q.coeffs().setZero();
+      bad[4].p.x() = 1e300;
+      for (const Pose& X : bad) {
+        const Separation& refused = pestered.tick(X);
+        EXPECT_EQ(refused.status, Status::failed);
+        EXPECT_STRNE(refused.reason, "");
+        EXPECT_EQ(refused.separated.p, at.p);
+        EXPECT_EQ(refused.contacts.size, 0);
+      }
+    }
+    const Separation got = pestered.tick(path[i]);
+    EXPECT_EQ(got.separated.p, expected.separated.p) << i;
+    EXPECT_EQ(got.depth, expected.depth) << i;
+  }
+}
+
+TEST(Coherent, a_reset_in_overlap_searches_and_says_so) {
+  const auto pair = pairs().front();
+  CoherentSolver solver(pair.a, pair.b);
+  const Pose X{Quat::Identity(), Vec3(0.02, 0.01, 0)};
+  const Separation s = solver.reset(X);
+  test::check_separation(*pair.a, *pair.b, s, "reset");
+  EXPECT_TRUE(s.jumped);
+  const Separation next = solver.tick(X);
+  EXPECT_LE(next.depth, s.depth * (1 + 1e-12));
+  EXPECT_FALSE(next.jumped);
+  EXPECT_GE(next.depth, s.depth * (1 - 1e-3));  // it was converged
+}
+
+TEST(Coherent, a_tick_does_not_allocate) {
+  std::mt19937_64 random(8);
+  for (const auto& pair : pairs())
+    for (const Method method : {Method::pdg, Method::pdt}) {
+      const auto path = walk(random, pair, 60, 0.1);
+      CoherentSolver solver(pair.a, pair.b, method);
+      solver.reset(path[0]);
+      test::AllocationCounter counter;
+      for (const Pose& X : path) solver.tick(X);
+      counter.stop();
+      EXPECT_EQ(counter.allocations(), 0u) << pair.name;
+      EXPECT_EQ(counter.frees(), 0u) << pair.name;
+      EXPECT_EQ(solver.last().status, Status::penetrating) << pair.name;
+    }
+}
+
+}  // namespace
+}  // namespace sonde
