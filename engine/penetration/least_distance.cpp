@@ -25,11 +25,12 @@ class ActiveSet {
     multipliers_[static_cast<std::size_t>(size_++)] = multiplier;
   }
   void drop(int i) {
-    for (int j = i; j + 1 < size_; ++j) {
-      normals_.col(j) = normals_.col(j + 1).eval();
-      rows_[static_cast<std::size_t>(j)] = rows_[static_cast<std::size_t>(j + 1)];
-      multipliers_[static_cast<std::size_t>(j)] = multipliers_[static_cast<std::size_t>(j + 1)];
+    const auto from = static_cast<std::size_t>(i);
+    for (std::size_t j = from; j + 1 < static_cast<std::size_t>(size_); ++j) {
+      rows_[j] = rows_[j + 1];
+      multipliers_[j] = multipliers_[j + 1];
     }
+    for (int j = i; j + 1 < size_; ++j) normals_.col(j) = normals_.col(j + 1).eval();
     --size_;
   }
   /// n in terms of the active normals, in the least-squares sense.

@@ -67,7 +67,11 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
     if (item.bound - moved > reach) continue;
     const Corners ta = place(X, corners(a_.soup, item.a));
     const Corners tb = corners(b_.soup, item.b);
-    if (gap_along(item.normal, ta, tb) > reach) continue;
+    const double known = gap_along(item.normal, ta, tb);
+    if (known > reach) {
+      item.bound = std::max(item.bound, known * (1 - 1e-12) - moved);
+      continue;
+    }
     const ClosestPoints c = closest_points(ta, tb, reach);
     if (c.distance > reach) {
       item.bound = std::max(item.bound, reach - moved);

@@ -39,10 +39,10 @@ Pose moved(const Pose& X, const Vec3& by, const Vec3& turn) {
   return {(q * X.q).normalized(), X.p + by};
 }
 
-/// A walk drawn to the fixed body's middle, from outside; strides are shares of the probe's radius.
+/// A walk drawn to the fixed body's middle, from outside; strides are shares of the bodies' size.
 std::vector<Pose> walk(std::mt19937_64& random, const test::BodyPair& pair, int ticks,
                        double stride) {
-  const double radius = pair.a->mass.radius, away = 1.02 * (radius + pair.b->mass.radius);
+  const double size = 0.5 * (pair.a->mass.radius + pair.b->mass.radius), away = 2.04 * size;
   const Quat q = test::random_rotation(random);
   const Vec3 out = away * test::random_in_ball(random, 1).normalized();
   std::vector<Pose> path = {{q, pair.b->mass.com + out - q * pair.a->mass.com}};
@@ -50,9 +50,9 @@ std::vector<Pose> walk(std::mt19937_64& random, const test::BodyPair& pair, int 
   for (int i = 1; i < ticks; ++i) {
     const Pose& last = path.back();
     const Vec3 to_target = target - last * pair.a->mass.com;
-    const double way = std::min(1.0, stride * radius / std::max(to_target.norm(), 1e-300));
+    const double way = std::min(1.0, stride * size / std::max(to_target.norm(), 1e-300));
     const Vec3 step =
-        0.7 * way * to_target + test::random_in_ball(random, 0.7 * stride * radius);
+        0.7 * way * to_target + test::random_in_ball(random, 0.7 * stride * size);
     path.push_back(moved(last, step, test::random_in_ball(random, 0.7 * stride)));
   }
   return path;
@@ -92,6 +92,7 @@ void follow(const test::BodyPair& pair, const std::vector<Pose>& path, const Bud
       EXPECT_TRUE(test::is_free(*pair.a, *pair.b, Transform(now.separated))) << what;
     }
     ++rules.ticks;
+    if (getenv("DBG") && now.status==Status::penetrating && !now.converged) printf("NC %s tick %zu depth %g R %g residual %g iter %d contacts %d\n",pair.name.c_str(),i,now.depth,radius,now.residual,now.iterations,now.contacts.size);
     if (now.status == Status::penetrating) {
       ++rules.contacts;
       rules.converged += now.converged;
