@@ -85,6 +85,62 @@ class Search {
   int visited_ = 0;
 };
 
+/// The i-th number of the van der Corput sequence to a base, in [0, 1).
+double van_der_corput(int i, int base) {
+  double x = 0;
+  for (double digit = 1.0 / base; i > 0; i /= base, digit /= base) x += digit * (i % base);
+  return x;
+}
+
+/// Points inside both of two solids, which need not be corners of either: a coarse cover of where
+/// they may overlap, then a compass search from the best.
+class InteriorSearch {
+ public:
+  InteriorSearch(const Body& probe, const Body& fixed, const Pose& X_FM, const Transform& principal)
+      : probe_(probe), fixed_(fixed), back_(inverse(X_FM)), principal_(principal) {
+    const Tree::Node& root = fixed.tree.nodes.front();
+    const Vec3 com = X_FM * probe.mass.com, reach = Vec3::Constant(probe.mass.radius);
+    low_ = (center(root) - half_size(root)).cwiseMax(com - reach);
+    high_ = (center(root) + half_size(root)).cwiseMin(com + reach);
+    guard_ = rounding_guard(extent(probe), extent(fixed), X_FM.p);
+  }
+
+  double run() {
+    const Vec3 size = high_ - low_;
+    if (!(size.minCoeff() > 0)) return 0;
+    Vec3 at = low_;
+    double best = 0;
+    for (int i = 1; i <= samples; ++i) {
+      const Vec3 u(van_der_corput(i, 2), van_der_corput(i, 3), van_der_corput(i, 5));
+      try_point(low_ + u.cwiseProduct(size), best, at);
+    }
+    if (best <= 0) return 0;
+    for (double stride = 0.1; stride > 1e-3; stride *= 0.5)
+      for (int i = 0; i < 3; ++i)
+        for (const double sign : {1.0, -1.0})
+          try_point(at + sign * stride * size[i] * Vec3::Unit(i), best, at);
+    return best;
+  }
+
+ private:
+  void try_point(const Vec3& x, double& best, Vec3& at) const {
+    const Vec3 in_probe = back_ * x;
+    if (!inside(fixed_, x) || !inside(probe_, in_probe)) return;
+    const double depth =
+        std::max(point_distance(fixed_, x), point_distance(probe_, in_probe)) - guard_;
+    const double bound =
+        depth / std::sqrt(1 + leverage(probe_.mass.inertia, principal_ * in_probe));
+    if (bound > best) best = bound, at = x;
+  }
+
+  static constexpr int samples = 200;
+  const Body& probe_;
+  const Body& fixed_;
+  Transform back_, principal_;
+  Vec3 low_, high_;
+  double guard_;
+};
+
 }  // namespace
 
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM) {
@@ -98,6 +154,8 @@ std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, co
     const Transform from_fixed(principal.R * back.R, principal.R * back.p + principal.p);
     best = Search(fixed, probe, back, probe.mass, from_fixed, best).run();
   }
+  if (probe.solid && fixed.solid)
+    best = std::max(best, InteriorSearch(probe, fixed, X_FM, principal).run());
   return best * (1 - 1e-9);
 }
 
