@@ -102,6 +102,14 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   return path > quick && quick > 0 ? Vec6(step * (quick / path)) : step;
 }
 
+void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
+  const Vec6 y = out.y;
+  const Sweep swept = rows_.sweep_from(chart, Motion(chart, y, Vec6::Zero()), y, 0.5 * margin);
+  const Vec6 near = swept.hit ? Vec6((1 - swept.free_until) * y) : Vec6::Zero();
+  rows_.gather(chart, near, 16 * margin, 4 * margin);
+  report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
+}
+
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
                               double expected_step, const Deadline& deadline) noexcept {
   const double radius = chart.mass().radius;
@@ -122,7 +130,11 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     out.converged = (held && near_enough) || !(size > 0);
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();
-    if (out.converged || late || out.iterations >= goal.steps || pace.stalled >= 4) return out;
+    if (out.converged) return out;
+    if (late || out.iterations >= goal.steps || pace.stalled >= 4) {
+      if (rows_.smallest_gap() > allowed_clearance(radius, length)) close_up(chart, margin, out);
+      return out;
+    }
     ++out.iterations;
     const Vec6 step = next_step(chart, y, nearest, margin, pace);
     const Vec6 target = y + step;

@@ -55,6 +55,9 @@ class Descent {
   /// From y towards the nearest point of the rows, as far as it is worth while to go in one step.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  Pace& pace) noexcept;
+  /// Stopped on the way, away from any contact: straight on towards the device pose to the first
+  /// one, so that what is returned touches.
+  void close_up(const Chart& chart, double margin, Outcome& out) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;

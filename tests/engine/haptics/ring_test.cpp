@@ -86,7 +86,7 @@ TEST(Ring, two_threads_lose_nothing_uncounted) {
   writer.join();
   EXPECT_EQ(torn, 0u);
   EXPECT_EQ(backwards, 0u);
-  EXPECT_GT(got, 64u);
+  EXPECT_GE(got, 64u);  // what the ring still held when the writer was done, at least
   EXPECT_EQ(got + ring.lost(), writes);
 }
 
