@@ -94,9 +94,9 @@ void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
 }
 
 double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept {
-  const double reach = list_.reach_at(Transform(chart.pose(y)));
-  const bool crowded = list_limit_ < probe_.mass.radius;
-  return crowded && reach > 0 ? reach : std::numeric_limits<double>::infinity();
+  const double far = probe_.mass.radius;
+  if (crowded_ >= far && list_limit_ >= far) return std::numeric_limits<double>::infinity();
+  return std::max(2 * reach_, list_.reach_at(Transform(chart.pose(y))));
 }
 
 Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,

@@ -97,9 +97,9 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step *= turn_limit(chart, y, step);
   step = pace.damped(step);
-  const double quick = 0.9 * rows_.quick_path(chart, y) - margin;
+  const double quick = std::max(0.9 * rows_.quick_path(chart, y) - margin, 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
-  return path > quick && quick > 0 ? Vec6(step * (quick / path)) : step;
+  return path > quick ? Vec6(step * (quick / path)) : step;
 }
 
 void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
@@ -116,6 +116,8 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   Outcome out;
   Vec6 y = start;
   Pace pace{.scale = expected_step > 0 ? expected_step : 0.05 * radius, .bending = 0.5 / radius};
+  // A long path is dear to sweep where surfaces slide along each other: it is worked up to.
+  if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
   for (;;) {
     const double length = y.norm();
     const double margin = 0.5 * allowed_clearance(radius, length) * goal.clearance;

@@ -57,8 +57,8 @@ bool a_vertex_is_inside(const Body& body, const Body& solid, const Transform& X)
 std::vector<Corners> placed_triangles(const Body& body, const Transform& X) {
   std::vector<Corners> out;
   for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i)
-    out.push_back({X * any_vertex(body, i, 0), X * any_vertex(body, i, 1),
-                   X * any_vertex(body, i, 2)});
+    out.push_back(
+        {X * any_vertex(body, i, 0), X * any_vertex(body, i, 1), X * any_vertex(body, i, 2)});
   return out;
 }
 
@@ -76,8 +76,8 @@ double solid_angle_winding(const Body& body, const Vec3& x) {
     const Vec3 a = any_vertex(body, i, 0) - x, b = any_vertex(body, i, 1) - x,
                c = any_vertex(body, i, 2) - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.cross(b).dot(c),
-                      la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
+    sum +=
+        std::atan2(a.cross(b).dot(c), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
   }
   return sum / (2 * std::numbers::pi);
 }

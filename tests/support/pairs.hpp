@@ -31,8 +31,8 @@ inline std::vector<BodyPair> body_pairs(std::uint64_t seed) {
   out.push_back({"soup, soup", body(soup(40, 0.3)), body(soup(60, 0.3))});
   out.push_back({"soup, torus", body(soup(30, 0.2)), body(ring)});
   out.push_back({"torus, torus", body(ring), body(ring)});
-  out.push_back({"box, knot", body(box({0.05, 0.08, 0.1})),
-                 body(torus_knot(2, 3, 0.1, 0.04, 0.03, 20, 5))});
+  out.push_back(
+      {"box, knot", body(box({0.05, 0.08, 0.1})), body(torus_knot(2, 3, 0.1, 0.04, 0.03, 20, 5))});
   out.push_back({"tiny", body(scaled_and_moved(soup(30, 0.2), 1e-6, Vec3::Zero())),
                  body(scaled_and_moved(ring, 1e-6, Vec3::Zero()))});
   out.push_back({"huge", body(scaled_and_moved(soup(30, 0.2), 1e6, Vec3::Zero())),

@@ -51,8 +51,7 @@ std::vector<Pose> walk(std::mt19937_64& random, const test::BodyPair& pair, int 
     const Pose& last = path.back();
     const Vec3 to_target = target - last * pair.a->mass.com;
     const double way = std::min(1.0, stride * size / std::max(to_target.norm(), 1e-300));
-    const Vec3 step =
-        0.7 * way * to_target + test::random_in_ball(random, 0.7 * stride * size);
+    const Vec3 step = 0.7 * way * to_target + test::random_in_ball(random, 0.7 * stride * size);
     path.push_back(moved(last, step, test::random_in_ball(random, 0.7 * stride)));
   }
   return path;

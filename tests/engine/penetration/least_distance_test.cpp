@@ -89,10 +89,17 @@ Rows random_rows(std::mt19937_64& random, int count, int dimensions, bool degene
     if (degenerate && !rows.empty() && random() % 2) {
       row = rows[random() % rows.size()];
       switch (random() % 4) {
-        case 0: row.bound += test::uniform(random, -0.2, 0.2); break;
-        case 1: row.normal *= 3, row.bound *= 3; break;
-        case 2: row.normal += 1e-9 * random_direction(random, dimensions); break;
-        default: break;
+        case 0:
+          row.bound += test::uniform(random, -0.2, 0.2);
+          break;
+        case 1:
+          row.normal *= 3, row.bound *= 3;
+          break;
+        case 2:
+          row.normal += 1e-9 * random_direction(random, dimensions);
+          break;
+        default:
+          break;
       }
     }
     rows.push_back(row);

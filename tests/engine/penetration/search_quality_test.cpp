@@ -26,15 +26,14 @@ std::vector<test::BodyPair> pairs(bool big) {
   const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.1)); };
   const auto ring = test::body(test::torus(0.07, 0.02, 32, 16));
   const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.024, 0.016, 80, 10));
-  std::vector<test::BodyPair> out = {
-      {"ring, ring", ring, ring},
-      {"knot, knot", knot, knot},
-      {"box, knot", test::body(test::box({0.04, 0.06, 0.16})), knot},
-      {"soup, ring", soup(500), ring},
-      {"soup, soup", soup(500), soup(500)},
-      {"joint, eight", real("joint.off"), real("eight.off")},
-      {"part, nefertiti", real("part.off"), real("nefertiti.off")},
-      {"eight, eight", real("eight.off"), real("eight.off")}};
+  std::vector<test::BodyPair> out = {{"ring, ring", ring, ring},
+                                     {"knot, knot", knot, knot},
+                                     {"box, knot", test::body(test::box({0.04, 0.06, 0.16})), knot},
+                                     {"soup, ring", soup(500), ring},
+                                     {"soup, soup", soup(500), soup(500)},
+                                     {"joint, eight", real("joint.off"), real("eight.off")},
+                                     {"part, nefertiti", real("part.off"), real("nefertiti.off")},
+                                     {"eight, eight", real("eight.off"), real("eight.off")}};
   if (big) {
     out.push_back({"elephant, elephant", real("elephant.off"), real("elephant.off")});
     out.push_back({"joint, knot1", real("joint.off"), real("knot1.off")});
@@ -60,8 +59,10 @@ struct Shares {
   }
   void print(const char* name) {
     std::sort(times.begin(), times.end());
-    std::printf("  %-20s %3d poses, within 1 %%: %3d, within 5 %%: %3d, worst +%.0f %%, median %.0f ms CPU\n",
-                name, poses, within_1, within_5, 100 * worst, times[times.size() / 2]);
+    std::printf(
+        "  %-20s %3d poses, within 1 %%: %3d, within 5 %%: %3d, worst +%.0f %%, median %.0f ms "
+        "CPU\n",
+        name, poses, within_1, within_5, 100 * worst, times[times.size() / 2]);
     std::fflush(stdout);
   }
 };

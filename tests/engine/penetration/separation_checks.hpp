@@ -49,7 +49,8 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
 }
 
 /// Reference: exact predicates on all pairs of triangles, winding numbers of all vertices, and
-/// second moments by integration. A search cut short by a budget need not have come near to contact.
+/// second moments by integration. A search cut short by a budget need not have come near to
+/// contact.
 enum class Ended { by_itself, by_budget };
 inline void check_separation(const Body& probe, const Body& fixed, const Separation& s,
                              const std::string& what, Ended ended = Ended::by_itself) {

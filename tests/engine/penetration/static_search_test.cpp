@@ -25,7 +25,8 @@ std::vector<test::BodyPair> pairs() {
   const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.2)); };
   const auto ring = test::body(test::torus(0.08, 0.03, 12, 8));
   const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.015, 30, 5));
-  return {{"box, box", test::body(test::box({0.06, 0.1, 0.15})), test::body(test::box({0.2, 0.1, 0.1}))},
+  return {{"box, box", test::body(test::box({0.06, 0.1, 0.15})),
+           test::body(test::box({0.2, 0.1, 0.1}))},
           {"soup, torus", soup(20), ring},
           {"torus, soup", ring, soup(25)},
           {"soup, soup", soup(20), soup(20)},
@@ -60,8 +61,7 @@ TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(2);
   for (const auto& pair : pairs())
     for (int i = 0; i < 4; ++i) {
-      const Separation s =
-          separate_static(*pair.a, *pair.b, overlapping_pose(random, pair));
+      const Separation s = separate_static(*pair.a, *pair.b, overlapping_pose(random, pair));
       test::check_separation(*pair.a, *pair.b, s, pair.name + " " + std::to_string(i));
       EXPECT_EQ(s.lower_bound.has_value(), pair.a->solid || pair.b->solid);
       ASSERT_TRUE(s.pdt.has_value());
@@ -110,8 +110,8 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
   std::mt19937_64 random(5);
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    EXPECT_TRUE(same_bits(separate_static(*pair.a, *pair.b, X),
-                          separate_static(*pair.a, *pair.b, X)))
+    EXPECT_TRUE(
+        same_bits(separate_static(*pair.a, *pair.b, X), separate_static(*pair.a, *pair.b, X)))
         << pair.name;
     for (const int steps : {1, 20, 100}) {
       StaticOptions options;
@@ -215,9 +215,9 @@ TEST(StaticSearch, touching_is_penetrating_with_depth_zero_or_so) {
 TEST(StaticSearch, inside_a_solid) {
   std::mt19937_64 random(7);
   const auto room = test::body(test::box({1, 1, 1}));
-  for (const auto& probe : {test::body(test::sphere(0.1, 8, 12)),
-                            test::body(test::random_soup(random, 12, 0.1)),
-                            test::body(test::torus(0.08, 0.03, 12, 8))}) {
+  for (const auto& probe :
+       {test::body(test::sphere(0.1, 8, 12)), test::body(test::random_soup(random, 12, 0.1)),
+        test::body(test::torus(0.08, 0.03, 12, 8))}) {
     const Pose X{test::random_rotation(random), Vec3(0.05, 0.1, 0.2)};
     ASSERT_FALSE(triangles_meet(*probe, *room, Transform(X), Doubt::contact));
     const Separation s = separate_static(*probe, *room, X);
@@ -236,8 +236,7 @@ TEST(StaticSearch, inside_a_solid) {
 
 TEST(StaticSearch, probes_without_thickness) {
   const auto block = test::body(test::box({0.3, 0.3, 0.1}));
-  const auto needle =
-      test::body({{{0, 0, 0}, {0.2, 0, 0}, {0.2, 1e-10, 0}}, {{0, 1, 2}}});
+  const auto needle = test::body({{{0, 0, 0}, {0.2, 0, 0}, {0.2, 1e-10, 0}}, {{0, 1, 2}}});
   ASSERT_EQ(needle->mass.inertia[0], 0);
   const auto leaf = test::body(test::box({0.1, 0.15, 0}));
   ASSERT_FALSE(leaf->solid);

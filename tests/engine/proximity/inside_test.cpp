@@ -68,8 +68,8 @@ TEST(Inside, rays_through_corners_do_not_count_twice) {
   const auto ball = test::body(test::sphere(0.1, 6, 8));
   std::mt19937_64 random(2);
   // The engine's rays have components of four decimals.
-  const std::vector<Vec3> rays = {{0.2113, 0.3719, 0.9039},   {-0.4127, 0.2371, 0.8795},
-                                  {0.3317, -0.5923, 0.7343},  {-0.1931, -0.4409, -0.8765},
+  const std::vector<Vec3> rays = {{0.2113, 0.3719, 0.9039},  {-0.4127, 0.2371, 0.8795},
+                                  {0.3317, -0.5923, 0.7343}, {-0.1931, -0.4409, -0.8765},
                                   {0.6113, 0.1297, -0.7807}, {-0.5479, 0.6151, -0.5669}};
   for (const Triangle& t : ball->soup.triangles)
     for (const Vec3& ray : rays)

@@ -33,8 +33,7 @@ Pose any_pose(std::mt19937_64& random, double size) {
 /// y with |v| of at most `turn`.
 Vec6 random_y(std::mt19937_64& random, const Body& body, double turn, double shift) {
   Vec6 y;
-  y.head<3>() =
-      2 * body.mass.inertia.cwiseSqrt().cwiseProduct(test::random_in_ball(random, turn));
+  y.head<3>() = 2 * body.mass.inertia.cwiseSqrt().cwiseProduct(test::random_in_ball(random, turn));
   y.tail<3>() = test::random_in_ball(random, shift);
   return y;
 }
@@ -148,51 +147,55 @@ void for_motions(std::uint64_t seed, int count, const Each& each) {
 }
 
 TEST(Motion, is_the_straight_path_in_the_chart) {
-  for_motions(6, 50, [](const char* name, const Body& body, const Chart& chart, const Vec6& from,
-                        const Vec6& to, const Motion& motion, std::mt19937_64& random) {
-    const double s = test::uniform(random, 0, 1);
-    const Transform expected(chart.pose(from + s * (to - from))), X = motion.at(s);
-    for (const Vec3& x : body.soup.vertices)
-      EXPECT_LT((X * x - expected * x).norm(), 1e-13 * size_of(body)) << name;
-    EXPECT_NEAR(motion.linear_distance(), (to - from).tail<3>().norm(), 1e-13 * size_of(body));
-    EXPECT_LT((motion.com() - body.mass.com).norm(), 1e-15 * size_of(body));
-  });
+  for_motions(6, 50,
+              [](const char* name, const Body& body, const Chart& chart, const Vec6& from,
+                 const Vec6& to, const Motion& motion, std::mt19937_64& random) {
+                const double s = test::uniform(random, 0, 1);
+                const Transform expected(chart.pose(from + s * (to - from))), X = motion.at(s);
+                for (const Vec3& x : body.soup.vertices)
+                  EXPECT_LT((X * x - expected * x).norm(), 1e-13 * size_of(body)) << name;
+                EXPECT_NEAR(motion.linear_distance(), (to - from).tail<3>().norm(),
+                            1e-13 * size_of(body));
+                EXPECT_LT((motion.com() - body.mass.com).norm(), 1e-15 * size_of(body));
+              });
 }
 
 // Reference: differences along the path, of the velocity for the acceleration. The bounds are held
 // against the largest found on 100 samples, and against themselves for being of use.
 TEST(Motion, velocity_and_the_bounds_of_acceleration_and_turn) {
   double tightest_turn = 1e300, tightest_acceleration = 1e300;
-  for_motions(7, 50, [&](const char* name, const Body& body, const Chart&, const Vec6&,
-                         const Vec6&, const Motion& motion, std::mt19937_64& random) {
-    const double r = body.mass.radius;
-    const Vec3 x = body.mass.com + r * test::random_in_ball(random, 1).normalized();
-    const auto place = [&](double s) { return Vec3(motion.at(s) * x); };
-    const auto velocity = [&](double s) {
-      const auto v = motion.velocity(s);
-      return Vec3(v.linear + v.angular.cross(place(s) - motion.at(s) * body.mass.com));
-    };
-    double turned = 0, way = 0, fastest = 0;
-    constexpr int n = 100;
-    for (int i = 0; i < n; ++i) {
-      const double s = (i + 0.5) / n, h = 1e-5;
-      const Vec3 measured = (place(s + h) - place(s - h)) / (2 * h);
-      const double speed = motion.linear_distance() + r * motion.turn_bound();
-      EXPECT_LT((velocity(s) - measured).norm(), 1e-6 * speed) << name;
-      const double acceleration = (velocity(s + h) - velocity(s - h)).norm() / (2 * h);
-      EXPECT_LE(acceleration, r * motion.acceleration_per_radius() * (1 + 1e-4)) << name;
-      fastest = std::max(fastest, acceleration);
-      turned += motion.velocity(s).angular.norm() / n;
-      way += (place(s + 0.5 / n) - place(s - 0.5 / n)).norm();
-    }
-    EXPECT_LE(turned, motion.turn_bound() * (1 + 1e-3)) << name;
-    EXPECT_LE(way, motion.linear_distance() + r * motion.turn_bound()) << name;
-    if (turned > 0.1) {
-      tightest_turn = std::min(tightest_turn, motion.turn_bound() / turned);
-      tightest_acceleration =
-          std::min(tightest_acceleration, r * motion.acceleration_per_radius() / fastest);
-    }
-  });
+  for_motions(7, 50,
+              [&](const char* name, const Body& body, const Chart&, const Vec6&, const Vec6&,
+                  const Motion& motion, std::mt19937_64& random) {
+                const double r = body.mass.radius;
+                const Vec3 x = body.mass.com + r * test::random_in_ball(random, 1).normalized();
+                const auto place = [&](double s) { return Vec3(motion.at(s) * x); };
+                const auto velocity = [&](double s) {
+                  const auto v = motion.velocity(s);
+                  return Vec3(v.linear + v.angular.cross(place(s) - motion.at(s) * body.mass.com));
+                };
+                double turned = 0, way = 0, fastest = 0;
+                constexpr int n = 100;
+                for (int i = 0; i < n; ++i) {
+                  const double s = (i + 0.5) / n, h = 1e-5;
+                  const Vec3 measured = (place(s + h) - place(s - h)) / (2 * h);
+                  const double speed = motion.linear_distance() + r * motion.turn_bound();
+                  EXPECT_LT((velocity(s) - measured).norm(), 1e-6 * speed) << name;
+                  const double acceleration = (velocity(s + h) - velocity(s - h)).norm() / (2 * h);
+                  EXPECT_LE(acceleration, r * motion.acceleration_per_radius() * (1 + 1e-4))
+                      << name;
+                  fastest = std::max(fastest, acceleration);
+                  turned += motion.velocity(s).angular.norm() / n;
+                  way += (place(s + 0.5 / n) - place(s - 0.5 / n)).norm();
+                }
+                EXPECT_LE(turned, motion.turn_bound() * (1 + 1e-3)) << name;
+                EXPECT_LE(way, motion.linear_distance() + r * motion.turn_bound()) << name;
+                if (turned > 0.1) {
+                  tightest_turn = std::min(tightest_turn, motion.turn_bound() / turned);
+                  tightest_acceleration = std::min(tightest_acceleration,
+                                                   r * motion.acceleration_per_radius() / fastest);
+                }
+              });
   EXPECT_LT(tightest_turn, 1.05);
   EXPECT_LT(tightest_acceleration, 3);
 }

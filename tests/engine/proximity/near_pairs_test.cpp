@@ -113,7 +113,8 @@ TEST(NearPairs, too_many_keep_the_nearest_and_say_how_far_that_goes) {
 TEST(NearPairs, halving_keeps_the_nearer_half) {
   std::mt19937_64 random(3);
   std::vector<NearPair> pairs(100);
-  for (std::uint32_t i = 0; i < 100; ++i) pairs[i].gap = test::uniform(random, 0, 1), pairs[i].triangle_a = i;
+  for (std::uint32_t i = 0; i < 100; ++i)
+    pairs[i].gap = test::uniform(random, 0, 1), pairs[i].triangle_a = i;
   std::vector<double> gaps;
   for (const NearPair& p : pairs) gaps.push_back(p.gap);
   std::sort(gaps.begin(), gaps.end());

@@ -75,15 +75,24 @@ Pair make_pair(Kind kind, std::mt19937_64& random) {
       const double u = test::uniform(random, 0.1, 0.8), v = test::uniform(random, 0.05, 0.15);
       p.b[0] = p.a[0] + u * along + v * (p.a[2] - p.a[0]) +
                test::uniform(random, 0, 1) * along.cross(side).normalized();
-      for (std::size_t i = 1; i < 3; ++i) p.b[i] = p.b[0] + (p.b[i] - p.b[0]).norm() *
-          (along.cross(side).normalized() + corner(random, 0.9));
+      for (std::size_t i = 1; i < 3; ++i)
+        p.b[i] = p.b[0] +
+                 (p.b[i] - p.b[0]).norm() * (along.cross(side).normalized() + corner(random, 0.9));
       std::shuffle(p.a.begin(), p.a.end(), random);
       break;
     }
-    case Kind::parallel: in_plane(test::uniform(random, 0, 0.3)); break;
-    case Kind::coplanar: in_plane(0); break;
-    case Kind::shared_corner: p.b[random() % 3] = p.a[random() % 3]; break;
-    case Kind::shared_edge: p.b[0] = p.a[1], p.b[1] = p.a[2]; break;
+    case Kind::parallel:
+      in_plane(test::uniform(random, 0, 0.3));
+      break;
+    case Kind::coplanar:
+      in_plane(0);
+      break;
+    case Kind::shared_corner:
+      p.b[random() % 3] = p.a[random() % 3];
+      break;
+    case Kind::shared_edge:
+      p.b[0] = p.a[1], p.b[1] = p.a[2];
+      break;
     case Kind::grid:
       for (Corners* t : {&p.a, &p.b})
         for (Vec3& x : *t) x = on_grid(random);
@@ -91,8 +100,11 @@ Pair make_pair(Kind kind, std::mt19937_64& random) {
     case Kind::collinear:
       p.b[2] = p.b[0] + test::uniform(random, -0.5, 1.5) * (p.b[1] - p.b[0]);
       break;
-    case Kind::point: p.b[1] = p.b[2] = p.b[0]; break;
-    default: break;
+    case Kind::point:
+      p.b[1] = p.b[2] = p.b[0];
+      break;
+    default:
+      break;
   }
   return p;
 }
@@ -185,9 +197,7 @@ TEST(TrianglePair, a_limit_only_drops_what_is_beyond_it) {
 
 TEST(TrianglePair, known_distances) {
   const Corners a = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
-  const auto lifted = [&](const Vec3& by) {
-    return Corners{a[0] + by, a[1] + by, a[2] + by};
-  };
+  const auto lifted = [&](const Vec3& by) { return Corners{a[0] + by, a[1] + by, a[2] + by}; };
   EXPECT_EQ(closest_points(a, lifted({0, 0, 0.25})).distance, 0.25);
   EXPECT_EQ(closest_points(a, lifted({3, 0, 0})).distance, 2);
   EXPECT_EQ(closest_points(a, lifted({0.1, 0.1, 0})).distance, 0);
