@@ -71,11 +71,11 @@ void show_about(MainWindow& window) {
 }
 
 void open_manual(MainWindow& window) {
-  const QString folder = resource(QStringLiteral("docs"));
-  if (folder.isEmpty())
+  const QString page = resource(QStringLiteral("docs/index.md"));
+  if (page.isEmpty())
     window.prompts().report_error(QStringLiteral("The manual is not installed."));
   else
-    QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(page));
 }
 
 void add_file_menu(MainWindow& window, QToolBar& bar) {

@@ -90,7 +90,7 @@ void ReadoutPanel::build_depth(QVBoxLayout& layout) {
   rotation_ =
       value(*form, in_colour(rotation_colour, QStringLiteral("by rotation")), "rotation_value",
             QStringLiteral("How far the turn moves the points, and its share of σ."));
-  pdt_ = value(*form, QStringLiteral("PD_t (no turning)"), "pdt_value",
+  pdt_ = value(*form, QStringLiteral("PD_t (global search)"), "pdt_value",
                QStringLiteral("The depth if the probe may not turn, and its ratio to √σ. It knows "
                               "nothing of the way the probe came, and may be the shorter way "
                               "through a thin wall. Grey while computed for the newest pose."));

@@ -7,12 +7,14 @@
 
 namespace sonde::ui {
 
+ContactView::Marker::Marker(vtkRenderer& renderer, GlyphShapes& shapes)
+    : on_probe{renderer, shapes, colour::probe.lighter(130)},
+      on_fixed{renderer, shapes, colour::contact},
+      normal{renderer, shapes, colour::contact} {}
+
 ContactView::ContactView(vtkRenderer& renderer, GlyphShapes& shapes) {
   for (int i = 0; i < ContactSet::capacity; ++i)
-    markers_.push_back(
-        std::unique_ptr<Marker>(new Marker{.on_probe{renderer, shapes, colour::probe.lighter(130)},
-                                           .on_fixed{renderer, shapes, colour::contact},
-                                           .normal{renderer, shapes, colour::contact}}));
+    markers_.push_back(std::make_unique<Marker>(renderer, shapes));
 }
 
 void ContactView::draw(const Frame& frame) {

@@ -17,6 +17,7 @@ class ContactView : public Overlay {
 
  private:
   struct Marker {
+    Marker(vtkRenderer& renderer, GlyphShapes& shapes);
     Ball on_probe;
     Ball on_fixed;
     Arrow normal;

@@ -33,7 +33,7 @@ vtkSmartPointer<vtkMapper> mapper_of(vtkPolyDataAlgorithm& source) {
 }
 
 vtkSmartPointer<vtkActor> actor_of(vtkRenderer& renderer, vtkMapper& mapper, const QColor& colour) {
-  const auto actor = vtkSmartPointer<vtkActor>::New();
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(&mapper);
   actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
   actor->PickableOff();

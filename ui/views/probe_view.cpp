@@ -23,7 +23,7 @@ vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);
   mapper->ScalarVisibilityOff();
-  const auto actor = vtkSmartPointer<vtkActor>::New();
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->VisibilityOff();
   vtkProperty* property = actor->GetProperty();
