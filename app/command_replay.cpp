@@ -71,10 +71,13 @@ std::vector<Tick> run_loop(const BodyPair& bodies, const Scene& scene,
   search.budget = {};    // the budget is that of a tick
   bool started = false;  // a search that failed leaves nothing to follow: search again
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (!started) loop.reset(path[i].pose, search);
+    const bool searched = !started;
+    if (searched) loop.reset(path[i].pose, search);
+    const bool by_search = searched && loop.separation().jumped;
     const double dt = i == 0 ? 0 : path[i].t - path[i - 1].t;
     ticks[i].result.time_us = timed_us([&] { loop.tick(path[i].pose, dt, options.budget); });
     ticks[i].result.separation = loop.separation();
+    ticks[i].result.separation.jumped |= by_search;
     ticks[i].wrench = loop.wrench();
     started = started || loop.separation().status != Status::failed;
     progress.show("replaying", i + 1, path.size());

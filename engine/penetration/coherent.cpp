@@ -91,7 +91,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   }
   const Deadline deadline{budget.microseconds, budget.microseconds > 0 ? now_us() : 0};
   const Pose device{X_FM.q.normalized(), X_FM.p};
-  const Chart chart(s.probe->mass, device);
+  Chart chart(s.probe->mass, device);
+  chart.absorb_free_spin(s.separated);
   Vec6 y = chart.coordinates(s.separated);
   const bool followed = s.method == Method::pdg || s.follow_turn(chart, y);
   DescentGoal goal;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/proximity/placement.hpp"
+
 namespace sonde {
 namespace {
 
@@ -37,7 +39,7 @@ double now_us() {
 bool Deadline::passed() const { return microseconds > 0 && now_us() - started > microseconds; }
 
 Descent::Descent(const Body& probe, const Body& fixed, Method method)
-    : rows_(probe, fixed, method) {}
+    : rows_(probe, fixed, method), extents_(extent(probe) + extent(fixed)) {}
 
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
   out.y = y;
@@ -102,6 +104,12 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   return path > quick ? Vec6(step * (quick / path)) : step;
 }
 
+double Descent::margin(const Chart& chart, double depth, const DescentGoal& goal) const noexcept {
+  const double rounding = rounding_guard(extents_, depth, chart.device().p);
+  return std::max(0.5 * allowed_clearance(chart.mass().radius, depth) * goal.clearance,
+                  16 * rounding);
+}
+
 void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
   const Vec6 y = out.y;
   const Sweep swept = rows_.sweep_from(chart, Motion(chart, y, Vec6::Zero()), y, 0.5 * margin);
@@ -120,7 +128,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
   for (;;) {
     const double length = y.norm();
-    const double margin = 0.5 * allowed_clearance(radius, length) * goal.clearance;
+    const double margin = this->margin(chart, length, goal);
     const double widest = std::max(0.03 * radius, 16 * margin);
     rows_.gather(chart, y, std::clamp(2 * pace.scale, 16 * margin, widest), 4 * margin);
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
@@ -134,7 +142,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
     if (late || out.iterations >= goal.steps || pace.stalled >= 4) {
-      if (rows_.smallest_gap() > allowed_clearance(radius, length)) close_up(chart, margin, out);
+      if (rows_.smallest_gap() > 2 * margin) close_up(chart, margin, out);
       return out;
     }
     ++out.iterations;

@@ -52,6 +52,9 @@ class Descent {
 
  private:
   struct Pace;
+  /// The gap aimed at: half of what is allowed, and never so little that the rounding of
+  /// coordinates, far from the origin, could eat it up.
+  double margin(const Chart& chart, double depth, const DescentGoal& goal) const noexcept;
   /// From y towards the nearest point of the rows, as far as it is worth while to go in one step.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  Pace& pace) noexcept;
@@ -61,6 +64,7 @@ class Descent {
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
+  double extents_;  // of both bodies, m
 };
 
 }  // namespace sonde

@@ -72,6 +72,9 @@ class Search {
   bool is_free(const Vec6& y) const {
     return !overlap(probe_, fixed_, Transform(chart_.pose(y)), Doubt::contact);
   }
+  bool meets(const Separation& answer) const {
+    return overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact);
+  }
   void sort() {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Found& a, const Found& b) { return a.depth < b.depth; });
@@ -115,7 +118,7 @@ class Search {
   }
 
   std::optional<Vec6> free_sample(double radius, bool rotate) {
-    for (int tries = 0; tries < 60; ++tries) {
+    for (int tries = 0; tries < 60 && !deadline_.passed(); ++tries) {
       const double grown = radius * (1 + tries * 0.02);
       Vec6 y = random_.in_ball(grown);
       if (!rotate) y.head<3>().setZero();
@@ -129,20 +132,21 @@ class Search {
   /// The best few to the last digit; the best of them that stands the exact test.
   Separation finish(bool rotate) {
     std::vector<Separation> answers;
-    const std::optional<Separation> translated = polish_translation();
+    std::optional<Separation> translated = polish_translation();
+    if (translated && meets(*translated)) translated.reset();
     if (translated && rotate)
       answers.push_back(
           polish(pdg_, {chart_.coordinates(translated->separated), translated->depth}));
     if (translated) answers.push_back(*translated);
     const double worth = 1.1 * best_depth();
     for (std::size_t i = 0; i < std::min<std::size_t>(4, found_.size()); ++i) {
-      if (found_[i].depth > worth) break;
+      if (found_[i].depth > worth || (deadline_.passed() && !answers.empty())) break;
       answers.push_back(polish(rotate ? pdg_ : pdt_, found_[i]));
     }
     std::stable_sort(answers.begin(), answers.end(),
                      [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
     for (Separation& answer : answers) {
-      if (overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact)) continue;
+      if (meets(answer)) continue;
       answer.iterations = iterations_;
       if (translated) answer.pdt = translated->depth;
       return answer;

@@ -19,6 +19,17 @@ Chart::Chart(const MassProperties& mass, const Pose& X_FO)
   }
 }
 
+void Chart::absorb_free_spin(const Pose& X_FM) {
+  for (int i = 0; i < 3; ++i) {
+    if (root_[i] > 0) continue;
+    // The twist about the axis, of the relative rotation split into twist and swing.
+    const Quat turn = q_FP_.conjugate() * (X_FM.q * q_MP_);
+    Quat twist(turn.w(), 0, 0, 0);
+    twist.coeffs()[i] = turn.coeffs()[i];
+    if (twist.norm() > 0) q_FP_ = (q_FP_ * twist.normalized()).normalized();
+  }
+}
+
 Pose Chart::pose(const Vec6& y) const {
   const Vec3 u = v(y);
   const Quat turn(std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z());

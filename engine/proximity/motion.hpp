@@ -17,6 +17,11 @@ class Chart {
  public:
   Chart(const MassProperties& mass, const Pose& X_FO);
 
+  /// Where turning about an axis moves nothing (Î = 0), O may be taken turned about it by any
+  /// angle: takes the one at which X_FM is reached without such a turn, so that coordinates(X_FM)
+  /// leaves nothing out.
+  void absorb_free_spin(const Pose& X_FM);
+
   /// The pose X_FM at y. |v| must be below 1.
   Pose pose(const Vec6& y) const;
   /// y of a pose. What a turn about an axis with Î = 0 contributes is dropped.
