@@ -54,19 +54,14 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
 }
 
 /// Reference: exact predicates on all pairs of triangles, winding numbers of all vertices, and
-/// second moments by integration. A search cut short by a budget need not have come near to
-/// contact.
-enum class Ended { by_itself, by_budget };
+/// second moments by integration.
 inline void check_separation(const Body& probe, const Body& fixed, const Separation& s,
-                             const std::string& what, Ended ended = Ended::by_itself) {
+                             const std::string& what) {
   ASSERT_EQ(s.status, Status::penetrating) << what << ": " << s.reason;
   const Transform Q(s.separated);
   const double radius = probe.mass.radius;
   EXPECT_TRUE(is_free(probe, fixed, Q)) << what;
-  if (ended == Ended::by_itself) {
-    EXPECT_LE(least_distance_of_pairs(probe, fixed, Q), promised_clearance(radius, s.depth))
-        << what;
-  }
+  EXPECT_LE(least_distance_of_pairs(probe, fixed, Q), promised_clearance(radius, s.depth)) << what;
   EXPECT_DOUBLE_EQ(s.depth * s.depth, s.sigma) << what;
   const double size = radius + probe.mass.com.norm() + s.separated.p.norm();
   EXPECT_NEAR(pose_distance(probe, s.device, s.separated), s.depth, 1e-9 * s.depth + 1e-13 * size)

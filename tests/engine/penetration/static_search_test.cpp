@@ -117,7 +117,7 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
       StaticOptions options;
       options.budget.steps = steps;
       const Separation s = separate_static(*pair.a, *pair.b, X, options);
-      test::check_separation(*pair.a, *pair.b, s, pair.name, test::Ended::by_budget);
+      test::check_separation(*pair.a, *pair.b, s, pair.name);
       // A few steps more make what was found fit to be returned: one for each of ten at most.
       EXPECT_LE(s.iterations, steps + 10) << pair.name;
       EXPECT_TRUE(same_bits(s, separate_static(*pair.a, *pair.b, X, options))) << pair.name;
