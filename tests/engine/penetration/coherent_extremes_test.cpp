@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The coherent solver where numbers are hard on it: a probe with an inertia of zero, and bodies so
+// far from the origin that rounding is larger than the clearance otherwise kept.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/penetration/coherent.hpp"
+#include "engine/proximity/intersect.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+PolygonSoup shifted(PolygonSoup soup, const Vec3& by) {
+  for (Vec3& x : soup.points) x += by;
+  return soup;
+}
+
+// Reference: exact predicates. Turning about the needle's axis costs nothing, but it moves the
+// needle's points by more than the clearance that is kept.
+TEST(CoherentExtremes, a_needle_that_spins_freely_is_handed_out_free) {
+  const auto needle =
+      test::body({{{-0.5, 0, 0}, {0.5, 0, 0}, {0, 6e-8, 0}}, {{0, 1, 2}}}, Model::surface);
+  ASSERT_EQ(needle->mass.inertia[0], 0);
+  const auto block = test::body(test::box({2, 2, 2}));
+  const Quat upright(Eigen::AngleAxisd(std::numbers::pi / 2, -Vec3::UnitY()));
+  const auto device = [&](int i) {
+    const double x = 1.02 - 0.05 * (1 - std::cos(2 * std::numbers::pi * i / 400.0));
+    return Pose{upright * Quat(Eigen::AngleAxisd(0.01 * i, Vec3::UnitX())), Vec3(x, 0.1, 0.1)};
+  };
+  CoherentSolver solver(needle, block);
+  ASSERT_EQ(solver.reset(device(0)).status, Status::separated);
+  int in_contact = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const Separation& s = solver.tick(device(i));
+    ASSERT_NE(s.status, Status::failed);
+    in_contact += s.status == Status::penetrating;
+    ASSERT_FALSE(overlap(*needle, *block, Transform(s.separated), Doubt::exact)) << i;
+  }
+  EXPECT_GT(in_contact, 200);
+  EXPECT_EQ(solver.last().status, Status::separated);
+}
+
+// By hand: the path ends where it began, a probe's width clear of the face.
+TEST(CoherentExtremes, far_from_the_origin_the_probe_still_comes_free) {
+  for (const double away : {0.0, 1e5, 4e6, 1e7}) {
+    const Vec3 origin(away, 0, 0);
+    const auto block = test::body(shifted(test::box({2, 2, 2}), origin));
+    const auto probe = test::body(test::box({0.1, 0.1, 0.1}));
+    const auto device = [&](int i) {
+      const double phase = 2 * std::numbers::pi * i / 300.0;
+      return Pose{Quat(Eigen::AngleAxisd(0.3 * std::sin(phase), Vec3::UnitZ())),
+                  origin + Vec3(1.2 - 0.15 * (1 - std::cos(phase)), 0.2 * std::sin(phase), 0.1)};
+    };
+    CoherentSolver solver(probe, block);
+    ASSERT_EQ(solver.reset(device(0)).status, Status::separated) << away;
+    int in_contact = 0;
+    for (int i = 1; i <= 300; ++i) {
+      const Separation& s = solver.tick(device(i));
+      in_contact += s.status == Status::penetrating;
+      ASSERT_FALSE(overlap(*probe, *block, Transform(s.separated), Doubt::exact))
+          << away << " " << i;
+    }
+    EXPECT_GT(in_contact, 100) << away;
+    EXPECT_EQ(solver.last().status, Status::separated) << away;
+  }
+}
+
+}  // namespace
+}  // namespace sonde
