@@ -3,6 +3,7 @@
 
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"
+#include "engine/proximity/intersect.hpp"
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/sweep.hpp"
 
@@ -27,6 +28,15 @@ struct CoherentSolver::State {
   State(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, Method m)
       : probe(std::move(a)), fixed(std::move(b)), method(m), descent(*probe, *fixed, m) {
     last.reason = "not started";
+  }
+
+  /// A probe that can spin at no cost came back to O as it was spun, which is not how the device
+  /// holds it: where O itself is not free, the pose reached is the answer, at depth 0.
+  void keep_spin(const Chart& chart) noexcept {
+    if (probe->mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
+    if (!triangles_meet(*probe, *fixed, Transform(last.device), Doubt::contact)) return;
+    last.status = Status::penetrating;
+    last.separated = chart.pose(Vec6::Zero());
   }
 
   bool within_reach(const Pose& X) const {
@@ -102,6 +112,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
       s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), deadline);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
+  s.keep_spin(chart);
   // The depth that the last tick found was the best near by; it can only have fallen further than
   // the device moved by leaving that place for another.
   s.last.jumped = s.last.depth <

@@ -19,7 +19,7 @@ PolygonSoup shifted(PolygonSoup soup, const Vec3& by) {
 }
 
 // Reference: exact predicates. Turning about the needle's axis costs nothing, but it moves the
-// needle's points by more than the clearance that is kept.
+// needle's points by more than the clearance that is kept where the contact is shallow.
 TEST(CoherentExtremes, a_needle_that_spins_freely_is_handed_out_free) {
   const auto needle =
       test::body({{{-0.5, 0, 0}, {0.5, 0, 0}, {0, 6e-8, 0}}, {{0, 1, 2}}}, Model::surface);
@@ -27,19 +27,19 @@ TEST(CoherentExtremes, a_needle_that_spins_freely_is_handed_out_free) {
   const auto block = test::body(test::box({2, 2, 2}));
   const Quat upright(Eigen::AngleAxisd(std::numbers::pi / 2, -Vec3::UnitY()));
   const auto device = [&](int i) {
-    const double x = 1.02 - 0.05 * (1 - std::cos(2 * std::numbers::pi * i / 400.0));
-    return Pose{upright * Quat(Eigen::AngleAxisd(0.01 * i, Vec3::UnitX())), Vec3(x, 0.1, 0.1)};
+    const double x = 1.0001 - 1e-4 * (1 - std::cos(2 * std::numbers::pi * i / 2000.0));
+    return Pose{upright * Quat(Eigen::AngleAxisd(0.1 * i, Vec3::UnitX())), Vec3(x, 0.1, 0.1)};
   };
   CoherentSolver solver(needle, block);
   ASSERT_EQ(solver.reset(device(0)).status, Status::separated);
   int in_contact = 0;
-  for (int i = 1; i <= 400; ++i) {
+  for (int i = 1; i <= 2000; ++i) {
     const Separation& s = solver.tick(device(i));
     ASSERT_NE(s.status, Status::failed);
     in_contact += s.status == Status::penetrating;
     ASSERT_FALSE(overlap(*needle, *block, Transform(s.separated), Doubt::exact)) << i;
   }
-  EXPECT_GT(in_contact, 200);
+  EXPECT_GT(in_contact, 500);
   EXPECT_EQ(solver.last().status, Status::separated);
 }
 
