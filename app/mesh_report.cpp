@@ -60,6 +60,13 @@ std::string defects_text(const Body& body) {
   return text.empty() ? "none" : text;
 }
 
+std::string memory_text(const Body& body) {
+  const auto taken = static_cast<double>(bytes(body));
+  const auto triangles = static_cast<double>(body.soup.triangles.size());
+  return number_text(1e-6 * taken, 4) + " MB (" + number_text(taken / triangles, 4) +
+         " bytes a triangle)";
+}
+
 std::string text_of(const MeshReport& report) {
   const Body& body = report.body;
   const MassProperties& mass = body.mass;
@@ -75,7 +82,7 @@ std::string text_of(const MeshReport& report) {
   std::string text = report.file + '\n';
   text += plain("triangles", std::to_string(body.soup.triangles.size()));
   text += plain("vertices", std::to_string(body.soup.vertices.size()));
-  text += plain("components", std::to_string(body.topology.components));
+  text += plain("components", std::to_string(body.component_triangle.size()));
   text += plain("model", std::string(body.solid ? "solid" : "surface") + " (" + body.why + ")");
   text += mass.by_volume ? plain("volume V", text_of(mass.measure) + " m³")
                          : plain("area V", text_of(mass.measure) + " m²");
@@ -85,6 +92,7 @@ std::string text_of(const MeshReport& report) {
   text += plain("radius R", text_of(mass.radius) + " m");
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
   text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
+  text += plain("memory", memory_text(body));
   return text + plain("defects", defects_text(body));
 }
 
@@ -98,7 +106,7 @@ Json json_of(const MeshReport& report) {
   json["file"] = report.file;
   json["triangles"] = body.soup.triangles.size();
   json["vertices"] = body.soup.vertices.size();
-  json["components"] = body.topology.components;
+  json["components"] = body.component_triangle.size();
   json["model"] = body.solid ? "solid" : "surface";
   json["why"] = body.why;
   json[mass.by_volume ? "volume" : "area"] = mass.measure;
@@ -107,6 +115,7 @@ Json json_of(const MeshReport& report) {
   for (int i = 0; i < 3; ++i) json["principal_axes"].push_back(json_of(Vec3(mass.R_MP.col(i))));
   json["radius"] = mass.radius;
   json["bounds"] = {{"low", json_of(bounds.low)}, {"high", json_of(bounds.high)}};
+  json["memory_bytes"] = bytes(body);
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
   json["defects"]["turned"] = body.turned;
   return json;

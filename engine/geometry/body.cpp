@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/geometry/read_mesh.hpp"
+#include "engine/geometry/work.hpp"
 
 namespace sonde {
 namespace {
@@ -13,37 +14,21 @@ namespace {
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
-void report(const Progress& progress, double fraction) {
-  if (progress && !progress(fraction)) throw Cancelled();
-}
-
 std::string counted(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// The soup with one vertex for each place, and none that no triangle uses.
-Soup compacted(const Soup& soup) {
-  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-  const std::vector<std::uint32_t> first = weld(soup.vertices);
-  std::vector<std::uint32_t> index(soup.vertices.size(), unused);
-  Soup out;
-  out.triangles = soup.triangles;
-  for (Triangle& t : out.triangles)
-    for (std::uint32_t& v : t) {
-      std::uint32_t& i = index[first[v]];
-      if (i == unused) {
-        i = static_cast<std::uint32_t>(out.vertices.size());
-        out.vertices.push_back(soup.vertices[first[v]]);
-      }
-      v = i;
-    }
-  return out;
-}
-
-std::size_t set_aside_degenerate(Soup& soup) {
-  return std::erase_if(soup.triangles, [&](const Triangle& t) {
-    return is_degenerate(soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]);
+std::size_t set_aside_degenerate(Soup& soup, const Progress& progress) {
+  const std::size_t all = soup.triangles.size();
+  std::size_t kept = 0;
+  for_each_index(all, progress, [&](std::size_t i) {
+    const Triangle t = soup.triangles[i];
+    soup.triangles[kept] = t;
+    kept += !is_degenerate(soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]);
   });
+  soup.triangles.resize(kept);
+  soup.triangles.shrink_to_fit();
+  return all - kept;
 }
 
 /// Throws where the numbers leave the range that the engine computes in.
@@ -78,14 +63,19 @@ void turn_inside_out(Body& body) {
 
 /// Decides between solid and surface; the soup is without its degenerate triangles by now, the
 /// topology is that of all of them.
-void choose_model(Body& body, Model asked) {
-  body.mass = mass_by_area(body.soup);
+void choose_model(Body& body, Model asked, const Progress& progress) {
+  const bool may_be_solid = asked != Model::surface && body.topology.closed;
+  MassProperties by_volume;
+  at_once(
+      may_be_solid && body.soup.triangles.size() >= worth_a_thread, progress,
+      [&](const Progress& part) { body.mass = mass_by_area(body.soup, part); },
+      [&](const Progress& part) {
+        if (may_be_solid) by_volume = mass_by_volume(body.soup, part);
+      });
   if (asked == Model::surface) {
     body.why = "asked for: surface";
     return;
   }
-  const MassProperties by_volume =
-      body.topology.closed ? mass_by_volume(body.soup) : MassProperties();
   const std::string why_not = why_not_solid(body.topology, by_volume, body.mass);
   if (why_not.empty()) {
     body.solid = true;
@@ -99,52 +89,64 @@ void choose_model(Body& body, Model asked) {
   }
 }
 
-void grow_tree(Body& body) {
+void grow_tree(Body& body, const Progress& progress) {
+  const Components components = find_components(body.soup, part_of(progress, 0, 0.1));
   std::vector<std::uint32_t> order;
-  body.tree = build_tree(body.soup, order);
-  const std::vector<std::uint32_t> old = body.topology.component_of;
-  for (std::size_t i = 0; i < order.size(); ++i) body.topology.component_of[i] = old[order[i]];
-  body.component_triangle.assign(body.topology.components, 0);
+  body.tree = build_tree(body.soup, order, part_of(progress, 0.1, 1));
+  body.component_triangle.resize(components.count);
   for (std::size_t i = order.size(); i-- > 0;)
-    body.component_triangle[body.topology.component_of[i]] = static_cast<std::uint32_t>(i);
+    body.component_triangle[components.of[order[i]]] = static_cast<std::uint32_t>(i);
+}
+
+std::shared_ptr<const Body> build(Soup soup, Model asked, const std::string& name,
+                                  const Progress& progress) {
+  auto body = std::make_shared<Body>();
+  body->name = name;
+  body->soup = compacted(std::move(soup), part_of(progress, 0, 0.1));
+  body->topology = analyse_topology(body->soup, part_of(progress, 0.1, 0.2));
+  body->degenerate = set_aside_degenerate(body->soup, part_of(progress, 0.2, 0.25));
+  if (body->soup.triangles.empty()) throw InputError::in(name, "no triangle has an area");
+  if (body->degenerate > 0)
+    body->soup = compacted(std::move(body->soup), part_of(progress, 0.25, 0.3));
+  check_size(body->soup, name);
+  choose_model(*body, asked, part_of(progress, 0.3, 0.4));
+  grow_tree(*body, part_of(progress, 0.4, 1));
+  report(progress, 1);
+  return body;
+}
+
+Soup triangles_of(const PolygonSoup& polygons, const std::string& name, const Progress& progress) {
+  if (polygons.points.size() > std::numeric_limits<std::int32_t>::max())
+    throw InputError::in(name, "more than 2^31 points");
+  report(progress, 0);
+  return triangulate_all(polygons, progress);
+}
+
+template <class T>
+std::size_t capacity_bytes(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
 }
 
 }  // namespace
 
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress) {
-  if (polygons.points.size() > std::numeric_limits<std::int32_t>::max())
-    throw InputError::in(name, "more than 2^31 points");
-  auto body = std::make_shared<Body>();
-  body->name = name;
-  report(progress, 0);
-  body->soup = compacted(triangulate_all(polygons));
-  report(progress, 0.2);
-  body->topology = analyse_topology(body->soup);
-  body->degenerate = set_aside_degenerate(body->soup);
-  if (body->soup.triangles.empty()) throw InputError::in(name, "no triangle has an area");
-  if (body->degenerate > 0) {
-    // What hung together by a sliver alone no longer does.
-    body->soup = compacted(body->soup);
-    find_components(body->soup, body->topology);
-  }
-  check_size(body->soup, name);
-  report(progress, 0.5);
-  choose_model(*body, asked);
-  report(progress, 0.7);
-  grow_tree(*body);
-  report(progress, 1);
-  return body;
+  return build(triangles_of(polygons, name, part_of(progress, 0, 0.05)), asked, name,
+               part_of(progress, 0.05, 1));
+}
+
+std::size_t bytes(const Body& body) {
+  return sizeof(Body) + body.name.capacity() + body.why.capacity() +
+         capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
+         capacity_bytes(body.component_triangle) + bytes(body.tree);
 }
 
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale,
                                       const Progress& progress) {
-  const auto part = [&](double start, double share) -> Progress {
-    if (!progress) return {};
-    return [&progress, start, share](double f) { return progress(start + share * f); };
-  };
-  const PolygonSoup polygons = read_mesh(file, scale, part(0, 0.5));
-  return make_body(polygons, asked, file, part(0.5, 0.5));
+  // The polygons are gone before the body is built.
+  Soup soup = triangles_of(read_mesh(file, scale, part_of(progress, 0, 0.45)), file,
+                           part_of(progress, 0.45, 0.5));
+  return build(std::move(soup), asked, file, part_of(progress, 0.5, 1));
 }
 
 }  // namespace sonde

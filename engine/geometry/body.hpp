@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,7 +18,8 @@ namespace sonde {
 enum class Model { automatic, solid, surface };
 
 /// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
-/// in the mesh frame. The triangles are in the order of the tree's leaves.
+/// in the mesh frame. The triangles are in the order of the tree's leaves; no two vertices are at
+/// one place, and each is a corner of a triangle.
 struct Body {
   std::string name;
   Soup soup;
@@ -25,8 +27,8 @@ struct Body {
   std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
   bool turned = false;  ///< was inside out and has been turned
   std::size_t degenerate = 0;  ///< triangles set aside for having no area
-  Topology topology;
-  /// One triangle of each connected component.
+  Topology topology;           ///< with the degenerate triangles
+  /// One triangle, the first, of each connected component.
   std::vector<std::uint32_t> component_triangle;
   MassProperties mass;
   Tree tree;
@@ -37,6 +39,9 @@ struct Body {
 /// zero (flat) is a surface. Throws InputError where no triangle has an area.
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress = {});
+
+/// The memory that a body takes, in bytes: itself and all that it owns.
+std::size_t bytes(const Body& body);
 
 /// read_mesh and make_body in one.
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale = 1.0,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/work.hpp"
+
 namespace sonde {
 namespace {
 
@@ -31,10 +33,11 @@ struct Moments {
 /// Exact integrals of 1, x and x xᵀ. Over a simplex of weight w with corners v_i in d dimensions,
 /// ∫x = w Σv/(d+1) and ∫x xᵀ = w (Σ v vᵀ + s sᵀ)/((d+1)(d+2)), s = Σ v. The fourth corner of a
 /// tetrahedron is the origin, and drops out of both sums.
-Moments integrate(const Soup& soup, const Frame& frame, bool by_volume) {
+Moments integrate(const Soup& soup, const Frame& frame, bool by_volume, const Progress& progress) {
   Moments m;
   const double d = by_volume ? 3 : 2;
-  for (const Triangle& t : soup.triangles) {
+  for_each_index(soup.triangles.size(), progress, [&](std::size_t i) {
+    const Triangle& t = soup.triangles[i];
     const Vec3 a = frame.local(soup.vertices[t[0]]);
     const Vec3 b = frame.local(soup.vertices[t[1]]);
     const Vec3 c = frame.local(soup.vertices[t[2]]);
@@ -43,7 +46,7 @@ Moments integrate(const Soup& soup, const Frame& frame, bool by_volume) {
     m.measure += w;
     m.first += w * s;
     m.second += w * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
-  }
+  });
   m.first /= d + 1;
   m.second /= (d + 1) * (d + 2);
   return m;
@@ -111,24 +114,25 @@ Mat3 principal_axes(const Mat3& covariance) {
 }
 
 double radius_about(const Soup& soup, const Vec3& com) {
-  double radius = 0;
+  double squared = 0;
   for (const Triangle& t : soup.triangles)
-    for (const std::uint32_t i : t) radius = std::max(radius, (soup.vertices[i] - com).norm());
-  return radius;
+    for (const std::uint32_t i : t)
+      squared = std::max(squared, (soup.vertices[i] - com).squaredNorm());
+  return std::sqrt(squared);
 }
 
-MassProperties mass_properties(const Soup& soup, bool by_volume) {
+MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress& progress) {
   MassProperties mass;
   mass.by_volume = by_volume;
   Frame frame = first_frame(soup);
-  Moments moments = integrate(soup, frame, by_volume);
+  Moments moments = integrate(soup, frame, by_volume, part_of(progress, 0, 0.4));
   mass.com = frame.origin;
   const double scale = by_volume ? frame.unit * frame.unit * frame.unit : frame.unit * frame.unit;
   mass.measure = moments.measure * scale;
   if (moments.measure != 0) {
     frame.origin += frame.unit * moments.mean();
     frame.axes = principal_axes(moments.covariance());
-    moments = integrate(soup, frame, by_volume);
+    moments = integrate(soup, frame, by_volume, part_of(progress, 0.4, 0.8));
     mass.measure = moments.measure * scale;
     mass.com = frame.origin + frame.unit * (frame.axes * moments.mean());
     const Mat3 covariance = moments.covariance();
@@ -150,7 +154,11 @@ MassProperties mass_properties(const Soup& soup, bool by_volume) {
 
 }  // namespace
 
-MassProperties mass_by_volume(const Soup& soup) { return mass_properties(soup, true); }
-MassProperties mass_by_area(const Soup& soup) { return mass_properties(soup, false); }
+MassProperties mass_by_volume(const Soup& soup, const Progress& progress) {
+  return mass_properties(soup, true, progress);
+}
+MassProperties mass_by_area(const Soup& soup, const Progress& progress) {
+  return mass_properties(soup, false, progress);
+}
 
 }  // namespace sonde

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/error.hpp"
 #include "engine/geometry/soup.hpp"
 
 namespace sonde {
@@ -21,7 +22,7 @@ struct MassProperties {
   double radius = 0;  ///< R: largest distance of a vertex of a triangle from com, m
 };
 
-MassProperties mass_by_volume(const Soup& soup);
-MassProperties mass_by_area(const Soup& soup);
+MassProperties mass_by_volume(const Soup& soup, const Progress& progress = {});
+MassProperties mass_by_area(const Soup& soup, const Progress& progress = {});
 
 }  // namespace sonde

@@ -11,15 +11,10 @@
 #include "engine/geometry/cgal_readers.hpp"
 #include "engine/geometry/mesh_checks.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/geometry/work.hpp"
 
 namespace sonde {
 namespace {
-
-/// The part of a progress bar between two fractions.
-Progress part_of(const Progress& progress, double from, double to) {
-  if (!progress) return {};
-  return [&progress, from, to](double f) { return progress(from + (to - from) * f); };
-}
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -51,8 +46,7 @@ std::string read_bytes(const std::filesystem::path& path, const Progress& progre
   std::string bytes(size, '\0');
   constexpr std::uintmax_t piece = 1 << 22;
   for (std::uintmax_t at = 0; at < size; at += piece) {
-    if (progress && !progress(static_cast<double>(at) / static_cast<double>(size)))
-      throw Cancelled();
+    report(progress, static_cast<double>(at) / static_cast<double>(size));
     stream.read(bytes.data() + at, static_cast<std::streamsize>(std::min(piece, size - at)));
     if (!stream) throw InputError::at_byte(file, at, "cannot be read");
   }
@@ -91,38 +85,52 @@ bool looks_like_text_stl(std::string_view text) {
   return word == "solid";
 }
 
+/// One coordinate of a record: 0, 1 and 2 are those of the first corner.
+double coordinate(const std::string& file, std::string_view bytes, std::size_t record,
+                  std::size_t number) {
+  const std::size_t at = stl_header + record * stl_record + 12 + 4 * number;  // after the normal
+  const double x = std::bit_cast<float>(little_endian(bytes, at));
+  if (!std::isfinite(x))
+    throw InputError::at_byte(file, at,
+                              "a coordinate of triangle " + std::to_string(record + 1) + " of " +
+                                  std::to_string(*declared_triangles(bytes)) + " is not finite");
+  return x;
+}
+
+/// The corners of triangles as points, one for each place, in the order of their first use.
+PolygonSoup join_corners(const std::vector<Vec3>& corners, const Progress& progress) {
+  std::vector<std::uint32_t> index = weld(corners, part_of(progress, 0, 0.6));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < index.size(); ++i) count += index[i] == i;
+  PolygonSoup soup;
+  soup.points.reserve(count);
+  soup.polygons.reserve(corners.size() / 3);
+  for_each_index(corners.size() / 3, part_of(progress, 0.6, 1), [&](std::size_t triangle) {
+    std::uint32_t* const own = &index[3 * triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = 3 * triangle + k;
+      if (own[k] != i) {
+        own[k] = index[own[k]];
+        continue;
+      }
+      own[k] = static_cast<std::uint32_t>(soup.points.size());
+      soup.points.push_back(corners[i]);
+    }
+    soup.polygons.push_back({own[0], own[1], own[2]});
+  });
+  return soup;
+}
+
 PolygonSoup read_binary_stl(const std::string& file, std::string_view bytes,
                             const Progress& progress) {
   const std::uint64_t triangles = *declared_triangles(bytes);
   if (triangles == 0) throw InputError::in(file, "the mesh has no triangles");
-  std::vector<Vec3> corners;
-  corners.reserve(3 * triangles);
-  for (std::uint64_t i = 0; i < triangles; ++i) {
-    if (progress && (i & 0xffff) == 0 &&
-        !progress(static_cast<double>(i) / static_cast<double>(triangles)))
-      throw Cancelled();
-    const std::size_t record = stl_header + i * stl_record + 12;  // after the normal
-    for (std::size_t k = 0; k < 9; ++k) {
-      const double x = std::bit_cast<float>(little_endian(bytes, record + 4 * k));
-      if (!std::isfinite(x))
-        throw InputError::at_byte(file, record + 4 * k,
-                                  "a coordinate of triangle " + std::to_string(i + 1) + " of " +
-                                      std::to_string(triangles) + " is not finite");
-      if (k % 3 == 0) corners.emplace_back();
-      corners.back()[static_cast<Eigen::Index>(k % 3)] = x;
-    }
-  }
-  PolygonSoup soup;
-  const std::vector<std::uint32_t> first = weld(corners);
-  std::vector<std::size_t> index(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (first[i] == i) soup.points.push_back(corners[i]);
-    index[i] = first[i] == i ? soup.points.size() - 1 : index[first[i]];
-  }
-  soup.polygons.reserve(triangles);
-  for (std::size_t i = 0; i < index.size(); i += 3)
-    soup.polygons.push_back({index[i], index[i + 1], index[i + 2]});
-  return soup;
+  std::vector<Vec3> corners(3 * triangles);
+  for_each_index(triangles, part_of(progress, 0, 0.3), [&](std::size_t i) {
+    for (std::size_t k = 0; k < 9; ++k)
+      corners[3 * i + k / 3][static_cast<Eigen::Index>(k % 3)] = coordinate(file, bytes, i, k);
+  });
+  return join_corners(corners, part_of(progress, 0.3, 1));
 }
 
 [[noreturn]] void refuse_stl(const std::string& file, std::string_view bytes) {
@@ -189,7 +197,7 @@ PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Pro
       x *= scale;
       if (!x.allFinite()) throw InputError::in(file, "a coordinate is not finite once scaled");
     }
-    if (progress && !progress(1)) throw Cancelled();
+    report(progress, 1);
     return soup;
   } catch (const std::bad_alloc&) {
     throw InputError::in(file, "the mesh does not fit into memory");

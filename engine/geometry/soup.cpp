@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/work.hpp"
+
 namespace sonde {
 namespace {
 
@@ -200,9 +202,19 @@ void triangulate_one(const std::vector<Vec3>& points, const Polygon& polygon,
   }
 }
 
+/// A sine of 1e-12 is far enough from the 1e-15 of is_degenerate for rounding not to matter, and
+/// these sizes keep their fourth powers in range: true is certain, and takes no root or division.
+bool has_clear_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, bc = c - b;
+  const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), (a - c).squaredNorm()});
+  return longest > 1e-60 && longest < 1e60 &&
+         ab.cross(bc).squaredNorm() > 1e-24 * longest * longest;
+}
+
 }  // namespace
 
 bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  if (has_clear_area(a, b, c)) return false;
   Vec3 edge[3] = {b - a, c - b, a - c};
   double unit = 0;  // in units of their own size, edges neither overflow nor vanish when squared
   for (const Vec3& e : edge) unit = std::max(unit, e.cwiseAbs().maxCoeff());
@@ -213,13 +225,15 @@ bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   return edge[0].cross(edge[1]).norm() <= 1e-15 * edge[2].squaredNorm();
 }
 
-Soup triangulate_all(const PolygonSoup& polygons) {
+Soup triangulate_all(const PolygonSoup& polygons, const Progress& progress) {
   Soup soup;
   soup.vertices = polygons.points;
   soup.triangles.reserve(polygons.polygons.size());
   Polygon scratch;
-  for (const Polygon& polygon : polygons.polygons)
-    triangulate_one(polygons.points, without_repeats(polygon, scratch), soup.triangles);
+  for_each_index(polygons.polygons.size(), progress, [&](std::size_t i) {
+    triangulate_one(polygons.points, without_repeats(polygons.polygons[i], scratch),
+                    soup.triangles);
+  });
   return soup;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/error.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {
@@ -37,7 +38,7 @@ Triangulated triangulate(const PolygonSoup& polygons);
 /// The same with the degenerate triangles left in, none of the corners lost: topology is analysed
 /// on this, because a closed mesh without its slivers would look open. Polygons of fewer than three
 /// different corners give one triangle with a repeated index.
-Soup triangulate_all(const PolygonSoup& polygons);
+Soup triangulate_all(const PolygonSoup& polygons, const Progress& progress = {});
 
 /// True where the three corners cannot be told from collinear in double precision:
 /// twice the area is at most 1e-15 of the square of the longest edge.

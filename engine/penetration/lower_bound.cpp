@@ -4,9 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "engine/proximity/distance.hpp"
 #include "engine/proximity/inside.hpp"
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/point_distance.hpp"
 
 namespace sonde {
 namespace {
@@ -41,7 +41,7 @@ class Search {
   }
 
   double run() {
-    visit(0);
+    visit(0);  // the root's slot
     return best_;
   }
 
@@ -57,21 +57,19 @@ class Search {
     return depth / std::sqrt(1 + leverage(mass_.inertia, X_RP_ * x));
   }
 
-  void visit(std::uint32_t index) {
+  void visit(std::uint32_t slot) {
     if (++visited_ > most_visits) return;
-    const Tree::Node& n = points_.tree.nodes[index];
-    // A corner of the node's first triangle speaks for all of the node: no point of it is deeper by
-    // more than its distance from that corner.
-    const Tree::Node* leaf = &n;
-    while (!leaf->is_leaf()) leaf = &points_.tree.nodes[leaf->first];
-    const Vec3 x = points_.soup.vertices[points_.soup.triangles[leaf->first][0]];
+    // A corner of the first triangle speaks for all of the box: no point of it is deeper by more
+    // than its distance from that corner.
+    const Tree& tree = points_.tree;
+    const Vec3 x = points_.soup.vertices[points_.soup.triangles[tree.first_triangle(slot)][0]];
     double depth = 0;
     best_ = std::max(best_, bound_at(x, depth));
-    if (n.is_leaf()) return;
-    const Vec3 half(n.half[0], n.half[1], n.half[2]);
-    if (depth + 2 * half.norm() <= best_) return;
-    visit(n.first);
-    visit(n.first + 1);
+    const std::uint32_t child = tree.child(slot);
+    if (child & Tree::triangle_bit) return;
+    if (depth + 2 * tree.half_diagonal(slot) <= best_) return;
+    for (std::uint32_t k = 0; k < Tree::width && tree.nodes[child].child[k] != Tree::none; ++k)
+      visit(child * Tree::width + k);
   }
 
   static constexpr int most_visits = 600;
@@ -98,10 +96,9 @@ class InteriorSearch {
  public:
   InteriorSearch(const Body& probe, const Body& fixed, const Pose& X_FM, const Transform& principal)
       : probe_(probe), fixed_(fixed), back_(inverse(X_FM)), principal_(principal) {
-    const Tree::Node& root = fixed.tree.nodes.front();
     const Vec3 com = X_FM * probe.mass.com, reach = Vec3::Constant(probe.mass.radius);
-    low_ = (center(root) - half_size(root)).cwiseMax(com - reach);
-    high_ = (center(root) + half_size(root)).cwiseMin(com + reach);
+    low_ = fixed.tree.low.cwiseMax(com - reach);
+    high_ = fixed.tree.high.cwiseMin(com + reach);
     guard_ = rounding_guard(extent(probe), extent(fixed), X_FM.p);
   }
 

@@ -93,9 +93,8 @@ class Search {
 
   /// From outside, along fixed directions, to contact, and on by translation alone.
   void translations() {
-    const Tree::Node& root = fixed_.tree.nodes.front();
-    const Vec3 center(root.center[0], root.center[1], root.center[2]);
-    const Vec3 half(root.half[0], root.half[1], root.half[2]);
+    const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
+    const Vec3 half = fixed_.tree.high - center;
     const double away = 1.01 * ((chart_.com() - center).norm() + half.norm() + probe_.mass.radius);
     for (const Vec3& d : directions(chart_)) {
       Vec6 y = Vec6::Zero();

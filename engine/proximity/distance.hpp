@@ -34,8 +34,4 @@ Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
 Distance distance(const Body& a, const Body& b, const Transform& X_BA,
                   std::optional<DistanceHint> hint = {});
 
-/// Distance of the point x from the triangles of a body, m; both in its mesh frame. Stops early,
-/// with any value below `enough`, once that is certain.
-double point_distance(const Body& body, const Vec3& x, double enough = 0);
-
 }  // namespace sonde

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/point_distance.hpp"
 
 namespace sonde {
 namespace {
@@ -15,18 +16,6 @@ namespace {
 constexpr double rays[][3] = {{0.2113, 0.3719, 0.9039},  {-0.4127, 0.2371, 0.8795},
                               {0.3317, -0.5923, 0.7343}, {-0.1931, -0.4409, -0.8765},
                               {0.6113, 0.1297, -0.7807}, {-0.5479, 0.6151, -0.5669}};
-
-bool ray_meets_box(const Vec3& x, const Vec3& inverse, const Tree::Node& n, double guard) {
-  double low = 0, high = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const double c = static_cast<double>(n.center[i]) - x[i];
-    const double h = static_cast<double>(n.half[i]) + guard;
-    const double t0 = (c - h) * inverse[i], t1 = (c + h) * inverse[i];
-    low = std::max(low, std::min(t0, t1));
-    high = std::min(high, std::max(t0, t1));
-  }
-  return low <= high * (1 + 1e-12);
-}
 
 /// Signed crossing of a ray with a triangle: ±1, 0, or no value where too near an edge to tell.
 std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
@@ -52,24 +41,31 @@ std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
   return s0;
 }
 
-std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d, double guard) {
-  const Vec3 inverse = d.cwiseInverse();
+std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
+  const PointFrame frame(body, x);
+  const Vec3 unit = d.normalized();
+  PlacedRay ray{};
+  for (int i = 0; i < 3; ++i) {
+    ray.from[i] = frame.point.at[i];
+    ray.direction[i] = static_cast<float>(unit[i]);
+  }
+  const BoxKernels& kernels = box_kernels();
   PairStack<std::uint32_t> stack;
-  stack.push(0);
+  stack.push(body.tree.child(0));
   int winding = 0;
   while (!stack.empty()) {
-    const Tree::Node& n = body.tree.nodes[stack.pop()];
-    if (!ray_meets_box(x, inverse, n, guard)) continue;
-    if (!n.is_leaf()) {
-      stack.push(n.first);
-      stack.push(n.first + 1);
-      continue;
-    }
-    for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
-      const auto c = crossing(x, d, corners(body.soup, i));
+    const std::uint32_t child = stack.pop();
+    if (child & Tree::triangle_bit) {
+      const auto c = crossing(x, d, corners(body.soup, child & ~Tree::triangle_bit));
       if (!c) return std::nullopt;
       winding += *c;
+      continue;
     }
+    const Tree::Node& node = body.tree.nodes[child];
+    Lanes gaps;
+    kernels.ray_gaps(ray, node, frame.scale, gaps);
+    for (std::size_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k)
+      if (gaps.value[k] <= frame.guard) stack.push(node.child[k]);
   }
   return winding;
 }
@@ -99,17 +95,15 @@ bool any_component_inside(const Body& body, const Body& solid, const Transform& 
 }  // namespace
 
 int winding_number(const Body& body, const Vec3& x) {
-  const double guard = rounding_guard(extent(body), 0, x);
   for (const auto& ray : rays)
-    if (const auto w = count_along(body, x, Vec3(ray[0], ray[1], ray[2]), guard)) return *w;
+    if (const auto w = count_along(body, x, Vec3(ray[0], ray[1], ray[2]))) return *w;
   return winding_by_solid_angles(body, x);
 }
 
 bool inside(const Body& solid, const Vec3& x) {
-  const Tree::Node& root = solid.tree.nodes.front();
+  const Tree& tree = solid.tree;
   for (int i = 0; i < 3; ++i)
-    if (std::abs(x[i] - static_cast<double>(root.center[i])) > static_cast<double>(root.half[i]))
-      return false;
+    if (x[i] < tree.low[i] || x[i] > tree.high[i]) return false;
   return winding_number(solid, x) != 0;
 }
 

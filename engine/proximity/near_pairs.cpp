@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/triangle_batch.hpp"
 
 namespace sonde {
 
@@ -22,37 +23,31 @@ std::size_t keep_nearer_half(std::span<NearPair> out, double& reach) {
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                      std::span<NearPair> out) {
   const Placement at(a, b, X_BA);
-  struct Entry {
-    std::uint32_t a, b;
-  };
-  PairStack<Entry> stack;
+  TriangleBatch batch(a, b, at.X);
+  PairStack<SlotPair> stack;
+  SlotPairs children;
   std::size_t found = 0;
-  stack.push({0, 0});
+  const auto look = [&] {
+    batch.flush(reach, [&](std::uint32_t i, std::uint32_t j, int k, const ClosestPoints8& points) {
+      if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
+      if (found == out.size()) found = keep_nearer_half(out, reach);
+      out[found++] = {on_a(points, k), on_b(points, k), normal(points, k), points.gap[k], i, j};
+    });
+  };
+  stack.push(at.roots());
   while (!stack.empty()) {
-    const Entry e = stack.pop();
-    const Tree::Node& na = a.tree.nodes[e.a];
-    const Tree::Node& nb = b.tree.nodes[e.b];
-    if (at.box_distance(na, nb) > reach) continue;
-    if (na.is_leaf() && nb.is_leaf()) {
-      for (std::uint32_t i = na.first; i < na.first + na.count; ++i) {
-        const Corners ta = at.corners_a(i);
-        for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
-          const Corners tb = at.corners_b(j);
-          const ClosestPoints c = closest_points(ta, tb, reach);
-          if (!(c.distance > 0) || c.distance > reach) continue;
-          if (found == out.size()) found = keep_nearer_half(out, reach);
-          const Separator apart = separator(c, ta, tb);
-          out[found++] = {c.a, c.b, apart.normal, apart.gap, i, j};
-        }
-      }
-    } else if (open_first(na, nb)) {
-      stack.push({na.first + 1, e.b});
-      stack.push({na.first, e.b});
-    } else {
-      stack.push({e.a, nb.first + 1});
-      stack.push({e.a, nb.first});
+    const SlotPair p = stack.pop();
+    const float limit = at.above(reach);
+    if (p.bound > limit) continue;
+    if (at.is_leaf(p)) {
+      batch.add(at.triangle_a(p), at.triangle_b(p));
+      if (batch.full()) look();
+      continue;
     }
+    at.open_near(p, limit, children);
+    for (const SlotPair& child : children) stack.push(child);
   }
+  look();
   return {found, reach};
 }
 

@@ -13,36 +13,24 @@ PairList::PairList(const Body& a, const Body& b) : a_(a), b_(b), items_(most_ite
 
 bool PairList::build(const Transform& X, double reach) noexcept {
   const Placement at(a_, b_, X);
-  struct Entry {
-    std::uint32_t a, b;
-  };
-  PairStack<Entry> stack;
+  PairStack<SlotPair> stack;
+  SlotPairs children;
   X_ = X;
   count_ = 0;
   reach_ = -1;
-  stack.push({0, 0});
+  stack.push(at.roots());
   while (!stack.empty()) {
-    const Entry e = stack.pop();
-    const Tree::Node& na = a_.tree.nodes[e.a];
-    const Tree::Node& nb = b_.tree.nodes[e.b];
-    const double bound = at.box_distance(na, nb);
-    if (bound > reach) continue;
-    if (na.is_leaf() && nb.is_leaf()) {
-      for (std::uint32_t i = na.first; i < na.first + na.count; ++i)
-        for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
-          if (count_ == items_.size()) {
-            count_ = 0;
-            return false;
-          }
-          items_[count_++] = {i, j, bound, Vec3::Zero()};
-        }
-    } else if (open_first(na, nb)) {
-      stack.push({na.first + 1, e.b});
-      stack.push({na.first, e.b});
-    } else {
-      stack.push({e.a, nb.first + 1});
-      stack.push({e.a, nb.first});
+    const SlotPair p = stack.pop();
+    if (!at.is_leaf(p)) {
+      at.open_near(p, at.above(reach), children);
+      for (const SlotPair& child : children) stack.push(child);
+      continue;
     }
+    if (count_ == items_.size()) {
+      count_ = 0;
+      return false;
+    }
+    items_[count_++] = {at.triangle_a(p), at.triangle_b(p), at.below(p.bound), Vec3::Zero()};
   }
   reach_ = reach;
   return true;

@@ -4,51 +4,94 @@
 namespace sonde {
 namespace {
 
-Float4 to_float(const Vec3& x) {
-  return Float4{static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z()), 0};
-}
-
-/// Every coordinate that a comparison of boxes passes through is at most the sum of the extents;
-/// about ten operations, each rounding by 2⁻²⁴ of that, and rotation entries off by as much.
-float float_rounding(double extent_a, double extent_b, const Vec3& p) {
-  const double size = extent_a + extent_b + p.cwiseAbs().maxCoeff();
-  return static_cast<float>(40 * 0x1p-24 * size);
-}
+/// The largest distance of a corner from the tree's origin along an axis, m.
+double local_extent(const Tree& tree) { return (tree.high - tree.low).maxCoeff(); }
 
 }  // namespace
 
 double extent(const Body& body) {
-  const Tree::Node& root = body.tree.nodes.front();
-  return (center(root).cwiseAbs() + half_size(root)).maxCoeff();
+  return std::max(body.tree.low.cwiseAbs().maxCoeff(), body.tree.high.cwiseAbs().maxCoeff());
+}
+
+FrameChange a_to_b(const Tree& a, const Tree& b, const Transform& X, double per_unit) {
+  return {X.R.cast<float>(), ((X * a.origin - b.origin) * per_unit).cast<float>()};
+}
+
+FrameChange b_to_a(const Tree& a, const Tree& b, const Transform& X, double per_unit) {
+  const Mat3 back = X.R.transpose();
+  return {back.cast<float>(), (back * (b.origin - X * a.origin) * per_unit).cast<float>()};
+}
+
+PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale) {
+  const Tree::Node& node = tree.nodes[slot / Tree::width];
+  const std::uint32_t k = slot % Tree::width;
+  const auto at = [k](const float(&rows)[3][Tree::width]) {
+    return Eigen::Vector3f(rows[0][k], rows[1][k], rows[2][k]);
+  };
+  const Eigen::Vector3f center = change.R * (scale * at(node.center)) + change.p;
+  const Eigen::Vector3f u = change.R * at(node.axis[0]), v = change.R * at(node.axis[1]);
+  const Eigen::Vector3f w = u.cross(v);
+  PlacedBox box;
+  for (int i = 0; i < 3; ++i) {
+    box.center[i] = center[i];
+    box.half[i] = scale * node.half[i][k];
+    box.axis[0][i] = u[i];
+    box.axis[1][i] = v[i];
+    box.axis[2][i] = w[i];
+  }
+  return box;
 }
 
 Placement::Placement(const Body& a, const Body& b, const Transform& X_BA)
     : X(X_BA),
       guard(rounding_guard(extent(a), extent(b), X_BA.p)),
-      a_(&a),
-      b_(&b),
-      shift_(to_float(X_BA.p)),
-      float_guard_(float_rounding(extent(a), extent(b), X_BA.p)) {
-  const Mat3 abs_R = X_BA.R.cwiseAbs();
-  for (int i = 0; i < 3; ++i) {
-    columns_[i] = to_float(X_BA.R.col(i));
-    abs_columns_[i] = to_float(abs_R.col(i));
-    rows_[i] = to_float(X_BA.R.row(i).transpose());
-    abs_rows_[i] = to_float(abs_R.row(i).transpose());
+      a_(a),
+      b_(b),
+      kernels_(box_kernels()) {
+  // Between the trees' origins, so that what is far from the meshes' own origins loses nothing.
+  const Vec3 shift = X * a.tree.origin - b.tree.origin;
+  const double size = local_extent(a.tree) + local_extent(b.tree) + shift.cwiseAbs().maxCoeff();
+  per_unit_ = std::exp2(-std::ilogb(size));
+  scale_ = static_cast<float>(per_unit_);
+  a_to_b_ = a_to_b(a.tree, b.tree, X, per_unit_);
+  b_to_a_ = b_to_a(a.tree, b.tree, X, per_unit_);
+  float_guard_ = static_cast<float>((box_rounding * size + guard) * per_unit_) * (1 + 0x1p-22f);
+}
+
+void Placement::try_direction(const Vec3& from_b_to_a) {
+  const Vec3 n = from_b_to_a.normalized();
+  if (!n.allFinite()) return;
+  toward_a_ = n.cast<float>();
+  toward_b_ = -(X.R.transpose() * n).cast<float>();
+}
+
+void Placement::open(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const {
+  const std::uint32_t child_a = a_.tree.child(p.a), child_b = b_.tree.child(p.b);
+  const bool open_a = opens_a(a_.tree, b_.tree, p);
+  const Tree::Node& node = open_a ? a_.tree.nodes[child_a] : b_.tree.nodes[child_b];
+  PlacedBox other =
+      open_a ? placed(b_.tree, p.b, b_to_a_, scale_) : placed(a_.tree, p.a, a_to_b_, scale_);
+  Eigen::Map<Eigen::Vector3f>(other.direction) = open_a ? toward_b_ : toward_a_;
+  Lanes bounds;
+  kernel(other, node, scale_, bounds);
+  out.count = 0;
+  for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
+    const float bound = bounds.value[k] - float_guard_;
+    if (bound > limit) continue;
+    SlotPair& child = out.pair[static_cast<std::size_t>(out.count++)];
+    if (open_a)
+      child = {child_a * Tree::width + k, p.b, bound};
+    else
+      child = {p.a, child_b * Tree::width + k, bound};
   }
 }
 
-Placement::BoxGap Placement::box_gap_at(const Transform& X, double guard, const Tree::Node& na,
-                                        const Tree::Node& nb) {
-  const Vec3 ha = half_size(na), hb = half_size(nb);
-  const Vec3 d = X * center(na) - center(nb);
-  const Vec3 d_a = X.R.transpose() * d;
-  const Mat3 abs_R = X.R.cwiseAbs();
-  int i = 0, j = 0;
-  const double in_b = (d.cwiseAbs() - hb - abs_R * ha).maxCoeff(&i);
-  const double in_a = (d_a.cwiseAbs() - ha - abs_R.transpose() * hb).maxCoeff(&j);
-  if (in_b >= in_a) return {in_b - guard, (d[i] < 0 ? -1.0 : 1.0) * Vec3::Unit(i)};
-  return {in_a - guard, (d_a[j] < 0 ? -1.0 : 1.0) * X.R.col(j)};
+void Placement::open_near(const SlotPair& p, float limit, SlotPairs& out) const {
+  open(p, kernels_.distances, limit, out);
+}
+
+void Placement::open_overlapping(const SlotPair& p, SlotPairs& out) const {
+  open(p, kernels_.gaps, 0, out);
 }
 
 }  // namespace sonde

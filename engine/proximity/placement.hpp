@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "engine/geometry/body.hpp"
+#include "engine/proximity/box_lanes.hpp"
 #include "engine/proximity/triangle_pair.hpp"
 
 namespace sonde {
@@ -23,9 +25,6 @@ inline Corners place(const Transform& X, const Corners& c) {
   return {X * c[0], X * c[1], X * c[2]};
 }
 
-inline Vec3 center(const Tree::Node& n) { return {n.center[0], n.center[1], n.center[2]}; }
-inline Vec3 half_size(const Tree::Node& n) { return {n.half[0], n.half[1], n.half[2]}; }
-
 /// The rounding error allowed for in coordinates of A placed at X in B's frame, m: well above what
 /// a rotation, a translation and a projection of such numbers can lose.
 inline double rounding_guard(double extent_a, double extent_b, const Vec3& translation) {
@@ -33,83 +32,98 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
 }
 
-/// Four floats at once; the fourth lane idles.
-typedef float Float4 __attribute__((vector_size(16)));
+/// Takes boxes of one tree to the frame of the other's (each in its own unit of length, per_unit
+/// to a metre, from its own origin).
+struct FrameChange {
+  Eigen::Matrix3f R;
+  Eigen::Vector3f p;
+};
+/// A's boxes to B's frame and back, for A's mesh frame placed at X in B's.
+FrameChange a_to_b(const Tree& a, const Tree& b, const Transform& X, double per_unit);
+FrameChange b_to_a(const Tree& a, const Tree& b, const Transform& X, double per_unit);
+PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale);
+
+/// A pair of boxes still to be looked at.
+struct SlotPair {
+  std::uint32_t a, b;  ///< slots of the two trees
+  float bound;         ///< what is known of the pair, in the placement's unit
+};
+
+/// Both slots hold triangles.
+inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
+  return (a.child(p.a) & b.child(p.b) & Tree::triangle_bit) != 0;
+}
+/// Which of the two to open, where they are not both triangles: the larger box.
+inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
+  if (b.child(p.b) & Tree::triangle_bit) return true;
+  return (a.child(p.a) & Tree::triangle_bit) == 0 && a.half_sum(p.a) > b.half_sum(p.b);
+}
+
+/// Up to eight pairs that came out of one.
+struct SlotPairs {
+  std::array<SlotPair, Tree::width> pair;
+  int count = 0;
+  const SlotPair* begin() const { return pair.data(); }
+  const SlotPair* end() const { return pair.data() + count; }
+};
 
 /// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
-/// Boxes are compared in single precision, four numbers at a time, with its rounding error taken
-/// off the distance.
+/// Boxes are compared in single precision, in a unit that makes all of them of the order of 1, with
+/// its rounding error taken off.
 class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);
 
-  Corners corners_a(std::uint32_t triangle) const { return place(X, corners(a_->soup, triangle)); }
-  Corners corners_b(std::uint32_t triangle) const { return corners(b_->soup, triangle); }
+  Corners corners_a(std::uint32_t triangle) const { return place(X, corners(a_.soup, triangle)); }
+  Corners corners_b(std::uint32_t triangle) const { return corners(b_.soup, triangle); }
 
-  /// The axis of least overlap of two boxes among their six face normals.
-  struct BoxGap {
-    double gap;  ///< a lower bound of the separation along the axis (negative: they overlap on all
-                 ///< six), m
-    Vec3 axis;   ///< unit, in B's frame, from box B to box A
-  };
-  static BoxGap box_gap_at(const Transform& X, double guard, const Tree::Node& na,
-                           const Tree::Node& nb);
+  /// m → the placement's unit, rounded up or down; what is infinite stays so.
+  float above(double length) const {
+    return static_cast<float>(length * per_unit_) * (1 + 0x1p-22f);
+  }
 
-  /// A lower bound of the distance of two boxes, m; negative or 0: they may overlap.
-  double box_distance(const Tree::Node& na, const Tree::Node& nb) const {
-    const Outside out = outside(na, nb);
-    return std::sqrt(std::max(sum_of_squares(out.in_a), sum_of_squares(out.in_b))) - float_guard_;
+  /// A bound in the placement's unit → m, rounded down.
+  double below(float bound) const { return static_cast<double>(bound) / per_unit_ * (1 - 1e-7); }
+
+  bool is_leaf(const SlotPair& p) const { return sonde::is_leaf(a_.tree, b_.tree, p); }
+  std::uint32_t triangle_a(const SlotPair& p) const {
+    return a_.tree.child(p.a) & ~Tree::triangle_bit;
   }
-  /// box_gap's gap alone, to order by and to see overlap.
-  double box_overlap(const Tree::Node& na, const Tree::Node& nb) const {
-    const Outside out = outside(na, nb);
-    const Float4 m = out.in_a > out.in_b ? out.in_a : out.in_b;
-    return std::max({m[0], m[1], m[2]}) - float_guard_;
+  std::uint32_t triangle_b(const SlotPair& p) const {
+    return b_.tree.child(p.b) & ~Tree::triangle_bit;
   }
+
+  SlotPair roots() const { return {0, 0, 0}; }
+  /// Opens the larger box of a pair that is not a leaf, and compares what is in it with the other
+  /// box. The bounds are lower bounds of distances; pairs with one above `limit` are left out.
+  void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// The same with separations along the six face normals: pairs that do not overlap are left out.
+  void open_overlapping(const SlotPair& p, SlotPairs& out) const;
+
+  /// A direction, from B to A in B's frame, that is likely to separate boxes well: that of the best
+  /// closest points so far.
+  void try_direction(const Vec3& from_b_to_a);
 
   Transform X;
   double guard;  ///< see rounding_guard
 
  private:
-  /// By how much the boxes are apart along the axes of either (negative: they overlap there).
-  struct Outside {
-    Float4 in_a, in_b;
-  };
-  static Float4 load(const float* p) {
-    Float4 f;
-    __builtin_memcpy(&f, p, sizeof f);
-    return f;
-  }
-  static Float4 all(float x) { return Float4{x, x, x, x}; }
-  static Float4 magnitude(Float4 x) { return x < 0 ? -x : x; }
-  static double sum_of_squares(Float4 x) {
-    const Float4 zero{};
-    const Float4 p = x > zero ? x : zero;
-    const Float4 q = p * p;
-    return static_cast<double>(q[0] + q[1] + q[2]);
-  }
-  Outside outside(const Tree::Node& na, const Tree::Node& nb) const {
-    const Float4 hb{nb.half[0], nb.half[1], nb.half[2], 0};
-    const Float4 ha{na.half[0], na.half[1], na.half[2], 0};
-    const Float4 d = columns_[0] * all(na.center[0]) + columns_[1] * all(na.center[1]) +
-                     columns_[2] * all(na.center[2]) + shift_ - load(nb.center);
-    const Float4 reach_a = abs_columns_[0] * all(na.half[0]) + abs_columns_[1] * all(na.half[1]) +
-                           abs_columns_[2] * all(na.half[2]);
-    const Float4 d_a = rows_[0] * all(d[0]) + rows_[1] * all(d[1]) + rows_[2] * all(d[2]);
-    const Float4 reach_b = abs_rows_[0] * all(nb.half[0]) + abs_rows_[1] * all(nb.half[1]) +
-                           abs_rows_[2] * all(nb.half[2]);
-    return {magnitude(d_a) - ha - reach_b, magnitude(d) - hb - reach_a};
-  }
+  using Kernel = void (*)(const PlacedBox&, const Tree::Node&, float, Lanes&);
+  void open(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
 
-  const Body* a_;
-  const Body* b_;
-  Float4 columns_[3], abs_columns_[3], rows_[3], abs_rows_[3], shift_;
+  const Body& a_;
+  const Body& b_;
+  const BoxKernels& kernels_;
+  FrameChange a_to_b_, b_to_a_;
+  Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
+  Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
+  double per_unit_;
+  float scale_;
   float float_guard_;
 };
 
-/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. A depth-first walk of
-/// two trees of depth p and q that pushes two children for the one popped never holds more than p +
-/// q + 1 entries, and trees are at most 60 deep.
+/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. Opening a pair takes
+/// one entry and puts up to eight, and on the way down at most depth_a + depth_b pairs are opened.
 template <class Entry>
 class PairStack {
  public:
@@ -118,15 +132,8 @@ class PairStack {
   Entry pop() { return items_[--size_]; }
 
  private:
-  Entry items_[160];
+  Entry items_[2 * Tree::max_depth * (Tree::width - 1) + Tree::width + 1];
   int size_ = 0;
 };
-
-/// Which of two nodes to open: the one with the larger box, a leaf never.
-inline bool open_first(const Tree::Node& na, const Tree::Node& nb) {
-  if (na.is_leaf()) return false;
-  if (nb.is_leaf()) return true;
-  return na.half[0] + na.half[1] + na.half[2] > nb.half[0] + nb.half[1] + nb.half[2];
-}
 
 }  // namespace sonde

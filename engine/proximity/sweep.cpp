@@ -3,86 +3,128 @@
 
 #include "engine/proximity/pair_sweep.hpp"
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/sweep_lanes.hpp"
 
 namespace sonde {
 namespace {
 
+void copy(const Vec3& x, float (&out)[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(x[i]);
+}
+
 class Sweeper {
  public:
   Sweeper(const Body& a, const Body& b, const Motion& motion, double clearance)
-      : a_(a),
-        b_(b),
-        motion_(motion),
-        pairs_(a, b, motion, clearance),
-        start_(a, b, pairs_.start().X),
-        linear_(motion.linear_distance()),
-        turn_(motion.turn_bound()) {}
+      : a_(a), b_(b), motion_(motion), pairs_(a, b, motion, clearance), kernels_(sweep_kernels()) {
+    const Vec3 shift = pairs_.start().X * a.tree.origin - b.tree.origin;
+    const double arm = (a.tree.origin - motion.com()).norm();
+    const double size = (a.tree.high - a.tree.low).maxCoeff() +
+                        (b.tree.high - b.tree.low).maxCoeff() + shift.cwiseAbs().maxCoeff() +
+                        motion.farthest(arm);
+    per_unit_ = std::exp2(-std::ilogb(size));
+    scale_ = static_cast<float>(per_unit_);
+    copy((motion.com() - a.tree.origin) * per_unit_, com_a_);
+    constexpr double up = 1 + 1e-6;
+    bounds_.acceleration = static_cast<float>(motion.acceleration_per_radius() * up);
+    bounds_.clearance =
+        static_cast<float>((clearance + box_rounding * size + pairs_.guard()) * per_unit_ * up);
+    bounds_.speed_rounding = static_cast<float>(
+        box_rounding * (motion.linear_distance() + motion.turn_bound() * size) * per_unit_ * up);
+  }
 
   Sweep run() {
-    stack_.push({0, 0, 0.0});
+    stack_.push({0, 0, 0});
     while (!stack_.empty() && pairs_.free_until() > 0) visit(stack_.pop());
     return pairs_.result();
   }
 
  private:
-  struct Entry {
-    std::uint32_t a, b;
-    double from;  // the pair is known to be free on [0, from]
+  /// One moment as the comparisons of boxes need it.
+  struct Placed {
+    int number = -1;
+    FrameChange a_to_b, b_to_a;
+    PlacedVelocity in_b, in_a;
+    float com_b[3];  // in the frame of B's boxes
   };
 
-  void visit(const Entry& e) {
-    if (e.from >= pairs_.free_until()) return;
-    const Tree::Node& na = a_.tree.nodes[e.a];
-    const Tree::Node& nb = b_.tree.nodes[e.b];
-    const Vec3 arm = center(na) - motion_.com();
-    const double radius = (arm.cwiseAbs() + half_size(na)).norm();
-    // Further apart than the path is long for any point of the box: the quick way out.
-    const double slack = start_.box_distance(na, nb) - pairs_.clearance() - pairs_.guard();
-    if (slack > (linear_ + turn_ * radius) * pairs_.free_until()) return;
-    const double s = advance_boxes(na, nb, arm, radius, e.from);
-    if (s >= pairs_.free_until()) return;
-    if (na.is_leaf() && nb.is_leaf()) {
-      for (std::uint32_t i = na.first; i < na.first + na.count; ++i)
-        for (std::uint32_t j = nb.first; j < nb.first + nb.count; ++j) {
-          Vec3 normal = Vec3::Zero();
-          pairs_.advance(i, j, s, normal);
-        }
-    } else if (open_first(na, nb)) {
-      stack_.push({na.first + 1, e.b, s});
-      stack_.push({na.first, e.b, s});
-    } else {
-      stack_.push({e.a, nb.first + 1, s});
-      stack_.push({e.a, nb.first, s});
+  // Of an entry, `bound` is how far along the path the pair is known to be free.
+  void visit(const SlotPair& p) {
+    const double from = static_cast<double>(p.bound);
+    if (from >= pairs_.free_until()) return;
+    if (is_leaf(a_.tree, b_.tree, p)) {
+      Vec3 normal = Vec3::Zero();
+      pairs_.advance(a_.tree.child(p.a) & ~Tree::triangle_bit,
+                     b_.tree.child(p.b) & ~Tree::triangle_bit, from, normal);
+      return;
     }
+    const bool opening_a = opens_a(a_.tree, b_.tree, p);
+    const std::uint32_t child = opening_a ? a_.tree.child(p.a) : b_.tree.child(p.b);
+    const Tree::Node& node = opening_a ? a_.tree.nodes[child] : b_.tree.nodes[child];
+    const Placed& now = placed_before(from);
+    Lanes steps;
+    if (opening_a)
+      kernels_.node_moves(placed(b_.tree, p.b, now.b_to_a, scale_), now.in_a, path(com_a_), node,
+                          scale_, steps);
+    else
+      kernels_.box_moves(placed(a_.tree, p.a, now.a_to_b, scale_), now.in_b, path(now.com_b), node,
+                         scale_, steps);
+    const float start = static_cast<float>(now.number) / moments;
+    SlotPairs found;
+    for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
+      const float until = std::max(p.bound, (start + steps.value[k]) * (1 - 0x1p-22f));
+      if (static_cast<double>(until) >= pairs_.free_until()) continue;
+      const std::uint32_t slot = child * Tree::width + k;
+      found.pair[static_cast<std::size_t>(found.count++)] =
+          opening_a ? SlotPair{slot, p.b, until} : SlotPair{p.a, slot, until};
+    }
+    // The pair that may stop it first is looked at first: what it says rules out others.
+    std::sort(found.pair.begin(), found.pair.begin() + found.count,
+              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    for (const SlotPair& next : found) stack_.push(next);
   }
 
-  /// The latest s up to which the boxes are known to be apart; not to the last bit, since children
-  /// know more than their parents.
-  double advance_boxes(const Tree::Node& na, const Tree::Node& nb, const Vec3& arm, double radius,
-                       double s) {
-    const Vec3 half = half_size(na);
-    const double acceleration = motion_.acceleration_per_radius() * radius;
-    const double size = std::max(half.maxCoeff(), half_size(nb).maxCoeff());
-    for (int tries = 0; tries < 8; ++tries) {
-      const Moment& now = pairs_.at(s);
-      const Placement::BoxGap g = Placement::box_gap_at(now.X, pairs_.guard(), na, nb);
-      const double slack = g.gap - pairs_.clearance();
-      if (slack <= 0) return s;
-      const Vec3 m = now.X.R.transpose() * g.axis.cross(now.velocity.angular);
-      const double speed = g.axis.dot(now.velocity.linear) + m.dot(arm) - m.cwiseAbs().dot(half);
-      s += safe_advance(slack, speed, acceleration);
-      if (s >= pairs_.free_until() || slack < size) return s;
-    }
-    return s;
+  /// The last of the moments before s. Most visits are at the same few: they are kept.
+  const Placed& placed_before(double s) {
+    const int number = std::min(moments - 1, static_cast<int>(s * moments));
+    Placed& kept = kept_[static_cast<std::size_t>(number) % kept_.size()];
+    if (kept.number == number) return kept;
+    kept.number = number;
+    const Moment now(motion_, static_cast<double>(number) / moments);
+    kept.a_to_b = a_to_b(a_.tree, b_.tree, now.X, per_unit_);
+    kept.b_to_a = b_to_a(a_.tree, b_.tree, now.X, per_unit_);
+    const Vec3 com_b = now.X * motion_.com() - b_.tree.origin;
+    const Mat3 back = now.X.R.transpose();
+    set_velocity(now.velocity.linear, now.velocity.angular, com_b, kept.in_b);
+    set_velocity(back * now.velocity.linear, back * now.velocity.angular,
+                 motion_.com() - a_.tree.origin, kept.in_a);
+    copy(com_b * per_unit_, kept.com_b);
+    return kept;
   }
 
+  void set_velocity(const Vec3& linear, const Vec3& angular, const Vec3& com,
+                    PlacedVelocity& out) const {
+    copy((linear - angular.cross(com)) * per_unit_, out.at_origin);
+    copy(angular, out.angular);
+  }
+
+  PathBounds path(const float (&com)[3]) const {
+    PathBounds bounds = bounds_;
+    for (int i = 0; i < 3; ++i) bounds.com[i] = com[i];
+    return bounds;
+  }
+
+  static constexpr int moments = 4096;  // a power of two: number / moments is exact
   const Body& a_;
   const Body& b_;
   const Motion& motion_;
   PairSweep pairs_;
-  Placement start_;
-  double linear_, turn_;
-  PairStack<Entry> stack_;
+  const SweepKernels& kernels_;
+  double per_unit_;
+  float scale_;
+  PathBounds bounds_{};
+  float com_a_[3];  // in the frame of A's boxes
+  std::array<Placed, 64> kept_;
+  PairStack<SlotPair> stack_;
 };
 
 }  // namespace

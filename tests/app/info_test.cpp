@@ -17,7 +17,8 @@ TEST_F(Info, text_has_numbers_and_units) {
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, AllOf(HasSubstr("small.off\n"), HasSubstr("large.off\n"),
                              HasSubstr("triangles       12\n"), HasSubstr("solid ("),
-                             HasSubstr("volume V        0.001 m³"), HasSubstr("none")));
+                             HasSubstr("volume V        0.001 m³"), HasSubstr("none"),
+                             HasSubstr("bytes a triangle)\n")));
 }
 
 TEST_F(Info, json_has_every_digit) {
@@ -32,6 +33,9 @@ TEST_F(Info, json_has_every_digit) {
   EXPECT_NEAR(mesh.at("bounds").at("high").at(0).get<double>(), 5e-5, 1e-16);
   EXPECT_EQ(mesh.at("defects").at("open_edges"), 0);
   EXPECT_EQ(mesh.at("defects").at("turned"), false);
+  // Eight vertices of three doubles, twelve triangles of three indices, and a tree.
+  EXPECT_GT(mesh.at("memory_bytes"), 8 * 24 + 12 * 12);
+  EXPECT_LT(mesh.at("memory_bytes"), 4096);
 }
 
 TEST_F(Info, defects_are_counted) {

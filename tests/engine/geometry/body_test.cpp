@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 
 #include "tests/engine/geometry/mesh_files.hpp"
+#include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -115,7 +117,7 @@ TEST(Body, ACavityCountsAsEmpty) {
   EXPECT_TRUE(body->solid);
   EXPECT_FALSE(body->turned);
   EXPECT_NEAR(body->mass.measure, 26, 1e-13);
-  EXPECT_EQ(body->topology.components, 2u);
+  EXPECT_EQ(body->component_triangle.size(), 2u);
 }
 
 TEST(Body, DegenerateTrianglesAreSetAsideWithoutOpeningTheMesh) {
@@ -128,8 +130,7 @@ TEST(Body, DegenerateTrianglesAreSetAsideWithoutOpeningTheMesh) {
   EXPECT_TRUE(body->solid);
   EXPECT_EQ(body->degenerate, 1u);
   EXPECT_EQ(body->soup.triangles.size(), 13u);
-  EXPECT_EQ(body->topology.component_of.size(), 13u);
-  EXPECT_EQ(body->topology.components, 1u);
+  EXPECT_EQ(body->component_triangle.size(), 1u);
 }
 
 TEST(Body, PartsJoinedByASliverAloneAreTwo) {
@@ -138,17 +139,19 @@ TEST(Body, PartsJoinedByASliverAloneAreTwo) {
   two.polygons.push_back({1, 16, 8});  // in one line with the edges of both
   const auto body = make_body(two, Model::automatic, "two");
   EXPECT_EQ(body->degenerate, 1u);
-  EXPECT_EQ(body->topology.components, 2u);
+  EXPECT_EQ(body->component_triangle.size(), 2u);
   EXPECT_EQ(body->soup.vertices.size(), 16u);
 }
 
-TEST(Body, ComponentsFollowTheOrderOfTheTree) {
+// Reference: the boxes are apart in z, and come in this order in the file.
+TEST(Body, ComponentTrianglesAreTheFirstOfEachInTheOrderOfTheTree) {
   const auto body = make_body(joined(test::sphere(1, 8, 9), test::box({1, 1, 1}), {0.5, 0, 5}),
                               Model::automatic, "two");
-  ASSERT_EQ(body->topology.component_of.size(), body->soup.triangles.size());
-  for (std::size_t i = 0; i < body->soup.triangles.size(); ++i)
-    EXPECT_EQ(body->topology.component_of[i],
-              body->soup.vertices[body->soup.triangles[i][0]].z() > 2 ? 1u : 0u);
+  const auto is_above = [&](const Triangle& t) { return body->soup.vertices[t[0]].z() > 2; };
+  const auto& triangles = body->soup.triangles;
+  const auto below = std::ranges::find_if_not(triangles, is_above) - triangles.begin();
+  const auto above = std::ranges::find_if(triangles, is_above) - triangles.begin();
+  EXPECT_THAT(body->component_triangle, testing::ElementsAre(below, above));
 }
 
 TEST(Body, UnusedPointsDoNotCount) {
@@ -157,7 +160,7 @@ TEST(Body, UnusedPointsDoNotCount) {
   const auto body = make_body(box, Model::automatic, "box");
   EXPECT_EQ(body->soup.vertices.size(), 8u);
   EXPECT_LT(body->mass.radius, 1);
-  EXPECT_LT(body->tree.nodes[0].half[0], 1);
+  EXPECT_LT(body->tree.high.x(), 1);
 }
 
 TEST(Body, NothingWithAnAreaIsRefused) {
@@ -175,21 +178,124 @@ TEST(Body, SizesBeyondTheEngineAreRefused) {
             "a.off: the mesh is smaller than 1e-30 m");
 }
 
-TEST(Body, ReportsProgressAndCanBeCancelled) {
-  std::vector<double> seen;
-  make_body(test::box({1, 1, 1}), Model::automatic, "box", [&](double f) {
-    seen.push_back(f);
+TEST(Body, ReportsProgressFromZeroToOne) {
+  for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
+    std::vector<double> seen;
+    make_body(mesh, Model::automatic, "mesh", [&](double f) {
+      seen.push_back(f);
+      return true;
+    });
+    EXPECT_TRUE(std::ranges::is_sorted(seen));
+    EXPECT_EQ(seen.front(), 0);
+    EXPECT_EQ(seen.back(), 1);
+  }
+}
+
+/// Builds with a progress that says stop at this call, counted from 0: did that cancel it?
+bool is_cancelled_at(std::size_t call, const PolygonSoup& mesh) {
+  std::size_t calls = 0;
+  try {
+    make_body(mesh, Model::automatic, "mesh", [&](double) { return calls++ != call; });
+  } catch (const Cancelled&) {
+    EXPECT_EQ(calls, call + 1) << "asked again after it had cancelled";
+    return true;
+  }
+  EXPECT_LE(calls, call) << "was told to stop and went on";
+  return false;
+}
+
+// The larger one is built by two threads, and the number of its calls is not always the same.
+TEST(Body, CanBeCancelledAtAnyPoint) {
+  for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
+    std::size_t calls = 0;
+    while (is_cancelled_at(calls, mesh)) ++calls;
+    EXPECT_GE(calls, 10u);
+  }
+}
+
+TEST(Body, CancellingLeavesNothingAllocated) {
+  const PolygonSoup box = test::box({1, 1, 1});
+  const std::string name = "a name too long for a string to keep in itself";
+  for (std::size_t stop = 0, cancelled = 1; cancelled > 0; ++stop) {
+    cancelled = 0;
+    std::size_t calls = 0;
+    const Progress progress = [&](double) { return calls++ < stop; };
+    test::AllocationCounter counter;
+    try {
+      make_body(box, Model::automatic, name, progress);
+    } catch (const Cancelled&) {
+      ++cancelled;
+    }
+    counter.stop();
+    EXPECT_GT(counter.allocations(), 0u);
+    EXPECT_EQ(counter.allocations(), counter.frees()) << "cancelled at call " << stop;
+  }
+}
+
+/// How often the steps before the tree report, for a torus of this many triangles.
+std::size_t reports_before_the_tree(int triangles) {
+  std::size_t n = 0;
+  make_body(test::torus(1, 0.3, triangles / 200, 100), Model::automatic, "torus", [&](double f) {
+    n += f < 0.425;
     return true;
   });
-  EXPECT_TRUE(std::ranges::is_sorted(seen));
-  EXPECT_EQ(seen.front(), 0);
-  EXPECT_EQ(seen.back(), 1);
-  for (std::size_t stop = 0; stop < seen.size(); ++stop) {
-    std::size_t calls = 0;
-    EXPECT_THROW(make_body(test::box({1, 1, 1}), Model::automatic, "box",
-                           [&](double) { return calls++ < stop; }),
-                 Cancelled);
+  return n;
+}
+
+// So that whoever cancels need not wait: every loop over triangles or vertices reports before each
+// 65,536 of them. Seven go over the triangles (6 reports where there was 1), three over the
+// vertices (3 where there was 1).
+TEST(Body, ReportsProgressWithinEachStep) {
+  EXPECT_GE(reports_before_the_tree(330'000), reports_before_the_tree(30'000) + 7 * 5 + 3 * 2);
+}
+
+// Reference: the mass properties by themselves, which take one thread.
+TEST(Body, MassHasTheSameBitsWhereTwoThreadsBuild) {
+  const PolygonSoup mesh = test::torus(1, 0.3, 200, 100);
+  const auto body = make_body(mesh, Model::automatic, "torus");
+  const MassProperties alone = mass_by_volume(compacted(triangulate_all(mesh)));
+  EXPECT_EQ(body->mass.measure, alone.measure);
+  EXPECT_EQ(body->mass.com, alone.com);
+  EXPECT_EQ(body->mass.R_MP, alone.R_MP);
+  EXPECT_EQ(body->mass.inertia, alone.inertia);
+  EXPECT_EQ(body->mass.radius, alone.radius);
+}
+
+std::size_t allocated_now() {
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+constexpr bool has_own_allocator =
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    true;
+#else
+    false;
+#endif
+
+// Reference: what the allocator of the C library says that it has handed out.
+TEST(Body, BytesAreWhatIsAllocated) {
+  if (has_own_allocator) GTEST_SKIP() << "a sanitizer's allocator keeps no such figures";
+  std::mt19937_64 random(1);
+  for (const PolygonSoup& mesh :
+       {test::torus(1, 0.3, 500, 200), test::random_soup(random, 20000, 1)}) {
+    const std::size_t before = allocated_now();
+    const auto body = make_body(mesh, Model::automatic, "mesh");
+    const auto allocated = static_cast<double>(allocated_now() - before);
+    EXPECT_NEAR(static_cast<double>(bytes(*body)), allocated, 0.01 * allocated);
   }
+}
+
+// 120 bytes a triangle is what is asked for; without the tree a closed mesh takes 24.
+TEST(Body, AClosedMeshTakesLittleMemory) {
+  const auto body = make_body(test::torus(1, 0.3, 500, 200), Model::automatic, "torus");
+  const std::size_t triangles = body->soup.triangles.size();
+  ASSERT_EQ(triangles, 200'000u);
+  EXPECT_LE(bytes(*body), 120 * triangles);
+  EXPECT_LE(sizeof(Vec3) * body->soup.vertices.capacity() +
+                sizeof(Triangle) * body->soup.triangles.capacity() +
+                sizeof(std::uint32_t) * body->component_triangle.capacity(),
+            24 * triangles + 64);
 }
 
 TEST(Body, LoadsAndScales) {

@@ -108,7 +108,7 @@ TEST(Mass, MovesWithTheBody) {
     const Quat q = test::random_rotation(random);
     const Vec3 p = test::random_in_ball(random, 10);
     for (const auto& mass : {mass_by_volume, mass_by_area}) {
-      const MassProperties there = mass(moved(soup, q, p)), here = mass(soup);
+      const MassProperties there = mass(moved(soup, q, p), {}), here = mass(soup, {});
       expect_near(there.com, q * here.com + p, 1e-13);
       expect_near(there.inertia, here.inertia, 1e-13);
       EXPECT_LE((tensor(there) - q * tensor(here) * q.conjugate()).norm(), 1e-13);
@@ -140,7 +140,7 @@ TEST(Mass, PowersOfTwoScaleExactly) {
   for (const double s : {0x1p-200, 0x1p-10, 0x1p10, 0x1p200}) {
     for (const bool volume : {true, false}) {
       const auto mass = volume ? mass_by_volume : mass_by_area;
-      const MassProperties one = mass(soup), other = mass(scaled(soup, s));
+      const MassProperties one = mass(soup, {}), other = mass(scaled(soup, s), {});
       EXPECT_EQ(other.measure, one.measure * s * s * (volume ? s : 1));
       EXPECT_EQ(other.com, one.com * s);
       EXPECT_EQ(other.inertia, Vec3(one.inertia * s * s));

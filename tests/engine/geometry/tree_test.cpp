@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <numeric>
 
+#include "engine/geometry/oriented_box.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -25,28 +28,43 @@ Built build(const Soup& soup) {
 
 Built build(const PolygonSoup& polygons) { return build(triangulate(polygons).soup); }
 
-/// Walks down from a node with all the boxes above it; counts the visits of each triangle.
-void visit(const Built& b, std::uint32_t index, int level, std::vector<std::uint32_t>& above,
+/// Is x in the box of a slot, as the tree's documentation says it?
+testing::AssertionResult holds(const Tree& tree, std::uint32_t slot, const Vec3& x) {
+  const Tree::Node& node = tree.nodes.at(slot / Tree::width);
+  const std::uint32_t k = slot % Tree::width;
+  const Vec3 center(node.center[0][k], node.center[1][k], node.center[2][k]);
+  SmallAxes axes;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t c = 0; c < 3; ++c) axes[i][c] = node.axis[i][c][k];
+  const Vec3 along = axes_of(axes).transpose() * (x - tree.origin - center);
+  for (int i = 0; i < 3; ++i)
+    if (!(std::abs(along[i]) <= static_cast<double>(node.half[i][k])))
+      return testing::AssertionFailure() << "slot " << slot << " axis " << i << ": " << along[i]
+                                         << " is beyond " << node.half[i][k];
+  return testing::AssertionSuccess();
+}
+
+/// Walks down from a slot with all the boxes above it; counts the visits of each triangle.
+void visit(const Built& b, std::uint32_t slot, int level, std::vector<std::uint32_t>& above,
            std::vector<int>& visits, int& deepest) {
-  const Tree::Node& node = b.tree.nodes.at(index);
-  above.push_back(index);
-  deepest = std::max(deepest, level);
-  if (node.is_leaf()) {
-    EXPECT_LE(node.count, Tree::leaf_size);
-    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-      ++visits.at(t);
-      for (const std::uint32_t v : b.after.triangles.at(t))
-        for (const std::uint32_t a : above)
-          for (int k = 0; k < 3; ++k) {
-            const double x = b.after.vertices[v][k], center = b.tree.nodes[a].center[k],
-                         half = b.tree.nodes[a].half[k];
-            ASSERT_LE(center - half, x);
-            ASSERT_LE(x, center + half);
-          }
-    }
+  above.push_back(slot);
+  const std::uint32_t child = b.tree.child(slot);
+  if (child & Tree::triangle_bit) {
+    const std::uint32_t t = child & ~Tree::triangle_bit;
+    ++visits.at(t);
+    for (const std::uint32_t v : b.after.triangles.at(t))
+      for (const std::uint32_t box : above) ASSERT_TRUE(holds(b.tree, box, b.after.vertices[v]));
   } else {
-    visit(b, node.first, level + 1, above, visits, deepest);
-    visit(b, node.first + 1, level + 1, above, visits, deepest);
+    deepest = std::max(deepest, level + 1);
+    EXPECT_EQ(b.tree.first_triangle(slot), b.tree.first_triangle(child * Tree::width));
+    bool ended = false;
+    for (std::uint32_t k = 0; k < Tree::width; ++k) {
+      ended = ended || b.tree.nodes.at(child).child[k] == Tree::none;
+      if (ended)
+        EXPECT_EQ(b.tree.nodes.at(child).child[k], Tree::none);
+      else
+        visit(b, child * Tree::width + k, level + 1, above, visits, deepest);
+    }
   }
   above.pop_back();
 }
@@ -58,7 +76,7 @@ void check(const Built& b) {
   visit(b, 0, 0, above, visits, deepest);
   EXPECT_TRUE(std::ranges::all_of(visits, [](int n) { return n == 1; }));
   EXPECT_EQ(b.tree.depth, deepest);
-  EXPECT_LE(b.tree.depth, 60);
+  EXPECT_LE(b.tree.depth, Tree::max_depth);
   ASSERT_EQ(b.order.size(), b.before.triangles.size());
   std::vector<std::uint32_t> sorted = b.order;
   std::ranges::sort(sorted);
@@ -97,7 +115,7 @@ TEST(Tree, IdenticalTrianglesEndInTime) {
   const Built b =
       build(of_triangles(5000, [](std::size_t, int k) { return Vec3(k == 1, k == 2, 0); }));
   check(b);
-  EXPECT_LE(b.tree.depth, 13);
+  EXPECT_LE(b.tree.depth, 5);  // log16 of 5000 is 3.1
 }
 
 // Each triangle half as far out and half as large as the last: uneven splits only.
@@ -125,12 +143,57 @@ TEST(Tree, DoesNotDependOnTheUnit) {
     const Built b = build(other);
     EXPECT_EQ(b.order, one.order);
     EXPECT_EQ(b.tree.nodes.size(), one.tree.nodes.size());
-    EXPECT_EQ(b.tree.nodes[0].half[0], static_cast<float>(one.tree.nodes[0].half[0] * s));
+    EXPECT_EQ(b.tree.nodes[0].half[0][0],
+              static_cast<float>(static_cast<double>(one.tree.nodes[0].half[0][0]) * s));
   }
 }
 
-TEST(Tree, IsReasonablyShallow) {
-  EXPECT_LE(build(test::sphere(1, 100, 200)).tree.depth, 24);  // log2 of 40 000 / 2 is 14.3
+TEST(Tree, IsShallowAndFull) {
+  const Built b = build(test::sphere(1, 100, 200));  // 39 600 triangles, log8 is 5.1
+  EXPECT_LE(b.tree.depth, 8);
+  EXPECT_LT(static_cast<double>(bytes(b.tree)) / 39600, 75);
+}
+
+// An oriented box over a small piece of a smooth surface is far thinner than it is long.
+TEST(Tree, BoxesFollowTheSurface) {
+  const Built b = build(test::sphere(1, 100, 200));
+  double worst = 0;
+  for (const Tree::Node& node : b.tree.nodes)
+    for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
+      const float half[] = {node.half[0][k], node.half[1][k], node.half[2][k]};
+      const double longest = *std::ranges::max_element(half),
+                   thinnest = *std::ranges::min_element(half);
+      // A cap of half-angle a on the unit sphere is 1 − cos a high; facets are within 5e-4 of it.
+      if (longest < 0.2) worst = std::max(worst, thinnest - (1 - std::cos(2 * longest)) / 2);
+    }
+  EXPECT_LT(worst, 1e-3);
+}
+
+// The threads take parts as they come: what comes out must not tell.
+TEST(Tree, SameBitsEveryTime) {
+  const Soup soup = triangulate(test::sphere(1, 150, 200)).soup;
+  const Built one = build(soup);
+  for (int i = 0; i < 3; ++i) {
+    const Built other = build(soup);
+    EXPECT_EQ(other.order, one.order);
+    ASSERT_EQ(other.tree.nodes.size(), one.tree.nodes.size());
+    EXPECT_EQ(std::memcmp(other.tree.nodes.data(), one.tree.nodes.data(),
+                          one.tree.nodes.size() * sizeof(Tree::Node)),
+              0);
+  }
+}
+
+TEST(Tree, CanBeCancelled) {
+  Soup soup = triangulate(test::sphere(1, 150, 200)).soup;
+  std::vector<std::uint32_t> order;
+  double last = -1;
+  build_tree(soup, order, [&](double f) {
+    EXPECT_GE(f, last);
+    last = f;
+    return true;
+  });
+  EXPECT_EQ(last, 1);
+  EXPECT_THROW(build_tree(soup, order, [](double) { return false; }), Cancelled);
 }
 
 TEST(Tree, NothingGivesAnEmptyTree) { EXPECT_TRUE(build(Soup()).tree.nodes.empty()); }

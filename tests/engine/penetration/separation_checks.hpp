@@ -12,6 +12,7 @@
 
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/distance.hpp"
+#include "engine/proximity/point_distance.hpp"
 #include "engine/proximity/motion.hpp"
 #include "tests/support/brute_force.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "engine/proximity/intersect.hpp"
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/point_distance.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace sonde {
+
+/// A triangle while a tree is built: its box along the axes, in whatever unit makes the whole of
+/// the order of 1 (it decides how to split, never what a box must hold).
+struct SplitItem {
+  float low[3];
+  std::uint32_t triangle;
+  float high[3];
+  float unused = 0;
+};
+
+/// Half the surface of the box around all items.
+double half_area(std::span<const SplitItem> items);
+
+/// How to choose where a range ends.
+enum class SplitBy {
+  cost,  ///< the surface-area heuristic in 16 bins (after Wald, 2007)
+  half   ///< by count, along the longest axis: ends in time whatever the items are
+};
+
+/// Reorders the items and returns how many go to the left: at least one, not all. Ranges of up to
+/// 512 are cut at a multiple of `whole`, so that the last nodes are full.
+std::size_t split(std::span<SplitItem> items, SplitBy by, std::size_t whole);
+
+}  // namespace sonde

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+#include "engine/error.hpp"
+
+namespace sonde {
+
+/// The means of long work on a mesh: progress that can cancel it, and a second thread.
+
+/// Tells progress, where there is any; throws Cancelled where it says so.
+void report(const Progress& progress, double fraction);
+
+/// The part of a progress from one fraction to another. It refers to the whole, and must not
+/// outlive it.
+Progress part_of(const Progress& progress, double from, double to);
+
+/// Does step(i) for 0 ≤ i < n, and reports before each piece: one of this size takes milliseconds.
+template <class Step>
+void for_each_index(std::size_t n, const Progress& progress, Step step) {
+  constexpr std::size_t piece = 1 << 16;
+  for (std::size_t at = 0; at < n; at += piece) {
+    report(progress, static_cast<double>(at) / static_cast<double>(n));
+    const std::size_t end = std::min(n, at + piece);
+    for (std::size_t i = at; i < end; ++i) step(i);
+  }
+}
+
+/// Fewer triangles than this are done before a second thread has started.
+constexpr std::size_t worth_a_thread = 20'000;
+
+using Part = std::function<void(const Progress&)>;
+
+/// Does two parts of a step that do not touch each other, `there` on a second thread if
+/// `two_threads` and after `here` if not. Progress is called on this thread only; once it has
+/// cancelled `here`, the progress of `there` says the same. Throws what either throws.
+void at_once(bool two_threads, const Progress& progress, const Part& here, const Part& there);
+
+}  // namespace sonde

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "engine/geometry/tree.hpp"
+
+namespace sonde {
+
+/// A box in the frame of the boxes it is compared with, in their lengths times `scale`.
+struct PlacedBox {
+  float center[3];
+  float axis[3][3];  ///< axis[i]: unit, to rounding
+  float half[3];
+  /// A direction from the boxes of the node to this one that may separate them better than those of
+  /// their own: unit to rounding, or zero for none.
+  float direction[3] = {0, 0, 0};
+};
+
+/// A point, or a ray from it, in the same.
+struct PlacedPoint {
+  float at[3];
+};
+struct PlacedRay {
+  float from[3];
+  float direction[3];  ///< unit, to rounding
+};
+
+/// Eight values, one for each box of a node (unused lanes repeat the first).
+struct alignas(64) Lanes {
+  float value[Tree::width];
+};
+
+/// Comparisons of one thing with the eight boxes of a node, lengths of the node times `scale` (a
+/// scale that makes everything that is compared of the order of 1 keeps squares within single
+/// precision). Right but for rounding, which the caller allows for: every length is within
+/// box_rounding × (the sum of what the coordinates and the sizes can reach).
+struct BoxKernels {
+  /// Lower bounds of the distances: by the axes of either box, along the line of the centres,
+  /// and along the direction given.
+  void (*distances)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
+  /// The largest gap along the six face normals (negative: they overlap along all).
+  void (*gaps)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
+  /// Distances of a point.
+  void (*point_distances)(const PlacedPoint& point, const Tree::Node& node, float scale,
+                          Lanes& out);
+  /// At most this much is between the ray and the box's reach along each axis that could separate
+  /// them: positive where the ray passes by.
+  void (*ray_gaps)(const PlacedRay& ray, const Tree::Node& node, float scale, Lanes& out);
+};
+
+/// About thirty operations between the data and a result, none of which is larger than the data's
+/// size, each rounding by 2⁻²⁴ of that; rotations are off by a few times as much.
+constexpr double box_rounding = 128 * 0x1p-24;
+
+/// Those for the widest vectors of this processor.
+const BoxKernels& box_kernels();
+
+/// All that this processor can run, the plain ones first. They give the same bits.
+std::span<const BoxKernels> all_box_kernels();
+
+}  // namespace sonde
