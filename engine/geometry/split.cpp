@@ -140,6 +140,12 @@ int longest(const Box& box) {
 
 }  // namespace
 
+std::pair<Eigen::Vector3f, Eigen::Vector3f> bounds(std::span<const SplitItem> items) {
+  Box box;
+  for (const SplitItem& item : items) box.add(item);
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+}
+
 double half_area(std::span<const SplitItem> items) {
   Box box;
   for (const SplitItem& item : items) box.add(item);

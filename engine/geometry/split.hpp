@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace sonde {
 
@@ -16,6 +18,8 @@ struct SplitItem {
   float unused = 0;
 };
 
+/// The box around all items: its low and its high corner.
+std::pair<Eigen::Vector3f, Eigen::Vector3f> bounds(std::span<const SplitItem> items);
 /// Half the surface of the box around all items.
 double half_area(std::span<const SplitItem> items);
 

@@ -12,11 +12,14 @@
 
 #include "engine/geometry/oriented_box.hpp"
 #include "engine/geometry/split.hpp"
+#include "engine/geometry/work.hpp"
 
 namespace sonde {
 namespace {
 
 constexpr std::size_t width = Tree::width;
+constexpr std::size_t many =
+    4096;  // triangles whose boxes stand for them in the fit of a larger one
 using Items = std::span<SplitItem>;
 
 /// How far the build has come; one thread tells, all of them stop where the answer was no.
@@ -35,6 +38,7 @@ struct Advance {
 struct Job {
   const Soup& soup;
   Vec3 origin;
+  double size;   // m to a unit of the items
   double slack;  // the rounding of a corner's coordinates and of their difference to the origin, m
   Items all;
   Advance& advance;
@@ -59,7 +63,8 @@ struct Parts {
   std::size_t count = 0;
 };
 
-Parts divide(Items items, int level) {
+/// `told`: after each split of something large; nothing where there is no one to tell.
+Parts divide(Items items, int level, Advance* told = nullptr) {
   Parts parts;
   if (items.size() <= width) {
     for (; parts.count < items.size(); ++parts.count)
@@ -79,8 +84,9 @@ Parts divide(Items items, int level) {
   while (parts.count < width) {
     const auto heaviest = static_cast<std::size_t>(
         std::max_element(weight.begin(), weight.begin() + parts.count) - weight.begin());
-    if (weight[heaviest] < 0) break;
+    if (weight[heaviest] < 0 || (told != nullptr && told->cancelled)) break;
     const Items part = parts.part[heaviest];
+    if (told != nullptr) told->report();
     const std::size_t left = split(part, halve ? SplitBy::half : SplitBy::cost, width);
     for (std::size_t k = parts.count; k > heaviest + 1; --k)
       parts.part[k] = parts.part[k - 1], weight[k] = weight[k - 1];
@@ -92,21 +98,51 @@ Parts divide(Items items, int level) {
   return parts;
 }
 
-Extent extent_along(const Job& job, Items items, const SmallAxes& axes) {
+/// What is to be put in a box: the triangles of a range, or, where they are many, the boxes that
+/// they are in already, which are small beside the whole.
+struct Content {
+  Items items;
+  const Tree::Node* boxes;
+};
+
+void add_corners(const Tree::Node& node, Extent& extent) {
+  for (std::size_t k = 0; k < width && node.child[k] != Tree::none; ++k) {
+    const auto at = [k](const float(&rows)[3][width]) {
+      return Eigen::Vector3f(rows[0][k], rows[1][k], rows[2][k]).cast<double>().eval();
+    };
+    const Vec3 u = at(node.axis[0]), v = at(node.axis[1]), half = at(node.half);
+    const Vec3 center = at(node.center);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto side = [corner](int axis) { return (corner >> axis & 1) ? 1.0 : -1.0; };
+      extent.add(center + side(0) * half[0] * u + side(1) * half[1] * v +
+                 side(2) * half[2] * u.cross(v));
+    }
+  }
+}
+
+Extent extent_along(const Job& job, const Content& content, const SmallAxes& axes) {
   Extent extent(axes_of(axes));
-  for (const SplitItem& item : items)
-    for (const Vec3& x : job.corners(item)) extent.add(x);
+  if (content.boxes != nullptr)
+    add_corners(*content.boxes, extent);
+  else
+    for (const SplitItem& item : content.items)
+      for (const Vec3& x : job.corners(item)) extent.add(x);
   return extent;
 }
 
-/// What a box costs: its volume, with a hundredth of its longest side added to each, so that of two
-/// flat ones the smaller is the better. Not its surface, for which a thick box over a small part of
-/// a surface may be as good as a thin one: two surfaces beside each other are told apart by the
-/// thickness of the boxes.
-double cost(const Extent& e) {
-  const Vec3 size = e.high - e.low;
-  const Vec3 padded = size / size.maxCoeff() + Vec3::Constant(0.01);
-  return padded.prod() * std::pow(size.maxCoeff(), 3);
+/// What a box with these sides costs: its volume, with a hundredth of its longest side added to
+/// each, so that of two flat ones the smaller is the better. Not its surface, for which a thick box
+/// over a small part of a surface may be as good as a thin one: two surfaces beside each other are
+/// told apart by the thickness of the boxes.
+double cost(const Vec3& sides) {
+  const double longest = sides.maxCoeff();
+  return (sides / longest + Vec3::Constant(0.01)).prod() * longest * longest * longest;
+}
+
+/// The sides of the box along the axes of the mesh frame, to single precision.
+Vec3 straight_sides(const Job& job, Items items) {
+  const auto [low, high] = bounds(items);
+  return job.size * (high - low).cast<double>();
 }
 
 void set_box(Tree::Node& node, std::size_t lane, const SmallAxes& axes, const SmallBox& box,
@@ -119,19 +155,17 @@ void set_box(Tree::Node& node, std::size_t lane, const SmallAxes& axes, const Sm
   node.child[lane] = child;
 }
 
-/// The smaller of the boxes along the principal axes and along those of the mesh frame.
-void fit_box(const Job& job, Items items, const Mat3& axes, Tree::Node& node, std::size_t lane,
-             std::uint32_t child) {
-  const SmallAxes turned_axes = small_axes(axes), straight = small_axes(Mat3::Identity());
-  const Extent turned = extent_along(job, items, turned_axes);
-  if (items.size() > 1) {
-    const Extent along = extent_along(job, items, straight);
-    if (cost(along) < cost(turned)) {
-      set_box(node, lane, straight, small_box(along, job.slack), child);
-      return;
-    }
+/// The cheaper of the boxes along the principal axes and along those of the mesh frame.
+void fit_box(const Job& job, const Content& content, const Mat3& axes, Tree::Node& node,
+             std::size_t lane, std::uint32_t child) {
+  SmallAxes chosen = small_axes(axes);
+  Extent extent = extent_along(job, content, chosen);
+  if (content.items.size() > 1 &&
+      cost(straight_sides(job, content.items)) < cost(extent.high - extent.low)) {
+    chosen = small_axes(Mat3::Identity());
+    extent = extent_along(job, content, chosen);
   }
-  set_box(node, lane, turned_axes, small_box(turned, job.slack), child);
+  set_box(node, lane, chosen, small_box(extent, job.slack), child);
 }
 
 void fill_unused(Tree::Node& node, std::size_t used) {
@@ -160,6 +194,7 @@ void build_part(const Job& job, Items part, int level, Branch& branch, Tree::Nod
   AreaMoments own;
   std::uint32_t child;
   Mat3 axes;
+  const Tree::Node* boxes = nullptr;
   if (part.size() == 1) {
     child = static_cast<std::uint32_t>(&part[0] - job.all.data()) | Tree::triangle_bit;
     const auto c = job.corners(part[0]);
@@ -169,8 +204,9 @@ void build_part(const Job& job, Items part, int level, Branch& branch, Tree::Nod
   } else {
     child = build(job, part, level + 1, branch, own);
     axes = own.axes();
+    if (part.size() >= many) boxes = &branch.nodes[child];
   }
-  fit_box(job, part, axes, node, lane, child);
+  fit_box(job, {part, boxes}, axes, node, lane, child);
   moments.add(own);
 }
 
@@ -188,20 +224,30 @@ std::uint32_t build(const Job& job, Items items, int level, Branch& branch, Area
   return index;
 }
 
-std::vector<SplitItem> items_of(const Soup& soup, const Tree& tree) {
+void find_bounds(const Soup& soup, const Progress& progress, Tree& tree) {
+  Eigen::AlignedBox3d box;
+  for_each_index(soup.triangles.size(), progress, [&](std::size_t i) {
+    for (const std::uint32_t v : soup.triangles[i]) box.extend(soup.vertices[v]);
+  });
+  tree.low = box.min();
+  tree.high = box.max();
+  tree.origin = tree.low + (tree.high - tree.low) / 2;
+}
+
+std::vector<SplitItem> items_of(const Soup& soup, const Vec3& origin, double size,
+                                const Progress& progress) {
   std::vector<SplitItem> items(soup.triangles.size());
-  const double per_size = 1 / std::max((tree.high - tree.low).maxCoeff(), 1e-300);
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
+  for_each_index(items.size(), progress, [&](std::size_t i) {
     const Triangle& t = soup.triangles[i];
     const Vec3 &a = soup.vertices[t[0]], &b = soup.vertices[t[1]], &c = soup.vertices[t[2]];
-    const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - tree.origin) * per_size;
-    const Vec3 high = (a.cwiseMax(b).cwiseMax(c) - tree.origin) * per_size;
-    items[i].triangle = i;
+    const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - origin) / size;
+    const Vec3 high = (a.cwiseMax(b).cwiseMax(c) - origin) / size;
+    items[i].triangle = static_cast<std::uint32_t>(i);
     for (int k = 0; k < 3; ++k) {
       items[i].low[k] = static_cast<float>(low[k]);
       items[i].high[k] = static_cast<float>(high[k]);
     }
-  }
+  });
   return items;
 }
 
@@ -209,7 +255,6 @@ std::vector<SplitItem> items_of(const Soup& soup, const Tree& tree) {
 /// tells how far they are.
 template <class Task>
 void run(std::size_t count, Advance& advance, const Task& task) {
-  constexpr std::size_t worth_a_thread = 20000;
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t k = next++; k < count; k = next++) task(k);
@@ -240,7 +285,8 @@ void append(Branch& branch, Tree& tree) {
 }
 
 void grow(const Job& job, Tree& tree) {
-  const Parts parts = divide(job.all, 1);
+  const Parts parts = divide(job.all, 1, &job.advance);
+  if (job.advance.cancelled) throw Cancelled();
   Tree::Node top;
   std::vector<Branch> branches(parts.count);
   std::vector<AreaMoments> moments(parts.count);
@@ -263,17 +309,20 @@ void grow(const Job& job, Tree& tree) {
     append(branches[k], tree);
   }
   tree.nodes[1] = top;
-  fit_box(job, job.all, all.axes(), tree.nodes[0], 0, 1);
+  const Tree::Node* boxes = job.all.size() >= many ? &tree.nodes[1] : nullptr;
+  fit_box(job, {job.all, boxes}, all.axes(), tree.nodes[0], 0, 1);
   fill_unused(tree.nodes[0], 1);
 }
 
-void reorder(Soup& soup, const std::vector<SplitItem>& items, std::vector<std::uint32_t>& order) {
-  const std::vector<Triangle> old = soup.triangles;
-  order.reserve(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    order.push_back(items[i].triangle);
-    soup.triangles[i] = old[items[i].triangle];
-  }
+void reorder(Soup& soup, const std::vector<SplitItem>& items, std::vector<std::uint32_t>& order,
+             const Progress& progress) {
+  std::vector<Triangle> triangles(items.size());
+  order.resize(items.size());
+  for_each_index(items.size(), progress, [&](std::size_t i) {
+    order[i] = items[i].triangle;
+    triangles[i] = soup.triangles[order[i]];
+  });
+  soup.triangles = std::move(triangles);
 }
 
 }  // namespace
@@ -281,13 +330,6 @@ void reorder(Soup& soup, const std::vector<SplitItem>& items, std::vector<std::u
 std::uint32_t Tree::first_triangle(std::uint32_t slot) const {
   while (!(child(slot) & triangle_bit)) slot = child(slot) * width;
   return child(slot) & ~triangle_bit;
-}
-
-double Tree::half_sum(std::uint32_t slot) const {
-  const Node& node = nodes[slot / width];
-  const std::uint32_t k = slot % width;
-  return static_cast<double>(node.half[0][k]) + static_cast<double>(node.half[1][k]) +
-         static_cast<double>(node.half[2][k]);
 }
 
 double Tree::half_diagonal(std::uint32_t slot) const {
@@ -300,22 +342,27 @@ double Tree::half_diagonal(std::uint32_t slot) const {
   return std::sqrt(sum) * (1 + 1e-12);
 }
 
+Vec3 Tree::center(std::uint32_t slot) const {
+  const auto& c = nodes[slot / width].center;
+  const std::uint32_t k = slot % width;
+  return origin + Eigen::Vector3f(c[0][k], c[1][k], c[2][k]).cast<double>();
+}
+
 Tree build_tree(Soup& soup, std::vector<std::uint32_t>& order, const Progress& progress) {
   Tree tree;
   order.clear();
   if (soup.triangles.empty()) return tree;
-  Eigen::AlignedBox3d box;
-  for (const Triangle& t : soup.triangles)
-    for (const std::uint32_t v : t) box.extend(soup.vertices[v]);
-  tree.low = box.min();
-  tree.high = box.max();
-  tree.origin = tree.low + (tree.high - tree.low) / 2;
-  std::vector<SplitItem> items = items_of(soup, tree);
+  find_bounds(soup, part_of(progress, 0, 0.05), tree);
+  const double size = std::max((tree.high - tree.low).maxCoeff(), 1e-300);
+  std::vector<SplitItem> items = items_of(soup, tree.origin, size, part_of(progress, 0.05, 0.1));
   const double farthest = std::max(tree.low.cwiseAbs().maxCoeff(), tree.high.cwiseAbs().maxCoeff());
-  Advance advance{progress, items.size()};
-  grow({soup, tree.origin, 16 * std::numeric_limits<double>::epsilon() * farthest, items, advance},
+  const Progress growing = part_of(progress, 0.1, 0.9);
+  Advance advance{growing, items.size()};
+  grow({soup, tree.origin, size, 16 * std::numeric_limits<double>::epsilon() * farthest, items,
+        advance},
        tree);
-  reorder(soup, items, order);
+  reorder(soup, items, order, part_of(progress, 0.9, 1));
+  report(progress, 1);
   return tree;
 }
 

@@ -26,9 +26,11 @@ struct Tree {
   /// halfᵢ}, with a₃ = a₁ × a₂: it holds every corner below it. Unused lanes follow the used ones
   /// and repeat the first.
   struct alignas(64) Node {
-    float center[3][width];      // from the tree's origin, m
-    float half[3][width];        // m
-    float axis[2][3][width];     // unit, square to each other
+    float center[3][width];   // from the tree's origin, m
+    float half[3][width];     // m
+    float axis[2][3][width];  // unit, square to each other
+    /// Half the sum of a box's three sides, m.
+    float half_sum(std::uint32_t k) const { return half[0][k] + half[1][k] + half[2][k]; }
     std::uint32_t child[width];  // a node, or a triangle with its triangle_bit set; or none
   };
 
@@ -42,8 +44,9 @@ struct Tree {
   std::uint32_t child(std::uint32_t slot) const { return nodes[slot / width].child[slot % width]; }
   /// The first of the triangles below a slot.
   std::uint32_t first_triangle(std::uint32_t slot) const;
-  double half_sum(std::uint32_t slot) const;       ///< half the sum of the box's three sides, m
+  float half_sum(std::uint32_t slot) const { return nodes[slot / width].half_sum(slot % width); }
   double half_diagonal(std::uint32_t slot) const;  ///< m; rounded up
+  Vec3 center(std::uint32_t slot) const;           ///< of a box, mesh frame, m
 };
 
 /// Builds the tree over soup, on up to two threads, and reorders soup.triangles by its leaves;

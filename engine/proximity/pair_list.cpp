@@ -67,10 +67,9 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
     }
     item.bound = std::max(item.bound, c.distance * (1 - 1e-12) - moved);
     if (!(c.distance > 0)) continue;
-    const Separator apart = separator(c, ta, tb);
-    item.normal = apart.normal;
+    item.normal = c.normal;
     if (found == out.size()) found = keep_nearer_half(out, reach);
-    out[found++] = {c.a, c.b, apart.normal, apart.gap, item.a, item.b};
+    out[found++] = {c.a, c.b, c.normal, c.gap, item.a, item.b};
   }
   return {found, reach};
 }

@@ -60,9 +60,8 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const ClosestPoints c = closest_points(ta, tb);
-    const Separator apart = separator(c, ta, tb);
-    normal = apart.normal;
-    const double gap = apart.gap;
+    normal = c.normal;
+    const double gap = c.gap;
     // Nearer than asked from the start: let it slide, or move away, on half of what it has.
     if (s <= 0 && gap < 2 * stop) stop = 0.5 * gap;
     const double slack = gap - stop - guard_;

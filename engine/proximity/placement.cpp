@@ -13,31 +13,50 @@ double extent(const Body& body) {
   return std::max(body.tree.low.cwiseAbs().maxCoeff(), body.tree.high.cwiseAbs().maxCoeff());
 }
 
+namespace {
+
+FrameChange::Column column(const Vec3& x) {
+  return FrameChange::Column{static_cast<float>(x.x()), static_cast<float>(x.y()),
+                             static_cast<float>(x.z()), 0};
+}
+
+FrameChange change(const Mat3& R, const Vec3& p) {
+  return {{column(R.col(0)), column(R.col(1)), column(R.col(2))}, column(p)};
+}
+
+FrameChange::Column turned(const FrameChange& change, const float (&rows)[3][Tree::width],
+                           std::uint32_t k) {
+  return change.R[0] * rows[0][k] + change.R[1] * rows[1][k] + change.R[2] * rows[2][k];
+}
+
+void copy(const FrameChange::Column& from, float (&to)[3]) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+}  // namespace
+
 FrameChange a_to_b(const Tree& a, const Tree& b, const Transform& X, double per_unit) {
-  return {X.R.cast<float>(), ((X * a.origin - b.origin) * per_unit).cast<float>()};
+  return change(X.R, (X * a.origin - b.origin) * per_unit);
 }
 
 FrameChange b_to_a(const Tree& a, const Tree& b, const Transform& X, double per_unit) {
   const Mat3 back = X.R.transpose();
-  return {back.cast<float>(), (back * (b.origin - X * a.origin) * per_unit).cast<float>()};
+  return change(back, back * (b.origin - X * a.origin) * per_unit);
 }
 
 PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale) {
   const Tree::Node& node = tree.nodes[slot / Tree::width];
   const std::uint32_t k = slot % Tree::width;
-  const auto at = [k](const float(&rows)[3][Tree::width]) {
-    return Eigen::Vector3f(rows[0][k], rows[1][k], rows[2][k]);
-  };
-  const Eigen::Vector3f center = change.R * (scale * at(node.center)) + change.p;
-  const Eigen::Vector3f u = change.R * at(node.axis[0]), v = change.R * at(node.axis[1]);
-  const Eigen::Vector3f w = u.cross(v);
   PlacedBox box;
+  copy(turned(change, node.center, k) * scale + change.p, box.center);
+  copy(turned(change, node.axis[0], k), box.axis[0]);
+  copy(turned(change, node.axis[1], k), box.axis[1]);
+  const float(&u)[3] = box.axis[0];
+  const float(&v)[3] = box.axis[1];
   for (int i = 0; i < 3; ++i) {
-    box.center[i] = center[i];
+    const int j = (i + 1) % 3, l = (i + 2) % 3;
+    box.axis[2][i] = u[j] * v[l] - u[l] * v[j];
     box.half[i] = scale * node.half[i][k];
-    box.axis[0][i] = u[i];
-    box.axis[1][i] = v[i];
-    box.axis[2][i] = w[i];
   }
   return box;
 }
@@ -78,11 +97,8 @@ void Placement::open(const SlotPair& p, Kernel kernel, float limit, SlotPairs& o
   for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
     const float bound = bounds.value[k] - float_guard_;
     if (bound > limit) continue;
-    SlotPair& child = out.pair[static_cast<std::size_t>(out.count++)];
-    if (open_a)
-      child = {child_a * Tree::width + k, p.b, bound};
-    else
-      child = {p.a, child_b * Tree::width + k, bound};
+    out.pair[static_cast<std::size_t>(out.count++)] =
+        open_a ? down_a(p, a_.tree, child_a, k, bound) : down_b(p, b_.tree, child_b, k, bound);
   }
 }
 

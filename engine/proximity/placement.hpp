@@ -33,10 +33,12 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
 }
 
 /// Takes boxes of one tree to the frame of the other's (each in its own unit of length, per_unit
-/// to a metre, from its own origin).
+/// to a metre, from its own origin): x → R x + p.
 struct FrameChange {
-  Eigen::Matrix3f R;
-  Eigen::Vector3f p;
+  /// Three numbers and an idle fourth.
+  typedef float Column __attribute__((vector_size(16)));
+  Column R[3];
+  Column p;
 };
 /// A's boxes to B's frame and back, for A's mesh frame placed at X in B's.
 FrameChange a_to_b(const Tree& a, const Tree& b, const Transform& X, double per_unit);
@@ -45,9 +47,22 @@ PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change
 
 /// A pair of boxes still to be looked at.
 struct SlotPair {
-  std::uint32_t a, b;  ///< slots of the two trees
-  float bound;         ///< what is known of the pair, in the placement's unit
+  std::uint32_t a, b;    ///< slots of the two trees
+  float bound;           ///< what is known of the pair, in the placement's unit
+  float size_a, size_b;  ///< half the sum of the sides of either box, m
 };
+inline SlotPair roots(const Tree& a, const Tree& b) {
+  return {0, 0, 0, a.half_sum(0), b.half_sum(0)};
+}
+/// The pair with its box of A (or of B) exchanged for one of the lanes of a node below it.
+inline SlotPair down_a(const SlotPair& p, const Tree& a, std::uint32_t node, std::uint32_t lane,
+                       float bound) {
+  return {node * Tree::width + lane, p.b, bound, a.nodes[node].half_sum(lane), p.size_b};
+}
+inline SlotPair down_b(const SlotPair& p, const Tree& b, std::uint32_t node, std::uint32_t lane,
+                       float bound) {
+  return {p.a, node * Tree::width + lane, bound, p.size_a, b.nodes[node].half_sum(lane)};
+}
 
 /// Both slots hold triangles.
 inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
@@ -56,7 +71,7 @@ inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
 /// Which of the two to open, where they are not both triangles: the larger box.
 inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
   if (b.child(p.b) & Tree::triangle_bit) return true;
-  return (a.child(p.a) & Tree::triangle_bit) == 0 && a.half_sum(p.a) > b.half_sum(p.b);
+  return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
 }
 
 /// Up to eight pairs that came out of one.
@@ -93,7 +108,7 @@ class Placement {
     return b_.tree.child(p.b) & ~Tree::triangle_bit;
   }
 
-  SlotPair roots() const { return {0, 0, 0}; }
+  SlotPair roots() const { return sonde::roots(a_.tree, b_.tree); }
   /// Opens the larger box of a pair that is not a leaf, and compares what is in it with the other
   /// box. The bounds are lower bounds of distances; pairs with one above `limit` are left out.
   void open_near(const SlotPair& p, float limit, SlotPairs& out) const;

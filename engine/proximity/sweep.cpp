@@ -33,7 +33,7 @@ class Sweeper {
   }
 
   Sweep run() {
-    stack_.push({0, 0, 0});
+    stack_.push(roots(a_.tree, b_.tree));
     while (!stack_.empty() && pairs_.free_until() > 0) visit(stack_.pop());
     return pairs_.result();
   }
@@ -73,9 +73,8 @@ class Sweeper {
     for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
       const float until = std::max(p.bound, (start + steps.value[k]) * (1 - 0x1p-22f));
       if (static_cast<double>(until) >= pairs_.free_until()) continue;
-      const std::uint32_t slot = child * Tree::width + k;
       found.pair[static_cast<std::size_t>(found.count++)] =
-          opening_a ? SlotPair{slot, p.b, until} : SlotPair{p.a, slot, until};
+          opening_a ? down_a(p, a_.tree, child, k, until) : down_b(p, b_.tree, child, k, until);
     }
     // The pair that may stop it first is looked at first: what it says rules out others.
     std::sort(found.pair.begin(), found.pair.begin() + found.count,

@@ -50,14 +50,4 @@ class TriangleBatch {
   ClosestPoints8 points_;
 };
 
-inline Vec3 on_a(const ClosestPoints8& p, int lane) {
-  return {p.a[0][lane], p.a[1][lane], p.a[2][lane]};
-}
-inline Vec3 on_b(const ClosestPoints8& p, int lane) {
-  return {p.b[0][lane], p.b[1][lane], p.b[2][lane]};
-}
-inline Vec3 normal(const ClosestPoints8& p, int lane) {
-  return {p.normal[0][lane], p.normal[1][lane], p.normal[2][lane]};
-}
-
 }  // namespace sonde

@@ -44,4 +44,15 @@ void closest_points(const TrianglePairs8& pairs, int count, double limit, Closes
   chosen(pairs, count, limit, out);
 }
 
+ClosestPoints closest_points(const Corners& a, const Corners& b, double limit) {
+  TrianglePairs8 pairs;
+  set_lane(pairs, 0, a, b);
+  ClosestPoints8 out;
+  closest_points_in_lanes<2>(pairs, 1, limit, out);
+  if (!(out.distance[0] < std::numeric_limits<double>::infinity()))
+    return {Vec3::Zero(), Vec3::Zero(), out.distance[0], Vec3::Zero(), out.distance[0]};
+  if (!(out.distance[0] > 0)) return {on_a(out, 0), on_b(out, 0), 0, Vec3::Zero(), 0};
+  return {on_a(out, 0), on_b(out, 0), out.distance[0], normal(out, 0), out.gap[0]};
+}
+
 }  // namespace sonde

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// closest_points and separator (triangle_pair.hpp) for eight pairs of triangles at a time.
+// closest_points (triangle_pair.hpp) for eight pairs of triangles at a time.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +23,16 @@ struct alignas(64) ClosestPoints8 {
   double gap[8];        ///< gap_along the normal; at distance 0 it is 0
 };
 
+inline Vec3 on_a(const ClosestPoints8& p, int lane) {
+  return {p.a[0][lane], p.a[1][lane], p.a[2][lane]};
+}
+inline Vec3 on_b(const ClosestPoints8& p, int lane) {
+  return {p.b[0][lane], p.b[1][lane], p.b[2][lane]};
+}
+inline Vec3 normal(const ClosestPoints8& p, int lane) {
+  return {p.normal[0][lane], p.normal[1][lane], p.normal[2][lane]};
+}
+
 inline void set_lane(TrianglePairs8& pairs, int lane, const Corners& a, const Corners& b) {
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) {
@@ -32,7 +42,7 @@ inline void set_lane(TrianglePairs8& pairs, int lane, const Corners& a, const Co
 }
 
 /// Closest points in the first `count` lanes (1 to 8), and the direction that separates best
-/// (triangle_pair.hpp: separator). The other lanes may hold anything, their results are
+/// (triangle_pair.hpp). The other lanes may hold anything, their results are
 /// unspecified. Degenerate triangles included; edges and distances of 1e-35 to 1e35 m, or 0.
 ///
 /// Plain floating point, relative to the triangles themselves: the distance and the gap are right

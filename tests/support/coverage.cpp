@@ -48,9 +48,8 @@ std::vector<ReachedPair> pairs_in_reach(const Body& a, const Body& b, const Tran
     for (std::uint32_t j = 0; j < of_b.size(); ++j) {
       const ClosestPoints c = closest_points(of_a[i], of_b[j]);
       if (c.distance <= rounding || c.distance > reach) continue;
-      const Separator apart = separator(c, of_a[i], of_b[j]);
-      if (apart.gap <= rounding) continue;
-      out.push_back({{c.a, c.b, apart.normal, apart.gap, i, j}, of_a[i], of_b[j]});
+      if (c.gap <= rounding) continue;
+      out.push_back({{c.a, c.b, c.normal, c.gap, i, j}, of_a[i], of_b[j]});
     }
   return out;
 }

@@ -18,7 +18,7 @@ struct ReachedPair {
   Corners a, b;
 };
 
-/// All pairs within reach that do not meet, by closest_points and separator of every pair; those
+/// All pairs within reach that do not meet, by closest_points of every pair; those
 /// nearer than rounding, or with no direction that separates them, have no normal to stand for.
 std::vector<ReachedPair> pairs_in_reach(const Body& a, const Body& b, const Transform& X_BA,
                                         double reach);

@@ -15,8 +15,8 @@ using Wide = long double;
 /// The distance lies between the two, m: `upper` is that of a point of A and a point of B, `lower`
 /// the gap that the direction of these two points leaves between all corners. Two different
 /// arguments, so equal bounds are the distance whatever way the points were found. In quadruple
-/// precision they differ by less than 1e-16 of the size except between triangles that come within
-/// some 1e-17 of it of touching, where `lower` may be 0.
+/// precision they are equal to 1e-16 of the size but for triangles next to touching, some of them
+/// thinner than 1e-16 of their length, where `lower` may be too low (down to 0).
 struct WideBounds {
   double lower, upper;
 };

@@ -12,8 +12,8 @@
 
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/distance.hpp"
-#include "engine/proximity/point_distance.hpp"
 #include "engine/proximity/motion.hpp"
+#include "engine/proximity/point_distance.hpp"
 #include "tests/support/brute_force.hpp"
 
 namespace sonde::test {
@@ -39,7 +39,7 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
     EXPECT_GT(c.multiplier, 0) << what;
     EXPECT_NEAR(c.normal.norm(), 1, 1e-12) << what;
     EXPECT_GE(c.gap, 0) << what;
-    // The gap is that along all of the triangles, of which separator() gives 0.999 of the distance
+    // The gap is that along all of the triangles, of which closest_points() gives 0.999 of the distance
     // at least; but for points off by ε·size, which turn the normal by ε·size / gap: a triangle
     // sticks out by that times its own size.
     const double apart = c.normal.dot(c.on_probe - c.on_fixed);

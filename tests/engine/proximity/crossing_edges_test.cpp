@@ -68,7 +68,11 @@ TEST(CrossingEdges, have_a_separator_with_nearly_all_of_the_distance) {
   for (int i = 0; i < 4000; ++i) {
     const Crossing c = crossing(random);
     const double distance = test::exact_distance(c.a, c.b);
-    const Separator s = separator(closest_points(c.a, c.b), c.a, c.b);
+    const ClosestPoints s = closest_points(c.a, c.b);
+    if (s.distance <= 0) {  // too near to be told from touching: there is no normal
+      EXPECT_LE(distance, 1e-15 * size);
+      continue;
+    }
     EXPECT_NEAR(s.gap, test::exact_gap_along(s.normal, c.a, c.b), 1e-15 * size);
     EXPECT_LE(s.gap, distance + 1e-15 * size);
     EXPECT_GE(s.gap, 0.99 * distance - 2e-15 * size)
