@@ -2,6 +2,9 @@
 #pragma once
 
 #include <span>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include "engine/geometry/tree.hpp"
 
@@ -30,6 +33,25 @@ struct PlacedRay {
 struct alignas(64) Lanes {
   float value[Tree::width];
 };
+
+/// The used lanes of a node in which the value is at most the limit: bit k for lane k.
+inline std::uint32_t at_most(const Lanes& x, float limit, const Tree::Node& node) {
+  std::uint32_t within = 0;
+#ifdef __SSE2__
+  const __m128 most = _mm_set1_ps(limit);
+  const __m128i none = _mm_set1_epi32(-1);
+  for (std::uint32_t k = 0; k < Tree::width; k += 4) {
+    const __m128 low = _mm_cmple_ps(_mm_load_ps(x.value + k), most);
+    const __m128i child = _mm_load_si128(reinterpret_cast<const __m128i*>(node.child + k));
+    const __m128 unused = _mm_castsi128_ps(_mm_cmpeq_epi32(child, none));
+    within |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_andnot_ps(unused, low))) << k;
+  }
+#else
+  for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k)
+    within |= static_cast<std::uint32_t>(x.value[k] <= limit) << k;
+#endif
+  return within;
+}
 
 /// Comparisons of one thing with the eight boxes of a node, lengths of the node times `scale` (a
 /// scale that makes everything that is compared of the order of 1 keeps squares within single

@@ -2,6 +2,7 @@
 #include "engine/proximity/inside.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -64,8 +65,9 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
     const Tree::Node& node = body.tree.nodes[child];
     Lanes gaps;
     kernels.ray_gaps(ray, node, frame.scale, gaps);
-    for (std::size_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k)
-      if (gaps.value[k] <= frame.guard) stack.push(node.child[k]);
+    std::uint32_t left = at_most(gaps, frame.guard, node);
+    for (; left != 0; left &= left - 1)
+      stack.push(node.child[static_cast<std::size_t>(std::countr_zero(left))]);
   }
   return winding;
 }

@@ -27,51 +27,61 @@ const Moment& PairSweep::at(double s) {
   return kept_;
 }
 
+PairSweep::Step PairSweep::step_along(const Vec3& n, const Moment& now, const Corners& ta,
+                                      const Corners& tb, double acceleration, double floor) const {
+  const Vec3 com = now.X * motion_.com();
+  const double top = std::max({n.dot(tb[0]), n.dot(tb[1]), n.dot(tb[2])});
+  const double sliding = n.dot(now.velocity.linear);
+  const Vec3 turning = n.cross(now.velocity.angular);  // n·(ω×r) = (n×ω)·r
+  Step step{std::numeric_limits<double>::infinity(), false};
+  for (const Vec3& x : ta) {
+    const double speed = sliding + turning.dot(x - com);
+    const double mine = safe_advance(n.dot(x) - top - floor, speed, acceleration);
+    if (mine < step.length) step = {mine, speed < 0};
+  }
+  return step;
+}
+
+double PairSweep::acceleration(const Corners& local) const {
+  double radius2 = 0;
+  for (const Vec3& x : local) radius2 = std::max(radius2, (x - motion_.com()).squaredNorm());
+  return motion_.acceleration_per_radius() * std::sqrt(radius2);
+}
+
+double PairSweep::free_along(std::uint32_t i, std::uint32_t j, const Vec3& normal,
+                             const Moment& now) const {
+  const Corners local = corners(a_.soup, i);
+  return step_along(normal, now, place(now.X, local), corners(b_.soup, j), acceleration(local),
+                    clearance_ + guard_)
+      .length;
+}
+
 void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal) {
   const Corners local = corners(a_.soup, i);
   const Corners tb = corners(b_.soup, j);
-  double radius2 = 0;
-  for (const Vec3& x : local) radius2 = std::max(radius2, (x - motion_.com()).squaredNorm());
-  const double acceleration = motion_.acceleration_per_radius() * std::sqrt(radius2);
+  const double acceleration = this->acceleration(local);
   double stop = clearance_;
-  // Along n the triangle is as far as its corners are: each is given the time that its own height
-  // over B and its own speed allow.
-  bool closing = false;
-  const auto step_along = [&](const Vec3& n, const Moment& now, const Corners& ta, double floor) {
-    const Vec3 com = now.X * motion_.com();
-    const double top = std::max({n.dot(tb[0]), n.dot(tb[1]), n.dot(tb[2])});
-    const double sliding = n.dot(now.velocity.linear);
-    const Vec3 turning = n.cross(now.velocity.angular);  // n·(ω×r) = (n×ω)·r
-    double step = std::numeric_limits<double>::infinity();
-    for (const Vec3& x : ta) {
-      const double speed = sliding + turning.dot(x - com);
-      const double mine = safe_advance(n.dot(x) - top - floor, speed, acceleration);
-      if (mine < step) step = mine, closing = speed < 0;
-    }
-    return step;
-  };
   if (normal.squaredNorm() > 0) {
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const double gap = gap_along(normal, ta, tb);
-    if (gap > 2 * stop) s += step_along(normal, now, ta, stop + guard_);
+    if (gap > 2 * stop) s += step_along(normal, now, ta, tb, acceleration, stop + guard_).length;
   }
   for (int tries = 0; s < result_.free_until; ++tries) {
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const ClosestPoints c = closest_points(ta, tb);
     normal = c.normal;
-    const double gap = c.gap;
     // Nearer than asked from the start: let it slide, or move away, on half of what it has.
-    if (s <= 0 && gap < 2 * stop) stop = 0.5 * gap;
-    const double slack = gap - stop - guard_;
-    const double step = step_along(normal, now, ta, stop + guard_);
+    if (s <= 0 && c.gap < 2 * stop) stop = 0.5 * c.gap;
+    const double slack = c.gap - stop - guard_;
+    const Step step = step_along(normal, now, ta, tb, acceleration, stop + guard_);
     // Stopped, or closing in on the stop in ever smaller steps: here is where the freedom ends.
-    if (slack <= 0 || tries == 50 || (closing && slack < 0.05 * stop)) {
+    if (slack <= 0 || tries == 50 || (step.closing && slack < 0.05 * stop)) {
       result_ = {s, true, i, j};
       return;
     }
-    s += step;
+    s += step.length;
   }
 }
 

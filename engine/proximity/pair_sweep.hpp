@@ -29,6 +29,10 @@ class PairSweep {
   /// none); holds the last one found on return.
   void advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
 
+  /// How far from one moment on the pair is certain to keep the clearance along a normal; 0 where
+  /// it does not have it then. Units of s.
+  double free_along(std::uint32_t i, std::uint32_t j, const Vec3& normal, const Moment& now) const;
+
   const Sweep& result() const { return result_; }
   double free_until() const { return result_.free_until; }
   const Moment& start() const { return start_; }
@@ -38,6 +42,16 @@ class PairSweep {
   double clearance() const { return clearance_; }
 
  private:
+  struct Step {
+    double length;  // of s
+    bool closing;   // the corner that allows no more comes nearer
+  };
+  /// Along n the triangle is as far as its corners are: each is given the time that its own height
+  /// over B and its own speed allow.
+  Step step_along(const Vec3& n, const Moment& now, const Corners& ta, const Corners& tb,
+                  double acceleration, double floor) const;
+  double acceleration(const Corners& local) const;
+
   const Body& a_;
   const Body& b_;
   const Motion& motion_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/proximity/placement.hpp"
 
+#include <bit>
+
 namespace sonde {
 namespace {
 
@@ -93,10 +95,11 @@ void Placement::open(const SlotPair& p, Kernel kernel, float limit, SlotPairs& o
   Eigen::Map<Eigen::Vector3f>(other.direction) = open_a ? toward_b_ : toward_a_;
   Lanes bounds;
   kernel(other, node, scale_, bounds);
+  std::uint32_t left = at_most(bounds, limit + float_guard_, node);
   out.count = 0;
-  for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
+  for (; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
     const float bound = bounds.value[k] - float_guard_;
-    if (bound > limit) continue;
     out.pair[static_cast<std::size_t>(out.count++)] =
         open_a ? down_a(p, a_.tree, child_a, k, bound) : down_b(p, b_.tree, child_b, k, bound);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -47,11 +48,13 @@ double point_distance(const Body& body, const Vec3& x, double enough) {
     const Tree::Node& node = body.tree.nodes[e.child];
     Lanes bounds;
     kernels.point_distances(frame.point, node, frame.scale, bounds);
+    std::uint32_t left = at_most(bounds, limit + frame.guard, node);
     std::array<Entry, Tree::width> found;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k)
-      if (bounds.value[k] - frame.guard <= limit)
-        found[count++] = {node.child[k], bounds.value[k] - frame.guard};
+    for (; left != 0; left &= left - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      found[count++] = {node.child[k], bounds.value[k] - frame.guard};
+    }
     std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Entry& p, const Entry& q) { return p.bound > q.bound; });
     for (std::size_t k = 0; k < count; ++k) stack.push(found[k]);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/proximity/sweep.hpp"
 
+#include <bit>
+
 #include "engine/proximity/pair_sweep.hpp"
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/sweep_lanes.hpp"
+#include "engine/proximity/triangle_lanes.hpp"
 
 namespace sonde {
 namespace {
@@ -24,6 +27,8 @@ class Sweeper {
     per_unit_ = std::exp2(-std::ilogb(size));
     scale_ = static_cast<float>(per_unit_);
     copy((motion.com() - a.tree.origin) * per_unit_, com_a_);
+    const double longest = motion.farthest(a.mass.radius) * per_unit_;
+    per_path_ = static_cast<float>(0.5 / std::max(longest, 1e-30));
     constexpr double up = 1 + 1e-6;
     bounds_.acceleration = static_cast<float>(motion.acceleration_per_radius() * up);
     bounds_.clearance =
@@ -34,7 +39,14 @@ class Sweeper {
 
   Sweep run() {
     stack_.push(roots(a_.tree, b_.tree));
-    while (!stack_.empty() && pairs_.free_until() > 0) visit(stack_.pop());
+    while (pairs_.free_until() > 0) {
+      if (!stack_.empty())
+        visit(stack_.pop());
+      else if (waiting_ > 0)
+        advance_waiting();
+      else
+        break;
+    }
     return pairs_.result();
   }
 
@@ -42,6 +54,7 @@ class Sweeper {
   /// One moment as the comparisons of boxes need it.
   struct Placed {
     int number = -1;
+    Moment moment;
     FrameChange a_to_b, b_to_a;
     PlacedVelocity in_b, in_a;
     float com_b[3];  // in the frame of B's boxes
@@ -52,15 +65,13 @@ class Sweeper {
     const double from = static_cast<double>(p.bound);
     if (from >= pairs_.free_until()) return;
     if (is_leaf(a_.tree, b_.tree, p)) {
-      Vec3 normal = Vec3::Zero();
-      pairs_.advance(a_.tree.child(p.a) & ~Tree::triangle_bit,
-                     b_.tree.child(p.b) & ~Tree::triangle_bit, from, normal);
+      wait(a_.tree.child(p.a) & ~Tree::triangle_bit, b_.tree.child(p.b) & ~Tree::triangle_bit, p);
       return;
     }
     const bool opening_a = opens_a(a_.tree, b_.tree, p);
     const std::uint32_t child = opening_a ? a_.tree.child(p.a) : b_.tree.child(p.b);
     const Tree::Node& node = opening_a ? a_.tree.nodes[child] : b_.tree.nodes[child];
-    const Placed& now = placed_before(from);
+    const Placed& now = placed_before(p);
     Lanes steps;
     if (opening_a)
       kernels_.node_moves(placed(b_.tree, p.b, now.b_to_a, scale_), now.in_a, path(com_a_), node,
@@ -70,9 +81,12 @@ class Sweeper {
                          scale_, steps);
     const float start = static_cast<float>(now.number) / moments;
     SlotPairs found;
-    for (std::uint32_t k = 0; k < Tree::width && node.child[k] != Tree::none; ++k) {
+    // Rounded up: what is just beyond is found to be so when its turn comes.
+    const float within =
+        static_cast<float>(pairs_.free_until()) * (1 + 0x1p-20f) - start + 0x1p-20f;
+    for (std::uint32_t left = at_most(steps, within, node); left != 0; left &= left - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
       const float until = std::max(p.bound, (start + steps.value[k]) * (1 - 0x1p-22f));
-      if (static_cast<double>(until) >= pairs_.free_until()) continue;
       found.pair[static_cast<std::size_t>(found.count++)] =
           opening_a ? down_a(p, a_.tree, child, k, until) : down_b(p, b_.tree, child, k, until);
     }
@@ -82,13 +96,51 @@ class Sweeper {
     for (const SlotPair& next : found) stack_.push(next);
   }
 
-  /// The last of the moments before s. Most visits are at the same few: they are kept.
-  const Placed& placed_before(double s) {
-    const int number = std::min(moments - 1, static_cast<int>(s * moments));
-    Placed& kept = kept_[static_cast<std::size_t>(number) % kept_.size()];
+  struct Waiting {
+    std::uint32_t i, j;
+    double from;  // known to be free so far
+    double s;     // of the moment at which they are compared
+    Moment moment;
+  };
+
+  /// Most pairs of triangles are done with after one look, which eight take together.
+  void wait(std::uint32_t i, std::uint32_t j, const SlotPair& p) {
+    const Placed& now = placed_before(p);
+    set_lane(lanes_, waiting_, place(now.moment.X, corners(a_.soup, i)), corners(b_.soup, j));
+    queue_[static_cast<std::size_t>(waiting_++)] = {
+        i, j, static_cast<double>(p.bound), static_cast<double>(now.number) / moments, now.moment};
+    if (waiting_ == static_cast<int>(queue_.size())) advance_waiting();
+  }
+
+  void advance_waiting() {
+    ClosestPoints8 points;
+    closest_points(lanes_, waiting_, std::numeric_limits<double>::infinity(), points);
+    for (int k = 0; k < waiting_; ++k) {
+      const Waiting& w = queue_[static_cast<std::size_t>(k)];
+      Vec3 n = Vec3::Zero();
+      double from = w.from;
+      if (points.distance[k] > 0) {
+        n = normal(points, k);
+        from = std::max(from, w.s + pairs_.free_along(w.i, w.j, n, w.moment));
+      }
+      if (from < pairs_.free_until()) pairs_.advance(w.i, w.j, from, n);
+    }
+    waiting_ = 0;
+  }
+
+  /// The last moment, of those that suit the size of the boxes, before the pair's. Most visits are
+  /// at the same few: they are kept.
+  const Placed& placed_before(const SlotPair& p) {
+    const float size = std::max(p.size_a, p.size_b) * scale_;
+    const int wanted = static_cast<int>(std::min(1.0f, size * per_path_) * moments);
+    const int grain = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, wanted))));
+    const int reached = std::min(moments - 1, static_cast<int>(p.bound * moments));
+    const int number = reached / grain * grain;
+    Placed& kept = kept_[static_cast<std::size_t>(number / grain) % kept_.size()];
     if (kept.number == number) return kept;
     kept.number = number;
-    const Moment now(motion_, static_cast<double>(number) / moments);
+    kept.moment = Moment(motion_, static_cast<double>(number) / moments);
+    const Moment& now = kept.moment;
     kept.a_to_b = a_to_b(a_.tree, b_.tree, now.X, per_unit_);
     kept.b_to_a = b_to_a(a_.tree, b_.tree, now.X, per_unit_);
     const Vec3 com_b = now.X * motion_.com() - b_.tree.origin;
@@ -121,8 +173,12 @@ class Sweeper {
   double per_unit_;
   float scale_;
   PathBounds bounds_{};
+  float per_path_;  // a part of 1 over the longest path of a point of A
   float com_a_[3];  // in the frame of A's boxes
   std::array<Placed, 64> kept_;
+  TrianglePairs8 lanes_;
+  std::array<Waiting, 8> queue_;
+  int waiting_ = 0;
   PairStack<SlotPair> stack_;
 };
 

@@ -11,44 +11,53 @@
 namespace sonde {
 namespace {
 
-/// Finds rows by the place of their point on A: a hash table of the last few rows of each cell.
-/// A row that it has forgotten stands for nothing more, and the rows are denser than they need be.
-class RowsByPlace {
+/// Finds rows by their point on A: each is listed in the eight cells, as wide as the spacing, whose
+/// middles are around it, so that one look finds all rows within half the spacing, and most of
+/// those within all of it. What is not found stands for nothing: there are more rows than need be,
+/// never fewer.
+class RowTable {
  public:
-  /// Cells are so small that two points of one are nearer than the spacing.
-  explicit RowsByPlace(double spacing) : per_cell_(spacing > 0 ? 1.7320508 / spacing : 0) {
-    clear();
-  }
+  explicit RowTable(double spacing) : per_cell_(spacing > 0 ? 1 / spacing : 0) { clear(); }
   void clear() {
-    for (Bucket& b : buckets_) b.fill(none);
+    first_.fill(none);
+    entries_ = 0;
   }
   void add(const Vec3& x, std::size_t row) {
-    Bucket& b = bucket(x);
-    std::copy_backward(b.begin(), b.end() - 1, b.end());
-    b[0] = static_cast<std::uint32_t>(row);
+    if (!(per_cell_ > 0)) return;
+    const Vec3 low = cell(x - Vec3::Constant(0.5 / per_cell_));
+    for (int corner = 0; corner < 8 && entries_ < list_.size(); ++corner) {
+      const Vec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+      std::uint16_t& first = first_[bucket(low + side)];
+      list_[entries_] = {static_cast<std::uint32_t>(row), first};
+      first = static_cast<std::uint16_t>(entries_++);
+    }
   }
   template <class Test>
   bool any(const Vec3& x, const Test& test) const {
-    for (const std::uint32_t row : buckets_[index(x)])
-      if (row != none && test(row)) return true;
+    if (!(per_cell_ > 0)) return false;
+    for (std::uint16_t e = first_[bucket(cell(x))]; e != none; e = list_[e].next)
+      if (test(list_[e].row)) return true;
     return false;
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffu;
-  using Bucket = std::array<std::uint32_t, 8>;
-  std::size_t index(const Vec3& x) const {
-    std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double cell = std::floor(x[i] * per_cell_);
-      h = (h ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(cell))) * 0x9e3779b97f4a7c15u;
-    }
-    return static_cast<std::size_t>(h >> 32) % buckets_.size();
+  static constexpr std::uint16_t none = 0xffff;
+  struct Entry {
+    std::uint32_t row;
+    std::uint16_t next;
+  };
+  Vec3 cell(const Vec3& x) const { return (x * per_cell_).array().floor(); }
+  static std::size_t bucket(const Vec3& cell) {
+    const Vec3 part = cell.cwiseProduct(Vec3(0.7548776662, 0.5698402910, 0.4656923410));
+    const double sum = part.sum();
+    return static_cast<std::size_t>((sum - std::floor(sum)) * buckets) % buckets;
   }
-  Bucket& bucket(const Vec3& x) { return buckets_[index(x)]; }
 
+  static constexpr int buckets = 1024;
   double per_cell_;
-  std::array<Bucket, 512> buckets_;
+  std::size_t entries_ = 0;
+  std::array<std::uint16_t, buckets> first_;
+  std::array<Entry, 16384> list_;
 };
 
 class Thinner {
@@ -149,7 +158,7 @@ class Thinner {
   double sin_angle_;
   std::span<NearPair> out_;
   std::size_t found_ = 0;
-  RowsByPlace rows_;
+  RowTable rows_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/proximity/distance.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "engine/proximity/near_pairs.hpp"
+#include "engine/proximity/thinned_pairs.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/result.hpp"
 #include "tests/bench/sweeps.hpp"
@@ -118,16 +119,30 @@ Contender row_filler(const Stage& stage, Place place, const Fill& fill) {
   return {ours, ask, 0, examine};
 }
 
-std::vector<Contender> near_rows(const Stage& stage, Place place) {
-  const auto fill = [](const Body& a, const Body& b, const Transform& X_BA,
-                       std::span<NearPair> out) {
-    return near_pairs(a, b, X_BA, reach, out).count;
-  };
+template <class Fill>
+std::vector<Contender> rows_by(const Stage& stage, Place place, const Fill& fill) {
   std::vector<Contender> out = {row_filler(stage, place, fill)};
   out.push_back(cold_distance(stage, place, ours_cold));
   add_peer_distances(stage, place, out);
   for (std::size_t i = 1; i < out.size(); ++i) out[i].timed = false;
   return out;
+}
+
+std::vector<Contender> near_rows(const Stage& stage, Place place) {
+  return rows_by(stage, place,
+                 [](const Body& a, const Body& b, const Transform& X_BA, std::span<NearPair> out) {
+                   return near_pairs(a, b, X_BA, reach, out).count;
+                 });
+}
+
+/// A row may stand for others within 1 % of R and 10°.
+std::vector<Contender> thinned_rows(const Stage& stage, Place place) {
+  const Thinning thinning{0.01 * mesh_radius, std::cos(10 * std::numbers::pi / 180)};
+  return rows_by(
+      stage, place,
+      [thinning](const Body& a, const Body& b, const Transform& X_BA, std::span<NearPair> out) {
+        return thinned_pairs(a, b, X_BA, reach, thinning, out).count;
+      });
 }
 
 /// What is in use of the heap, bytes.
@@ -183,6 +198,7 @@ std::vector<Query> queries() {
       {"distance", {P::far, P::near_5, P::near_1, P::touching}, {"FCL"}, distance_cold, ""},
       {"distance-warm", {P::trajectory}, {ours_cold, "FCL"}, distance_warm, ""},
       {"near-pairs", {P::near_1, P::touching, P::trajectory}, {}, near_rows, "rows"},
+      {"near-pairs-thinned", {P::near_1, P::touching, P::trajectory}, {}, thinned_rows, "rows"},
       {"sweep", {P::trip}, {"FCL", "FCL oriented"}, sweep_contenders, "", judge_sweep},
       {"build", {P::none}, {"FCL", "Bullet"}, building, "bytes per triangle"},
   };

@@ -146,7 +146,7 @@ TEST(ThinnedPairs, are_few_between_fine_plates) {
       check({pair, X, 0.12, {0.4, ten_degrees}}, out, counts);
     }
     EXPECT_GT(counts.pairs, 3 * 5000u);
-    EXPECT_LT(counts.rows, counts.pairs / 10) << bulge;
+    EXPECT_LT(counts.rows, counts.pairs / 6) << bulge;
     say(bulge > 0 ? "bent plates" : "flat plates", counts);
   }
 }
