@@ -67,10 +67,10 @@ class Search {
  private:
   void look() {
     batch_.flush(best_.distance,
-                 [&](std::uint32_t i, std::uint32_t j, int lane, const ClosestPoints8& points) {
+                 [&](const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& points) {
                    const double d = points.distance[lane];
                    if (d < best_.distance)
-                     best_ = {d, on_a(points, lane), on_b(points, lane), i, j, d <= 0};
+                     best_ = {d, on_a(points, lane), on_b(points, lane), pair.i, pair.j, d <= 0};
                  });
     at_.try_direction(best_.on_a - best_.on_b);
   }

@@ -28,10 +28,10 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
   SlotPairs children;
   std::size_t found = 0;
   const auto look = [&] {
-    batch.flush(reach, [&](std::uint32_t i, std::uint32_t j, int k, const ClosestPoints8& points) {
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
       if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
       if (found == out.size()) found = keep_nearer_half(out, reach);
-      out[found++] = {on_a(points, k), on_b(points, k), normal(points, k), points.gap[k], i, j};
+      out[found++] = near_pair(pair, k, points);
     });
   };
   stack.push(at.roots());

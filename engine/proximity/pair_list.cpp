@@ -3,6 +3,7 @@
 
 #include "engine/proximity/pair_sweep.hpp"
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/triangle_batch.hpp"
 
 namespace sonde {
 namespace {
@@ -49,7 +50,20 @@ double PairList::reach_at(const Transform& X) const noexcept {
 
 NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> out) noexcept {
   const double moved = displacement(X);
+  TriangleBatch batch(a_, b_, X);
   std::size_t found = 0;
+  const auto look = [&] {
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      Item& item = items_[pair.tag];
+      const double least = std::min(points.distance[k], reach);  // of what is beyond, that alone
+      item.bound = std::max(item.bound, least * (1 - 1e-12) - moved);
+      if (points.distance[k] > reach || !(points.distance[k] > 0)) return;
+      const NearPair near = near_pair(pair, k, points);
+      item.normal = near.normal;
+      if (found == out.size()) found = keep_nearer_half(out, reach);
+      out[found++] = near;
+    });
+  };
   for (std::size_t k = 0; k < count_; ++k) {
     Item& item = items_[k];
     if (item.bound - moved > reach) continue;
@@ -60,17 +74,10 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
       item.bound = std::max(item.bound, known * (1 - 1e-12) - moved);
       continue;
     }
-    const ClosestPoints c = closest_points(ta, tb, reach);
-    if (c.distance > reach) {
-      item.bound = std::max(item.bound, reach - moved);
-      continue;
-    }
-    item.bound = std::max(item.bound, c.distance * (1 - 1e-12) - moved);
-    if (!(c.distance > 0)) continue;
-    item.normal = c.normal;
-    if (found == out.size()) found = keep_nearer_half(out, reach);
-    out[found++] = {c.a, c.b, c.normal, c.gap, item.a, item.b};
+    batch.add({item.a, item.b, static_cast<std::uint32_t>(k)}, ta, tb);
+    if (batch.full()) look();
   }
+  look();
   return {found, reach};
 }
 

@@ -33,11 +33,13 @@ PairSweep::Step PairSweep::step_along(const Vec3& n, const Moment& now, const Co
   const double top = std::max({n.dot(tb[0]), n.dot(tb[1]), n.dot(tb[2])});
   const double sliding = n.dot(now.velocity.linear);
   const Vec3 turning = n.cross(now.velocity.angular);  // n·(ω×r) = (n×ω)·r
-  Step step{std::numeric_limits<double>::infinity(), false};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Step step{infinity, infinity, false};
   for (const Vec3& x : ta) {
-    const double speed = sliding + turning.dot(x - com);
-    const double mine = safe_advance(n.dot(x) - top - floor, speed, acceleration);
-    if (mine < step.length) step = {mine, speed < 0};
+    const double height = n.dot(x) - top, speed = sliding + turning.dot(x - com);
+    step.gap = std::min(step.gap, height);
+    const double mine = safe_advance(height - floor, speed, acceleration);
+    if (mine < step.length) step.length = mine, step.closing = speed < 0;
   }
   return step;
 }
@@ -63,9 +65,8 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
   double stop = clearance_;
   if (normal.squaredNorm() > 0) {
     const Moment& now = at(s);
-    const Corners ta = place(now.X, local);
-    const double gap = gap_along(normal, ta, tb);
-    if (gap > 2 * stop) s += step_along(normal, now, ta, tb, acceleration, stop + guard_).length;
+    const Step step = step_along(normal, now, place(now.X, local), tb, acceleration, stop + guard_);
+    if (step.gap > 2 * stop) s += step.length;
   }
   for (int tries = 0; s < result_.free_until; ++tries) {
     const Moment& now = at(s);

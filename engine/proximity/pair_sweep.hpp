@@ -43,6 +43,7 @@ class PairSweep {
 
  private:
   struct Step {
+    double gap;     // along n, m
     double length;  // of s
     bool closing;   // the corner that allows no more comes nearer
   };

@@ -119,7 +119,7 @@ class Sweeper {
       const Waiting& w = queue_[static_cast<std::size_t>(k)];
       Vec3 n = Vec3::Zero();
       double from = w.from;
-      if (points.distance[k] > 0) {
+      if (points.gap[k] > 2 * pairs_.clearance()) {
         n = normal(points, k);
         from = std::max(from, w.s + pairs_.free_along(w.i, w.j, n, w.moment));
       }

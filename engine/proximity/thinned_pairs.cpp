@@ -53,11 +53,11 @@ class RowTable {
     return static_cast<std::size_t>((sum - std::floor(sum)) * buckets) % buckets;
   }
 
-  static constexpr int buckets = 1024;
+  static constexpr int buckets = 4096;
   double per_cell_;
   std::size_t entries_ = 0;
   std::array<std::uint16_t, buckets> first_;
-  std::array<Entry, 16384> list_;
+  std::array<Entry, 65000> list_;
 };
 
 class Thinner {
@@ -104,9 +104,9 @@ class Thinner {
   }
 
   void look() {
-    batch_.flush(reach_, [&](std::uint32_t i, std::uint32_t j, int k, const ClosestPoints8& p) {
+    batch_.flush(reach_, [&](const TriangleBatch::Pair& of, int k, const ClosestPoints8& p) {
       if (!(p.distance[k] > 0) || p.distance[k] > reach_) return;
-      const NearPair pair{on_a(p, k), on_b(p, k), normal(p, k), p.gap[k], i, j};
+      const NearPair pair = near_pair(of, k, p);
       const bool known = rows_.any(pair.on_a, [&](std::uint32_t row) {
         return stands_for(out_[row], pair.on_a, pair.normal, pair.gap);
       });

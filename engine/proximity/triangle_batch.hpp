@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/proximity/near_pairs.hpp"
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/triangle_lanes.hpp"
 
@@ -14,40 +15,45 @@ class TriangleBatch {
  public:
   TriangleBatch(const Body& a, const Body& b, const Transform& X_BA) : a_(a), b_(b), X_(X_BA) {}
 
-  bool full() const { return count_ == static_cast<int>(triangles_.size()); }
+  struct Pair {
+    std::uint32_t i, j;
+    std::uint32_t tag;  // what the caller knows it by
+  };
+
+  bool full() const { return count_ == static_cast<int>(pairs_.size()); }
   bool empty() const { return count_ == 0; }
 
   /// Not while it is full.
   void add(std::uint32_t i, std::uint32_t j) {
-    set_lane(pairs_, count_, place(X_, corners(a_.soup, i)), corners(b_.soup, j));
-    triangles_[static_cast<std::size_t>(count_++)] = {i, j};
+    add({i, j, 0}, place(X_, corners(a_.soup, i)), corners(b_.soup, j));
+  }
+  void add(const Pair& pair, const Corners& a, const Corners& b) {
+    set_lane(lanes_, count_, a, b);
+    pairs_[static_cast<std::size_t>(count_++)] = pair;
   }
 
-  /// Compares them and calls visit(i, j, lane, points) for each pair no further apart than the
-  /// limit; the batch is empty then.
+  /// Compares them and calls visit(pair, lane, points) for each, also where the distance is beyond
+  /// the limit; the batch is empty then.
   template <class Visit>
   void flush(double limit, const Visit& visit) {
     if (count_ == 0) return;
-    closest_points(pairs_, count_, limit, points_);
-    for (int k = 0; k < count_; ++k)
-      if (points_.distance[k] <= limit) {
-        const Pair& pair = triangles_[static_cast<std::size_t>(k)];
-        visit(pair.i, pair.j, k, points_);
-      }
+    closest_points(lanes_, count_, limit, points_);
+    for (int k = 0; k < count_; ++k) visit(pairs_[static_cast<std::size_t>(k)], k, points_);
     count_ = 0;
   }
 
  private:
-  struct Pair {
-    std::uint32_t i, j;
-  };
   const Body& a_;
   const Body& b_;
   const Transform& X_;
   int count_ = 0;
-  std::array<Pair, 8> triangles_;
-  TrianglePairs8 pairs_;
+  std::array<Pair, 8> pairs_;
+  TrianglePairs8 lanes_;
   ClosestPoints8 points_;
 };
+
+inline NearPair near_pair(const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& p) {
+  return {on_a(p, lane), on_b(p, lane), normal(p, lane), p.gap[lane], pair.i, pair.j};
+}
 
 }  // namespace sonde

@@ -291,12 +291,15 @@ inline Vector square_to(Vector n, const Triangle& t, int edge) {
   p.set_ways();
   Face a, b;
   set_faces(p, a, b);
+  const Vector nearest = best.normal;
   best.offer(a.normal, p, wanted);
   best.offer(b.normal, p, wanted);
-  const Vector nearest = best.normal;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      best.offer(square_to(square_to(cross(p.a.edge[i], p.b.edge[j]), p.b, j), p.a, i), p, wanted);
+    for (int j = 0; j < 3; ++j) {
+      const Vector product = cross(p.a.edge[i], p.b.edge[j]);
+      best.offer(square_to(square_to(product, p.b, j), p.a, i), p, wanted);
+      best.offer(square_to(square_to(nearest, p.b, j), p.a, i), p, wanted);
+    }
     best.offer(cross(p.a.edge[i], a.normal), p, wanted);
     best.offer(cross(p.b.edge[i], b.normal), p, wanted);
     best.offer(square_to(nearest, p.a, i), p, wanted);

@@ -39,9 +39,9 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
     EXPECT_GT(c.multiplier, 0) << what;
     EXPECT_NEAR(c.normal.norm(), 1, 1e-12) << what;
     EXPECT_GE(c.gap, 0) << what;
-    // The gap is that along all of the triangles, of which closest_points() gives 0.999 of the distance
-    // at least; but for points off by ε·size, which turn the normal by ε·size / gap: a triangle
-    // sticks out by that times its own size.
+    // The gap is that along all of the triangles, of which closest_points() gives 0.999 of the
+    // distance at least; but for points off by ε·size, which turn the normal by ε·size / gap: a
+    // triangle sticks out by that times its own size.
     const double apart = c.normal.dot(c.on_probe - c.on_fixed);
     const double turned = std::numeric_limits<double>::epsilon() * size * size / apart;
     EXPECT_LE(c.gap, apart + 1e-13 * size) << what;
