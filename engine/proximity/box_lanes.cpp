@@ -89,7 +89,7 @@ SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, float sc
   compare(box, b, o);
   Floats best = o.in_a[0];
   for (int i = 1; i < 3; ++i) larger(best, o.in_a[i], best);
-  for (int j = 0; j < 3; ++j) larger(best, o.in_b[j], best);
+  for (const Floats& gap : o.in_b) larger(best, gap, best);
   store(best, out.value);
 }
 
@@ -143,6 +143,8 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
   store(best, out.value);
 }
 
+// An attribute and a name cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define SONDE_BOX_KERNELS(NAME, ATTRIBUTE)                                                     \
   namespace NAME {                                                                             \
   ATTRIBUTE void distances(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) { \
@@ -160,6 +162,7 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
   constexpr BoxKernels kernels{distances, gaps, points, rays};                                 \
   }
 
+// NOLINTEND(bugprone-macro-parentheses)
 SONDE_BOX_KERNELS(plain, )
 #if defined(__x86_64__)
 SONDE_BOX_KERNELS(avx2, __attribute__((target("avx2"))))

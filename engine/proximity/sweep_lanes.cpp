@@ -147,6 +147,8 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
   store(longest.step * rounded_down, out.value);
 }
 
+// An attribute and a name cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define SONDE_SWEEP_KERNELS(NAME, ATTRIBUTE)                                                  \
   namespace NAME {                                                                            \
   ATTRIBUTE void one(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path,   \
@@ -160,6 +162,7 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
   constexpr SweepKernels kernels{one, eight};                                                 \
   }
 
+// NOLINTEND(bugprone-macro-parentheses)
 SONDE_SWEEP_KERNELS(plain, )
 #if defined(__x86_64__)
 SONDE_SWEEP_KERNELS(avx2, __attribute__((target("avx2"))))
