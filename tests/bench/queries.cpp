@@ -165,7 +165,7 @@ Contender builder(const std::string& library, std::size_t triangles,
     answer.built.reset();
     return answer;
   };
-  return {library, ask, 0, examine};
+  return {library, ask, 0, examine, true, true};
 }
 
 std::vector<Contender> building(const Stage& stage, Place /*place*/) {

@@ -18,6 +18,8 @@ struct Contender {
   /// What is asked before the timing, where that is more than `ask` (empty: it is not).
   std::function<Answer(std::size_t pose)> examine = {};
   bool timed = true;  ///< false: there for its answers alone
+  /// Several threads work at it: the wall clock times it, not the processor time of one.
+  bool threads = false;
 };
 
 /// Judges the answer of one contender (the first one, Sonde, too).

@@ -31,8 +31,8 @@ std::size_t repetitions(double pass_s, double budget_s) {
 
 /// The thread's own time leaves out what the system takes away, but reading it costs some tenths of
 /// a microsecond: short calls are timed by the wall clock.
-clockid_t clock_for(double call_s) {
-  return call_s > 20e-6 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
+clockid_t clock_for(const Contender& contender, double call_s) {
+  return call_s > 20e-6 && !contender.threads ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
 }
 
 double now_us(clockid_t clock) {
@@ -127,7 +127,7 @@ const LibraryResult* Session::run(const Job& job) {
     const std::size_t poses = trial_.answers[i].size();
     const double pass_s = trial_.pass_s[i];
     out.calls = time_calls(contender, poses, repetitions(pass_s, options_.budget_s),
-                           clock_for(pass_s / static_cast<double>(poses)));
+                           clock_for(contender, pass_s / static_cast<double>(poses)));
     return &out;
   }
   return nullptr;
