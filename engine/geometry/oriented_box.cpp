@@ -21,10 +21,18 @@ float rounded_up(double x) {
 }  // namespace
 
 SmallAxes small_axes(const Mat3& axes) {
+  // Squared up again: a solver for three unknowns is quick, not exact.
+  Vec3 along[2] = {axes.col(0).normalized(), axes.col(1)};
+  for (int twice = 0; twice < 2; ++twice)
+    along[1] = (along[1] - along[1].dot(along[0]) * along[0]).normalized();
+  if (!(std::abs(along[0].squaredNorm() - 1) < 1e-9 &&
+        std::abs(along[1].squaredNorm() - 1) < 1e-9 && std::abs(along[0].dot(along[1])) < 1e-9)) {
+    along[0] = Vec3::UnitX();
+    along[1] = Vec3::UnitY();
+  }
   SmallAxes small;
-  for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < 3; ++i)
-      small[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] = to_float(axes(i, k));
+  for (std::size_t k = 0; k < 2; ++k)
+    for (int i = 0; i < 3; ++i) small[k][static_cast<std::size_t>(i)] = to_float(along[k][i]);
   return small;
 }
 

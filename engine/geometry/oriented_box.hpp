@@ -11,6 +11,7 @@ namespace sonde {
 /// Two axes of a box in single precision; the third is their cross product.
 using SmallAxes = std::array<std::array<float, 3>, 2>;
 
+/// The axes given as columns, made square to each other; those of the frame where that fails.
 SmallAxes small_axes(const Mat3& axes);
 /// What they stand for, as columns: orthonormal to 1e-6.
 Mat3 axes_of(const SmallAxes& small);
