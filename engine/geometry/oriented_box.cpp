@@ -21,7 +21,7 @@ float rounded_up(double x) {
 }  // namespace
 
 SmallAxes small_axes(const Mat3& axes) {
-  // Squared up again: a solver for three unknowns is quick, not exact.
+  // Squared up again: the axes of a minute triangle come from squares that are denormal.
   Vec3 along[2] = {axes.col(0).normalized(), axes.col(1)};
   for (int twice = 0; twice < 2; ++twice)
     along[1] = (along[1] - along[1].dot(along[0]) * along[0]).normalized();

@@ -6,7 +6,7 @@
 namespace sonde {
 namespace {
 
-/// Twelve numbers for eight pairs of boxes.
+/// What there is between sixteen pairs of boxes.
 struct Outside {
   Floats in_a[3], in_b[3];  ///< the gaps along the axes of either
   Floats d_a[3], d_b[3];    ///< |projections| of the line of the centres

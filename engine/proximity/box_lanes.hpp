@@ -29,7 +29,7 @@ struct PlacedRay {
   float direction[3];  ///< unit, to rounding
 };
 
-/// Eight values, one for each box of a node (unused lanes repeat the first).
+/// Sixteen values, one for each box of a node (unused lanes repeat the first).
 struct alignas(64) Lanes {
   float value[Tree::width];
 };
@@ -53,7 +53,7 @@ inline std::uint32_t at_most(const Lanes& x, float limit, const Tree::Node& node
   return within;
 }
 
-/// Comparisons of one thing with the eight boxes of a node, lengths of the node times `scale` (a
+/// Comparisons of one thing with the sixteen boxes of a node, lengths of the node times `scale` (a
 /// scale that makes everything that is compared of the order of 1 keeps squares within single
 /// precision). Right but for rounding, which the caller allows for: every length is within
 /// box_rounding × (the sum of what the coordinates and the sizes can reach).

@@ -41,7 +41,9 @@ double PairList::displacement(const Transform& X) const noexcept {
   // |R − R₀| as an operator is the Frobenius norm by √2, for rotations.
   const double turned = (X.R - X_.R).norm() / std::sqrt(2.0);
   const Vec3& com = a_.mass.com;
-  return (1 + 1e-12) * ((X * com - X_ * com).norm() + turned * a_.mass.radius);
+  const double guard =
+      rounding_guard(extent(a_), extent(b_), X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
+  return (1 + 1e-12) * ((X * com - X_ * com).norm() + turned * a_.mass.radius) + guard;
 }
 
 double PairList::reach_at(const Transform& X) const noexcept {
@@ -50,6 +52,7 @@ double PairList::reach_at(const Transform& X) const noexcept {
 
 NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> out) noexcept {
   const double moved = displacement(X);
+  const double guard = rounding_guard(extent(a_), extent(b_), X.p);
   TriangleBatch batch(a_, b_, X);
   std::size_t found = 0;
   const auto look = [&] {
@@ -70,7 +73,7 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
     const Corners ta = place(X, corners(a_.soup, item.a));
     const Corners tb = corners(b_.soup, item.b);
     const double known = gap_along(item.normal, ta, tb);
-    if (known > reach) {
+    if (known > reach * (1 + 1e-12) + guard) {
       item.bound = std::max(item.bound, known * (1 - 1e-12) - moved);
       continue;
     }

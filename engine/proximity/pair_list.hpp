@@ -37,6 +37,7 @@ class PairList {
     double bound;  ///< the pair was at least this far apart at the pose of the list, m
     Vec3 normal;   ///< the last direction found to separate it; zero: none yet
   };
+  /// How far any point of A may have moved since, and what rounding may add, m.
   double displacement(const Transform& X) const noexcept;
 
   const Body& a_;

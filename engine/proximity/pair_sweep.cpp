@@ -17,7 +17,8 @@ double safe_advance(double slack, double speed, double acceleration) {
 PairSweep::PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance)
     : a_(a), b_(b), motion_(motion), clearance_(clearance), start_(motion, 0), kept_(start_) {
   const Vec3 farthest = start_.X.p.cwiseAbs().cwiseMax(motion.at(1).p.cwiseAbs());
-  guard_ = rounding_guard(extent(a), extent(b), farthest);
+  // The poses are made about the centre of mass, which may lie far outside the mesh.
+  guard_ = rounding_guard(extent(a) + motion.com().norm(), extent(b), farthest);
   result_.free_until = 1;
 }
 

@@ -32,8 +32,8 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
 }
 
-/// Takes boxes of one tree to the frame of the other's (each in its own unit of length, per_unit
-/// to a metre, from its own origin): x → R x + p.
+/// Takes boxes of one tree to the frame of the other, from the origin of either: x → R x + p, with
+/// p in the unit of which there are per_unit to a metre.
 struct FrameChange {
   /// Three numbers and an idle fourth.
   typedef float Column __attribute__((vector_size(16)));
@@ -74,7 +74,7 @@ inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
   return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
 }
 
-/// Up to eight pairs that came out of one.
+/// Up to sixteen pairs that came out of one.
 struct SlotPairs {
   std::array<SlotPair, Tree::width> pair;
   int count = 0;
@@ -138,7 +138,8 @@ class Placement {
 };
 
 /// Pairs of nodes still to be visited: a stack of fixed size, no allocation. Opening a pair takes
-/// one entry and puts up to eight, and on the way down at most depth_a + depth_b pairs are opened.
+/// one entry and puts up to sixteen, and on the way down at most depth_a + depth_b pairs are
+/// opened.
 template <class Entry>
 class PairStack {
  public:

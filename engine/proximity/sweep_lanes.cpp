@@ -149,17 +149,17 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
 
 // An attribute and a name cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define SONDE_SWEEP_KERNELS(NAME, ATTRIBUTE)                                                  \
-  namespace NAME {                                                                            \
-  ATTRIBUTE void one(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path,   \
-                     const Tree::Node& node, float scale, Lanes& out) {                       \
-    box_moves(box, v, path, node, scale, out);                                                \
-  }                                                                                           \
-  ATTRIBUTE void eight(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \
-                       const Tree::Node& node, float scale, Lanes& out) {                     \
-    node_moves(box, v, path, node, scale, out);                                               \
-  }                                                                                           \
-  constexpr SweepKernels kernels{one, eight};                                                 \
+#define SONDE_SWEEP_KERNELS(NAME, ATTRIBUTE)                                                 \
+  namespace NAME {                                                                           \
+  ATTRIBUTE void one(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path,  \
+                     const Tree::Node& node, float scale, Lanes& out) {                      \
+    box_moves(box, v, path, node, scale, out);                                               \
+  }                                                                                          \
+  ATTRIBUTE void many(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \
+                      const Tree::Node& node, float scale, Lanes& out) {                     \
+    node_moves(box, v, path, node, scale, out);                                              \
+  }                                                                                          \
+  constexpr SweepKernels kernels{one, many};                                                 \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)

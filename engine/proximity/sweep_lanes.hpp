@@ -21,8 +21,8 @@ struct PathBounds {
 };
 
 /// How far along the path the gap along one of the six face normals is certain to stay above the
-/// clearance: the best of the six, for one box against the eight of a node; 0 where they are nearer
-/// than that now. In units of the path, rounded down.
+/// clearance: the best of the six, for one box against the sixteen of a node; 0 where they are
+/// nearer than that now. In units of the path, rounded down.
 struct SweepKernels {
   /// The one box moves, those of the node stand still.
   void (*box_moves)(const PlacedBox& box, const PlacedVelocity& velocity, const PathBounds& path,

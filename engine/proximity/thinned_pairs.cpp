@@ -50,14 +50,16 @@ class RowTable {
   static std::size_t bucket(const Vec3& cell) {
     const Vec3 part = cell.cwiseProduct(Vec3(0.7548776662, 0.5698402910, 0.4656923410));
     const double sum = part.sum();
-    return static_cast<std::size_t>((sum - std::floor(sum)) * buckets) % buckets;
+    const double part_of_one = sum - std::floor(sum);
+    return part_of_one >= 0 && part_of_one < 1 ? static_cast<std::size_t>(part_of_one * buckets)
+                                               : 0;
   }
 
   static constexpr int buckets = 4096;
   double per_cell_;
   std::size_t entries_ = 0;
   std::array<std::uint16_t, buckets> first_;
-  std::array<Entry, 65000> list_;
+  std::array<Entry, 32768> list_;
 };
 
 class Thinner {

@@ -94,7 +94,9 @@ struct Face {
     inside[0][k] = dot(inward[0], r0);
     inside[1][k] = dot(inward[1], r1);
   }
-  Mask exists() const { return normal2 > all(least_square); }
+  /// Far above where the products of heights and places in look() become denormal, far below the
+  /// thinnest triangle of 1e-35 m.
+  Mask exists() const { return normal2 > all(1e-200); }
   Mask on_one_side() const {
     const Number zero{};
     const Mask above = (height[0] > zero) & (height[1] > zero) & (height[2] > zero);

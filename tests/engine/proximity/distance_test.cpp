@@ -106,5 +106,19 @@ TEST(Distance, does_not_allocate) {
   EXPECT_EQ(counter.allocations(), 0u) << sum;
 }
 
+// A triangle so small that the squares of its edges vanish is a point, not a face that all goes
+// through.
+TEST(Distance, a_minute_triangle_is_nowhere_else) {
+  for (const double size : {1e-30, 1e-50, 1e-65, 1e-67, 1e-69, 1e-90}) {
+    PolygonSoup with_it{
+        {{-size, 0, -size}, {size, 0, -size}, {0, 0, size}, {-3, 0, 0}, {-4, 0, 0}, {-3, 1, 0}},
+        {{0, 1, 2}, {3, 4, 5}}};
+    PolygonSoup beside{{{1, -1, 0}, {2, -1, 0}, {1, 1, 0}}, {{0, 1, 2}}};
+    const auto a = test::body(with_it, Model::surface), b = test::body(beside, Model::surface);
+    EXPECT_NEAR(distance(*a, *b, {}).distance, a->soup.triangles.size() == 2 ? 1 : 4, 1e-14)
+        << size;
+  }
+}
+
 }  // namespace
 }  // namespace sonde

@@ -48,7 +48,8 @@ TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
       Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
       const double reach = test::uniform(random, 0.05, 0.3) * pair.a->mass.radius;
       ASSERT_TRUE(list.build(Transform(X), reach)) << pair.name;
-      EXPECT_EQ(list.reach_at(Transform(X)), reach);
+      EXPECT_LE(list.reach_at(Transform(X)), reach);
+      EXPECT_NEAR(list.reach_at(Transform(X)), reach, 10 * rounding_at(pair, X));
       for (int step = 0; step < 20; ++step) {
         X = nudged(random, *pair.a, X, 0.03 * reach);
         const double left = list.reach_at(Transform(X));
@@ -157,7 +158,7 @@ TEST(PairList, says_so_when_there_are_too_many_and_before_it_is_built) {
   Transform away;
   away.p = Vec3(1, 0, 0);
   EXPECT_TRUE(list.build(away, 0.1));
-  EXPECT_EQ(list.reach_at(away), 0.1);
+  EXPECT_NEAR(list.reach_at(away), 0.1, 1e-11);
 }
 
 TEST(PairList, does_not_allocate) {
