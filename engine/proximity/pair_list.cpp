@@ -41,18 +41,21 @@ double PairList::displacement(const Transform& X) const noexcept {
   // |R − R₀| as an operator is the Frobenius norm by √2, for rotations.
   const double turned = (X.R - X_.R).norm() / std::sqrt(2.0);
   const Vec3& com = a_.mass.com;
-  const double guard =
-      rounding_guard(extent(a_), extent(b_), X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
-  return (1 + 1e-12) * ((X * com - X_ * com).norm() + turned * a_.mass.radius) + guard;
+  return (1 + 1e-12) * ((X * com - X_ * com).norm() + turned * a_.mass.radius);
+}
+
+double PairList::guard(const Transform& X) const noexcept {
+  return rounding_guard(extent(a_), extent(b_), X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
 double PairList::reach_at(const Transform& X) const noexcept {
-  return reach_ < 0 ? -1 : reach_ - displacement(X);
+  // Distances were rounded at the list's pose, and are again at this one.
+  return reach_ < 0 ? -1 : reach_ - displacement(X) - 2 * guard(X);
 }
 
 NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> out) noexcept {
   const double moved = displacement(X);
-  const double guard = rounding_guard(extent(a_), extent(b_), X.p);
+  const double rounding = guard(X);
   TriangleBatch batch(a_, b_, X);
   std::size_t found = 0;
   const auto look = [&] {
@@ -69,11 +72,11 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
   };
   for (std::size_t k = 0; k < count_; ++k) {
     Item& item = items_[k];
-    if (item.bound - moved > reach) continue;
+    if (item.bound - moved > reach + rounding) continue;
     const Corners ta = place(X, corners(a_.soup, item.a));
     const Corners tb = corners(b_.soup, item.b);
     const double known = gap_along(item.normal, ta, tb);
-    if (known > reach * (1 + 1e-12) + guard) {
+    if (known > reach + rounding) {
       item.bound = std::max(item.bound, known * (1 - 1e-12) - moved);
       continue;
     }

@@ -37,8 +37,10 @@ class PairList {
     double bound;  ///< the pair was at least this far apart at the pose of the list, m
     Vec3 normal;   ///< the last direction found to separate it; zero: none yet
   };
-  /// How far any point of A may have moved since, and what rounding may add, m.
+  /// How far any point of A may have moved since the list's pose, m.
   double displacement(const Transform& X) const noexcept;
+  /// What rounding may add to a distance at either pose, m.
+  double guard(const Transform& X) const noexcept;
 
   const Body& a_;
   const Body& b_;
