@@ -18,8 +18,8 @@ namespace sonde {
 namespace {
 
 constexpr std::size_t width = Tree::width;
-constexpr std::size_t many =
-    4096;  // triangles whose boxes stand for them in the fit of a larger one
+/// So many triangles are put in a box by the boxes that they are in already.
+constexpr std::size_t many = 4096;
 using Items = std::span<SplitItem>;
 
 /// How far the build has come; one thread tells, all of them stop where the answer was no.
@@ -178,11 +178,9 @@ void fill_unused(Tree::Node& node, std::size_t used) {
   }
 }
 
-/// A part of the tree: its nodes, numbered from 0, and what its parent needs of it.
+/// A part of the tree: its nodes, numbered from 0.
 struct Branch {
   std::vector<Tree::Node> nodes;
-  std::uint32_t child = Tree::none;
-  AreaMoments moments;
   int depth = 0;
 };
 

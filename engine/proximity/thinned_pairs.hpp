@@ -15,11 +15,11 @@ struct Thinning {
 };
 
 /// So many of the pairs within reach that each has one that stands for it: a row no further than
-/// the spacing from its point on A, with a normal within the angle, and with a gap no larger. On
-/// meshes far finer than the spacing the time goes with the rows returned, not with the pairs.
-/// Otherwise as near_pairs: pairs that meet are left out, and where the rows do not fit, the
-/// reach returned is the smaller one for which the promise holds. `out` must hold at least two.
-/// Never allocates.
+/// the spacing from its point on A, with a normal within the angle, and with a gap no larger. Fewer
+/// rows, not less time: a pair's normal is known only once its closest points are, so the time
+/// still goes with the pairs, but for those whose boxes are small beside their gap. Otherwise as
+/// near_pairs: pairs that meet are left out, and where the rows do not fit, the reach returned is
+/// the smaller one for which the promise holds. `out` must hold at least two. Never allocates.
 NearPairs thinned_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                         const Thinning& thinning, std::span<NearPair> out);
 

@@ -4,7 +4,7 @@
 add_library(sonde_options INTERFACE)
 target_compile_features(sonde_options INTERFACE cxx_std_20)
 # Without contraction a*b+c rounds twice on every machine: the same input gives the same bits. Nobody
-# reads errno or the floating-point flags: a square root is one instruction, eight at a time.
+# reads errno or the floating-point flags: a square root is one instruction, many at a time.
 target_compile_options(sonde_options INTERFACE -Wall -Wextra -Wconversion -ffp-contract=off
                                                -fno-math-errno -fno-trapping-math)
 if(SONDE_WARNINGS_AS_ERRORS)

@@ -146,6 +146,8 @@ TEST(ThinnedPairs, are_few_between_fine_plates) {
       check({pair, X, 0.12, {0.4, ten_degrees}}, out, counts);
     }
     EXPECT_GT(counts.pairs, 3 * 5000u);
+    // Of rows further than half the spacing the table finds most, not all, and a row found late may
+    // have the smaller gap: a tenth would be the fewest (measured: an eighth).
     EXPECT_LT(counts.rows, counts.pairs / 6) << bulge;
     say(bulge > 0 ? "bent plates" : "flat plates", counts);
   }
