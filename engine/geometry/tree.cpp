@@ -28,7 +28,9 @@ struct Advance {
   std::size_t total;
   std::atomic<std::size_t> done = 0;
   std::atomic<bool> cancelled = false;
+  /// Who has said stop is not asked again.
   void report() {
+    if (cancelled) return;
     const double fraction = static_cast<double>(done.load()) / static_cast<double>(total);
     if (tell && !tell(std::min(1.0, fraction))) cancelled = true;
   }

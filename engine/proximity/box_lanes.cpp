@@ -11,12 +11,14 @@ struct Outside {
   Floats in_a[3], in_b[3];  ///< the gaps along the axes of either
   Floats d_a[3], d_b[3];    ///< |projections| of the line of the centres
   Floats dd;                ///< its square
+  Floats rounding;
 };
 
 SONDE_INLINE void compare(const PlacedBox& a, const Boxes& b, Outside& o) {
   const Floats dx = a.center[0] - b.center.x, dy = a.center[1] - b.center.y,
                dz = a.center[2] - b.center.z;
   o.dd = dx * dx + dy * dy + dz * dz;
+  rounding({dx, dy, dz}, b, a.half[0] + a.half[1] + a.half[2], o.rounding);
   for (int i = 0; i < 3; ++i) {
     const Floats along = dx * a.axis[i][0] + dy * a.axis[i][1] + dz * a.axis[i][2];
     magnitude(along, o.d_a[i]);
@@ -47,7 +49,7 @@ SONDE_INLINE void sum_of_outer_squares(const Floats (&gap)[3], Floats& out) {
 SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, float scale,
                                Lanes& out) {
   Boxes b;
-  load(node, scale, b);
+  load(node, scale, box.origin, b);
   Outside o;
   compare(box, b, o);
   Floats in_a, in_b, squared, faces;
@@ -79,26 +81,30 @@ SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, flo
                              box.axis[i][2] * box.direction[2]);
   }
   larger(best, along, best);
+  Floats depth = o.in_a[0];
+  for (int i = 1; i < 3; ++i) larger(depth, o.in_a[i], depth);
+  for (const Floats& gap : o.in_b) larger(depth, gap, depth);
+  best = best > o.rounding ? best - o.rounding : depth - o.rounding;
   store(best, out.value);
 }
 
 SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out) {
   Boxes b;
-  load(node, scale, b);
+  load(node, scale, box.origin, b);
   Outside o;
   compare(box, b, o);
   Floats best = o.in_a[0];
   for (int i = 1; i < 3; ++i) larger(best, o.in_a[i], best);
   for (const Floats& gap : o.in_b) larger(best, gap, best);
-  store(best, out.value);
+  store(best - o.rounding, out.value);
 }
 
 SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node& node, float scale,
                                      Lanes& out) {
   Boxes b;
-  load(node, scale, b);
-  const Floats dx = point.at[0] - b.center.x, dy = point.at[1] - b.center.y,
-               dz = point.at[2] - b.center.z;
+  load(node, scale, point.origin, b);
+  const Floats dx = point.rest[0] - b.center.x, dy = point.rest[1] - b.center.y,
+               dz = point.rest[2] - b.center.z;
   Floats gap[3];
   for (int i = 0; i < 3; ++i) {
     const Floats along = dx * b.axis[i].x + dy * b.axis[i].y + dz * b.axis[i].z;
@@ -106,10 +112,11 @@ SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node&
     magnitude(along, size);
     gap[i] = size - b.half[i];
   }
-  Floats squared, best;
+  Floats squared, best, off;
   sum_of_outer_squares(gap, squared);
   square_root(squared, best);
-  store(best, out.value);
+  rounding({dx, dy, dz}, b, 0, off);
+  store(best - off, out.value);
 }
 
 /// Separating axes of a ray and a box: the box's normals, for the end of the ray, and the cross
@@ -117,9 +124,9 @@ SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node&
 SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, float scale,
                               Lanes& out) {
   Boxes b;
-  load(node, scale, b);
-  const Floats dx = ray.from[0] - b.center.x, dy = ray.from[1] - b.center.y,
-               dz = ray.from[2] - b.center.z;
+  load(node, scale, ray.from.origin, b);
+  const Floats dx = ray.from.rest[0] - b.center.x, dy = ray.from.rest[1] - b.center.y,
+               dz = ray.from.rest[2] - b.center.z;
   Floats m[3], d[3], size[3];
   for (int i = 0; i < 3; ++i) {
     m[i] = dx * b.axis[i].x + dy * b.axis[i].y + dz * b.axis[i].z;
@@ -140,7 +147,9 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
     beside -= b.half[j] * size[k] + b.half[k] * size[j];
     larger(best, beside, best);
   }
-  store(best, out.value);
+  Floats lost;
+  rounding({dx, dy, dz}, b, 0, lost);
+  store(best - lost, out.value);
 }
 
 // An attribute and a name cannot be put in parentheses.

@@ -10,9 +10,12 @@
 
 namespace sonde {
 
-/// A box in the frame of the boxes it is compared with, in their lengths times `scale`.
+/// A box in the frame of the boxes it is compared with, in their lengths times `scale`. What lies
+/// far from the frame's own origin, for its size, is kept relative to another: nothing is rounded
+/// for the size of what is elsewhere.
 struct PlacedBox {
-  float center[3];
+  float origin[3] = {0, 0, 0};
+  float center[3];   ///< from the origin
   float axis[3][3];  ///< axis[i]: unit, to rounding
   float half[3];
   /// A direction from the boxes of the node to this one that may separate them better than those of
@@ -20,12 +23,13 @@ struct PlacedBox {
   float direction[3] = {0, 0, 0};
 };
 
-/// A point, or a ray from it, in the same.
+/// A point, or a ray from it, in the same: at origin + rest.
 struct PlacedPoint {
-  float at[3];
+  float origin[3];
+  float rest[3];
 };
 struct PlacedRay {
-  float from[3];
+  PlacedPoint from;
   float direction[3];  ///< unit, to rounding
 };
 
@@ -55,11 +59,12 @@ inline std::uint32_t at_most(const Lanes& x, float limit, const Tree::Node& node
 
 /// Comparisons of one thing with the sixteen boxes of a node, lengths of the node times `scale` (a
 /// scale that makes everything that is compared of the order of 1 keeps squares within single
-/// precision). Right but for rounding, which the caller allows for: every length is within
-/// box_rounding × (the sum of what the coordinates and the sizes can reach).
+/// precision). What rounding can do to a pair of boxes is taken off: box_rounding × (what is
+/// between their centres + half the sums of their sides), m × scale. What the placed thing's own
+/// coordinates have lost is the caller's to allow for.
 struct BoxKernels {
   /// Lower bounds of the distances: by the axes of either box, along the line of the centres,
-  /// and along the direction given.
+  /// and along the direction given. Where boxes overlap: as `gaps`.
   void (*distances)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
   /// The largest gap along the six face normals (negative: they overlap along all).
   void (*gaps)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
@@ -74,6 +79,8 @@ struct BoxKernels {
 /// About thirty operations between the data and a result, none of which is larger than the data's
 /// size, each rounding by 2⁻²⁴ of that; rotations are off by a few times as much.
 constexpr double box_rounding = 128 * 0x1p-24;
+/// And so much may be lost to numbers too small to be kept, beside sizes of the order of 1.
+constexpr float underflow_guard = 1e-30f;
 
 /// Those for the widest vectors of this processor.
 const BoxKernels& box_kernels();

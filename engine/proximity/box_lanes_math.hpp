@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/geometry/tree.hpp"
+#include "engine/proximity/box_lanes.hpp"
 
 // What kernels are made of must be inlined into each of them, to be compiled for its instruction
 // set; by reference, because vectors wider than the plain ones have no common way of being passed.
@@ -49,18 +50,20 @@ SONDE_INLINE void dot(const Vectors& a, const Vectors& b, Floats& out) {
   out = a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The boxes of a node, lengths times the scale.
+/// The boxes of a node, lengths times the scale, centres from the origin.
 struct Boxes {
   Vectors center;
   Floats half[3];
   Vectors axis[3];
 };
 
-SONDE_INLINE void load(const Tree::Node& node, float scale, Boxes& b) {
+SONDE_INLINE void load(const Tree::Node& node, float scale, const float (&origin)[3], Boxes& b) {
   load(node.center[0], b.center.x);
   load(node.center[1], b.center.y);
   load(node.center[2], b.center.z);
-  b.center.x *= scale, b.center.y *= scale, b.center.z *= scale;
+  b.center.x = b.center.x * scale - origin[0];
+  b.center.y = b.center.y * scale - origin[1];
+  b.center.z = b.center.z * scale - origin[2];
   for (int i = 0; i < 3; ++i) {
     load(node.half[i], b.half[i]);
     b.half[i] *= scale;
@@ -72,6 +75,15 @@ SONDE_INLINE void load(const Tree::Node& node, float scale, Boxes& b) {
   }
   const Vectors &u = b.axis[0], &v = b.axis[1];
   b.axis[2] = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+/// What rounding can do to lengths made of the way d between the centres, the sides of a node's
+/// boxes and those of another box (half their sum: other).
+SONDE_INLINE void rounding(const Vectors& d, const Boxes& b, float other, Floats& out) {
+  Floats x, y, z;
+  magnitude(d.x, x), magnitude(d.y, y), magnitude(d.z, z);
+  out =
+      (x + y + z + (b.half[0] + b.half[1] + b.half[2]) + other) * static_cast<float>(box_rounding);
 }
 
 }  // namespace sonde

@@ -2,7 +2,9 @@
 #include "engine/proximity/distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 #include "engine/proximity/inside.hpp"
 #include "engine/proximity/placement.hpp"
@@ -26,16 +28,19 @@ class Search {
     look();
   }
 
-  /// Goes down through the nearest boxes: the pairs at the end are close by, mostly.
+  /// Goes down through the nearest boxes, a few abreast: what is at the end is close by, mostly.
   void dive() {
-    SlotPairs found;
-    SlotPair p = at_.roots();
-    while (!at_.is_leaf(p)) {
-      at_.open_near(p, std::numeric_limits<float>::infinity(), found);
-      p = *std::min_element(found.begin(), found.end(),
-                            [](const SlotPair& x, const SlotPair& y) { return x.bound < y.bound; });
+    std::array<SlotPair, abreast> level{at_.roots()};
+    for (std::size_t count = 1; count > 0;) {
+      const std::span<SlotPair> nearest = open_abreast({level.data(), count});
+      count = 0;
+      for (const SlotPair& p : nearest) {
+        if (!at_.is_leaf(p))
+          level[count++] = p;
+        else if (!batch_.full())
+          batch_.add(at_.triangle_a(p), at_.triangle_b(p));
+      }
     }
-    batch_.add(at_.triangle_a(p), at_.triangle_b(p));
     look();
   }
 
@@ -57,14 +62,32 @@ class Search {
         continue;
       }
       at_.open_near(p, limit, found);
-      std::sort(found.pair.begin(), found.pair.begin() + found.count,
-                [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+      std::sort(found.begin(), found.end(),
+                [](const SlotPair& x, const SlotPair& y) { return nearer_first(y, x); });
       for (const SlotPair& child : found) stack_.push(child);
     }
     return best_;
   }
 
  private:
+  static constexpr std::size_t abreast = 4;  // measured: of 1, 2, 4 and 8
+  static bool nearer_first(const SlotPair& x, const SlotPair& y) { return x.bound < y.bound; }
+
+  /// The nearest of what is in some pairs.
+  std::span<SlotPair> open_abreast(std::span<const SlotPair> pairs) {
+    SlotPairs found;
+    std::size_t count = 0;
+    for (const SlotPair& p : pairs) {
+      at_.open_nearest(p, found);
+      for (const SlotPair& q : found) next_[count++] = q;
+    }
+    const std::span<SlotPair> all(next_.data(), count);
+    const std::size_t kept = std::min(count, abreast);
+    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
+                      nearer_first);
+    return all.first(kept);
+  }
+
   void look() {
     batch_.flush(best_.distance,
                  [&](const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& points) {
@@ -80,6 +103,7 @@ class Search {
   Placement at_;
   TriangleBatch batch_;
   PairStack<SlotPair> stack_;
+  std::array<SlotPair, abreast * Tree::width> next_;
   Distance best_;
 };
 

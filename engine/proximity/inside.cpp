@@ -45,11 +45,8 @@ std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
 std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
   const PointFrame frame(body, x);
   const Vec3 unit = d.normalized();
-  PlacedRay ray{};
-  for (int i = 0; i < 3; ++i) {
-    ray.from[i] = frame.point.at[i];
-    ray.direction[i] = static_cast<float>(unit[i]);
-  }
+  PlacedRay ray{frame.point, {}};
+  for (int i = 0; i < 3; ++i) ray.direction[i] = static_cast<float>(unit[i]);
   const BoxKernels& kernels = box_kernels();
   PairStack<std::uint32_t> stack;
   stack.push(body.tree.child(0));

@@ -22,7 +22,7 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
     }
     at.open_overlapping(p, found);
     // The deeper overlap is looked at first: a first hit is likeliest there.
-    std::sort(found.pair.begin(), found.pair.begin() + found.count,
+    std::sort(found.begin(), found.end(),
               [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : found) stack.push(child);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -32,17 +33,25 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
 }
 
-/// Takes boxes of one tree to the frame of the other, from the origin of either: x → R x + p, with
-/// p in the unit of which there are per_unit to a metre.
+/// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, from the origin `to`,
+/// all in the unit of which there are per_unit to a metre.
 struct FrameChange {
   /// Three numbers and an idle fourth.
   typedef float Column __attribute__((vector_size(16)));
   Column R[3];
-  Column p;
+  Column from, p, to;
 };
-/// A's boxes to B's frame and back, for A's mesh frame placed at X in B's.
-FrameChange a_to_b(const Tree& a, const Tree& b, const Transform& X, double per_unit);
-FrameChange b_to_a(const Tree& a, const Tree& b, const Transform& X, double per_unit);
+/// A's boxes to B's frame and back, for A's mesh frame placed at X in B's. Both are relative to the
+/// middle of the smaller body: beside a large one nothing is rounded for the large one's sake.
+struct Frames {
+  FrameChange a_to_b, b_to_a;
+  Vec3 middle_a = Vec3::Zero();  ///< m, from the tree's origin, in its frame
+  Vec3 middle_b = Vec3::Zero();
+};
+Frames frames(const Tree& a, const Tree& b, const Transform& X, double per_unit);
+/// What placing a box can lose to rounding, m: box_rounding × the size of the smaller body.
+double placing_guard(const Tree& a, const Tree& b);
+
 PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale);
 
 /// A pair of boxes still to be looked at.
@@ -74,12 +83,13 @@ inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
   return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
 }
 
-/// Up to sixteen pairs that came out of one.
+/// The pairs that came out of one.
 struct SlotPairs {
-  std::array<SlotPair, Tree::width> pair;
+  std::array<SlotPair, Tree::width * Tree::width> pair;
   int count = 0;
-  const SlotPair* begin() const { return pair.data(); }
-  const SlotPair* end() const { return pair.data() + count; }
+  SlotPair* begin() { return pair.data(); }
+  SlotPair* end() { return pair.data() + count; }
+  void push(const SlotPair& p) { pair[static_cast<std::size_t>(count++)] = p; }
 };
 
 /// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
@@ -109,9 +119,12 @@ class Placement {
   }
 
   SlotPair roots() const { return sonde::roots(a_.tree, b_.tree); }
-  /// Opens the larger box of a pair that is not a leaf, and compares what is in it with the other
-  /// box. The bounds are lower bounds of distances; pairs with one above `limit` are left out.
+  /// Opens the boxes of a pair that is not a leaf, and compares what is in them. The bounds are
+  /// lower bounds of distances, or where boxes overlap negative, the more the deeper; pairs with
+  /// one above `limit` are left out.
   void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// Opens the larger box alone, without a limit: for a first way down.
+  void open_nearest(const SlotPair& p, SlotPairs& out) const;
   /// The same with separations along the six face normals: pairs that do not overlap are left out.
   void open_overlapping(const SlotPair& p, SlotPairs& out) const;
 
@@ -124,12 +137,22 @@ class Placement {
 
  private:
   using Kernel = void (*)(const PlacedBox&, const Tree::Node&, float, Lanes&);
-  void open(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
+  /// The sixteen boxes of a node against one of the other tree: those within the limit.
+  std::uint32_t compare(std::uint32_t slot_a, const Tree::Node& node_b, Kernel kernel, float limit,
+                        Lanes& bounds) const;
+  std::uint32_t compare(const Tree::Node& node_a, std::uint32_t slot_b, Kernel kernel, float limit,
+                        Lanes& bounds) const;
+  void open_a(const SlotPair& p, std::uint32_t lanes, Kernel kernel, float limit,
+              SlotPairs& out) const;
+  void open_b(const SlotPair& p, std::uint32_t lanes, Kernel kernel, float limit,
+              SlotPairs& out) const;
+  void open_larger(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
+  void open_both(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
 
   const Body& a_;
   const Body& b_;
   const BoxKernels& kernels_;
-  FrameChange a_to_b_, b_to_a_;
+  Frames frames_;
   Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
   Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
   double per_unit_;
@@ -138,8 +161,8 @@ class Placement {
 };
 
 /// Pairs of nodes still to be visited: a stack of fixed size, no allocation. Opening a pair takes
-/// one entry and puts up to sixteen, and on the way down at most depth_a + depth_b pairs are
-/// opened.
+/// one entry and puts up to 256, where both of its boxes are opened at once, which on the way down
+/// happens at most max_depth times; or up to 16, at most twice as often.
 template <class Entry>
 class PairStack {
  public:
@@ -148,7 +171,7 @@ class PairStack {
   Entry pop() { return items_[--size_]; }
 
  private:
-  Entry items_[2 * Tree::max_depth * (Tree::width - 1) + Tree::width + 1];
+  Entry items_[Tree::max_depth * (Tree::width + 2) * Tree::width];
   int size_ = 0;
 };
 

@@ -17,11 +17,12 @@ PointFrame::PointFrame(const Body& body, const Vec3& x) {
   const double size = (tree.high - tree.low).maxCoeff() + local.cwiseAbs().maxCoeff();
   per_unit = std::exp2(-std::ilogb(size));
   scale = static_cast<float>(per_unit);
-  const Eigen::Vector3f at = (local * per_unit).cast<float>();
-  for (int i = 0; i < 3; ++i) point.at[i] = at[i];
-  guard =
-      static_cast<float>((box_rounding * size + rounding_guard(extent(body), 0, x)) * per_unit) *
-      (1 + 0x1p-22f);
+  for (int i = 0; i < 3; ++i) {
+    point.origin[i] = static_cast<float>(local[i] * per_unit);
+    point.rest[i] = static_cast<float>(local[i] * per_unit - static_cast<double>(point.origin[i]));
+  }
+  guard = static_cast<float>(rounding_guard(extent(body), 0, x) * per_unit) * (1 + 0x1p-22f) +
+          underflow_guard;
 }
 
 double point_distance(const Body& body, const Vec3& x, double enough) {

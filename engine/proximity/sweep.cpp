@@ -21,20 +21,22 @@ class Sweeper {
       : a_(a), b_(b), motion_(motion), pairs_(a, b, motion, clearance), kernels_(sweep_kernels()) {
     const Vec3 shift = pairs_.start().X * a.tree.origin - b.tree.origin;
     const double arm = (a.tree.origin - motion.com()).norm();
-    const double size = (a.tree.high - a.tree.low).maxCoeff() +
-                        (b.tree.high - b.tree.low).maxCoeff() + shift.cwiseAbs().maxCoeff() +
-                        motion.farthest(arm);
+    const double size_a = (a.tree.high - a.tree.low).maxCoeff();
+    const double size = size_a + (b.tree.high - b.tree.low).maxCoeff() +
+                        shift.cwiseAbs().maxCoeff() + motion.farthest(arm);
     per_unit_ = std::exp2(-std::ilogb(size));
     scale_ = static_cast<float>(per_unit_);
-    copy((motion.com() - a.tree.origin) * per_unit_, com_a_);
     const double longest = motion.farthest(a.mass.radius) * per_unit_;
     per_path_ = static_cast<float>(0.5 / std::max(longest, 1e-30));
     constexpr double up = 1 + 1e-6;
     bounds_.acceleration = static_cast<float>(motion.acceleration_per_radius() * up);
     bounds_.clearance =
-        static_cast<float>((clearance + box_rounding * size + pairs_.guard()) * per_unit_ * up);
+        static_cast<float>((clearance + placing_guard(a.tree, b.tree) + pairs_.guard()) *
+                           per_unit_ * up) +
+        underflow_guard;
     bounds_.speed_rounding = static_cast<float>(
-        box_rounding * (motion.linear_distance() + motion.turn_bound() * size) * per_unit_ * up);
+        box_rounding * (motion.linear_distance() + motion.turn_bound() * (size_a + arm)) *
+        per_unit_ * up);
   }
 
   Sweep run() {
@@ -55,9 +57,9 @@ class Sweeper {
   struct Placed {
     int number = -1;
     Moment moment;
-    FrameChange a_to_b, b_to_a;
+    Frames frames;
     PlacedVelocity in_b, in_a;
-    float com_b[3];  // in the frame of B's boxes
+    float com_b[3], com_a[3];  // from the middles
   };
 
   // Of an entry, `bound` is how far along the path the pair is known to be free.
@@ -68,32 +70,77 @@ class Sweeper {
       wait(a_.tree.child(p.a) & ~Tree::triangle_bit, b_.tree.child(p.b) & ~Tree::triangle_bit, p);
       return;
     }
-    const bool opening_a = opens_a(a_.tree, b_.tree, p);
-    const std::uint32_t child = opening_a ? a_.tree.child(p.a) : b_.tree.child(p.b);
-    const Tree::Node& node = opening_a ? a_.tree.nodes[child] : b_.tree.nodes[child];
-    const Placed& now = placed_before(p);
-    Lanes steps;
-    if (opening_a)
-      kernels_.node_moves(placed(b_.tree, p.b, now.b_to_a, scale_), now.in_a, path(com_a_), node,
-                          scale_, steps);
-    else
-      kernels_.box_moves(placed(a_.tree, p.a, now.a_to_b, scale_), now.in_b, path(now.com_b), node,
-                         scale_, steps);
-    const float start = static_cast<float>(now.number) / moments;
     SlotPairs found;
-    // Rounded up: what is just beyond is found to be so when its turn comes.
-    const float within =
-        static_cast<float>(pairs_.free_until()) * (1 + 0x1p-20f) - start + 0x1p-20f;
-    for (std::uint32_t left = at_most(steps, within, node); left != 0; left &= left - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
-      const float until = std::max(p.bound, (start + steps.value[k]) * (1 - 0x1p-22f));
-      found.pair[static_cast<std::size_t>(found.count++)] =
-          opening_a ? down_a(p, a_.tree, child, k, until) : down_b(p, b_.tree, child, k, until);
-    }
+    open(p, found);
     // The pair that may stop it first is looked at first: what it says rules out others.
-    std::sort(found.pair.begin(), found.pair.begin() + found.count,
+    std::sort(found.begin(), found.end(),
               [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& next : found) stack_.push(next);
+  }
+
+  /// The lanes of B's node (or of A's) that the box of A (of B) may meet before the stop so far.
+  std::uint32_t compare(const SlotPair& p, const Placed& now, const Tree::Node& node_b,
+                        Lanes& steps) const {
+    kernels_.box_moves(placed(a_.tree, p.a, now.frames.a_to_b, scale_), now.in_b, path(now.com_b),
+                       node_b, scale_, steps);
+    return at_most(steps, within(now), node_b);
+  }
+  std::uint32_t compare(const Tree::Node& node_a, const Placed& now, const SlotPair& p,
+                        Lanes& steps) const {
+    kernels_.node_moves(placed(b_.tree, p.b, now.frames.b_to_a, scale_), now.in_a, path(now.com_a),
+                        node_a, scale_, steps);
+    return at_most(steps, within(now), node_a);
+  }
+  /// What is left of the path from that moment on, rounded up: what is just beyond is found to be
+  /// so when its turn comes.
+  float within(const Placed& now) const {
+    return static_cast<float>(pairs_.free_until()) * (1 + 0x1p-20f) - start(now) + 0x1p-20f;
+  }
+  static float start(const Placed& now) { return static_cast<float>(now.number) / moments; }
+  static float until(const SlotPair& p, float start, float step) {
+    return std::max(p.bound, (start + step) * (1 - 0x1p-22f));
+  }
+
+  void open_a(const SlotPair& p, std::uint32_t lanes, SlotPairs& out) {
+    const Placed& now = placed_before(p);
+    const std::uint32_t child = a_.tree.child(p.a);
+    Lanes steps;
+    for (lanes &= compare(a_.tree.nodes[child], now, p, steps); lanes != 0; lanes &= lanes - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      out.push(down_a(p, a_.tree, child, k, until(p, start(now), steps.value[k])));
+    }
+  }
+  void open_b(const SlotPair& p, std::uint32_t lanes, SlotPairs& out) {
+    const Placed& now = placed_before(p);
+    const std::uint32_t child = b_.tree.child(p.b);
+    Lanes steps;
+    for (lanes &= compare(p, now, b_.tree.nodes[child], steps); lanes != 0; lanes &= lanes - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      out.push(down_b(p, b_.tree, child, k, until(p, start(now), steps.value[k])));
+    }
+  }
+  /// As Placement::open_both.
+  void open(const SlotPair& p, SlotPairs& out) {
+    constexpr std::uint32_t all = 0xffff;
+    const std::uint32_t child_a = a_.tree.child(p.a), child_b = b_.tree.child(p.b);
+    if (child_b & Tree::triangle_bit) return open_a(p, all, out);
+    if (child_a & Tree::triangle_bit) return open_b(p, all, out);
+    Lanes steps_a, steps_b;
+    const Placed& now = placed_before(p);
+    const std::uint32_t near_b = compare(p, now, b_.tree.nodes[child_b], steps_b);
+    if (near_b == 0) return;
+    const std::uint32_t near_a = compare(a_.tree.nodes[child_a], now, p, steps_a);
+    const bool by_a = std::popcount(near_a) <= std::popcount(near_b);
+    const float from = start(now);  // what is opened below may take the place of `now`
+    for (std::uint32_t each = by_a ? near_a : near_b; each != 0; each &= each - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(each));
+      const float step = by_a ? steps_a.value[k] : steps_b.value[k];
+      const float known = until(p, from, step);
+      if (by_a)
+        open_b(down_a(p, a_.tree, child_a, k, known), near_b, out);
+      else
+        open_a(down_b(p, b_.tree, child_b, k, known), near_a, out);
+    }
   }
 
   struct Waiting {
@@ -141,14 +188,14 @@ class Sweeper {
     kept.number = number;
     kept.moment = Moment(motion_, static_cast<double>(number) / moments);
     const Moment& now = kept.moment;
-    kept.a_to_b = a_to_b(a_.tree, b_.tree, now.X, per_unit_);
-    kept.b_to_a = b_to_a(a_.tree, b_.tree, now.X, per_unit_);
-    const Vec3 com_b = now.X * motion_.com() - b_.tree.origin;
+    kept.frames = frames(a_.tree, b_.tree, now.X, per_unit_);
+    const Vec3 com_b = now.X * motion_.com() - b_.tree.origin - kept.frames.middle_b;
+    const Vec3 com_a = motion_.com() - a_.tree.origin - kept.frames.middle_a;
     const Mat3 back = now.X.R.transpose();
     set_velocity(now.velocity.linear, now.velocity.angular, com_b, kept.in_b);
-    set_velocity(back * now.velocity.linear, back * now.velocity.angular,
-                 motion_.com() - a_.tree.origin, kept.in_a);
+    set_velocity(back * now.velocity.linear, back * now.velocity.angular, com_a, kept.in_a);
     copy(com_b * per_unit_, kept.com_b);
+    copy(com_a * per_unit_, kept.com_a);
     return kept;
   }
 
@@ -174,7 +221,6 @@ class Sweeper {
   float scale_;
   PathBounds bounds_{};
   float per_path_;  // a part of 1 over the longest path of a point of A
-  float com_a_[3];  // in the frame of A's boxes
   std::array<Placed, 64> kept_;
   TrianglePairs8 lanes_;
   std::array<Waiting, 8> queue_;

@@ -18,6 +18,7 @@ SONDE_INLINE float dot(const float (&a)[3], const float (&b)[3]) {
 /// The longest that a gap along one axis lasts, and the best of those so far.
 struct Longest {
   Floats acceleration;  // at least a little
+  Floats least_gap;     // the clearance and what rounding may hide
   Floats step{};
 
   /// `along`: the axis times the line of the centres, from the standing box to the moving one;
@@ -27,7 +28,7 @@ struct Longest {
                           const Floats& turning, const PathBounds& path) {
     Floats distance;
     magnitude(along, distance);
-    const Floats gap = distance - reach - path.clearance;
+    const Floats gap = distance - reach - least_gap;
     const Floats v = (along < 0 ? -speed : speed) - turning - path.speed_rounding;
     // The root of gap + v x − ½ acceleration x², in the form that does not cancel.
     const Floats none{};
@@ -49,7 +50,7 @@ SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
                             const PathBounds& path, const Tree::Node& node, float scale,
                             Lanes& out) {
   Boxes b;
-  load(node, scale, b);
+  load(node, scale, a.origin, b);
   const Vectors d{a.center[0] - b.center.x, a.center[1] - b.center.y, a.center[2] - b.center.z};
   float v[3], spin[3][3];  // velocity of the centre, and of the tips of the axes against it
   cross(velocity.angular, a.center, v);
@@ -62,7 +63,9 @@ SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
   }
   const float radius = __builtin_sqrtf(arm2) + __builtin_sqrtf(half2);
   const Floats zero{};
-  Longest longest{zero + (path.acceleration * radius * rounded_up + least)};
+  Longest longest{zero + (path.acceleration * radius * rounded_up + least), zero};
+  rounding(d, b, a.half[0] + a.half[1] + a.half[2], longest.least_gap);
+  longest.least_gap += path.clearance;
   Floats reach_b[3];
   for (int j = 0; j < 3; ++j) reach_b[j] = b.half[j];
   for (int i = 0; i < 3; ++i) {
@@ -98,7 +101,7 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
                              const PathBounds& path, const Tree::Node& node, float scale,
                              Lanes& out) {
   Boxes a;
-  load(node, scale, a);
+  load(node, scale, b.origin, a);
   const Vectors d{a.center.x - b.center[0], a.center.y - b.center[1], a.center.z - b.center[2]};
   const float(&w)[3] = velocity.angular;
   const Vectors v{velocity.at_origin[0] + (w[1] * a.center.z - w[2] * a.center.y),
@@ -110,7 +113,9 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
   square_root(arm2, arm_length);
   square_root(a.half[0] * a.half[0] + a.half[1] * a.half[1] + a.half[2] * a.half[2], half_length);
   const Floats zero{};
-  Longest longest{(arm_length + half_length) * (path.acceleration * rounded_up) + least};
+  Longest longest{(arm_length + half_length) * (path.acceleration * rounded_up) + least, zero};
+  rounding(d, a, b.half[0] + b.half[1] + b.half[2], longest.least_gap);
+  longest.least_gap += path.clearance;
   Floats reach_a[3], about[3];  // about[j]: how fast the body turns about the axis
   for (int j = 0; j < 3; ++j) {
     reach_a[j] = a.half[j];

@@ -6,7 +6,8 @@
 namespace sonde {
 
 /// The velocity of a rigid body at one moment, per unit of the path, in the frame of the boxes:
-/// that of the point x is at_origin + angular × x, lengths times the scale.
+/// that of the point x, from the placed box's origin, is at_origin + angular × x, lengths times the
+/// scale.
 struct PlacedVelocity {
   float at_origin[3];
   float angular[3];
@@ -14,9 +15,9 @@ struct PlacedVelocity {
 
 /// What bounds the path of the boxes from that moment on.
 struct PathBounds {
-  float com[3];          ///< of the moving body, in the frame of the boxes
+  float com[3];          ///< of the moving body, from the placed box's origin
   float acceleration;    ///< per distance from the centre of mass, per unit of the path squared
-  float clearance;       ///< what must be left of a gap, rounding of the comparison included
+  float clearance;       ///< what must be left of a gap, rounding of the placing included
   float speed_rounding;  ///< how far a speed may be off
 };
 

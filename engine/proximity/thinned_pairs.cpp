@@ -24,10 +24,11 @@ class RowTable {
   }
   void add(const Vec3& x, std::size_t row) {
     if (!(per_cell_ > 0)) return;
-    const Vec3 low = cell(x - Vec3::Constant(0.5 / per_cell_));
-    for (int corner = 0; corner < 8 && entries_ < list_.size(); ++corner) {
-      const Vec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-      std::uint16_t& first = first_[bucket(low + side)];
+    const std::uint32_t low = key(x - Vec3::Constant(0.5 / per_cell_));
+    for (std::uint32_t corner = 0; corner < 8 && entries_ < list_.size(); ++corner) {
+      const std::uint32_t x_side = corner & 1, y_side = corner >> 1 & 1, z_side = corner >> 2;
+      std::uint16_t& first =
+          first_[bucket(low + x_side * spread[0] + y_side * spread[1] + z_side * spread[2])];
       list_[entries_] = {static_cast<std::uint32_t>(row), first};
       first = static_cast<std::uint16_t>(entries_++);
     }
@@ -35,7 +36,7 @@ class RowTable {
   template <class Test>
   bool any(const Vec3& x, const Test& test) const {
     if (!(per_cell_ > 0)) return false;
-    for (std::uint16_t e = first_[bucket(cell(x))]; e != none; e = list_[e].next)
+    for (std::uint16_t e = first_[bucket(key(x))]; e != none; e = list_[e].next)
       if (test(list_[e].row)) return true;
     return false;
   }
@@ -46,15 +47,22 @@ class RowTable {
     std::uint32_t row;
     std::uint16_t next;
   };
-  Vec3 cell(const Vec3& x) const { return (x * per_cell_).array().floor(); }
-  static std::size_t bucket(const Vec3& cell) {
-    const Vec3 part = cell.cwiseProduct(Vec3(0.7548776662, 0.5698402910, 0.4656923410));
-    const double sum = part.sum();
-    const double part_of_one = sum - std::floor(sum);
-    return part_of_one >= 0 && part_of_one < 1 ? static_cast<std::size_t>(part_of_one * buckets)
-                                               : 0;
+  /// Of the cell that x lies in: keys of neighbours differ by `spread`. Far from the origin, for
+  /// the spacing, all is one cell.
+  std::uint32_t key(const Vec3& x) const {
+    constexpr double most = 0x1p40;
+    std::uint32_t key = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double at = x[i] * per_cell_;
+      if (!(std::abs(at) < most)) return 0;
+      key += static_cast<std::uint32_t>(static_cast<std::int64_t>(at + most)) *
+             spread[static_cast<std::size_t>(i)];
+    }
+    return key;
   }
+  static std::size_t bucket(std::uint32_t key) { return key * 0x9e3779b1u >> 20; }
 
+  static constexpr std::array<std::uint32_t, 3> spread{0x8da6b343u, 0xd8163841u, 0xcb1ab31fu};
   static constexpr int buckets = 4096;
   double per_cell_;
   std::size_t entries_ = 0;
@@ -91,7 +99,7 @@ class Thinner {
       if (is_spoken_for(p)) continue;
       at_.open_near(p, limit, children);
       // The nearest first: what it finds stands for others.
-      std::sort(children.pair.begin(), children.pair.begin() + children.count,
+      std::sort(children.begin(), children.end(),
                 [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
       for (const SlotPair& child : children) stack_.push(child);
     }
