@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/outline.hpp"
 #include "engine/geometry/read_mesh.hpp"
 #include "engine/geometry/work.hpp"
 
@@ -98,6 +99,18 @@ void grow_tree(Body& body, const Progress& progress) {
     body.component_triangle[components.of[order[i]]] = static_cast<std::uint32_t>(i);
 }
 
+/// A body that is finer than its outline would be gets one.
+void add_outline(Body& body, const Progress& progress) {
+  if (body.soup.triangles.size() < 2 * outline_triangles) return;
+  auto rough = std::make_shared<Body>();
+  rough->soup = outline(body.soup, outline_triangles, progress);
+  if (rough->soup.triangles.empty()) return;
+  rough->mass = body.mass;
+  std::vector<std::uint32_t> order;
+  rough->tree = build_tree(rough->soup, order);
+  body.outline = std::move(rough);
+}
+
 std::shared_ptr<const Body> build(Soup soup, Model asked, const std::string& name,
                                   const Progress& progress) {
   auto body = std::make_shared<Body>();
@@ -110,7 +123,8 @@ std::shared_ptr<const Body> build(Soup soup, Model asked, const std::string& nam
     body->soup = compacted(std::move(body->soup), part_of(progress, 0.25, 0.3));
   check_size(body->soup, name);
   choose_model(*body, asked, part_of(progress, 0.3, 0.4));
-  grow_tree(*body, part_of(progress, 0.4, 1));
+  grow_tree(*body, part_of(progress, 0.4, 0.9));
+  add_outline(*body, part_of(progress, 0.9, 1));
   report(progress, 1);
   return body;
 }
@@ -138,7 +152,8 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
 std::size_t bytes(const Body& body) {
   return sizeof(Body) + body.name.capacity() + body.why.capacity() +
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
-         capacity_bytes(body.component_triangle) + bytes(body.tree);
+         capacity_bytes(body.component_triangle) + bytes(body.tree) +
+         (body.outline ? bytes(*body.outline) : 0);
 }
 
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale,

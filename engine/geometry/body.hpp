@@ -32,7 +32,14 @@ struct Body {
   std::vector<std::uint32_t> component_triangle;
   MassProperties mass;
   Tree tree;
+  /// The same body, with its mass, in about outline_triangles triangles: a guess of its shape that
+  /// searches are guided by. None where it has few itself.
+  std::shared_ptr<const Body> outline;
 };
+constexpr std::size_t outline_triangles = 1000;
+
+/// The outline of a body, or itself where it has none.
+inline const Body& roughly(const Body& body) { return body.outline ? *body.outline : body; }
 
 /// Builds a body. `asked` solid throws InputError where the mesh is not closed or has no volume;
 /// automatic falls back to surface and says why. A closed mesh whose volume cannot be told from

@@ -10,22 +10,30 @@
 namespace sonde {
 namespace {
 
-constexpr std::size_t most_pairs = 512;
 constexpr std::size_t most_rows = 128;
 
 }  // namespace
 
 ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method)
+    : ContactRows(probe, fixed, method, Finding{}) {}
+
+ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
+                         const Finding& finding)
     : probe_(probe),
       fixed_(fixed),
       method_(method),
-      list_(probe, fixed),
-      pairs_(most_pairs),
+      list_(probe, fixed, finding.most_listed),
+      pairs_(finding.most_pairs),
       contacts_(most_rows),
       rows_(most_rows),
       at_(most_rows),
       crowded_(probe.mass.radius),
       list_limit_(probe.mass.radius) {}
+
+void ContactRows::forget() noexcept {
+  list_.clear();
+  crowded_ = list_limit_ = probe_.mass.radius;
+}
 
 void ContactRows::accept(const Contact& contact) noexcept {
   if (count_ < most_rows) contacts_[count_++] = contact;
@@ -61,7 +69,7 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach) noexcept {
   // A list pays where the steps are short beside its reach; long steps walk the trees.
-  const bool short_steps = reach < 0.02 * probe_.mass.radius;
+  const bool short_steps = list_.capacity() > 0 && reach < 0.02 * probe_.mass.radius;
   if (short_steps && list_.reach_at(X) < reach) {
     // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
     const bool fits = list_.build(X, std::max(1.5 * reach, std::min(4 * reach, list_limit_)));

@@ -20,7 +20,17 @@ namespace sonde {
 /// then says nothing new.
 class ContactRows {
  public:
+  /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
+  /// kept from one gather to the next.
+  struct Finding {
+    std::size_t most_pairs = 512;
+    std::size_t most_listed = PairList::enough;  ///< 0: no list
+  };
   ContactRows(const Body& probe, const Body& fixed, Method method);
+  ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
+
+  /// What comes next has nothing to do with what was gathered before.
+  void forget() noexcept;
 
   /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
   /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one

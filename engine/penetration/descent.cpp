@@ -136,7 +136,8 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const double size = (nearest.y - y).norm();
     // Where no row holds it the probe can come all the way back, however little that is.
     const bool held = nearest.active_count > 0;
-    const bool near_enough = size <= std::max(goal.residual * length, 0.2 * margin);
+    const bool near_enough = size <= std::max(goal.residual * length, 0.2 * margin) &&
+                             rows_.smallest_gap() <= 1.9 * margin;
     out.converged = (held && near_enough) || !(size > 0);
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();

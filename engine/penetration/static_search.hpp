@@ -12,8 +12,9 @@ struct StaticOptions {
   Method method = Method::pdg;
   Budget budget;
   std::uint64_t seed = 1;
-  int starts = 24;  ///< random free starts descended after the translational ones
+  int starts = 64;  ///< random free starts at most; fewer where the same depth is found repeatedly
   bool want_lower_bound = true;
+  bool two_threads = false;  ///< the same bits
 };
 
 /// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,

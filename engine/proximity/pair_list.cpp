@@ -6,11 +6,9 @@
 #include "engine/proximity/triangle_batch.hpp"
 
 namespace sonde {
-namespace {
-constexpr std::size_t most_items = 16384;
-}
 
-PairList::PairList(const Body& a, const Body& b) : a_(a), b_(b), items_(most_items) {}
+PairList::PairList(const Body& a, const Body& b, std::size_t capacity)
+    : a_(a), b_(b), items_(capacity) {}
 
 bool PairList::build(const Transform& X, double reach) noexcept {
   const Placement at(a_, b_, X);

@@ -18,11 +18,15 @@ namespace sonde {
 /// allocates but the constructor.
 class PairList {
  public:
-  PairList(const Body& a, const Body& b);
+  static constexpr std::size_t enough = 16384;
+  PairList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// Takes down every pair that may be within reach at X. False (and an empty list) where there are
   /// more than it holds.
   bool build(const Transform& X, double reach) noexcept;
+
+  void clear() noexcept { count_ = 0, reach_ = -1; }
+  std::size_t capacity() const noexcept { return items_.size(); }
 
   /// Every pair at a distance of at most this, at X, is in the list. Negative: no statement.
   double reach_at(const Transform& X) const noexcept;
