@@ -21,9 +21,8 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
   return z ^ (z >> 31);
 }
 
-std::size_t thread_count(unsigned asked, std::size_t tasks) {
-  const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
-  return std::clamp<std::size_t>(asked == 0 ? machine : asked, 1, std::max<std::size_t>(tasks, 1));
+unsigned thread_count(unsigned asked) {
+  return std::max(1u, asked == 0 ? std::thread::hardware_concurrency() : asked);
 }
 
 /// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
@@ -56,8 +55,12 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
   std::atomic<std::size_t> done{0};
-  run_parallel(poses.size(), thread_count(options.threads, poses.size()), [&](std::size_t i) {
+  const unsigned threads = thread_count(options.threads);
+  const std::size_t at_once = std::min<std::size_t>((threads + 1) / 2, poses.size());
+  run_parallel(poses.size(), at_once, [&](std::size_t i) {
     StaticOptions own = options.static_options();
+    own.two_threads = threads > 1;
+
     own.seed = seed_of(options.seed, i);
     TimedSeparation& result = results[i];
     result.time_us = timed_us(

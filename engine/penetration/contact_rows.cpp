@@ -115,6 +115,17 @@ Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Ve
   return sweep(probe_, fixed_, motion, clearance);
 }
 
+ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {
+  ContactSet out;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i) {
+    if (!(nearest.multiplier[i] > 0)) continue;
+    Contact contact = contacts_[static_cast<std::size_t>(nearest.active[i])];
+    contact.multiplier = nearest.multiplier[i];
+    out.push(contact);
+  }
+  return out;
+}
+
 LeastDistance ContactRows::solve(double margin, Narrow narrow) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const double room = contacts_[i].gap - margin;

@@ -43,14 +43,8 @@ Descent::Descent(const Body& probe, const Body& fixed, Method method)
 
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
   out.y = y;
-  out.contacts.size = 0;
-  for (int i = 0; i < nearest.active_count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!(nearest.multiplier[at] > 0)) continue;
-    Contact contact = rows_.contact(nearest.active[at]);
-    contact.multiplier = nearest.multiplier[at];
-    out.contacts.push(contact);
-  }
+  out.contacts = rows_.holding(nearest);
+
   const double length = y.norm();
   out.residual = length > 0 ? (y - nearest.y).norm() / length : 0;
 }

@@ -9,15 +9,15 @@
 namespace sonde {
 namespace {
 
-/// So few of the nearest pairs tell where to go; more of them would tell it no better.
 constexpr ContactRows::Finding few{.most_pairs = 96, .most_listed = 0};
+constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
 
 /// A turn of more than this, as |Δv|, is beyond what linearised contacts can say anything about.
 constexpr double largest_turn = 0.3;
 constexpr double largest_v = 0.95;
 
-/// The part of a step that is worth trying first: |y| falls along all of it, the turn is within
-/// bounds, and it is no longer than trusted.
+/// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
+/// and it is no longer than trusted.
 Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   const double turn = chart.v(step).norm(), length = step.norm();
@@ -29,11 +29,23 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 
 }  // namespace
 
+/// What the leaps so far say about the next.
+struct LeapDescent::Pace {
+  double trust;    ///< m: no leap is longer
+  double bending;  ///< κ, 1/m: contacts bend into a leap by about κ|leap|²
+  double moved = 0;
+};
+
 LeapDescent::LeapDescent(const Body& probe, const Body& fixed, Method method)
     : probe_(probe),
       fixed_(fixed),
-      rough_(sonde::roughly(probe), sonde::roughly(fixed), method, few),
-      exact_(probe, fixed, method, few) {}
+      outlines_(roughly(probe), roughly(fixed), method, few),
+      few_(probe, fixed, method, few),
+      many_(probe, fixed, method, many) {}
+
+ContactRows& LeapDescent::rows(Guide guide) {
+  return guide == Guide::outlines ? outlines_ : guide == Guide::few ? few_ : many_;
+}
 
 bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {
   return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
@@ -48,36 +60,60 @@ Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
   return free * y;
 }
 
-LeapDescent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const LeapGoal& goal,
-                                      const Deadline& deadline) {
-  const double radius = chart.mass().radius;
-  ContactRows& rows = this->rows(goal.roughly);
-  rows.forget();  // the same run gives the same bits, whatever was run before
-  Outcome out;
-  out.y = start;
-  double trust = goal.reach * start.norm();
-  while (out.iterations < goal.steps && !deadline.passed()) {
-    const double length = out.y.norm();
-    const double margin =
-        std::max(0.1 * goal.tolerance * length, 0.5 * allowed_clearance(radius, length));
-    rows.gather(chart, out.y, std::clamp(0.5 * trust, 4 * margin, 0.1 * radius + 4 * margin), 0);
-    const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
-    const Vec6 whole = nearest.y - out.y;
-    out.converged = whole.norm() <= goal.tolerance * length;
-    if (out.converged) break;
-    const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
-    if (hopeless && out.iterations >= 3) break;
-    ++out.iterations;
-    const Vec6 step = worth_trying(chart, out.y, whole, trust);
-    double part = 1;
-    int tries = 0;
-    while (tries < 3 && !is_free(chart, out.y + part * step)) part *= 0.4, ++tries;
-    const double moved = part * step.norm();
-    if (tries < 3) out.y += part * step, out.last_step = moved;
-    trust = tries == 0 ? 2 * std::max(moved, 0.5 * trust) : tries < 3 ? 1.2 * moved : 1.5 * moved;
-    if (trust < 0.2 * margin) break;
+bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double margin,
+                       ContactRows& rows, Pace& pace, Vec6& y) const {
+  const Vec6 step = worth_trying(chart, y, nearest.y - y, pace.trust);
+  const double length = step.norm();
+  const auto take = [&](const Vec6& leap) {
+    if (!is_free(chart, y + leap)) return false;
+    y += leap;
+    pace.moved = leap.norm();
+    return true;
+  };
+  if (take(step)) {
+    pace.trust = 2 * std::max(length, 0.5 * pace.trust);
+    pace.bending *= 0.5;
+    return true;
   }
-  return out;
+  // Curved contacts leave room for themselves; it is worth less than what is gained.
+  const double room = std::min(pace.bending * length * length, 0.3 * length) + margin;
+  const Vec6 lifted =
+      worth_trying(chart, y, rows.solve(room, ContactRows::Narrow::open).y - y, pace.trust);
+  if (-y.dot(lifted) > 0.1 * -y.dot(step) && take(lifted)) return true;
+  pace.bending *= 4;
+  for (const double part : {0.4, 0.16})
+    if (take(part * step)) {
+      pace.trust = 1.2 * pace.moved;
+      return true;
+    }
+  pace.trust = 0.1 * length;
+  return false;
+}
+
+Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const LeapGoal& goal,
+                                  const Deadline& deadline) {
+  const double radius = chart.mass().radius;
+  ContactRows& rows = this->rows(goal.guide);
+  rows.forget();  // the same run gives the same bits, whatever was run before
+  Descent::Outcome out;
+  out.y = start;
+  Pace pace{.trust = goal.reach * start.norm(), .bending = 0.5 / radius};
+  for (;;) {
+    const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
+    const double margin = std::max(0.1 * goal.tolerance * length, 0.5 * allowed);
+    const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
+    rows.gather(chart, out.y, reach, goal.guide == Guide::many ? 4 * margin : 0);
+    const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
+    const double off = (nearest.y - out.y).norm();
+    out.contacts = rows.holding(nearest);
+    out.residual = length > 0 ? off / length : 0;
+    out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 2 * margin;
+    const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
+    if (out.converged || (hopeless && out.iterations >= 3)) return out;
+    if (out.iterations >= goal.steps || deadline.passed() || pace.trust < 0.2 * margin) return out;
+    ++out.iterations;
+    leap(chart, nearest, margin, rows, pace, out.y);
+  }
 }
 
 }  // namespace sonde

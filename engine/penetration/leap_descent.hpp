@@ -7,14 +7,18 @@
 
 namespace sonde {
 
+/// Whose contacts tell where to leap: those of the outlines, or those of the bodies themselves, the
+/// nearest few or many of them.
+enum class Guide { outlines, few, many };
+
 /// When a descent by leaps is good enough, or not worth going on with.
 struct LeapGoal {
+  Guide guide = Guide::outlines;
   double tolerance = 0.02;  ///< of |y|: steps shorter than this share of it end the descent
   int steps = 15;           ///< iterations at most
   double reach = 0.3;       ///< of |y|: the length of the first leap at most
   /// m: stopped where the contacts near by say that it will not end below. 0: never.
   double beat = 0;
-  bool roughly = true;  ///< contacts of the outlines guide it, where bodies have them
 };
 
 /// Local optimisation for a search, where only the end counts: from a free pose towards the point
@@ -25,25 +29,25 @@ class LeapDescent {
  public:
   LeapDescent(const Body& probe, const Body& fixed, Method method);
 
-  struct Outcome {
-    Vec6 y = Vec6::Zero();
-    int iterations = 0;
-    double last_step = 0;    ///< m
-    bool converged = false;  ///< to the tolerance
-  };
-  /// From the free pose at y in the chart of the device pose.
-  Outcome run(const Chart& chart, const Vec6& y, const LeapGoal& goal, const Deadline& deadline);
+  /// From the free pose at y in the chart of the device pose. Its contacts, and the residual that
+  /// they leave, are of meaning where it was guided by the bodies' own.
+  Descent::Outcome run(const Chart& chart, const Vec6& y, const LeapGoal& goal,
+                       const Deadline& deadline);
 
   bool is_free(const Chart& chart, const Vec6& y) const;
-  /// From the free pose at y straight towards the origin, by bisection: a free pose with no less
-  /// room for being nearer, which need not be the first one on the way.
+  /// From the free pose at y straight towards the origin, by bisection: a nearer free pose, or y.
   Vec6 pull_in(const Chart& chart, const Vec6& y) const;
 
  private:
-  ContactRows& rows(bool roughly) { return roughly ? rough_ : exact_; }
+  struct Pace;
+  ContactRows& rows(Guide guide);
+  /// Towards the nearest point of the rows, as far as it is free; false where no part of it is.
+  bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
+            Pace& pace, Vec6& y) const;
+
   const Body& probe_;
   const Body& fixed_;
-  ContactRows rough_, exact_;
+  ContactRows outlines_, few_, many_;
 };
 
 }  // namespace sonde

@@ -18,25 +18,13 @@
 namespace sonde {
 namespace {
 
-/// Directions of the translational starts: the axes of both frames and the diagonals.
-std::vector<Vec3> directions(const Chart& chart) {
-  std::vector<Vec3> out;
-  const Mat3 axes = chart.principal().toRotationMatrix();
-  for (int i = 0; i < 3; ++i)
-    for (const double sign : {1.0, -1.0}) {
-      out.push_back(sign * Vec3::Unit(i));
-      out.push_back(sign * axes.col(i));
-    }
-  for (int i = 0; i < 8; ++i)
-    out.push_back(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1).normalized());
-  return out;
-}
-
 /// Starts that are descended side by side; what they find counts from the next round on, so that it
 /// does not matter how many threads there are.
 constexpr std::size_t per_round = 8;
+/// The rest of the time is for making what was found fit to be returned.
+constexpr double share_for_the_search = 0.6;
 /// So many starts that ended at the best depth, to within the tolerance, are enough.
-constexpr int enough_agreement = 5;
+constexpr int enough_agreement = 6;
 
 class Search {
  public:
@@ -46,15 +34,16 @@ class Search {
         chart_(probe.mass, device),
         options_(options),
         deadline_{options.budget.microseconds, now_us()},
-        leaps_{{{probe, fixed, options.method}, {probe, fixed, options.method}}},
-        translating_{{{probe, fixed, Method::pdt}, {probe, fixed, Method::pdt}}},
+        searching_{share_for_the_search * options.budget.microseconds, deadline_.started},
+        lanes_{lane(probe, fixed), lane(probe, fixed)},
         descent_(probe, fixed, options.method) {}
 
   Separation run() {
-    translations();
-    near_samples();
+    if (rotates()) near_starts(Method::pdg, 2000);
+    if (!rotates() || found_.empty()) translations();
     for (int start = 0; start < options_.starts && !done(); start += int{per_round})
       random_starts(start);
+    if (rotates() && !std::isfinite(translated_.depth)) translations();
     return finish();
   }
 
@@ -63,12 +52,25 @@ class Search {
     Vec6 y = Vec6::Zero();
     double depth = std::numeric_limits<double>::infinity();
     int iterations = 0;
+    bool independent = true;  ///< of what was found before: it may confirm it
   };
   using Round = std::array<Found, per_round>;
+  /// Every other start of a round, one after the other, and what they work with.
+  struct Lane {
+    LeapDescent pdg, pdt;
+    double near;  ///< m: no free pose was found in smaller balls
+  };
+  static Lane lane(const Body& probe, const Body& fixed) {
+    return {{probe, fixed, Method::pdg}, {probe, fixed, Method::pdt}, smallest_ball(probe)};
+  }
+  static double smallest_ball(const Body& probe) { return 2e-3 * probe.mass.radius; }
+  LeapDescent& descent_of(Lane& lane, Method method) const {
+    return method == Method::pdg ? lane.pdg : lane.pdt;
+  }
   bool rotates() const { return options_.method == Method::pdg; }
 
   bool out_of_budget() const {
-    return deadline_.passed() ||
+    return searching_.passed() ||
            (options_.budget.steps > 0 && iterations_ >= options_.budget.steps);
   }
   bool done() const { return out_of_budget() || agreeing_ >= enough_agreement; }
@@ -84,20 +86,17 @@ class Search {
   /// Runs start(k, thread) for each of a round, and takes down what they found.
   template <class Start>
   void round(const Start& start) {
-    if (out_of_budget() && !found_.empty()) return;
+    if (out_of_budget() && best_ < std::numeric_limits<double>::infinity()) return;
     Round found;
     const std::size_t count = starts_worth_while();
     share_ = std::max(1, steps_left() / static_cast<int>(count));
-    const auto every_other = [&](std::size_t first, std::size_t stride, std::size_t thread) {
-      for (std::size_t k = first; k < count; k += stride) found[k] = start(k, thread);
+    const auto every_other = [&](std::size_t lane) {
+      for (std::size_t k = lane; k < count; k += lanes_.size()) found[k] = start(k, lanes_[lane]);
     };
-    if (options_.two_threads) {
-      auto other = std::async(std::launch::async, [&] { every_other(1, 2, 1); });
-      every_other(0, 2, 0);
-      other.get();
-    } else {
-      every_other(0, 1, 0);
-    }
+    std::future<void> other;
+    if (options_.two_threads) other = std::async(std::launch::async, every_other, 1);
+    every_other(0);
+    options_.two_threads ? other.get() : every_other(1);
     for (const Found& f : found) note(f);
   }
 
@@ -105,7 +104,7 @@ class Search {
     iterations_ += f.iterations;
     if (!std::isfinite(f.depth)) return;
     if (f.depth < 0.98 * best_) agreeing_ = 0;
-    agreeing_ += f.depth < 1.02 * std::min(best_, f.depth);
+    agreeing_ += f.independent && f.depth < 1.02 * std::min(best_, f.depth);
     best_ = std::min(best_, f.depth);
     found_.push_back(f);
   }
@@ -113,58 +112,69 @@ class Search {
   /// Down by leaps, roughly and where that is promising by the true contacts.
   Found descend(LeapDescent& leaps, const Vec6& y, double beat) const {
     const auto rough = leaps.run(
-        chart_, y, {.steps = std::min(15, share_), .reach = 0.3, .beat = 1.1 * beat}, deadline_);
+        chart_, y, {.steps = std::min(15, share_), .reach = 0.3, .beat = 1.1 * beat}, searching_);
     Found out{rough.y, rough.y.norm(), rough.iterations};
     const int left = share_ - out.iterations;
-    if (left <= 0 || (beat > 0 && out.depth > 1.3 * beat)) return out;
+    if (left <= 0 || (beat > 0 && out.depth > 1.2 * beat)) return out;
     const auto exact = leaps.run(chart_, rough.y,
-                                 {.tolerance = 0.01,
+                                 {.guide = Guide::few,
+                                  .tolerance = 0.01,
                                   .steps = std::min(12, left),
                                   .reach = 0.1,
-                                  .beat = 1.02 * beat,
-                                  .roughly = false},
-                                 deadline_);
+                                  .beat = 1.02 * beat},
+                                 searching_);
     return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
   }
 
-  /// From outside, along fixed directions, to contact; the best of them on by translation alone,
-  /// and from there by all six.
-  void translations() {
-    const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
-    const Vec3 half = fixed_.tree.high - center;
-    const double away = 1.01 * ((chart_.com() - center).norm() + half.norm() + probe_.mass.radius);
-    std::vector<Found> outside;
-    for (const Vec3& d : directions(chart_)) {
-      Vec6 y = Vec6::Zero();
-      y.tail<3>() = away * d;
-      y = translating_[0].pull_in(chart_, y);
-      outside.push_back({y, y.norm(), 0});
-      if (deadline_.passed()) break;
-    }
-    std::stable_sort(outside.begin(), outside.end(), nearer);
-    outside.resize(std::min(outside.size(), per_round));
-    for (const Found& f : outside) translated_.push_back(f);
-    round([&](std::size_t k, std::size_t thread) {
-      return k < outside.size() ? descend(translating_[thread], outside[k].y, outside[0].depth)
-                                : Found{};
-    });
-    translated_ = found_;
-    std::stable_sort(translated_.begin(), translated_.end(), nearer);
-    if (!rotates()) return;
-    agreeing_ = 0;
-    round([&](std::size_t k, std::size_t thread) {
-      return k < std::min<std::size_t>(2, translated_.size())
-                 ? descend(leaps_[thread], translated_[k].y, best_)
-                 : Found{};
+  /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
+  /// in it, also in a tangle that nothing from outside finds its way into.
+  void near_starts(Method method, std::uint64_t streams) {
+    for (Lane& lane : lanes_) lane.near = smallest_ball(probe_);
+    round([&](std::size_t k, Lane& lane) {
+      Random random = stream(streams + k);
+      LeapDescent& leaps = descent_of(lane, method);
+      for (double radius = lane.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
+        if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, 10, method)) {
+          lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
+          return descend(leaps, *y, y->norm());
+        }
+      return Found{};
     });
   }
 
-  /// Random poses of the ball of some radius: a free one, if there is one among so many.
-  std::optional<Vec6> free_sample(const LeapDescent& leaps, Random& random, double radius,
-                                  int tries) const {
-    for (int i = 0; i < tries && !deadline_.passed(); ++i) {
-      Vec6 y = random.in_ball(radius);
-      if (!rotates()) y.head<3>().setZero();
+  /// From outside to contact along the axes, and along the line of the middles.
+  void starts_outside() {
+    const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
+    const Vec3 offset = chart_.com() - center;
+    const double half = (fixed_.tree.high - center).norm();
+    const double away = 1.01 * (offset.norm() + half + probe_.mass.radius);
+    round([&](std::size_t k, Lane& lane) {
+      const auto axis = static_cast<int>(k / 2) % 3;
+      Vec3 way = k < 6 ? Vec3(Vec3::Unit(axis)) : offset;
+      if (k % 2 == 1) way = -way;
+      if (!(way.norm() > 0)) way = Vec3::Ones();
+      Vec6 y = Vec6::Zero();
+      y.tail<3>() = away * way.normalized();
+      y = lane.pdt.pull_in(chart_, y);
+      return descend(lane.pdt, y, best_);
+    });
+  }
+
+  /// By translation alone.
+  void translations() {
+    const std::size_t before = found_.size();
+    near_starts(Method::pdt, 1000);
+    if (!rotates() || found_.size() == before) starts_outside();
+    for (std::size_t i = before; i < found_.size(); ++i)
+      if (found_[i].depth < translated_.depth) translated_ = found_[i];
+  }
+
+  /// Random poses of a ball about y: a free one, if there is one among so many.
+  std::optional<Vec6> free_sample(const LeapDescent& leaps, Random& random, const Vec6& center,
+                                  double radius, int tries, Method method) const {
+    for (int i = 0; i < tries && !searching_.passed(); ++i) {
+      Vec6 y = center + random.in_ball(radius);
+      if (method == Method::pdt) y.head<3>().setZero();
       for (int k = 0; k < 3; ++k)
         if (!(probe_.mass.inertia[k] > 0)) y[k] = 0;
       if (chart_.v(y).norm() < 0.9 && leaps.is_free(chart_, y)) return y;
@@ -176,30 +186,44 @@ class Search {
     return Random(mixed.next());
   }
 
-  /// Free poses far nearer than the best, where there are any: what lies inside a tangle is not
-  /// reached from outside.
-  void near_samples() {
-    if (out_of_budget()) return;
+  /// From random free poses of balls somewhat larger than the best depth so far; and near the best
+  /// that were found, since where there are many places to end in the better ones lie together.
+  void random_starts(int first) {
     const double best = best_;
-    round([&](std::size_t k, std::size_t thread) {
-      Random random = stream(1000 + k);
-      const double radius = best * std::exp2(-0.5 * static_cast<double>(per_round - k));
-      const auto y = free_sample(leaps_[thread], random, radius, 150);
-      return y ? descend(leaps_[thread], *y, std::min(best, y->norm())) : Found{};
+    const std::vector<Vec6> ends = best_ends(3);
+    round([&](std::size_t k, Lane& lane) {
+      Random random = stream(static_cast<std::uint64_t>(first) + k);
+      if (k >= 3) return start_near(ends[(k - 3) % ends.size()], best, random, lane);
+      constexpr double widths[] = {0.75, 1.15, 1.5};
+      const double widest = widths[k];
+      std::optional<Vec6> y;
+      for (double grown = 1; !y && grown < 4 && !searching_.passed(); grown *= 1.2)
+        y = free_sample(descent_of(lane, options_.method), random, Vec6::Zero(),
+                        grown * widest * best, 50, options_.method);
+      return y ? descend(descent_of(lane, options_.method), *y, best) : Found{};
     });
   }
 
-  /// From random free poses of balls somewhat larger than the best depth so far.
-  void random_starts(int first) {
-    const double best = best_;
-    round([&](std::size_t k, std::size_t thread) {
-      Random random = stream(static_cast<std::uint64_t>(first) + k);
-      const double widest = k % 3 == 2 ? 2.0 : k % 3 == 1 ? 1.4 : 1.15;
-      std::optional<Vec6> y;
-      for (double grown = 1; !y && grown < 3 && !deadline_.passed(); grown *= 1.2)
-        y = free_sample(leaps_[thread], random, grown * widest * best, 50);
-      return y ? descend(leaps_[thread], *y, best) : Found{};
-    });
+  Found start_near(const Vec6& end, double best, Random& random, Lane& lane) {
+    const double radius = best * random.uniform(0.03, 0.5);
+    const auto y =
+        free_sample(descent_of(lane, options_.method), random, end, radius, 50, options_.method);
+    Found out = y ? descend(descent_of(lane, options_.method), *y, best) : Found{};
+    out.independent = false;
+    return out;
+  }
+
+  /// The nearest of all ends, no two of them close together.
+  std::vector<Vec6> best_ends(std::size_t count) {
+    std::stable_sort(found_.begin(), found_.end(), nearer);
+    std::vector<Vec6> ends;
+    for (const Found& f : found_) {
+      if (ends.size() == count) break;
+      const bool known = std::ranges::any_of(
+          ends, [&](const Vec6& y) { return (y - f.y).norm() < 0.02 * f.depth; });
+      if (!known) ends.push_back(f.y);
+    }
+    return ends;
   }
 
   /// The best few to the last digit; the best of them that stands the exact test.
@@ -209,16 +233,9 @@ class Search {
       std::optional<Separation> translated = polish_translation();
       if (translated) answers.push_back(*translated);
     }
-    std::stable_sort(found_.begin(), found_.end(), nearer);
-    std::vector<Vec6> taken;
-    for (const Found& f : found_) {
-      if (f.depth > 1.1 * best_ || taken.size() >= 4) break;
-      if (out_of_budget() && !answers.empty()) break;
-      const bool known = std::ranges::any_of(
-          taken, [&](const Vec6& y) { return (y - f.y).norm() < 0.02 * f.depth; });
-      if (known) continue;
-      taken.push_back(f.y);
-      answers.push_back(polish(leaps_[0], descent_, f));
+    for (const Vec6& y : best_ends(3)) {
+      if (y.norm() > 1.03 * best_ || (out_of_budget() && !answers.empty())) break;
+      answers.push_back(polish(descent_of(lanes_[0], options_.method), descent_, y));
     }
     const std::optional<double> pdt =
         rotates() && !answers.empty() ? std::optional(answers.front().depth) : std::nullopt;
@@ -233,26 +250,33 @@ class Search {
     return failed(chart_.device(), "no separated pose stood the exact test");
   }
 
-  Separation polish(LeapDescent& leaps, Descent& descent, const Found& from) {
-    const auto near = leaps.run(
-        chart_, from.y,
-        {.tolerance = 1e-3, .steps = std::min(20, steps_left()), .reach = 0.05, .roughly = false},
-        deadline_);
-    DescentGoal fine{.residual = 1e-4, .clearance = 1, .steps = 60};
-    if (options_.budget.steps > 0)
-      fine.steps = std::clamp(steps_left() - near.iterations, 1, fine.steps);
-    const double step = std::max(near.last_step, 1e-3 * near.y.norm());
-    // At least a few steps even past the budget: a pose fit to be returned, with its multipliers.
-    const auto o = descent.run(chart_, near.y, fine, step, deadline_);
-    iterations_ += near.iterations + o.iterations;
+  /// To the last digit. What leaps do not bring to an end is swept there.
+  Separation polish(LeapDescent& leaps, Descent& descent, const Vec6& from) {
+    const LeapGoal near{
+        .guide = Guide::few, .tolerance = 1e-3, .steps = std::min(20, steps_left()), .reach = 0.05};
+    auto o = leaps.run(chart_, from, near, deadline_);
+    int taken = o.iterations;
+    const LeapGoal fine{.guide = Guide::many,
+                        .tolerance = 1e-4,
+                        .steps = std::min(30, steps_left() - taken),
+                        .reach = 0.005};
+    o = leaps.run(chart_, o.y, fine, deadline_);
+    taken += o.iterations;
+    if (!o.converged) {
+      // At least a few steps even past the budget: a pose fit to be returned, with its multipliers.
+      const DescentGoal swept{.steps = std::clamp(steps_left() - taken, 1, 60)};
+      o = descent.run(chart_, o.y, swept, 1e-3 * o.y.norm(), deadline_);
+      taken += o.iterations;
+    }
+    iterations_ += taken;
     return make_separation(chart_, o);
   }
 
   /// The translational depth to the last digit.
   std::optional<Separation> polish_translation() {
-    if (translated_.empty()) return std::nullopt;
+    if (!std::isfinite(translated_.depth)) return std::nullopt;
     Descent descent(probe_, fixed_, Method::pdt);
-    const Separation out = polish(translating_[0], descent, translated_.front());
+    const Separation out = polish(lanes_[0].pdt, descent, translated_.y);
     if (overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return std::nullopt;
     return out;
   }
@@ -263,11 +287,11 @@ class Search {
   const Body& fixed_;
   Chart chart_;
   StaticOptions options_;
-  Deadline deadline_;
-  std::array<LeapDescent, 2> leaps_, translating_;
+  Deadline deadline_, searching_;
+  std::array<Lane, 2> lanes_;
   Descent descent_;
   std::vector<Found> found_;
-  std::vector<Found> translated_;
+  Found translated_;
   double best_ = std::numeric_limits<double>::infinity();
   int agreeing_ = 0;
   int share_ = 0;  // of the steps, for each start of a round

@@ -45,6 +45,9 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
       continue;
     }
     at.open_near(p, limit, children);
+    // The nearest first: where not all fit, what is further away need not be looked at.
+    std::sort(children.begin(), children.end(),
+              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : children) stack.push(child);
   }
   look();

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// depths.csv against what it is said to hold. Depths are checked by the definition of σ (the mean
+// squared displacement, integrated over the triangles) and by the exact test of freedom; that no
+// smaller ones are known, by a short search with another seed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "engine/proximity/intersect.hpp"
+#include "tests/reference/brute_search.hpp"
+#include "tests/reference/cases.hpp"
+#include "tests/reference/depths_file.hpp"
+#include "tests/support/brute_force.hpp"
+
+namespace sonde::reference {
+namespace {
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all = read_rows(SONDE_DEPTHS);
+  return all;
+}
+
+std::vector<Row> rows_of(const std::string& pair) {
+  std::vector<Row> out;
+  for (const Row& row : rows())
+    if (row.pair == pair) out.push_back(row);
+  return out;
+}
+
+TEST(Depths, every_case_has_its_row) {
+  std::size_t count = 0;
+  for (const PairSpec& spec : pair_specs()) {
+    const std::vector<Row> of_pair = rows_of(spec.name);
+    EXPECT_EQ(static_cast<int>(of_pair.size()), case_count(spec)) << spec.name;
+    for (std::size_t i = 0; i < of_pair.size(); ++i)
+      EXPECT_EQ(of_pair[i].index, static_cast<int>(i)) << name(of_pair[i]);
+    count += of_pair.size();
+  }
+  EXPECT_EQ(rows().size(), count) << "rows of a pair that is not there";
+  EXPECT_GE(count, 200U);
+  EXPECT_GE(pair_specs().size(), 12U);
+}
+
+void check(const Row& row, const Case& at, const Body& probe, const Body& fixed,
+           const test::Moments& moments) {
+  SCOPED_TRACE(name(row));
+  EXPECT_EQ(row.kind, name(at.kind));
+  EXPECT_EQ(row.triangles_a, probe.soup.triangles.size());
+  EXPECT_EQ(row.triangles_b, fixed.soup.triangles.size());
+  EXPECT_LT((row.pose.p - at.pose.p).norm(), 1e-9 * fixed.mass.radius);
+  EXPECT_LT(row.pose.q.angularDistance(at.pose.q), 1e-7);
+  EXPECT_TRUE(overlap(probe, fixed, Transform(row.pose), Doubt::exact));
+  EXPECT_FALSE(overlap(probe, fixed, Transform(row.separated), Doubt::exact));
+  const double sigma = test::mean_squared_displacement(moments, row.pose, row.separated);
+  EXPECT_NEAR(std::sqrt(sigma), row.best, 1e-6 * row.best);
+  EXPECT_LE(row.best, *std::min_element(row.seeds.begin(), row.seeds.end()));
+  EXPECT_GE(row.pdt, row.best);
+}
+
+TEST(Depths, poses_overlap_and_their_answers_are_free_and_as_far_away_as_said) {
+  for (const PairSpec& spec : pair_specs()) {
+    const auto probe = spec.probe(), fixed = spec.fixed();
+    const std::vector<Case> all = cases(spec, *probe, *fixed);
+    const test::Moments moments = test::moments(*probe);
+    for (const Row& row : rows_of(spec.name))
+      check(row, all.at(static_cast<std::size_t>(row.index)), *probe, *fixed, moments);
+  }
+}
+
+/// Some rows of pairs on which a descent is cheap.
+std::vector<Row> sample(std::size_t count) {
+  std::vector<Row> out;
+  for (const char* pair :
+       {"egg-egg", "ring-ring", "trefoil-trefoil", "rod-trefoil", "hook-hook", "soup-soup",
+        "soup-ring", "part-nefertiti", "eight-eight", "nefertiti-mask", "anchor-rotor"})
+    for (const Row& row : rows_of(pair)) out.push_back(row);
+  std::mt19937_64 random(20);
+  std::shuffle(out.begin(), out.end(), random);
+  out.resize(std::min(out.size(), count));
+  return out;
+}
+
+TEST(Depths, a_short_search_finds_nothing_better_and_mostly_the_same) {
+  std::map<std::string, const PairSpec*> specs;
+  for (const PairSpec& spec : pair_specs()) specs[spec.name] = &spec;
+  BruteOptions options;
+  options.directions = 24, options.starts = 40, options.hops = 20, options.polished = 6;
+  options.seed = 1234;
+  int searched = 0, within_1 = 0;
+  for (const Row& row : sample(20)) {
+    const PairSpec& spec = *specs.at(row.pair);
+    const auto probe = spec.probe(), fixed = spec.fixed();
+    const double depth = brute_search(*probe, *fixed, row.pose, options).depth;
+    EXPECT_GT(depth, row.best * (1 - repeats_to)) << name(row) << ": sonde-reference again?";
+    ++searched, within_1 += depth <= 1.01 * row.best;
+  }
+  EXPECT_EQ(searched, 20);
+  EXPECT_GE(within_1, 15);
+}
+
+}  // namespace
+}  // namespace sonde::reference

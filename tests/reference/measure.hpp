@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "engine/penetration/static_search.hpp"
+#include "tests/reference/depths_file.hpp"
+
+namespace sonde::reference {
+
+/// What the static search made of one row.
+struct Measured {
+  Row row;
+  double reference = 0;  ///< the depth to compare with, m: the row's best, or its PD_t
+  Separation got;
+  double time_us = 0;                 ///< wall, of the search alone
+  std::optional<double> lower_bound;  ///< m
+  double bound_us = 0;                ///< wall, of the lower bound
+  bool free = false;                  ///< the pose returned, by the exact test
+  /// √σ / reference − 1; infinite where the search failed.
+  double excess() const;
+};
+
+Measured measure(const Row& row, const Body& probe, const Body& fixed,
+                 const StaticOptions& options);
+
+/// The row with what is better than its reference taken over; false where nothing is.
+bool mend(Row& row, const Measured& by, Method method);
+
+}  // namespace sonde::reference

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the static search on every pose of depths.csv and says how often it finds the reference.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+
+#include "engine/scene/output_file.hpp"
+#include "tests/reference/cases.hpp"
+#include "tests/reference/summary.hpp"
+
+namespace sonde::reference {
+namespace {
+
+struct Options {
+  std::string in = "tests/reference/depths.csv";
+  std::string only, csv, json;
+  StaticOptions search;
+  int every = 1;
+  std::size_t worst = 20;
+  bool mend = false;
+};
+
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("--in", o.in, "the file of references, from the folder one is in")
+      ->capture_default_str();
+  app.add_option("--budget-us", o.search.budget.microseconds, "wall-clock budget of a search");
+  app.add_option("--budget-steps", o.search.budget.steps, "budget in counted steps");
+  app.add_option("--seed", o.search.seed, "of the search")->capture_default_str();
+  app.add_option("--method", o.search.method, "pdg or pdt")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Method>{{"pdg", Method::pdg}, {"pdt", Method::pdt}}));
+  app.add_option("--only", o.only, "one pair of meshes");
+  app.add_option("--every", o.every, "only every N-th row")->check(CLI::PositiveNumber);
+  app.add_option("--worst", o.worst, "how many of the worst to name")->capture_default_str();
+  app.add_option("--csv", o.csv, "write a line for each row to this file");
+  app.add_option("--json", o.json, "write the table to this file");
+  app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
+  app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
+}
+
+/// The bodies of a pair, made when they are first asked for, and kept while the pair lasts.
+class Bodies {
+ public:
+  /// False, with a word on stderr, where the pair's meshes are missing.
+  bool load(const std::string& pair) {
+    if (pair == pair_) return probe != nullptr;
+    pair_ = pair;
+    probe = fixed = nullptr;
+    for (const PairSpec& spec : pair_specs()) try {
+        if (spec.name != pair) continue;
+        fixed = spec.fixed();
+        probe = spec.probe();
+        return true;
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "sonde-depths: %s is missing: %s\n", pair.c_str(), error.what());
+        return false;
+      }
+    std::fprintf(stderr, "sonde-depths: no pair is called %s\n", pair.c_str());
+    return false;
+  }
+  std::shared_ptr<const Body> probe, fixed;
+
+ private:
+  std::string pair_;
+};
+
+std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options) {
+  std::vector<Measured> out;
+  Bodies bodies;
+  for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(options.every)) {
+    Row& row = rows[i];
+    if (!options.only.empty() && options.only != row.pair) continue;
+    if (!bodies.load(row.pair)) continue;
+    out.push_back(measure(row, *bodies.probe, *bodies.fixed, options.search));
+    if (options.mend) mend(row, out.back(), options.search.method);
+  }
+  return out;
+}
+
+void print(const char* title, const bench::Table& table) {
+  if (!table.rows.empty()) std::printf("%s\n\n%s\n", title, bench::to_text(table).c_str());
+}
+
+int run(const Options& options) {
+  for (const std::string& file : {options.csv, options.json})
+    if (!file.empty()) check_writable(file);
+  std::vector<Row> rows = read_rows(options.in);
+  const std::vector<Measured> all = measure_all(rows, options);
+  if (all.empty()) throw InputError(options.in + ": no rows to measure");
+  const bench::Table table = summary(all, options.search.budget.microseconds);
+  print("static search beside the reference", table);
+  print("better than the reference", better(all));
+  print("furthest above the reference", worst(all, options.worst));
+  if (!options.csv.empty()) write_whole(options.csv, bench::to_csv(details(all)));
+  if (!options.json.empty()) write_whole(options.json, bench::to_json(table));
+  if (options.mend) write_rows(options.in, rows);
+  for (const Measured& m : all)
+    if (m.got.status != Status::failed && !m.free) return 1;
+  return 0;
+}
+
+}  // namespace
+}  // namespace sonde::reference
+
+int main(int argc, char** argv) {
+  using sonde::reference::Options;
+  Options options;
+  CLI::App app("How often the static search finds the reference depth, and in what time");
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sonde-depths: %s\n", error.what());
+    return 3;
+  }
+}
