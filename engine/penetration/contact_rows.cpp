@@ -14,9 +14,6 @@ constexpr std::size_t most_rows = 128;
 
 }  // namespace
 
-ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method)
-    : ContactRows(probe, fixed, method, Finding{}) {}
-
 ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
                          const Finding& finding)
     : probe_(probe),

@@ -26,7 +26,6 @@ class ContactRows {
     std::size_t most_pairs = 512;
     std::size_t most_listed = PairList::enough;  ///< 0: no list
   };
-  ContactRows(const Body& probe, const Body& fixed, Method method);
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
   /// What comes next has nothing to do with what was gathered before.

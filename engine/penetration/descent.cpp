@@ -2,7 +2,6 @@
 #include "engine/penetration/descent.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -31,15 +30,9 @@ double allowed_clearance(double radius, double depth) {
   return std::max(1e-9 * radius, 1e-4 * std::min(radius, depth));
 }
 
-double now_us() {
-  using namespace std::chrono;
-  return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
-}
-
-bool Deadline::passed() const { return microseconds > 0 && now_us() - started > microseconds; }
-
-Descent::Descent(const Body& probe, const Body& fixed, Method method)
-    : rows_(probe, fixed, method), extents_(extent(probe) + extent(fixed)) {}
+Descent::Descent(const Body& probe, const Body& fixed, Method method,
+                 const ContactRows::Finding& finding)
+    : rows_(probe, fixed, method, finding), extents_(extent(probe) + extent(fixed)) {}
 
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
   out.y = y;
@@ -98,10 +91,9 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   return path > quick ? Vec6(step * (quick / path)) : step;
 }
 
-double Descent::margin(const Chart& chart, double depth, const DescentGoal& goal) const noexcept {
+double Descent::margin(const Chart& chart, double depth) const noexcept {
   const double rounding = rounding_guard(extents_, depth, chart.device().p);
-  return std::max(0.5 * allowed_clearance(chart.mass().radius, depth) * goal.clearance,
-                  16 * rounding);
+  return std::max(0.5 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
 }
 
 void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
@@ -122,7 +114,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
   for (;;) {
     const double length = y.norm();
-    const double margin = this->margin(chart, length, goal);
+    const double margin = this->margin(chart, length);
     const double widest = std::max(0.03 * radius, 16 * margin);
     rows_.gather(chart, y, std::clamp(2 * pace.scale, 16 * margin, widest), 4 * margin);
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);

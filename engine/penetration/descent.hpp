@@ -3,6 +3,7 @@
 
 #include "engine/geometry/body.hpp"
 #include "engine/penetration/contact_rows.hpp"
+#include "engine/penetration/deadline.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/motion.hpp"
 
@@ -14,20 +15,8 @@ double allowed_clearance(double radius, double depth);
 /// When a descent is good enough.
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
-  double clearance =
-      1.0;         ///< gaps kept, as a multiple of what a returned pose keeps; more is quicker
-  int steps = 60;  ///< iterations at most
-  double give_up_above =
-      0;  ///< where positive: stop once the descent cannot be hoped to end below, m
+  int steps = 60;          ///< iterations at most
 };
-
-/// A clock that a descent asks between iterations; null deadline: never out of time.
-struct Deadline {
-  double microseconds = 0;  ///< 0: none
-  double started = 0;       ///< from now_us()
-  bool passed() const;
-};
-double now_us();
 
 /// Local optimisation on the contact space: from a free pose, linearise the near pairs, solve the
 /// least-distance problem of the rows, go along the straight path in y as far as it is swept free,
@@ -35,7 +24,8 @@ double now_us();
 /// workspace: run() never allocates.
 class Descent {
  public:
-  Descent(const Body& probe, const Body& fixed, Method method);
+  Descent(const Body& probe, const Body& fixed, Method method,
+          const ContactRows::Finding& finding = {});
 
   struct Outcome {
     Vec6 y = Vec6::Zero();
@@ -54,7 +44,7 @@ class Descent {
   struct Pace;
   /// The gap aimed at: half of what is allowed, and never so little that the rounding of
   /// coordinates, far from the origin, could eat it up.
-  double margin(const Chart& chart, double depth, const DescentGoal& goal) const noexcept;
+  double margin(const Chart& chart, double depth) const noexcept;
   /// From y towards the nearest point of the rows, as far as it is worth while to go in one step.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  Pace& pace) noexcept;

@@ -37,14 +37,13 @@ struct LeapDescent::Pace {
 };
 
 LeapDescent::LeapDescent(const Body& probe, const Body& fixed, Method method)
-    : probe_(probe),
-      fixed_(fixed),
-      outlines_(roughly(probe), roughly(fixed), method, few),
-      few_(probe, fixed, method, few),
-      many_(probe, fixed, method, many) {}
+    : probe_(probe), fixed_(fixed), method_(method) {}
 
 ContactRows& LeapDescent::rows(Guide guide) {
-  return guide == Guide::outlines ? outlines_ : guide == Guide::few ? few_ : many_;
+  std::optional<ContactRows>& rows = rows_[static_cast<std::size_t>(guide)];
+  if (rows) return *rows;
+  if (guide == Guide::outlines) return rows.emplace(roughly(probe_), roughly(fixed_), method_, few);
+  return rows.emplace(probe_, fixed_, method_, guide == Guide::few ? few : many);
 }
 
 bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {

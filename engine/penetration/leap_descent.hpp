@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "engine/geometry/body.hpp"
 #include "engine/penetration/contact_rows.hpp"
 #include "engine/penetration/descent.hpp"
@@ -47,7 +50,8 @@ class LeapDescent {
 
   const Body& probe_;
   const Body& fixed_;
-  ContactRows outlines_, few_, many_;
+  Method method_;
+  std::array<std::optional<ContactRows>, 3> rows_;  // made when first asked for
 };
 
 }  // namespace sonde

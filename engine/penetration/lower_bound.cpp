@@ -35,8 +35,14 @@ double leverage(const Vec3& inertia, const Vec3& r) {
 class Search {
  public:
   Search(const Body& points, const Body& solid, const Transform& X_SP, const MassProperties& mass,
-         const Transform& X_RP, double best)
-      : points_(points), solid_(solid), X_SP_(X_SP), mass_(mass), X_RP_(X_RP), best_(best) {
+         const Transform& X_RP, double best, const Deadline& deadline)
+      : points_(points),
+        solid_(solid),
+        X_SP_(X_SP),
+        mass_(mass),
+        X_RP_(X_RP),
+        best_(best),
+        deadline_(deadline) {
     guard_ = rounding_guard(extent(points), extent(solid), X_SP.p);
   }
 
@@ -58,7 +64,7 @@ class Search {
   }
 
   void visit(std::uint32_t slot) {
-    if (++visited_ > most_visits) return;
+    if (++visited_ > most_visits || deadline_.passed()) return;
     // A corner of the first triangle speaks for all of the box: no point of it is deeper by more
     // than its distance from that corner.
     const Tree& tree = points_.tree;
@@ -79,6 +85,7 @@ class Search {
   const MassProperties& mass_;
   Transform X_RP_;  // points' frame to the probe's principal frame at its centre of mass
   double best_;
+  Deadline deadline_;
   double guard_ = 0;
   int visited_ = 0;
 };
@@ -102,12 +109,12 @@ class InteriorSearch {
     guard_ = rounding_guard(extent(probe), extent(fixed), X_FM.p);
   }
 
-  double run() {
+  double run(const Deadline& deadline) {
     const Vec3 size = high_ - low_;
     if (!(size.minCoeff() > 0)) return 0;
     Vec3 at = low_;
     double best = 0;
-    for (int i = 1; i <= samples; ++i) {
+    for (int i = 1; i <= samples && !deadline.passed(); ++i) {
       const Vec3 u(van_der_corput(i, 2), van_der_corput(i, 3), van_der_corput(i, 5));
       try_point(low_ + u.cwiseProduct(size), best, at);
     }
@@ -140,19 +147,20 @@ class InteriorSearch {
 
 }  // namespace
 
-std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM) {
+std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
+                                        const Deadline& deadline) {
   if (!probe.solid && !fixed.solid) return std::nullopt;
   const Transform X(X_FM), back(inverse(X_FM));
   const Mat3 R_PM = probe.mass.R_MP.transpose();
   const Transform principal(R_PM, -(R_PM * probe.mass.com));
   double best = 0;
-  if (fixed.solid) best = Search(probe, fixed, X, probe.mass, principal, best).run();
+  if (fixed.solid) best = Search(probe, fixed, X, probe.mass, principal, best, deadline).run();
   if (probe.solid) {
     const Transform from_fixed(principal.R * back.R, principal.R * back.p + principal.p);
-    best = Search(fixed, probe, back, probe.mass, from_fixed, best).run();
+    best = Search(fixed, probe, back, probe.mass, from_fixed, best, deadline).run();
   }
   if (probe.solid && fixed.solid)
-    best = std::max(best, InteriorSearch(probe, fixed, X_FM, principal).run());
+    best = std::max(best, InteriorSearch(probe, fixed, X_FM, principal).run(deadline));
   return best * (1 - 1e-9);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/geometry/body.hpp"
+#include "engine/penetration/deadline.hpp"
 
 namespace sonde {
 
@@ -11,7 +12,8 @@ namespace sonde {
 /// no value where both bodies are surfaces. For a point x of A inside solid B at distance d from
 /// B's triangles and r = x − com: σ ≥ d² / (1 + μ), μ = max over unit n of |n×r|² / (nᵀÎn); the
 /// same for a point of B inside solid A. Corners are tried, and where both are solids points inside
-/// both. 0 where no such point is found.
-std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM);
+/// both. 0 where no such point is found (or not before the deadline).
+std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
+                                        const Deadline& deadline = {});
 
 }  // namespace sonde

@@ -21,8 +21,10 @@ namespace {
 /// Starts that are descended side by side; what they find counts from the next round on, so that it
 /// does not matter how many threads there are.
 constexpr std::size_t per_round = 8;
+/// A list of pairs pays for many short steps, of which there are few here.
+constexpr ContactRows::Finding unlisted{.most_listed = 0};
 /// The rest of the time is for making what was found fit to be returned.
-constexpr double share_for_the_search = 0.6;
+constexpr double share_for_the_search = 0.65;
 /// So many starts that ended at the best depth, to within the tolerance, are enough.
 constexpr int enough_agreement = 6;
 
@@ -36,7 +38,7 @@ class Search {
         deadline_{options.budget.microseconds, now_us()},
         searching_{share_for_the_search * options.budget.microseconds, deadline_.started},
         lanes_{lane(probe, fixed), lane(probe, fixed)},
-        descent_(probe, fixed, options.method) {}
+        descent_(probe, fixed, options.method, unlisted) {}
 
   Separation run() {
     if (rotates()) near_starts(Method::pdg, 2000);
@@ -129,12 +131,13 @@ class Search {
   /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
   /// in it, also in a tangle that nothing from outside finds its way into.
   void near_starts(Method method, std::uint64_t streams) {
+        const int tries = deadline_.microseconds > 0 ? 5 : 12;  // in each ball: pockets are small
     for (Lane& lane : lanes_) lane.near = smallest_ball(probe_);
     round([&](std::size_t k, Lane& lane) {
       Random random = stream(streams + k);
       LeapDescent& leaps = descent_of(lane, method);
       for (double radius = lane.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
-        if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, 10, method)) {
+        if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, tries, method)) {
           lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
           return descend(leaps, *y, y->norm());
         }
@@ -252,6 +255,11 @@ class Search {
 
   /// To the last digit. What leaps do not bring to an end is swept there.
   Separation polish(LeapDescent& leaps, Descent& descent, const Vec6& from) {
+    if (out_of_budget()) {
+      // Free it is: all that is left to do is to let it touch.
+      iterations_ += 1;
+      return make_separation(chart_, descent.run(chart_, from, {.steps = 0}, 0, deadline_));
+    }
     const LeapGoal near{
         .guide = Guide::few, .tolerance = 1e-3, .steps = std::min(20, steps_left()), .reach = 0.05};
     auto o = leaps.run(chart_, from, near, deadline_);
@@ -263,8 +271,7 @@ class Search {
     o = leaps.run(chart_, o.y, fine, deadline_);
     taken += o.iterations;
     if (!o.converged) {
-      // At least a few steps even past the budget: a pose fit to be returned, with its multipliers.
-      const DescentGoal swept{.steps = std::clamp(steps_left() - taken, 1, 60)};
+      const DescentGoal swept{.steps = std::clamp(steps_left() - taken, 0, 60)};
       o = descent.run(chart_, o.y, swept, 1e-3 * o.y.norm(), deadline_);
       taken += o.iterations;
     }
@@ -275,7 +282,7 @@ class Search {
   /// The translational depth to the last digit.
   std::optional<Separation> polish_translation() {
     if (!std::isfinite(translated_.depth)) return std::nullopt;
-    Descent descent(probe_, fixed_, Method::pdt);
+    Descent descent(probe_, fixed_, Method::pdt, unlisted);
     const Separation out = polish(lanes_[0].pdt, descent, translated_.y);
     if (overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return std::nullopt;
     return out;
@@ -304,13 +311,14 @@ Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_F
                            const StaticOptions& options) {
   if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
   const Pose device{X_FM.q.normalized(), X_FM.p};
+  const Deadline deadline{options.budget.microseconds, now_us()};
   Separation out;
   if (!overlap(probe, fixed, Transform(device), Doubt::exact))
     out = separated_at(device);
   else
     out = Search(probe, fixed, device, options).run();
   if (options.want_lower_bound && out.status == Status::penetrating)
-    out.lower_bound = depth_lower_bound(probe, fixed, device);
+    out.lower_bound = depth_lower_bound(probe, fixed, device, deadline);
   return out;
 }
 

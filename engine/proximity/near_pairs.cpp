@@ -27,10 +27,11 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
   PairStack<SlotPair> stack;
   SlotPairs children;
   std::size_t found = 0;
+  bool crowded = false;
   const auto look = [&] {
     batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
       if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
-      if (found == out.size()) found = keep_nearer_half(out, reach);
+      if (found == out.size()) found = keep_nearer_half(out, reach), crowded = true;
       out[found++] = near_pair(pair, k, points);
     });
   };
@@ -45,9 +46,10 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
       continue;
     }
     at.open_near(p, limit, children);
-    // The nearest first: where not all fit, what is further away need not be looked at.
-    std::sort(children.begin(), children.end(),
-              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    // Where not all fit, the nearest first: what is further away need not be looked at.
+    if (crowded)
+      std::sort(children.begin(), children.end(),
+                [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : children) stack.push(child);
   }
   look();

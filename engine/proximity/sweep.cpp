@@ -40,6 +40,7 @@ class Sweeper {
   }
 
   Sweep run() {
+    dive();
     stack_.push(roots(a_.tree, b_.tree));
     while (pairs_.free_until() > 0) {
       if (!stack_.empty())
@@ -61,6 +62,32 @@ class Sweeper {
     PlacedVelocity in_b, in_a;
     float com_b[3], com_a[3];  // from the middles
   };
+
+  /// Goes down through the pairs that may meet first, a few abreast: what is at the end bounds the
+  /// path, so that less of it need be looked at.
+  void dive() {
+    constexpr std::uint32_t all = 0xffff;
+    const auto sooner = [](const SlotPair& x, const SlotPair& y) { return x.bound < y.bound; };
+    std::array<SlotPair, abreast> level{roots(a_.tree, b_.tree)};
+    SlotPairs next;
+    for (std::size_t count = 1; count > 0;) {
+      next.count = 0;
+      for (std::size_t k = 0; k < count; ++k)
+        opens_a(a_.tree, b_.tree, level[k]) ? open_a(level[k], all, next)
+                                            : open_b(level[k], all, next);
+      const auto kept = std::min<std::ptrdiff_t>(next.count, abreast);
+      std::partial_sort(next.begin(), next.begin() + kept, next.end(), sooner);
+      count = 0;
+      for (const SlotPair& p : std::span(next.begin(), next.begin() + kept)) {
+        if (is_leaf(a_.tree, b_.tree, p))
+          wait(a_.tree.child(p.a) & ~Tree::triangle_bit, b_.tree.child(p.b) & ~Tree::triangle_bit,
+               p);
+        else
+          level[count++] = p;
+      }
+    }
+    if (waiting_ > 0) advance_waiting();
+  }
 
   // Of an entry, `bound` is how far along the path the pair is known to be free.
   void visit(const SlotPair& p) {
@@ -211,6 +238,7 @@ class Sweeper {
     return bounds;
   }
 
+  static constexpr std::size_t abreast = 8;
   static constexpr int moments = 4096;  // a power of two: number / moments is exact
   const Body& a_;
   const Body& b_;

@@ -15,7 +15,7 @@
 namespace sonde::reference {
 namespace {
 
-const DescentGoal coarse{.residual = 5e-3, .clearance = 10, .steps = 40};
+const DescentGoal coarse{.residual = 5e-3, .steps = 40};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A spiral over the sphere, turned at random: every seed comes in from elsewhere.
@@ -167,7 +167,7 @@ class Search {
   }
 
   Vec6 descend_on(const Vec6& from, double expected, int steps) {
-    const DescentGoal goal{.residual = 1e-4, .clearance = 1, .steps = steps};
+    const DescentGoal goal{.residual = 1e-4, .steps = steps};
     return descent_.run(chart_, from, goal, expected * from.norm(), {}).y;
   }
 

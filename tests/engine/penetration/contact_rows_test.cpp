@@ -50,7 +50,7 @@ std::vector<test::BodyPair> pairs(std::uint64_t seed) {
 TEST(ContactRows, every_near_pair_is_kept_apart_by_some_row) {
   std::mt19937_64 random(1);
   for (const auto& pair : pairs(71)) {
-    ContactRows rows(*pair.a, *pair.b, Method::pdg);
+    ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     int near = 0;
     for (int i = 0; i < 60; ++i) {
       const Gathered g = free_place(random, pair, 0.6);
@@ -91,7 +91,7 @@ TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
   std::mt19937_64 random(2);
   for (const auto& pair : pairs(72))
     for (const Method method : {Method::pdg, Method::pdt}) {
-      ContactRows rows(*pair.a, *pair.b, method);
+      ContactRows rows(*pair.a, *pair.b, method, {});
       int held = 0;
       for (int i = 0; i < 60; ++i) {
         const Gathered g = free_place(random, pair, method == Method::pdt ? 0 : 0.6);
@@ -131,7 +131,7 @@ TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
 TEST(ContactRows, sweeps_are_conservative) {
   std::mt19937_64 random(3);
   for (const auto& pair : pairs(73)) {
-    ContactRows rows(*pair.a, *pair.b, Method::pdg);
+    ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     int hits = 0, misses = 0;
     for (int i = 0; i < 40; ++i) {
       const Gathered g = free_place(random, pair, 0.6);
@@ -164,7 +164,7 @@ TEST(ContactRows, a_cube_over_a_plate_stands_on_its_corners) {
   const Chart chart(cube->mass, {Quat::Identity(), Vec3(0.02, 0.03, 0.53)});
   Vec6 y = Vec6::Zero();
   y[5] = 0.02 + 1e-6;  // the gap
-  ContactRows rows(*cube, *plate, Method::pdg);
+  ContactRows rows(*cube, *plate, Method::pdg, {});
   rows.gather(chart, y, 1e-4, 4e-6);
   for (const double x : {-0.05, 0.05})
     for (const double z : {-0.05, 0.05}) {
@@ -182,7 +182,7 @@ TEST(ContactRows, a_cube_over_a_plate_stands_on_its_corners) {
 TEST(ContactRows, do_not_allocate) {
   std::mt19937_64 random(4);
   for (const auto& pair : pairs(74)) {
-    ContactRows rows(*pair.a, *pair.b, Method::pdg);
+    ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     const Gathered g = free_place(random, pair, 0.5);
     const Motion motion(g.chart, g.y, 0.99 * g.y);
     test::AllocationCounter counter;
