@@ -131,7 +131,7 @@ class Search {
   /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
   /// in it, also in a tangle that nothing from outside finds its way into.
   void near_starts(Method method, std::uint64_t streams) {
-        const int tries = deadline_.microseconds > 0 ? 5 : 12;  // in each ball: pockets are small
+    const int tries = deadline_.microseconds > 0 ? 5 : 12;  // in each ball: pockets are small
     for (Lane& lane : lanes_) lane.near = smallest_ball(probe_);
     round([&](std::size_t k, Lane& lane) {
       Random random = stream(streams + k);

@@ -125,6 +125,22 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
   }
 }
 
+TEST(StaticSearch, two_threads_give_the_same_bits) {
+  std::mt19937_64 random(7);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    for (const int steps : {0, 50}) {
+      StaticOptions one;
+      one.budget.steps = steps;
+      StaticOptions two = one;
+      two.two_threads = true;
+      EXPECT_TRUE(same_bits(separate_static(*pair.a, *pair.b, X, one),
+                            separate_static(*pair.a, *pair.b, X, two)))
+          << pair.name;
+    }
+  }
+}
+
 // |depth(o) − depth(o′)| ≤ √σ(o, o′) is a law of the true depth: what breaks it by more than the
 // clearance proves a missed optimum. A search by restarts misses some, so the share is bounded, not
 // each.
