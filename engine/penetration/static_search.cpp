@@ -85,7 +85,7 @@ class Search {
     return std::min(per_round, static_cast<std::size_t>(std::max(1, steps_left() / 4)));
   }
 
-  /// Runs start(k, thread) for each of a round, and takes down what they found.
+  /// Runs start(k, lane) for each of a round, and takes down what they found.
   template <class Start>
   void round(const Start& start) {
     if (out_of_budget() && best_ < std::numeric_limits<double>::infinity()) return;
@@ -163,13 +163,15 @@ class Search {
     });
   }
 
-  /// By translation alone.
+  /// By translation alone; and on from there by all six.
+
   void translations() {
     const std::size_t before = found_.size();
     near_starts(Method::pdt, 1000);
     if (!rotates() || found_.size() == before) starts_outside();
     for (std::size_t i = before; i < found_.size(); ++i)
       if (found_[i].depth < translated_.depth) translated_ = found_[i];
+    if (rotates() && !out_of_budget()) note(descend(lanes_[0].pdg, translated_.y, best_));
   }
 
   /// Random poses of a ball about y: a free one, if there is one among so many.
@@ -232,16 +234,16 @@ class Search {
   /// The best few to the last digit; the best of them that stands the exact test.
   Separation finish() {
     std::vector<Separation> answers;
-    if (rotates()) {
-      std::optional<Separation> translated = polish_translation();
-      if (translated) answers.push_back(*translated);
+    std::optional<double> pdt;
+    if (const auto translated = rotates() ? polish_translation() : std::nullopt) {
+      answers.push_back(*translated);
+      pdt = translated->depth;
     }
     for (const Vec6& y : best_ends(3)) {
       if (y.norm() > 1.03 * best_ || (out_of_budget() && !answers.empty())) break;
       answers.push_back(polish(descent_of(lanes_[0], options_.method), descent_, y));
     }
-    const std::optional<double> pdt =
-        rotates() && !answers.empty() ? std::optional(answers.front().depth) : std::nullopt;
+
     std::stable_sort(answers.begin(), answers.end(),
                      [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
     for (Separation& answer : answers) {
@@ -299,7 +301,7 @@ class Search {
   Descent descent_;
   std::vector<Found> found_;
   Found translated_;
-  double best_ = std::numeric_limits<double>::infinity();
+  double best_ = std::numeric_limits<double>::infinity();  // m
   int agreeing_ = 0;
   int share_ = 0;  // of the steps, for each start of a round
   int iterations_ = 0;

@@ -10,6 +10,9 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
   const Placement at(a, b, X_BA);
   PairStack<SlotPair> stack;
   SlotPairs found;
+  constexpr int straight_down = 24;
+  int opened = 0;
+
   stack.push(at.roots());
   while (!stack.empty()) {
     const SlotPair p = stack.pop();
@@ -20,7 +23,9 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
       if (m == Meeting::meeting || doubt == Doubt::contact || meet_exactly(ta, tb)) return true;
       continue;
     }
-    at.open_overlapping(p, found);
+    // Bodies that overlap show it soon, straight down; what takes longer is close but apart.
+    const Opening opening = ++opened <= straight_down ? Opening::larger : Opening::both;
+    at.open_overlapping(p, opening, found);
     // The deeper overlap is looked at first: a first hit is likeliest there.
     std::sort(found.begin(), found.end(),
               [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });

@@ -36,13 +36,6 @@ void copy(const FrameChange::Column& from, float (&to)[3]) {
   for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
-/// Triangles lie right below the box: of what is in a node, some do or none.
-bool holds_triangles(const Tree& tree, std::uint32_t slot) {
-  const std::uint32_t child = tree.child(slot);
-  return (child & Tree::triangle_bit) == 0 &&
-         (tree.nodes[child].child[0] & Tree::triangle_bit) != 0;
-}
-
 /// As single precision holds it.
 Vec3 rounded(const Vec3& x) { return x.cast<float>().cast<double>(); }
 
@@ -182,13 +175,11 @@ void Placement::open_nearest(const SlotPair& p, SlotPairs& out) const {
   open_larger(p, kernels_.distances, std::numeric_limits<float>::infinity(), out);
 }
 
-void Placement::open_overlapping(const SlotPair& p, SlotPairs& out) const {
-  // A first overlap is found soonest straight down; opening both rules out what only seems to be
-  // one.
-  if (holds_triangles(a_.tree, p.a) && holds_triangles(b_.tree, p.b))
-    open_both(p, kernels_.gaps, 0, out);
-  else
+void Placement::open_overlapping(const SlotPair& p, Opening opening, SlotPairs& out) const {
+  if (opening == Opening::larger)
     open_larger(p, kernels_.gaps, 0, out);
+  else
+    open_both(p, kernels_.gaps, 0, out);
 }
 
 }  // namespace sonde

@@ -92,6 +92,9 @@ struct SlotPairs {
   void push(const SlotPair& p) { pair[static_cast<std::size_t>(count++)] = p; }
 };
 
+/// The larger box of a pair alone, which is quicker where the first overlap will do; or both.
+enum class Opening { larger, both };
+
 /// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
 /// Boxes are compared in single precision, in a unit that makes all of them of the order of 1, with
 /// its rounding error taken off.
@@ -126,7 +129,7 @@ class Placement {
   /// Opens the larger box alone, without a limit: for a first way down.
   void open_nearest(const SlotPair& p, SlotPairs& out) const;
   /// The same with separations along the six face normals: pairs that do not overlap are left out.
-  void open_overlapping(const SlotPair& p, SlotPairs& out) const;
+  void open_overlapping(const SlotPair& p, Opening opening, SlotPairs& out) const;
 
   /// A direction, from B to A in B's frame, that is likely to separate boxes well: that of the best
   /// closest points so far.
