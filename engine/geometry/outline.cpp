@@ -92,9 +92,9 @@ Soup outline(const Soup& soup, std::size_t triangles, const Progress& progress) 
   double width = std::sqrt(2 * area(soup) / static_cast<double>(triangles));
   constexpr int attempts = 6;
   for (int attempt = 0; attempt < attempts && width > 0; ++attempt) {
-    Soup out = clustered(
-        soup, width,
-        part_of(progress, attempt / double{attempts}, (attempt + 1) / double{attempts}));
+    Soup out =
+        clustered(soup, width,
+                  part_of(progress, attempt / double{attempts}, (attempt + 1) / double{attempts}));
     const std::size_t count = out.triangles.size();
     if (count <= 2 * triangles && count >= triangles / 4) return out;
     width *= count > triangles ? 1.6 : 0.6;
