@@ -56,7 +56,8 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
   std::vector<TimedSeparation> results(poses.size());
   std::atomic<std::size_t> done{0};
   const unsigned threads = thread_count(options.threads);
-  const std::size_t at_once = std::min<std::size_t>((threads + 1) / 2, poses.size());
+  const std::size_t at_once =
+      std::clamp<std::size_t>(threads / 2, 1, std::max<std::size_t>(poses.size(), 1));
   run_parallel(poses.size(), at_once, [&](std::size_t i) {
     StaticOptions own = options.static_options();
     own.two_threads = threads > 1;

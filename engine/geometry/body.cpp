@@ -103,7 +103,7 @@ void grow_tree(Body& body, const Progress& progress) {
 void add_outline(Body& body, const Progress& progress) {
   if (body.soup.triangles.size() < 2 * outline_triangles) return;
   auto rough = std::make_shared<Body>();
-  rough->soup = outline(body.soup, outline_triangles, progress);
+  rough->soup = compacted(outline(body.soup, outline_triangles, progress));
   if (rough->soup.triangles.empty()) return;
   rough->mass = body.mass;
   std::vector<std::uint32_t> order;

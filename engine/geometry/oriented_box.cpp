@@ -4,12 +4,10 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "engine/geometry/to_float.hpp"
+
 namespace sonde {
 namespace {
-
-/// A function that is not inlined, because g++ 12 at -O2 takes pairs of double → float → double for
-/// doing nothing (its vectorizer drops the rounding), and the check of the box would pass unseen.
-[[gnu::noinline]] float to_float(double x) { return static_cast<float>(x); }
 
 float rounded_up(double x) {
   float f = to_float(x);

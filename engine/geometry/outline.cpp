@@ -30,7 +30,7 @@ class Cells {
   std::vector<Vec3> points() { return std::move(points_); }
 
  private:
-  /// 21 bits for each coordinate; there are fewer cells than that along any.
+  /// 21 bits for each coordinate; where there are more cells along one, the furthest are one.
   std::uint64_t key(const Vec3& x) const {
     constexpr double most = (1 << 21) - 1;
     std::uint64_t out = 0;

@@ -19,6 +19,8 @@ constexpr double largest_v = 0.95;
 /// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
 /// and it is no longer than trusted.
 Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
+  if (!(step.squaredNorm() > 0)) return Vec6::Zero();
+
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   const double turn = chart.v(step).norm(), length = step.norm();
   step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
@@ -99,14 +101,14 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   Pace pace{.trust = goal.reach * start.norm(), .bending = 0.5 / radius};
   for (;;) {
     const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
-    const double margin = std::max(0.1 * goal.tolerance * length, 0.5 * allowed);
+    const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
     const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
     rows.gather(chart, out.y, reach, goal.guide == Guide::many ? 4 * margin : 0);
     const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
     const double off = (nearest.y - out.y).norm();
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;
-    out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 2 * margin;
+    out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 1.9 * margin;
     const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
     if (out.converged || (hopeless && out.iterations >= 3)) return out;
     if (out.iterations >= goal.steps || deadline.passed() || pace.trust < 0.2 * margin) return out;

@@ -56,7 +56,8 @@ struct Separation {
   /// not continuous there).
   bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
-  std::optional<double> pdt;          ///< static only: the translational depth found on the way, m
+  /// Static only: the translational depth found on the way, m; none where the time ran out before.
+  std::optional<double> pdt;
 };
 
 /// Work allowed to one query: 0 means no limit of that kind. `steps` counts iterations of the local

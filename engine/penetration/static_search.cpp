@@ -41,8 +41,12 @@ class Search {
         descent_(probe, fixed, options.method, unlisted) {}
 
   Separation run() {
+    // Of counted steps, translations get their part: the depth is never more than theirs.
+    reserved_ = rotates() ? options_.budget.steps / 3 : 0;
     if (rotates()) near_starts(Method::pdg, 2000);
-    if (!rotates() || found_.empty()) translations();
+    reserved_ = 0;
+    if (!rotates() || found_.empty() || options_.budget.steps > 0) translations();
+    if (found_.empty()) return failed(chart_.device(), "no free pose was found");
     for (int start = 0; start < options_.starts && !done(); start += int{per_round})
       random_starts(start);
     if (rotates() && !std::isfinite(translated_.depth)) translations();
@@ -71,15 +75,14 @@ class Search {
   }
   bool rotates() const { return options_.method == Method::pdg; }
 
-  bool out_of_budget() const {
-    return searching_.passed() ||
-           (options_.budget.steps > 0 && iterations_ >= options_.budget.steps);
-  }
+  bool out_of_budget() const { return searching_.passed() || steps_left() == 0; }
   bool done() const { return out_of_budget() || agreeing_ >= enough_agreement; }
   int steps_left() const {
-    return options_.budget.steps > 0 ? std::max(0, options_.budget.steps - iterations_)
+    return options_.budget.steps > 0 ? std::max(0, options_.budget.steps - reserved_ - iterations_)
                                      : std::numeric_limits<int>::max();
   }
+  /// Nothing is left for polishing either.
+  bool late() const { return deadline_.passed() || steps_left() == 0; }
   /// Of the starts of a round, so many are made, each with an equal share of the steps left.
   std::size_t starts_worth_while() const {
     return std::min(per_round, static_cast<std::size_t>(std::max(1, steps_left() / 4)));
@@ -164,14 +167,15 @@ class Search {
   }
 
   /// By translation alone; and on from there by all six.
-
   void translations() {
     const std::size_t before = found_.size();
     near_starts(Method::pdt, 1000);
     if (!rotates() || found_.size() == before) starts_outside();
     for (std::size_t i = before; i < found_.size(); ++i)
       if (found_[i].depth < translated_.depth) translated_ = found_[i];
-    if (rotates() && !out_of_budget()) note(descend(lanes_[0].pdg, translated_.y, best_));
+    if (!rotates() || out_of_budget()) return;
+    share_ = steps_left();
+    note(descend(lanes_[0].pdg, translated_.y, best_));
   }
 
   /// Random poses of a ball about y: a free one, if there is one among so many.
@@ -240,7 +244,7 @@ class Search {
       pdt = translated->depth;
     }
     for (const Vec6& y : best_ends(3)) {
-      if (y.norm() > 1.03 * best_ || (out_of_budget() && !answers.empty())) break;
+      if (y.norm() > 1.03 * best_ || (late() && !answers.empty())) break;
       answers.push_back(polish(descent_of(lanes_[0], options_.method), descent_, y));
     }
 
@@ -257,10 +261,11 @@ class Search {
 
   /// To the last digit. What leaps do not bring to an end is swept there.
   Separation polish(LeapDescent& leaps, Descent& descent, const Vec6& from) {
-    if (out_of_budget()) {
+    if (late()) {
       // Free it is: all that is left to do is to let it touch.
       iterations_ += 1;
-      return make_separation(chart_, descent.run(chart_, from, {.steps = 0}, 0, deadline_));
+      return make_separation(
+          chart_, descent.run(chart_, from, {.steps = 0}, 1e-3 * from.norm(), deadline_));
     }
     const LeapGoal near{
         .guide = Guide::few, .tolerance = 1e-3, .steps = std::min(20, steps_left()), .reach = 0.05};
@@ -303,7 +308,8 @@ class Search {
   Found translated_;
   double best_ = std::numeric_limits<double>::infinity();  // m
   int agreeing_ = 0;
-  int share_ = 0;  // of the steps, for each start of a round
+  int share_ = 0;     // of the steps, for each start of a round
+  int reserved_ = 0;  // of the steps, for later
   int iterations_ = 0;
 };
 

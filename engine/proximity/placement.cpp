@@ -3,10 +3,12 @@
 
 #include <bit>
 
+#include "engine/geometry/to_float.hpp"
+
 namespace sonde {
 namespace {
 
-/// The largest distance of a corner from the tree's origin along an axis, m.
+/// The longest side of the box along the axes, m.
 double local_extent(const Tree& tree) { return (tree.high - tree.low).maxCoeff(); }
 
 }  // namespace
@@ -37,7 +39,10 @@ void copy(const FrameChange::Column& from, float (&to)[3]) {
 }
 
 /// As single precision holds it.
-Vec3 rounded(const Vec3& x) { return x.cast<float>().cast<double>(); }
+Vec3 rounded(const Vec3& x) {
+  return {static_cast<double>(to_float(x.x())), static_cast<double>(to_float(x.y())),
+          static_cast<double>(to_float(x.z()))};
+}
 
 }  // namespace
 

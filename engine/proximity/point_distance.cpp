@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/to_float.hpp"
 #include "engine/proximity/placement.hpp"
 
 namespace sonde {
@@ -18,7 +19,7 @@ PointFrame::PointFrame(const Body& body, const Vec3& x) {
   per_unit = std::exp2(-std::ilogb(size));
   scale = static_cast<float>(per_unit);
   for (int i = 0; i < 3; ++i) {
-    point.origin[i] = static_cast<float>(local[i] * per_unit);
+    point.origin[i] = to_float(local[i] * per_unit);
     point.rest[i] = static_cast<float>(local[i] * per_unit - static_cast<double>(point.origin[i]));
   }
   guard = static_cast<float>(rounding_guard(extent(body), 0, x) * per_unit) * (1 + 0x1p-22f) +

@@ -34,9 +34,11 @@ class Sweeper {
         static_cast<float>((clearance + placing_guard(a.tree, b.tree) + pairs_.guard()) *
                            per_unit_ * up) +
         underflow_guard;
+    // Velocities are taken at the middle of the smaller body, which may be far from the moving one.
+    const bool about_b = placing_guard(a.tree, b.tree) < box_rounding * size_a;
+    const double reach = about_b ? size : size_a + arm;
     bounds_.speed_rounding = static_cast<float>(
-        box_rounding * (motion.linear_distance() + motion.turn_bound() * (size_a + arm)) *
-        per_unit_ * up);
+        box_rounding * (motion.linear_distance() + motion.turn_bound() * reach) * per_unit_ * up);
   }
 
   Sweep run() {

@@ -125,6 +125,32 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
   }
 }
 
+TEST(StaticSearch, a_small_probe_deep_inside_comes_out_to_contact) {
+  const auto block = test::body(test::box({100, 100, 100}));
+  std::mt19937_64 random(8);
+  for (const double size : {1.0, 0.1, 0.01}) {
+    const auto probe = test::body(test::box({size, 0.7 * size, 0.5 * size}));
+    const Pose X{test::random_rotation(random), {1, -2, 30}};
+    const Separation s = separate_static(*probe, *block, X);
+    test::check_separation(*probe, *block, s, std::to_string(size));
+    EXPECT_NEAR(s.depth, 20, 2 * size);  // the face at 50
+  }
+}
+
+TEST(StaticSearch, counted_steps_leave_room_for_translations) {
+  std::mt19937_64 random(9);
+  int with = 0, all = 0;
+  for (const auto& pair : pairs())
+    for (const int steps : {30, 100}) {
+      StaticOptions options;
+      options.budget.steps = steps;
+      const Separation s =
+          separate_static(*pair.a, *pair.b, overlapping_pose(random, pair), options);
+      ++all, with += s.pdt.has_value();
+    }
+  EXPECT_EQ(with, all);
+}
+
 TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
   for (const auto& pair : pairs()) {
