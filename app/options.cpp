@@ -74,7 +74,7 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
       ->capture_default_str();
   parser
       .add_option("--threads", options.threads,
-                  "threads for searches that do not depend on each other; 0: all the machine has")
+                  "threads to search on, two for each pose; 0: all the machine has")
       ->check(check_whole)
       ->check(CLI::Range(0U, most_threads))
       ->capture_default_str();

@@ -55,13 +55,13 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
   std::atomic<std::size_t> done{0};
+  // A search uses two threads itself.
   const unsigned threads = thread_count(options.threads);
   const std::size_t at_once =
       std::clamp<std::size_t>(threads / 2, 1, std::max<std::size_t>(poses.size(), 1));
   run_parallel(poses.size(), at_once, [&](std::size_t i) {
     StaticOptions own = options.static_options();
     own.two_threads = threads > 1;
-
     own.seed = seed_of(options.seed, i);
     TimedSeparation& result = results[i];
     result.time_us = timed_us(

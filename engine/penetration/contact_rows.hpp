@@ -53,9 +53,7 @@ class ContactRows {
 
   Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
   /// The contacts that hold a solution, with their multipliers.
-
   ContactSet holding(const LeastDistance& nearest) const noexcept;
-
   int size() const { return static_cast<int>(count_); }
   double smallest_gap() const { return smallest_gap_; }  ///< m; the reach where there is no row
   double reach() const { return reach_; }

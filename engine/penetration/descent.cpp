@@ -37,7 +37,6 @@ Descent::Descent(const Body& probe, const Body& fixed, Method method,
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
   out.y = y;
   out.contacts = rows_.holding(nearest);
-
   const double length = y.norm();
   out.residual = length > 0 ? (y - nearest.y).norm() / length : 0;
 }

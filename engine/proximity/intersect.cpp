@@ -12,7 +12,6 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
   SlotPairs found;
   constexpr int straight_down = 24;
   int opened = 0;
-
   stack.push(at.roots());
   while (!stack.empty()) {
     const SlotPair p = stack.pop();
