@@ -38,19 +38,29 @@ class PairList {
  private:
   struct Item {
     std::uint32_t a, b;
-    double bound;  ///< the pair was at least this far apart at the pose of the list, m
-    Vec3 normal;   ///< the last direction found to separate it; zero: none yet
+    Vec3 normal;  ///< the last direction found to separate it; zero: none yet
   };
-  /// How far any point of A may have moved since the list's pose, m.
-  double displacement(const Transform& X) const noexcept;
+  /// How far any point of A may be at X from where it is at another pose, m.
+  double displacement(const Transform& from, const Transform& X) const noexcept;
   /// What rounding may add to a distance at either pose, m.
   double guard(const Transform& X) const noexcept;
+  /// The travel when the probe has come to X.
+  double travel_to(const Transform& X) noexcept;
+  /// Takes down what was found out about an item at the present travel.
+  void learn(std::size_t item, double distance, double rounding) noexcept;
+  /// Separates those items that no direction is known for and that may come within so much.
+  void find_normals(const Transform& X, double within) noexcept;
 
   const Body& a_;
   const Body& b_;
   std::vector<Item> items_;
+  /// Of each item, the travel before which its triangles cannot meet: it is not looked at until
+  /// that draws near.
+  std::vector<double> due_;
   std::size_t count_ = 0;
-  Transform X_;
+  Transform X_;        // of the list
+  Transform last_;     // the pose last looked at
+  double travel_ = 0;  // m: from pose to pose looked at, since the list was made
   double reach_ = -1;
 };
 
