@@ -5,7 +5,6 @@
 #include "engine/penetration/result.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "engine/proximity/placement.hpp"
-#include "engine/proximity/sweep.hpp"
 
 namespace sonde {
 
@@ -43,26 +42,24 @@ struct CoherentSolver::State {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(*probe) + extent(*fixed));
   }
 
-  /// Translation only: the separated probe has to turn with the device first. It is lifted off its
-  /// contacts by as much as the turn can move a point of it, turned, and let down again by the
-  /// descent; each part is swept. False where the way is blocked: then it stays turned as it was.
+  /// Translation only: the separated probe has to turn with the device first. It turns and is
+  /// lifted off its contacts by as much as the turn can move a point of it, in one motion that is
+  /// swept; the descent lets it down again. False where that is blocked: then it has turned as far
+  /// as it could.
   bool follow_turn(const Chart& chart, Vec6& y) noexcept {
-    const double turn = y.head<3>().norm();
-    if (!(turn > 0)) return true;
-    const double clearance = 0.25 * allowed_clearance(probe->mass.radius, y.norm());
+    if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
-    for (double lift = 0; lift <= 4; lift = lift > 0 ? 2 * lift : 1) {
-      Vec6 lifted = y, turned = y;
-      const double reach = 2 * chart.v(y).norm() * probe->mass.radius * lift;
-      if (depth > 0) lifted.tail<3>() *= 1 + reach / depth;
-      turned = lifted;
-      turned.head<3>().setZero();
-      if (sweep(*probe, *fixed, Motion(chart, y, lifted), clearance).hit) continue;
-      if (sweep(*probe, *fixed, Motion(chart, lifted, turned), clearance).hit) continue;
-      y = turned;
-      return true;
+    const double reach = 2 * chart.v(y).norm() * probe->mass.radius;
+    Vec6 furthest = y;
+    for (const double lift : {0, 1, 2, 4}) {
+      Vec6 turned = Vec6::Zero();
+      turned.tail<3>() = y.tail<3>() * (depth > 0 ? 1 + lift * reach / depth : 1);
+      const Sweep swept = descent.sweep_to(chart, y, turned);
+      if (!swept.hit) return y = turned, true;
+      const Vec6 reached = y + 0.9 * swept.free_until * (turned - y);
+      if (reached.head<3>().norm() < furthest.head<3>().norm()) furthest = reached;
     }
-    return false;
+    return y = furthest, false;
   }
 };
 

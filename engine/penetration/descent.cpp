@@ -95,9 +95,13 @@ double Descent::margin(const Chart& chart, double depth) const noexcept {
   return std::max(0.5 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
 }
 
+Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target) noexcept {
+  return rows_.sweep_from(chart, Motion(chart, y, target), y, 0.5 * margin(chart, y.norm()));
+}
+
 void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
   const Vec6 y = out.y;
-  const Sweep swept = rows_.sweep_from(chart, Motion(chart, y, Vec6::Zero()), y, 0.5 * margin);
+  const Sweep swept = sweep_to(chart, y, Vec6::Zero());
   const Vec6 near = swept.hit ? Vec6((1 - swept.free_until) * y) : Vec6::Zero();
   rows_.gather(chart, near, 16 * margin, 4 * margin);
   report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
@@ -134,7 +138,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     ++out.iterations;
     const Vec6 step = next_step(chart, y, nearest, margin, pace);
     const Vec6 target = y + step;
-    const Sweep swept = rows_.sweep_from(chart, Motion(chart, y, target), y, 0.5 * margin);
+    const Sweep swept = sweep_to(chart, y, target);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
     pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
   }

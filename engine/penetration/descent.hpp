@@ -40,6 +40,9 @@ class Descent {
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline) noexcept;
 
+  /// Sweeps the probe from y straight to another point, with half of the gap that a run leaves.
+  Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target) noexcept;
+
  private:
   struct Pace;
   /// The gap aimed at: half of what is allowed, and never so little that the rounding of
