@@ -43,10 +43,10 @@ struct HandleState {
 /// and the same for rotations, whose spring acts on the rotation vector from handle to target. f is
 /// constant between samples, x_h moves in a straight line (and turns about one axis). Between
 /// samples this is solved exactly by the matrix exponential, so no gain, the hand's included, is
-/// too high for the *simulation*: what buzzes would buzz in the hand. Two things are of first order
-/// in the time step instead: Coulomb friction, constant over a step and never more than what stops
-/// the handle by its end (a handle at rest stays, exactly, below the limit of friction); and a
-/// rotation whose axis changes.
+/// too high for the *simulation*: what buzzes here would buzz in the hand. Two things are not exact
+/// but get better with the rate: Coulomb friction, constant over a step and never more than what
+/// stops the handle by its end (a handle at rest stays, exactly, below the limit of friction); and
+/// a rotation whose axis changes, which loses a little energy.
 ///
 /// Same input, same bits.
 class SimulatedDevice {
