@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "engine/scene/json_checks.hpp"
 #include "engine/scene/located_json.hpp"
 #include "engine/scene/nearest.hpp"
 #include "engine/scene/number_text.hpp"
@@ -49,41 +50,19 @@ Keys coupling_keys() {
   return keys;
 }
 
-std::string in_quotes(std::string_view text) {
-  const bool fits = text.size() <= 60;
-  return std::string("\"").append(text.substr(0, fits ? 60 : 57)).append(fits ? "\"" : "...\"");
-}
-
 /// Reads the values of one file and complains with its name and the line.
 struct Reader {
   std::filesystem::path file;
 
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
-    throw InputError::at_line(file.string(), line, reason);
+    fail_at(file, line, reason);
   }
-
-  void expect(const JsonNode& node, Kind kind) const {
-    if (node.kind == kind) return;
-    const std::string what = node.key.empty() ? "the file's value" : in_quotes(node.key);
-    fail(node.line, what + " is " + name_of(node.kind) + "; expected " + name_of(kind));
-  }
-
-  /// An object with no other keys than these.
+  void expect(const JsonNode& node, Kind kind) const { expect_kind(file, node, kind); }
   void expect_object(const JsonNode& node, const Keys& known) const {
-    expect(node, Kind::object);
-    for (const JsonNode& child : node.children)
-      if (std::ranges::find(known, child.key) == known.end())
-        fail(child.key_line, "unknown key " + in_quotes(child.key) + "; the nearest known one is " +
-                                 in_quotes(nearest(child.key, known)));
+    expect_keys(file, node, known);
   }
-
   const JsonNode& need(const JsonNode& object, std::string_view key) const {
-    const JsonNode* found = object.find(key);
-    if (!found) {
-      const std::string where = object.key.empty() ? "the scene" : in_quotes(object.key);
-      fail(object.line, "key " + in_quotes(key) + " is missing from " + where);
-    }
-    return *found;
+    return need_key(file, object, key, "the scene");
   }
 
   /// One of a few words; `known` as a list for the complaint.

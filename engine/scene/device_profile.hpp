@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/haptics/simulated_device.hpp"
+
+namespace sonde {
+
+/// A number of a profile, and what it rests on.
+struct ProfileValue {
+  double value = 0;
+  std::string origin;    ///< where it was read, or why this figure was assumed
+  bool assumed = false;  ///< the origin is a reason, not a source
+};
+
+/// What a haptic device can do and what it is like to move: ID.json in a folder of profiles.
+struct DeviceProfile {
+  std::string id;    ///< the file's name without ".json"
+  std::string name;  ///< for people
+  // What its driver allows.
+  ProfileValue max_force;                 ///< N, peak or continuous
+  ProfileValue max_torque;                ///< N·m; 0: no motors for torque
+  ProfileValue max_stiffness;             ///< N/m
+  ProfileValue max_rotational_stiffness;  ///< N·m/rad
+  ProfileValue max_damping;               ///< N·s/m, virtual
+  ProfileValue max_rotational_damping;    ///< N·m·s/rad, virtual
+  // What the hand moves: apparent, at the handle.
+  ProfileValue mass;                   ///< kg
+  ProfileValue inertia;                ///< kg·m²
+  ProfileValue damping;                ///< N·s/m
+  ProfileValue rotational_damping;     ///< N·m·s/rad
+  ProfileValue friction;               ///< N
+  ProfileValue rotational_friction;    ///< N·m
+  ProfileValue resolution;             ///< m, of the encoders
+  ProfileValue rotational_resolution;  ///< rad
+  ProfileValue delay;                  ///< s, from sample to motors
+};
+
+/// One value of a profile. The reader, the JSON Schema and the manual have the same.
+struct ProfileKey {
+  const char* key;
+  const char* unit;
+  double minimum;  ///< allowed values, both ends included
+  double maximum;
+  const char* doc;
+  ProfileValue DeviceProfile::*value;
+};
+/// In the order of the file. A profile has every one of them.
+std::span<const ProfileKey> profile_keys();
+
+/// Reads a profile. Throws InputError naming the file, the line and the reason: JSON that does not
+/// parse, a missing key, an unknown one (with the nearest known), a value out of range, with
+/// neither a source nor the reason why it is assumed, or with both.
+DeviceProfile read_device_profile(const std::filesystem::path& file);
+
+/// The ids of the profiles in these folders, sorted, each once. A folder that is not there has
+/// none.
+std::vector<std::string> device_profile_ids(std::span<const std::filesystem::path> folders);
+
+/// The profile a user asks for: the path of a file (it ends in ".json"), or an id, which is looked
+/// for in the folders in their order (the user's own before those that came with the program).
+/// Throws InputError naming the nearest known id; else as read_device_profile.
+DeviceProfile find_device_profile(std::string_view id_or_file,
+                                  std::span<const std::filesystem::path> folders);
+
+/// The keys whose values are assumed, in the order of profile_keys. Whatever is computed from one
+/// of these says so.
+std::vector<std::string> assumed_keys(const DeviceProfile& profile);
+
+/// The device to simulate, with the hand of SimulatedDeviceParameters.
+SimulatedDeviceParameters simulated(const DeviceProfile& profile);
+
+}  // namespace sonde

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the table of the manual, written out here once more, and the JSON Schema.
+#include "engine/scene/device_profile.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/error.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde {
+namespace {
+
+using nlohmann::ordered_json;
+using test::TempFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::filesystem::path bundled = SONDE_DEVICES;
+
+struct Row {
+  const char* id;
+  double force, torque, stiffness, rotational_stiffness, damping, rotational_damping;
+};
+constexpr Row rows[] = {
+    {"lambda.7", 12, 0.2, 8000, 1.0, 30, 0.07},
+    {"omega.7", 12, 0, 5000, 0, 30, 0},
+    {"premium-1.5-6dof", 8.5, 0.188, 800, 0.3, 5, 0.004},
+    {"premium-3.0-6dof", 22, 0.188, 1000, 0.3, 5, 0.004},
+    {"sigma.7", 12, 0.2, 4000, 1.0, 30, 0.07},
+    {"touch", 3.3, 0, 400, 0, 4, 0},
+    {"touch-x", 7.9, 0, 1000, 0, 5, 0},
+};
+
+TEST(DeviceProfile, ThoseThatComeWithTheProgramAreTheTable) {
+  std::vector<std::string> ids;
+  for (const Row& row : rows) {
+    ids.emplace_back(row.id);
+    const DeviceProfile p = find_device_profile(row.id, {&bundled, 1});
+    EXPECT_EQ(p.id, row.id);
+    EXPECT_EQ(p.max_force.value, row.force) << row.id;
+    EXPECT_EQ(p.max_torque.value, row.torque) << row.id;
+    EXPECT_EQ(p.max_stiffness.value, row.stiffness) << row.id;
+    EXPECT_EQ(p.max_rotational_stiffness.value, row.rotational_stiffness) << row.id;
+    EXPECT_EQ(p.max_damping.value, row.damping) << row.id;
+    EXPECT_EQ(p.max_rotational_damping.value, row.rotational_damping) << row.id;
+    // The driver's limits have a source; nothing else was found.
+    EXPECT_THAT(assumed_keys(p),
+                ElementsAre("mass", "inertia", "damping", "rotational_damping", "friction",
+                            "rotational_friction", "resolution", "rotational_resolution", "delay"));
+    for (const ProfileKey& key : profile_keys()) EXPECT_NE((p.*key.value).origin, "") << key.key;
+    EXPECT_NO_THROW(SimulatedDevice(simulated(p), 1e-3)) << row.id;
+  }
+  EXPECT_EQ(device_profile_ids({&bundled, 1}), ids);
+}
+
+/// A profile that is right, every value different, one key a line from line 2 on.
+ordered_json right() {
+  ordered_json json{{"name", "Mine"}};
+  double value = 0.01;
+  for (const ProfileKey& key : profile_keys()) {
+    json[key.key] = {{"value", key.minimum + value * (key.maximum - key.minimum)},
+                     {"source", std::string("a book on ") + key.key}};
+    value += 0.01;
+  }
+  return json;
+}
+std::string lines_of(const ordered_json& json) {
+  std::string text = "{\n";
+  for (const auto& [key, value] : json.items())
+    text += (text.size() > 2 ? ",\n" : "") + ordered_json(key).dump() + ": " + value.dump();
+  return text + "\n}\n";
+}
+
+TEST(DeviceProfile, EveryValueIsReadWithItsOrigin) {
+  ordered_json json = right();
+  json["mass"] = {{"value", 0.25}, {"assumed", "a guess"}};
+  json["$schema"] = "somewhere";
+  const TempFolder folder;
+  const DeviceProfile p = read_device_profile(folder.write("my.own.json", lines_of(json)));
+  EXPECT_EQ(p.id, "my.own");
+  EXPECT_EQ(p.name, "Mine");
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue& value = p.*key.value;
+    EXPECT_EQ(value.value, json[key.key]["value"]) << key.key;
+    if (std::string(key.key) == "mass") continue;
+    EXPECT_EQ(value.origin, std::string("a book on ") + key.key);
+    EXPECT_FALSE(value.assumed);
+  }
+  EXPECT_EQ(p.mass.origin, "a guess");
+  EXPECT_THAT(assumed_keys(p), ElementsAre("mass"));
+}
+
+TEST(DeviceProfile, TheSimulatedDeviceIsThatOfTheProfile) {
+  const TempFolder folder;
+  const DeviceProfile p = read_device_profile(folder.write("a.json", lines_of(right())));
+  const SimulatedDeviceParameters s = simulated(p);
+  EXPECT_EQ(s.translation.inertia, p.mass.value);
+  EXPECT_EQ(s.translation.damping, p.damping.value);
+  EXPECT_EQ(s.translation.friction, p.friction.value);
+  EXPECT_EQ(s.translation.resolution, p.resolution.value);
+  EXPECT_EQ(s.translation.limit, p.max_force.value);
+  EXPECT_EQ(s.rotation.inertia, p.inertia.value);
+  EXPECT_EQ(s.rotation.damping, p.rotational_damping.value);
+  EXPECT_EQ(s.rotation.friction, p.rotational_friction.value);
+  EXPECT_EQ(s.rotation.resolution, p.rotational_resolution.value);
+  EXPECT_EQ(s.rotation.limit, p.max_torque.value);
+  EXPECT_EQ(s.delay, p.delay.value);
+  EXPECT_EQ(s.translation.hand_stiffness, SimulatedDeviceParameters{}.translation.hand_stiffness);
+}
+
+/// The complaint about a profile of this text, from the line on; empty where there is none.
+std::string complaint(const std::string& text) {
+  const TempFolder folder;
+  const auto file = folder.write("bad.json", text);
+  try {
+    read_device_profile(file);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_THAT(what, StartsWith(file.string() + ":"));
+    return what.substr(file.string().size() + 1);
+  }
+  return {};
+}
+/// The complaint where the value of `key` is this JSON text.
+std::string complaint_about(const char* key, const std::string& value) {
+  std::string text = lines_of(right());
+  const std::string start = "\n" + ordered_json(key).dump() + ": ";
+  const std::size_t at = text.find(start) + start.size();
+  return complaint(text.replace(at, text.find('\n', at) - at, value + ","));
+}
+
+TEST(DeviceProfile, BadFilesAreNamedWithTheirLineAndReason) {
+  EXPECT_EQ(complaint(lines_of(right())), "");
+  ordered_json json = right();
+  json["masss"] = 1;
+  EXPECT_THAT(complaint(lines_of(json)),
+              AllOf(StartsWith("18: "), HasSubstr("unknown key \"masss\""), HasSubstr("\"mass\"")));
+  json = right();
+  json.erase("friction");
+  EXPECT_THAT(complaint(lines_of(json)),
+              AllOf(StartsWith("1: "), HasSubstr("\"friction\" is missing from the profile")));
+  json = right();
+  json.erase("name");
+  EXPECT_THAT(complaint(lines_of(json)), HasSubstr("\"name\" is missing"));
+
+  // "mass" stands in line 9.
+  const char* source = R"(, "source": "s"})";
+  EXPECT_THAT(complaint_about("mass", R"({"value": -0.1)" + std::string(source)),
+              AllOf(StartsWith("9: "), HasSubstr("\"mass\" is -0.1; it must be between 0.001 and "
+                                                 "100 kg")));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 0)" + std::string(source)),
+              HasSubstr("\"mass\" is 0; it must be"));
+  EXPECT_THAT(complaint_about("mass", R"({"value": NaN)" + std::string(source)),
+              AllOf(StartsWith("9: "), HasSubstr("not JSON")));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 1e999)" + std::string(source)),
+              AllOf(StartsWith("9: "), HasSubstr("number")));
+  EXPECT_THAT(complaint_about("mass", R"({"value": "0.1")" + std::string(source)),
+              AllOf(StartsWith("9: "), HasSubstr("\"value\" is a string; expected a number")));
+  EXPECT_THAT(complaint_about("mass", "0.1"),
+              AllOf(StartsWith("9: "), HasSubstr("\"mass\" is a number; expected an object")));
+  EXPECT_THAT(complaint_about("mass", R"({"source": "s"})"),
+              AllOf(StartsWith("9: "), HasSubstr("\"value\" is missing from \"mass\"")));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 0.1})"), HasSubstr("neither a \"source\" nor"));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 0.1, "source": "s", "assumed": "a"})"),
+              HasSubstr("both a \"source\" and"));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 0.1, "source": ""})"),
+              HasSubstr("\"source\" is empty"));
+  EXPECT_THAT(complaint_about("mass", R"({"value": 0.1, "sauce": "s"})"),
+              AllOf(HasSubstr("\"sauce\""), HasSubstr("\"source\"")));
+
+  EXPECT_THAT(complaint("mass = 0.1\n"), AllOf(StartsWith("1: "), HasSubstr("not JSON")));
+  EXPECT_THAT(complaint("{\n\"name\": \"cut"), AllOf(StartsWith("2: "), HasSubstr("not JSON")));
+  EXPECT_THAT(complaint("[]"), HasSubstr("the file's value is a list; expected an object"));
+  EXPECT_THAT(complaint(""), HasSubstr("empty"));
+}
+
+TEST(DeviceProfile, TheUsersOwnComeFirst) {
+  const TempFolder own;
+  ordered_json json = right();
+  own.write("touch.json", lines_of(json));
+  own.write("mine.json", lines_of(json));
+  own.write("notes.txt", "not a profile");
+  const std::filesystem::path folders[] = {own.path(), bundled, own / "not there"};
+  EXPECT_EQ(find_device_profile("touch", folders).name, "Mine");
+  EXPECT_EQ(find_device_profile("touch-x", folders).name, "Touch X");
+  EXPECT_EQ(find_device_profile((own / "mine.json").string(), {}).id, "mine");
+  EXPECT_EQ(device_profile_ids(folders).size(), std::size(rows) + 1);
+}
+
+std::string complaint_about_id(std::string_view id,
+                               std::span<const std::filesystem::path> folders) {
+  try {
+    find_device_profile(id, folders);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(DeviceProfile, AnUnknownIdNamesTheNearest) {
+  EXPECT_EQ(complaint_about_id("omega7", {&bundled, 1}),
+            "no device profile \"omega7\"; the nearest known one is \"omega.7\"");
+  EXPECT_THAT(complaint_about_id("../devices/touch", {&bundled, 1}),
+              HasSubstr("no device profile"));
+  EXPECT_THAT(complaint_about_id("touch", {}), HasSubstr("none was found at all"));
+  EXPECT_THAT(complaint_about_id("missing.json", {&bundled, 1}), StartsWith("missing.json: "));
+}
+
+TEST(DeviceProfile, TheSchemaSaysWhatTheReaderDoes) {
+  const auto schema = ordered_json::parse(test::text_of(SONDE_DEVICE_SCHEMA));
+  EXPECT_EQ(schema["additionalProperties"], false);
+  std::vector<std::string> keys{"$schema", "name"}, required{"name"};
+  for (const ProfileKey& key : profile_keys()) {
+    keys.emplace_back(key.key);
+    required.emplace_back(key.key);
+    const auto& property = schema["properties"][key.key];
+    EXPECT_EQ(property["description"], std::string(key.unit) + ". " + key.doc);
+    EXPECT_EQ(property["properties"]["value"]["minimum"], key.minimum) << key.key;
+    EXPECT_EQ(property["properties"]["value"]["maximum"], key.maximum) << key.key;
+  }
+  std::vector<std::string> named;
+  for (const auto& [key, value] : schema["properties"].items()) named.push_back(key);
+  EXPECT_EQ(named, keys);
+  EXPECT_EQ(schema["required"].get<std::vector<std::string>>(), required);
+  const auto& value = schema["$defs"]["value"];
+  EXPECT_EQ(value["additionalProperties"], false);
+  EXPECT_EQ(value["required"], ordered_json({"value"}));
+  EXPECT_EQ(value["properties"].size(), 3u);
+}
+
+}  // namespace
+}  // namespace sonde
