@@ -3,7 +3,7 @@
 
 namespace sonde {
 
-/// One axis of a device against a virtual spring and damper, with no hand on it (the worst case):
+/// One axis of a device against a virtual spring and damper, with no hand on it:
 ///
 ///     m ẍ + b ẋ = −F,   F_k = K x_k + B (x_k − x_{k−1})/T
 ///
