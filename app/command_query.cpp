@@ -61,7 +61,7 @@ Row row_of(const TimedSeparation& result, std::size_t index) {
     append(row, s.separated);
     row.push_back(s.lower_bound ? Cell(*s.lower_bound) : Cell());
   }
-  row.push_back(std::int64_t{failed ? 0 : s.contacts.size});
+  row.push_back(std::int64_t{failed ? 0 : s.clusters.size});
   row.push_back(failed ? Cell() : Cell(s.residual));
   row.push_back(std::int64_t{s.iterations});
   row.push_back(result.time_us);

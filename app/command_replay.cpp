@@ -52,7 +52,7 @@ Row row_of(const TimedPose& at, const Tick& tick, double rate_hz) {
     append_nothing(row, 2);
   else
     row.insert(row.end(), {s.depth, s.sigma});
-  row.push_back(std::int64_t{failed ? 0 : s.contacts.size});
+  row.push_back(std::int64_t{failed ? 0 : s.clusters.size});
   row.push_back(std::int64_t{s.iterations});
   row.push_back(tick.result.time_us);
   row.push_back(std::int64_t{tick.wrench.saturated});

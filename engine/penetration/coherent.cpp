@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/coherent.hpp"
 
+#include "engine/penetration/contact_clusters.hpp"
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"
 #include "engine/proximity/intersect.hpp"
@@ -19,6 +20,7 @@ struct CoherentSolver::State {
   std::shared_ptr<const Body> probe, fixed;
   Method method;
   Descent descent;
+  ClusterIds ids;
   Separation last;
   Pose device;     ///< the last one that was not refused
   Pose separated;  ///< the last one, free
@@ -82,6 +84,8 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.started = s.last.status != Status::failed;
   s.device = s.last.device;
   s.separated = s.last.separated;
+  s.ids.forget();
+  s.ids.follow(s.last.separated, s.probe->mass.radius, s.last.clusters);
   return s.last;
 }
 
@@ -117,6 +121,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   s.last.converged = s.last.converged && followed;
   s.device = device;
   s.separated = s.last.separated;
+  s.ids.follow(s.separated, s.probe->mass.radius, s.last.clusters);
   return s.last;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/result.hpp"
 
+#include "engine/penetration/contact_clusters.hpp"
+
 namespace sonde {
 
 bool is_finite(const Pose& X) {
@@ -35,6 +37,7 @@ Separation make_separation(const Chart& chart, const Descent::Outcome& found) no
   out.translation = found.y.tail<3>().norm();
   out.rotation = found.y.head<3>().norm();
   out.contacts = found.contacts;
+  out.clusters = contact_clusters(found.contacts, chart.mass().radius);
   out.residual = found.residual;
   return out;
 }

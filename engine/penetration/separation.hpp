@@ -36,6 +36,29 @@ struct ContactSet {
   }
 };
 
+/// Contacts at one place, as the one wrench that they add up to (contact_clusters.hpp).
+struct ContactCluster {
+  /// The representative: its normal is that of the resultant force, its multiplier λ the force's
+  /// size, m, its points the centre of pressure.
+  Contact contact;
+  /// The couple about the normal per force, m: 0 where the normals are parallel. The cluster's row
+  /// is J = (r × n + pitch n, n) in the weights of y, and y = Jᵀλ over the clusters as well.
+  double pitch = 0;
+  int rows = 0;          ///< contacts it is made of
+  std::uint64_t id = 0;  ///< the same from tick to tick; 0 where nothing is followed
+};
+
+/// At most as many as there are contacts.
+struct ContactClusters {
+  std::array<ContactCluster, ContactSet::capacity> items;
+  int size = 0;
+  ContactCluster* begin() { return items.data(); }
+  ContactCluster* end() { return items.data() + size; }
+  const ContactCluster* begin() const { return items.data(); }
+  const ContactCluster* end() const { return items.data() + size; }
+  const ContactCluster& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
+};
+
 /// The answer to one penetration query: plain data, no allocation. Poses are X_FM, the probe's mesh
 /// frame M in the fixed body's mesh frame F.
 struct Separation {
@@ -48,9 +71,10 @@ struct Separation {
   double translation = 0;  ///< |t|, the part of √σ that is displacement of the centre of mass, m
   double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ that is rotation, m
   ContactSet contacts;
-  double residual = 0;     ///< |y − Jᵀλ| / |y|, 0 where y = 0
-  int iterations = 0;      ///< linearise-solve-advance steps taken
-  bool converged = false;  ///< false: the budget ran out first
+  ContactClusters clusters;  ///< of the contacts
+  double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
+  int iterations = 0;        ///< linearise-solve-advance steps taken
+  bool converged = false;    ///< false: the budget ran out first
   /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
   /// free led over an edge to another place, the depth fell by more than the device moved (force is
   /// not continuous there).

@@ -98,7 +98,7 @@ void ReadoutPanel::build_depth(QVBoxLayout& layout) {
       value(*form, QStringLiteral("lower bound"), "bound_value",
             QStringLiteral("No motion shorter than this separates the two; and its ratio to √σ."));
   contacts_ = value(*form, QStringLiteral("contacts"), "contacts_value",
-                    QStringLiteral("Contacts that carry the separation."));
+                    QStringLiteral("Places of contact that carry the separation."));
   depth_plot_ = new HistoryPlot(QStringLiteral("depth"), colour::ghost, group);
   form->addRow(depth_plot_);
 }
@@ -175,7 +175,7 @@ void ReadoutPanel::show_depth(const Separation& separation) {
   };
   translation_->setText(share(separation.translation, moved));
   rotation_->setText(share(separation.rotation, turned));
-  contacts_->setText(QString::number(separation.contacts.size));
+  contacts_->setText(QString::number(separation.clusters.size));
 }
 
 void ReadoutPanel::show_companion(const Separation& separation,

@@ -19,11 +19,11 @@ ContactView::ContactView(vtkRenderer& renderer, GlyphShapes& shapes) {
 
 void ContactView::draw(const Frame& frame) {
   if (frame.snapshot.separation.status != Status::penetrating) return hide();
-  const ContactSet& contacts = frame.snapshot.separation.contacts;
+  const ContactClusters& clusters = frame.snapshot.separation.clusters;
   double largest = 0;
-  for (const Contact& contact : contacts) largest = std::max(largest, contact.multiplier);
+  for (const ContactCluster& c : clusters) largest = std::max(largest, c.contact.multiplier);
   int shown = 0;
-  for (const Contact& contact : contacts) {
+  for (const auto& [contact, pitch, rows, id] : clusters) {
     Marker& marker = *markers_[static_cast<std::size_t>(shown++)];
     const double share = largest > 0 ? contact.multiplier / largest : 1;
     const double length = (24 + 40 * share) * frame.pixel;

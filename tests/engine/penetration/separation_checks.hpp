@@ -28,6 +28,30 @@ inline double promised_clearance(double radius, double depth) {
   return std::max(1e-9 * radius, 1e-4 * std::min(radius, depth));
 }
 
+/// The row of a cluster at y. A couple of moment n is that of a force e along f, moved along e,
+/// where e × f = n.
+inline Vec6 row_of(const Chart& chart, const Vec6& y, const ContactCluster& cluster) {
+  const Contact& c = cluster.contact;
+  const Vec3 e = c.normal.unitOrthogonal(), f = c.normal.cross(e);
+  return chart.row(y, c.on_probe, c.normal) +
+         cluster.pitch * (chart.row(y, c.on_probe + e, f) - chart.row(y, c.on_probe, f));
+}
+
+/// The clusters add up to what the contacts add up to.
+inline void check_clusters(const Chart& chart, const Vec6& y, const Separation& s, const Vec6& sum,
+                           const std::string& what) {
+  Vec6 by_clusters = Vec6::Zero();
+  int rows = 0;
+  for (const ContactCluster& c : s.clusters) {
+    EXPECT_GT(c.contact.multiplier, 0) << what;
+    by_clusters += c.contact.multiplier * row_of(chart, y, c);
+    rows += c.rows;
+  }
+  EXPECT_EQ(rows, s.contacts.size) << what;
+  EXPECT_EQ(s.clusters.size > 0, s.contacts.size > 0) << what;
+  EXPECT_LT((by_clusters - sum).norm(), 1e-9 * s.depth + 1e-300) << what;
+}
+
 /// The contacts as they are reported: on the bodies, and adding up to y but for the residual.
 inline void check_contacts(const Body& probe, const Body& fixed, const Separation& s,
                            const std::string& what) {
@@ -49,6 +73,7 @@ inline void check_contacts(const Body& probe, const Body& fixed, const Separatio
     EXPECT_LT(point_distance(probe, inverse(s.separated) * c.on_probe), 1e-12 * size) << what;
     sum += c.multiplier * chart.row(y, c.on_probe, c.normal);
   }
+  check_clusters(chart, y, s, sum, what);
   if (s.rotation > 0) {
     EXPECT_NEAR((y - sum).norm(), s.residual * s.depth, 1e-9 * s.depth + 1e-13 * size) << what;
   }
