@@ -23,7 +23,8 @@ void ContactView::draw(const Frame& frame) {
   double largest = 0;
   for (const ContactCluster& c : clusters) largest = std::max(largest, c.contact.multiplier);
   int shown = 0;
-  for (const auto& [contact, pitch, rows, id] : clusters) {
+  for (const ContactCluster& cluster : clusters) {
+    const Contact& contact = cluster.contact;
     Marker& marker = *markers_[static_cast<std::size_t>(shown++)];
     const double share = largest > 0 ? contact.multiplier / largest : 1;
     const double length = (24 + 40 * share) * frame.pixel;

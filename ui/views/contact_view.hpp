@@ -9,7 +9,7 @@
 
 namespace sonde::ui {
 
-/// The contacts that carry the separation: the point on either body, and the normal, longer where
+/// The clusters of contact that carry the separation: the point on either body, and the normal, longer where
 /// the contact carries more.
 class ContactView : public Overlay {
  public:

@@ -56,19 +56,18 @@ TEST(ContactClusters, a_box_flat_on_a_plate_is_one_at_the_centre_of_pressure) {
   const Pose X{turn(0.4, Vec3::UnitZ()), Vec3(0.02, -0.01, 0.03 - depth)};
   CoherentSolver solver(box, plate);
   solver.reset({X.q, X.p + Vec3(0, 0, 0.01)});
-  for (const Separation& s : {separate_static(*box, *plate, X), Separation(solver.tick(X))}) {
-    ASSERT_EQ(s.clusters.size, 1);
-    EXPECT_GE(s.contacts.size, 3);
-    const ContactCluster& c = s.clusters[0];
-    EXPECT_EQ(c.rows, s.contacts.size);
-    EXPECT_LT((c.contact.normal - Vec3::UnitZ()).norm(), 1e-6);
-    EXPECT_NEAR(c.contact.multiplier, depth, clearance * depth);
-    // Under the centre of mass: there is no moment, or the box would turn.
-    const double radius = box->mass.radius;
-    EXPECT_LT((c.contact.on_fixed - Vec3(0.02, -0.01, 0)).norm(), 1e-3 * radius);
-    EXPECT_LT((c.contact.on_probe - Vec3(0.02, -0.01, 0)).norm(), 1e-3 * radius);
-    EXPECT_NEAR(c.pitch, 0, 1e-6 * radius);
-  }
+  const Separation& s = solver.tick(X);
+  EXPECT_GE(s.contacts.size, 3);
+  ASSERT_EQ(s.clusters.size, 1);
+  const ContactCluster& c = s.clusters[0];
+  EXPECT_EQ(c.rows, s.contacts.size);
+  EXPECT_LT((c.contact.normal - Vec3::UnitZ()).norm(), 1e-6);
+  EXPECT_NEAR(c.contact.multiplier, depth, clearance * depth);
+  // Under the centre of mass: there is no moment, or the box would turn.
+  const double radius = box->mass.radius;
+  EXPECT_LT((c.contact.on_fixed - Vec3(0.02, -0.01, 0)).norm(), 1e-3 * radius);
+  EXPECT_LT((c.contact.on_probe - Vec3(0.02, -0.01, 0)).norm(), 1e-3 * radius);
+  EXPECT_NEAR(c.pitch, 0, 1e-6 * radius);
 }
 
 TEST(ContactClusters, a_box_in_a_groove_is_two_that_share_the_load) {
@@ -191,7 +190,7 @@ TEST(ContactClusters, do_not_depend_on_the_order) {
   for (int i = 0; i < 300; ++i) {
     std::vector<Contact> all;
     for (int k = 0; k < 6; ++k)
-      all.push_back(contact(test::random_in_ball(random, 0.15),
+      all.push_back(contact(test::random_in_ball(random, 0.3),
                             Vec3::UnitZ() + test::random_in_ball(random, 0.3),
                             test::uniform(random, 0.1, 1)));
     const auto sizes = [&] {
