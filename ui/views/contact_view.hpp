@@ -9,8 +9,8 @@
 
 namespace sonde::ui {
 
-/// The clusters of contact that carry the separation: the point on either body, and the normal, longer where
-/// the contact carries more.
+/// The clusters of contact that carry the separation: the point on either body, and the normal,
+/// longer where the contact carries more.
 class ContactView : public Overlay {
  public:
   ContactView(vtkRenderer& renderer, GlyphShapes& shapes);
