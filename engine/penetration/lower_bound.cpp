@@ -3,13 +3,20 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <vector>
 
-#include "engine/proximity/inside.hpp"
-#include "engine/proximity/placement.hpp"
-#include "engine/proximity/point_distance.hpp"
+#include "engine/penetration/deep_points.hpp"
+#include "engine/penetration/rotation_cell.hpp"
+#include "engine/penetration/witness.hpp"
 
 namespace sonde {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where
 /// a turn that costs nothing moves the point. Rounded up.
@@ -21,7 +28,7 @@ double leverage(const Vec3& inertia, const Vec3& r) {
       scale[i] = 1 / std::sqrt(inertia[i]);
     } else {
       // Off the axis of a line-like probe, if only by rounding, the bound says nothing.
-      if (arm(i, i) > 1e-12 * inertia.maxCoeff()) return std::numeric_limits<double>::infinity();
+      if (arm(i, i) > 1e-12 * inertia.maxCoeff()) return infinity;
       scale[i] = 0;
     }
   }
@@ -30,137 +37,176 @@ double leverage(const Vec3& inertia, const Vec3& r) {
   return std::max(0.0, solver.eigenvalues()[2]) * (1 + 1e-12);
 }
 
-/// Looks for the point of `points` that gives the best bound inside `solid`, nodes of its tree
-/// first in which a better one may lie.
-class Search {
- public:
-  Search(const Body& points, const Body& solid, const Transform& X_SP, const MassProperties& mass,
-         const Transform& X_RP, double best, const Deadline& deadline)
-      : points_(points),
-        solid_(solid),
-        X_SP_(X_SP),
-        mass_(mass),
-        X_RP_(X_RP),
-        best_(best),
-        deadline_(deadline) {
-    guard_ = rounding_guard(extent(points), extent(solid), X_SP.p);
-  }
-
-  double run() {
-    visit(0);  // the root's slot
-    return best_;
-  }
-
- private:
-  /// Signed depth of a corner in the solid (negative: outside, by that distance at least).
-  double bound_at(const Vec3& x, double& depth) {
-    const Vec3 in_solid = X_SP_ * x;
-    depth = point_distance(solid_, in_solid) - guard_;
-    if (depth <= 0 || !inside(solid_, in_solid)) {
-      depth = -std::max(0.0, depth);
-      return 0;
-    }
-    return depth / std::sqrt(1 + leverage(mass_.inertia, X_RP_ * x));
-  }
-
-  void visit(std::uint32_t slot) {
-    if (++visited_ > most_visits || deadline_.passed()) return;
-    // A corner of the first triangle speaks for all of the box: no point of it is deeper by more
-    // than its distance from that corner.
-    const Tree& tree = points_.tree;
-    const Vec3 x = points_.soup.vertices[points_.soup.triangles[tree.first_triangle(slot)][0]];
-    double depth = 0;
-    best_ = std::max(best_, bound_at(x, depth));
-    const std::uint32_t child = tree.child(slot);
-    if (child & Tree::triangle_bit) return;
-    if (depth + 2 * tree.half_diagonal(slot) <= best_) return;
-    for (std::uint32_t k = 0; k < Tree::width && tree.nodes[child].child[k] != Tree::none; ++k)
-      visit(child * Tree::width + k);
-  }
-
-  static constexpr int most_visits = 600;
-  const Body& points_;
-  const Body& solid_;
-  Transform X_SP_;
-  const MassProperties& mass_;
-  Transform X_RP_;  // points' frame to the probe's principal frame at its centre of mass
-  double best_;
-  Deadline deadline_;
-  double guard_ = 0;
-  int visited_ = 0;
-};
-
-/// The i-th number of the van der Corput sequence to a base, in [0, 1).
-double van_der_corput(int i, int base) {
-  double x = 0;
-  for (double digit = 1.0 / base; i > 0; i /= base, digit /= base) x += digit * (i % base);
-  return x;
+/// What one point says of all rotations at once.
+double bound_of(const CommonPoint& s, const Vec3& inertia) {
+  return s.depth() > 0 ? s.depth() / std::sqrt(1 + leverage(inertia, s.r)) : 0;
 }
 
-/// Points inside both of two solids, which need not be corners of either: a coarse cover of where
-/// they may overlap, then a compass search from the best.
-class InteriorSearch {
+/// Branch and bound over rotations: for every turn of a cell the centre of mass must go as far as
+/// the best witness at its middle says, less what the turns of the cell can do to that. The cell
+/// with the least bound is refined, by looking for deeper points at its middle or by halving it.
+class TurnSearch {
  public:
-  InteriorSearch(const Body& probe, const Body& fixed, const Pose& X_FM, const Transform& principal)
-      : probe_(probe), fixed_(fixed), back_(inverse(X_FM)), principal_(principal) {
-    const Vec3 com = X_FM * probe.mass.com, reach = Vec3::Constant(probe.mass.radius);
-    low_ = fixed.tree.low.cwiseMax(com - reach);
-    high_ = fixed.tree.high.cwiseMin(com + reach);
-    guard_ = rounding_guard(extent(probe), extent(fixed), X_FM.p);
+  TurnSearch(const CommonDepth& depth, const std::vector<CommonPoint>& points)
+      : depth_(depth), inertia_(depth.probe().mass.inertia) {
+    for (const CommonPoint& s : points) witnesses_.push_back(s.witness());
+    for (int face = 0; face < 4; ++face) {
+      Node n;
+      n.cell.face = face;
+      add(n);
+    }
   }
 
-  double run(const Deadline& deadline) {
-    const Vec3 size = high_ - low_;
-    if (!(size.minCoeff() > 0)) return 0;
-    Vec3 at = low_;
-    double best = 0;
-    for (int i = 1; i <= samples && !deadline.passed(); ++i) {
-      const Vec3 u(van_der_corput(i, 2), van_der_corput(i, 3), van_der_corput(i, 5));
-      try_point(low_ + u.cwiseProduct(size), best, at);
+  /// The least bound of all cells when the work is done, m.
+  double run(int work, const Deadline& deadline) {
+    while (10 * depth_.evaluations() + cells_ < work && !deadline.passed()) {
+      const std::uint32_t i = queue_.top().node;
+      queue_.pop();
+      if (nodes_[i].seen < witnesses_.size()) {
+        update(nodes_[i]);
+        if (nodes_[i].bound > queue_.top().bound) {
+          queue_.push({nodes_[i].bound, i});
+          continue;
+        }
+      }
+      refine(i);
     }
-    if (best <= 0) return 0;
-    for (double stride = 0.1; stride > 1e-3; stride *= 0.5)
-      for (int i = 0; i < 3; ++i)
-        for (const double sign : {1.0, -1.0})
-          try_point(at + sign * stride * size[i] * Vec3::Unit(i), best, at);
-    return best;
+    return std::sqrt(queue_.top().bound);
   }
 
  private:
-  void try_point(const Vec3& x, double& best, Vec3& at) const {
-    const Vec3 in_probe = back_ * x;
-    if (!inside(fixed_, x) || !inside(probe_, in_probe)) return;
-    const double depth =
-        std::max(point_distance(fixed_, x), point_distance(probe_, in_probe)) - guard_;
-    const double bound =
-        depth / std::sqrt(1 + leverage(probe_.mass.inertia, principal_ * in_probe));
-    if (bound > best) best = bound, at = x;
+  static constexpr std::size_t most_near = 6, most_new = 64;
+  struct Near {
+    double depth;           // at the cell's middle, m
+    double away;            // r from p there, m
+    std::uint32_t witness;  // its number
+  };
+  struct Node {
+    RotationCell cell;
+    double bound = 0;  // of σ in the cell, m²
+    double reach = 0;  // of the best witness's point, m
+    std::size_t best = 0;
+    std::size_t seen = 0;  // how many witnesses it knows of
+    std::size_t count = 0;
+    std::array<Near, most_near> near;  // the deepest at the middle, in order
+    bool queried = false;
+  };
+  struct Open {
+    double bound;
+    std::uint32_t node;
+    bool operator<(const Open& o) const {
+      return bound != o.bound ? bound > o.bound : node > o.node;
+    }
+  };
+
+  void consider(Node& n, const CellSpread& spread, std::uint32_t witness) const {
+    const Witness& w = witnesses_[witness];
+    const double away = (spread.middle() * w.r - w.p).norm(), depth = w.depth - away;
+    if (n.count == most_near && depth <= n.near[most_near - 1].depth) return;
+    if (n.count < most_near) ++n.count;
+    std::size_t i = n.count - 1;
+    for (; i > 0 && n.near[i - 1].depth < depth; --i) n.near[i] = n.near[i - 1];
+    n.near[i] = {depth, away, witness};
   }
 
-  static constexpr int samples = 200;
-  const Body& probe_;
-  const Body& fixed_;
-  Transform back_, principal_;
-  Vec3 low_, high_;
-  double guard_;
+  void set_bound(Node& n, const CellSpread& spread) {
+    double most = -infinity;
+    for (std::size_t i = 0; i < n.count && n.near[i].depth > most; ++i) {
+      const double reach = spread.reach(witnesses_[n.near[i].witness].r);
+      if (n.near[i].depth - reach > most)
+        most = n.near[i].depth - reach, n.best = i, n.reach = reach;
+    }
+    const double way = std::max(0.0, most);
+    n.bound = std::max(n.bound, n.cell.least_cost(inertia_) + way * way);
+    ++cells_;
+  }
+
+  /// Takes in the witnesses found since, of many the last: those from afar matter least.
+  void update(Node& n) {
+    n.seen = std::max(n.seen, witnesses_.size() - std::min(most_new, witnesses_.size()));
+    const CellSpread spread(n.cell);
+    for (; n.seen < witnesses_.size(); ++n.seen)
+      consider(n, spread, static_cast<std::uint32_t>(n.seen));
+    set_bound(n, spread);
+  }
+
+  void add(Node n) {
+    update(n);
+    queue_.push({n.bound, static_cast<std::uint32_t>(nodes_.size())});
+    nodes_.push_back(n);
+  }
+
+  Node child_of(const Node& n, const RotationCell& cell) {
+    Node c;
+    c.cell = cell, c.bound = n.bound, c.seen = n.seen;
+    const CellSpread spread(cell);
+    for (std::size_t i = 0; i < n.count; ++i) consider(c, spread, n.near[i].witness);
+    set_bound(c, spread);
+    return c;
+  }
+
+  void refine(std::uint32_t i) {
+    Node& n = nodes_[i];
+    const CellSpread spread(n.cell);
+    // A witness from afar has lost what it was moved by; one from here may be much better.
+    if (!n.queried && n.near[n.best].away > 2 * n.reach) {
+      n.queried = true;
+      find_witness(n, spread);
+      queue_.push({n.bound, i});
+      return;
+    }
+    const auto halves = n.cell.halves(widest(n, spread));
+    const Node low = child_of(n, halves[0]), high = child_of(n, halves[1]);
+    n = low;
+    queue_.push({low.bound, i});
+    queue_.push({high.bound, static_cast<std::uint32_t>(nodes_.size())});
+    nodes_.push_back(high);  // n is gone
+  }
+
+  /// The component by which the bound of σ varies most.
+  int widest(const Node& n, const CellSpread& spread) const {
+    const Near& best = n.near[n.best];
+    int widest = 0;
+    double most = -1;
+    for (int i = 0; i < 3; ++i) {
+      const double way = spread.reach_along(i, witnesses_[best.witness].r);
+      const double change = 2 * std::max(0.0, best.depth) * way + n.cell.cost_along(i, inertia_);
+      if (change > most) most = change, widest = i;
+    }
+    return widest;
+  }
+
+  /// A point deep in both at the cell's middle, from the best one known.
+  void find_witness(const Node& n, const CellSpread& spread) {
+    const Mat3& R = spread.middle();
+    const Witness& w = witnesses_[n.near[0].witness];
+    // Of a surface only its own points are of use.
+    Vec3 x = (R * w.r + w.p) / 2;
+    if (!depth_.probe().solid) x = R * w.r;
+    if (!depth_.fixed().solid) x = w.p;
+    const CommonPoint here = depth_.at(R, x);
+    const CommonPoint best = depth_.ascend(R, here, 0.3 * std::abs(here.depth()), 1);
+    if (best.depth() > 0) witnesses_.push_back(best.witness());
+  }
+
+  const CommonDepth& depth_;
+  Vec3 inertia_;
+  std::vector<Witness> witnesses_;
+  std::vector<Node> nodes_;
+  std::priority_queue<Open> queue_;
+  int cells_ = 0;
 };
 
 }  // namespace
 
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
-                                        const Deadline& deadline) {
+                                        const Deadline& deadline, const BoundOptions& options) {
   if (!probe.solid && !fixed.solid) return std::nullopt;
-  const Transform X(X_FM), back(inverse(X_FM));
-  const Mat3 R_PM = probe.mass.R_MP.transpose();
-  const Transform principal(R_PM, -(R_PM * probe.mass.com));
-  double best = 0;
-  if (fixed.solid) best = Search(probe, fixed, X, probe.mass, principal, best, deadline).run();
-  if (probe.solid) {
-    const Transform from_fixed(principal.R * back.R, principal.R * back.p + principal.p);
-    best = Search(fixed, probe, back, probe.mass, from_fixed, best, deadline).run();
-  }
-  if (probe.solid && fixed.solid)
-    best = std::max(best, InteriorSearch(probe, fixed, X_FM, principal).run(deadline));
+  const CommonDepth depth(probe, fixed, X_FM);
+  const std::vector<CommonPoint> points = deep_points(depth, deadline);
+  if (points.empty()) return 0;
+  double best = TurnSearch(depth, points).run(options.work, deadline);
+  for (const CommonPoint& s : points) best = std::max(best, bound_of(s, probe.mass.inertia));
   return best * (1 - 1e-9);
 }
 

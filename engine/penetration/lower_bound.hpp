@@ -8,12 +8,20 @@
 
 namespace sonde {
 
+struct BoundOptions {
+  /// Counted work, the same bits for the same work: a cell of rotations is 1, a point's depth in
+  /// both bodies is 10. The default takes about 2 ms; the more, the nearer to what can be shown
+  /// by one point at a time (resources/docs/penetration.md has the trade).
+  int work = 5000;
+};
+
 /// A certified lower bound of the depth √PD_g of probe A at X_FM against B, metres, rounded down;
-/// no value where both bodies are surfaces. For a point x of A inside solid B at distance d from
-/// B's triangles and r = x − com: σ ≥ d² / (1 + μ), μ = max over unit n of |n×r|² / (nᵀÎn); the
-/// same for a point of B inside solid A. Corners are tried, and where both are solids points inside
-/// both. 0 where no such point is found (or not before the deadline).
+/// no value where both bodies are surfaces. A point that lies a deep in A and b deep in B (negative
+/// outside) must be displaced by a + b, whatever the motion. Rotations are covered by cells, and in
+/// each the point that helps most says how far the centre of mass must go besides. 0 where no point
+/// is found in both (or not before the deadline).
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
-                                        const Deadline& deadline = {});
+                                        const Deadline& deadline = {},
+                                        const BoundOptions& options = {});
 
 }  // namespace sonde

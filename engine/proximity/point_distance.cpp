@@ -11,6 +11,40 @@
 #include "engine/proximity/placement.hpp"
 
 namespace sonde {
+namespace {
+
+/// The point of a triangle nearest to x, by the regions of its corners, edges and face (Ericson,
+/// Real-Time Collision Detection, 5.1.5), x being the origin. Needles may make it a worse one.
+Vec3 nearest_by_regions(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a;
+  const double d1 = -ab.dot(a), d2 = -ac.dot(a), d3 = -ab.dot(b), d4 = -ac.dot(b), d5 = -ab.dot(c),
+               d6 = -ac.dot(c);
+  if (d1 <= 0 && d2 <= 0) return a;
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * Vec3(c - b);
+  return a + (vb * ab + vc * ac) / (va + vb + vc);
+}
+
+/// Of a triangle. Seen along the direction found, all of it must lie as far away, but for rounding:
+/// else the careful way is taken.
+NearestPoint nearest_of(const Corners& t, const Vec3& x) {
+  const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
+  const Vec3 p = nearest_by_regions(a, b, c);
+  const double squared = p.squaredNorm(), distance = std::sqrt(squared);
+  const double rounding =
+      1e-15 * distance * std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}));
+  if (std::min({p.dot(a), p.dot(b), p.dot(c)}) >= squared - rounding) return {distance, x + p};
+  const ClosestPoints closest = closest_points({x, x, x}, t);
+  return {closest.distance, closest.b};
+}
+
+}  // namespace
 
 PointFrame::PointFrame(const Body& body, const Vec3& x) {
   const Tree& tree = body.tree;
@@ -27,9 +61,13 @@ PointFrame::PointFrame(const Body& body, const Vec3& x) {
 }
 
 double point_distance(const Body& body, const Vec3& x, double enough) {
+  return nearest_point(body, x, enough).distance;
+}
+
+NearestPoint nearest_point(const Body& body, const Vec3& x, double enough) {
   const PointFrame frame(body, x);
   const BoxKernels& kernels = box_kernels();
-  double best = std::numeric_limits<double>::infinity();
+  NearestPoint best{std::numeric_limits<double>::infinity(), x};
   float limit = std::numeric_limits<float>::infinity();
   struct Entry {
     std::uint32_t child;
@@ -42,9 +80,10 @@ double point_distance(const Body& body, const Vec3& x, double enough) {
     if (e.bound > limit) continue;
     if (e.child & Tree::triangle_bit) {
       const Corners t = corners(body.soup, e.child & ~Tree::triangle_bit);
-      best = std::min(best, closest_points({x, x, x}, t).distance);
-      if (best < enough) break;
-      limit = static_cast<float>(best * frame.per_unit) * (1 + 0x1p-22f);
+      const NearestPoint found = nearest_of(t, x);
+      if (found.distance < best.distance) best = found;
+      if (best.distance < enough) break;
+      limit = static_cast<float>(best.distance * frame.per_unit) * (1 + 0x1p-22f);
       continue;
     }
     const Tree::Node& node = body.tree.nodes[e.child];

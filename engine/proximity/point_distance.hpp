@@ -19,4 +19,11 @@ struct PointFrame {
 /// with any value below `enough`, once that is certain. Never allocates.
 double point_distance(const Body& body, const Vec3& x, double enough = 0);
 
+/// The same, with the point of the triangles that is nearest.
+struct NearestPoint {
+  double distance;  ///< m
+  Vec3 point;       ///< mesh frame
+};
+NearestPoint nearest_point(const Body& body, const Vec3& x, double enough = 0);
+
 }  // namespace sonde

@@ -9,6 +9,7 @@
 #include <map>
 #include <random>
 
+#include "engine/penetration/lower_bound.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "tests/reference/brute_search.hpp"
 #include "tests/reference/cases.hpp"
@@ -125,6 +126,36 @@ void check_search(Method method, std::size_t every, double share_within_5) {
   }
   std::printf("  %zu of %zu within 5 %%\n", within_5, searched);
   EXPECT_GE(static_cast<double>(within_5), share_within_5 * static_cast<double>(searched));
+}
+
+/// The lower bound of every n-th row, which has to be below any free pose.
+void check_bounds(std::size_t every, double median, const BoundOptions& options) {
+  const auto specs = reference::specs();
+  std::vector<double> ratios;
+  std::string loaded;
+  std::shared_ptr<const Body> probe, fixed;
+  for (std::size_t i = 0; i < rows().size(); i += every) {
+    const Row& row = rows()[i];
+    if (loaded != row.pair)
+      probe = specs.at(row.pair)->probe(), fixed = specs.at(row.pair)->fixed(), loaded = row.pair;
+    const auto bound = depth_lower_bound(*probe, *fixed, row.pose, {}, options);
+    EXPECT_EQ(bound.has_value(), probe->solid || fixed->solid) << name(row);
+    if (!bound) continue;
+    EXPECT_LE(*bound, row.best) << name(row);
+    EXPECT_GT(*bound, 0) << name(row);
+    ratios.push_back(*bound / row.best);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  std::printf("  median %.3f, worst %.3f\n", ratios[ratios.size() / 2], ratios.front());
+  EXPECT_GE(ratios[ratios.size() / 2], median);
+}
+
+// Reference: the committed depths, each that of a free pose. Measured on all of them: a median of
+// 0.71 by the default work, 0.85 by twenty times as much.
+TEST(Depths, the_lower_bound_is_below_a_sample) { check_bounds(5, 0.6, {}); }
+TEST(Depths, Full_the_lower_bound_is_below_all) {
+  check_bounds(1, 0.68, {});
+  check_bounds(1, 0.8, {.work = 100'000});
 }
 
 // Reference: the committed depths. Measured on all of them: 99 % within 5 %.
