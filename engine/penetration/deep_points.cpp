@@ -62,7 +62,7 @@ class DeepPoints {
   }
 
   CommonPoint look(const Transform& X, const Vec3& x) {
-    const CommonPoint s = depth_.at(still_, X.R.transpose() * (x - X.p));
+    CommonPoint s = depth_.at(still_, X.R.transpose() * (x - X.p));
     offer(s);
     return s;
   }

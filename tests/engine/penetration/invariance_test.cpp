@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/penetration/coherent.hpp"
-#include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/witness.hpp"
 #include "engine/proximity/distance.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "tests/support/brute_force.hpp"
@@ -219,22 +219,26 @@ TEST(Invariance, touch_and_distance_do_not_depend_on_the_frame_or_the_order) {
   EXPECT_LT(touching, all * 9 / 10);
 }
 
-// Loose triangles in a solid: the points tried are their first corners, the same ones in any frame
-// and any order. (Between two solids other points are tried too, and others in another frame.)
-TEST(Invariance, the_lower_bound_at_given_points_does_not_depend_on_the_frame_or_the_order) {
+// The depth in both bodies that a bound is made of, at one point of the probe.
+TEST(Invariance, the_depth_at_a_given_point_does_not_depend_on_the_frame_or_the_order) {
   std::mt19937_64 random(7);
-  const test::BodyPair pair = pairs()[0];
-  int bounded = 0;
-  for (int i = 0; i < 60; ++i) {
-    const MovedPair other(*pair.a, *pair.b, random);
-    const Pose X = overlapping_pose(random, pair);
-    const auto here = depth_lower_bound(*pair.a, *pair.b, X),
-               there = depth_lower_bound(*other.a, *other.b, other.pose(X));
-    ASSERT_TRUE(here && there);
-    EXPECT_NEAR(*there, *here, rigid * *here);
-    bounded += *here > 0;
+  const auto at = [](const Body& probe, const Body& fixed, const Pose& X_FM, const Vec3& x_M) {
+    const CommonDepth depth(probe, fixed, X_FM);
+    const Transform& X = depth.X_MW();
+    return depth.at(Mat3::Identity(), X.R.transpose() * (x_M - X.p)).depth();
+  };
+  for (const auto& pair : pairs()) {
+    if (!pair.a->solid && !pair.b->solid) continue;
+    for (int i = 0; i < 60; ++i) {
+      const MovedPair other(*pair.a, *pair.b, random);
+      const Pose X = overlapping_pose(random, pair);
+      const double radius = pair.a->mass.radius;
+      const Vec3 x = pair.a->mass.com + test::random_in_ball(random, radius);
+      const double here = at(*pair.a, *pair.b, X, x),
+                   there = at(*other.a, *other.b, other.pose(X), other.mesh * x);
+      EXPECT_NEAR(there, here, rigid * std::abs(here) + 1e-12 * radius) << pair.name;
+    }
   }
-  EXPECT_GT(bounded, 20);
 }
 
 }  // namespace
