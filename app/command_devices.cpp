@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "engine/devices/connection.hpp"
+#include "engine/scene/number_text.hpp"
+
+namespace sonde::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string id_text(const HidInfo& info) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint16_t id : {info.vendor, info.product})
+    for (int shift = 12; shift >= 0; shift -= 4) text += digits[(id >> shift) & 15];
+  return text.insert(4, ":");
+}
+
+std::string capabilities_text(const DeviceCapabilities& can) {
+  const auto number = [](double value) { return number_text(value, 4); };
+  std::string text = can.position ? "position" : "deflection";
+  if (can.force)
+    text += ", force to " + number(can.max_force) + " N and " + number(can.max_torque) + " N·m";
+  if (can.rate_hz > 0) text += ", " + number(can.rate_hz) + " Hz";
+  if (can.buttons > 0) text += ", " + std::to_string(can.buttons) + " buttons";
+  return text + (can.led ? ", light" : "");
+}
+
+std::string to_text(const std::vector<DeviceListing>& devices) {
+  if (devices.empty()) return "no 6-DoF device is connected\n";
+  std::string text;
+  for (const DeviceListing& device : devices) {
+    text += device.info.path + "  " + id_text(device.info) + "  " + name_of(device.info) + " (" +
+            name_of(device.kind) + ")\n";
+    text += device.opens ? "  opens: " + capabilities_text(device.capabilities) + '\n'
+                         : "  does not open: " + device.reason + '\n';
+    if (!device.note.empty()) text += "  note: " + device.note + '\n';
+  }
+  return text;
+}
+
+Json json_of(const DeviceCapabilities& can) {
+  Json json;
+  json["position"] = can.position;
+  json["force"] = can.force;
+  json["max_force"] = can.max_force;
+  json["max_torque"] = can.max_torque;
+  json["max_stiffness"] = can.max_stiffness;
+  json["reach"] = {can.reach.x(), can.reach.y(), can.reach.z()};
+  json["rate_hz"] = can.rate_hz;
+  json["buttons"] = can.buttons;
+  json["led"] = can.led;
+  return json;
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+std::string to_json(const std::vector<DeviceListing>& devices) {
+  Json json;
+  json["units"] = {{"max_force", "N"},
+                   {"max_torque", "N*m"},
+                   {"max_stiffness", "N/m"},
+                   {"reach", "m"},
+                   {"rate_hz", "Hz"}};
+  json["devices"] = Json::array();
+  for (const DeviceListing& device : devices) {
+    Json one;
+    one["path"] = device.info.path;
+    one["id"] = id_text(device.info);
+    one["name"] = name_of(device.info);
+    one["serial"] = text_or_null(device.info.serial);
+    one["kind"] = device.kind == DeviceKind::force_device ? "force_device" : "space_mouse";
+    one["opens"] = device.opens;
+    one["reason"] = text_or_null(device.reason);
+    one["note"] = text_or_null(device.note);
+    one["capabilities"] = device.opens ? json_of(device.capabilities) : Json();
+    json["devices"].push_back(one);
+  }
+  // What a device says of itself may be no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void run(const OutputOptions& options) {
+  check_output(options, {});
+  const std::vector<DeviceListing> devices = list_devices();
+  write_result(options, options.json ? to_json(devices) : to_text(devices));
+}
+
+}  // namespace
+
+Command add_devices_command(CLI::App& program) {
+  const auto options = std::make_shared<OutputOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "devices", "6-DoF devices: what is connected, and whether it can be opened");
+  add_flags(*parser, *options);
+  parser->get_option("--json")->description("write JSON instead of text");
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "engine/devices/device_sample.hpp"
+
+namespace sonde {
+
+/// How one axis of the hand's motion is made from the device's.
+struct AxisSetting {
+  int source = 0;  ///< the device's axis it is taken from, 0 to 5 in the order of SixAxes: swaps
+  bool inverted = false;
+  double gain = 1;          ///< 0 switches the axis off
+  double dead_zone = 0.05;  ///< a deflection up to this counts as none; 0 to below 1
+};
+
+struct AxisMap {
+  std::array<AxisSetting, 6> axes{{{0}, {1}, {2}, {3}, {4}, {5}}};
+};
+
+/// Deflections as the user wants them, each from -gain to gain. Continuous at the edge of the dead
+/// zone; full deflection stays full. A source that is no axis gives zero.
+SixAxes mapped(const AxisMap& map, const SixAxes& deflection) noexcept;
+
+/// How far full deflection leads, or how fast.
+struct Reach {
+  double translation = 0.1;  ///< m, or m/s
+  double rotation = 1;       ///< rad, or rad/s
+};
+
+/// Position control: the deflection is a displacement from the pose at rest, in the axes of the
+/// fixed frame. X_FP: the probe in the fixed frame.
+Pose position_controlled(const Pose& X_FP_rest, const SixAxes& mapped, const Reach& reach) noexcept;
+
+/// Rate control: the deflection is a velocity, in the axes of the fixed frame and about the probe's
+/// origin, for dt (s).
+Pose rate_controlled(const Pose& X_FP, const SixAxes& mapped, const Reach& rate,
+                     double dt) noexcept;
+
+/// First-order low-pass: what `last` becomes after dt (s) of `target`. Smooths the steps of a
+/// device that reports at 62 Hz. A time constant of 0 follows at once.
+SixAxes smoothed(const SixAxes& last, const SixAxes& target, double dt,
+                 double time_constant) noexcept;
+
+}  // namespace sonde

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/connection.hpp"
+
+#include <algorithm>
+
+#include "engine/devices/device_holder.hpp"
+#include "engine/error.hpp"
+
+namespace sonde {
+namespace {
+
+ForceDevice force_device_on(HidDevice& hid, const std::string& path) {
+  if (const std::string fault = force_protocol::fault_of(hid.descriptor()); !fault.empty())
+    throw InputError::in(path, fault);
+  std::array<std::uint8_t, 256> buffer{force_protocol::limits_id};
+  const auto report = hid.feature(buffer);
+  if (!report) throw InputError::in(path, "it does not answer when asked for its limits");
+  const auto limits = force_protocol::decode_limits(*report);
+  if (!limits) throw InputError::in(path, "its limits report is not that of a force device");
+  if (const std::string fault = force_protocol::fault_of(*limits); !fault.empty())
+    throw InputError::in(path, fault);
+  return ForceDevice(*limits);
+}
+
+SpaceMouse space_mouse_on(const HidDevice& hid, const HidInfo& info) {
+  const bool known = space_mouse_name(info.vendor, info.product) != nullptr;
+  if (!known && !space_mouse_layout(hid.descriptor()).axes)
+    throw InputError::in(info.path, "its report descriptor does not name six axes");
+  return SpaceMouse(hid.descriptor());
+}
+
+DeviceListing listing_of(const HidInfo& info, DeviceKind kind) {
+  DeviceListing listing{.info = info, .kind = kind};
+  try {
+    listing.capabilities = connect(info).capabilities();
+    listing.opens = true;
+    listing.note = other_holder(info.path);
+  } catch (const InputError& error) {
+    listing.reason = error.what();
+  }
+  return listing;
+}
+
+}  // namespace
+
+const char* name_of(DeviceKind kind) {
+  return kind == DeviceKind::space_mouse ? "six-axis puck" : "force device";
+}
+
+std::optional<DeviceKind> kind_of(const HidInfo& info) {
+  if (info.has(force_protocol::usage)) return DeviceKind::force_device;
+  if (is_plain_3dconnexion(info.vendor, info.product)) return {};
+  if (info.has(multi_axis_controller)) return DeviceKind::space_mouse;
+  // Nothing known of an interface whose descriptor could not be read: opening it will say so.
+  const bool no_usage =
+      std::ranges::all_of(info.usages, [](HidUsage usage) { return usage == HidUsage{}; });
+  if (no_usage && space_mouse_name(info.vendor, info.product)) return DeviceKind::space_mouse;
+  return {};
+}
+
+std::string name_of(const HidInfo& info) {
+  if (const char* name = space_mouse_name(info.vendor, info.product)) return name;
+  return info.name.empty() ? "unnamed device" : info.name;
+}
+
+const DeviceCapabilities& Connection::capabilities() const {
+  return std::visit([](const auto& one) -> const DeviceCapabilities& { return one.capabilities(); },
+                    driver);
+}
+
+Connection connect(const HidInfo& info) {
+  try {
+    HidDevice hid(info.path);
+    if (kind_of(info) == DeviceKind::force_device) {
+      ForceDevice device = force_device_on(hid, info.path);
+      return {std::move(hid), std::move(device)};
+    }
+    SpaceMouse mouse = space_mouse_on(hid, info);
+    return {std::move(hid), std::move(mouse)};
+  } catch (const InputError& error) {
+    const std::string holder = other_holder(info.path);
+    if (holder.empty()) throw;
+    throw InputError(std::string(error.what()) + "; " + holder);
+  }
+}
+
+std::vector<DeviceListing> list_devices() {
+  std::vector<DeviceListing> listings;
+  for (const HidInfo& info : list_hid())
+    if (const auto kind = kind_of(info)) listings.push_back(listing_of(info, *kind));
+  return listings;
+}
+
+}  // namespace sonde

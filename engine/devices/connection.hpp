@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/devices/force_device.hpp"
+#include "engine/devices/hid_device.hpp"
+#include "engine/devices/space_mouse.hpp"
+
+namespace sonde {
+
+enum class DeviceKind { space_mouse, force_device };
+const char* name_of(DeviceKind kind);
+
+/// What the interface is, by its ids and usages; none where it is not a 6-DoF device, or is another
+/// interface of one.
+std::optional<DeviceKind> kind_of(const HidInfo& info);
+
+/// What to call the device: by its ids, else by what it says.
+std::string name_of(const HidInfo& info);
+
+/// An open device, and what understands it.
+struct Connection {
+  HidDevice hid;
+  std::variant<SpaceMouse, ForceDevice> driver;
+
+  const DeviceCapabilities& capabilities() const;
+};
+
+/// Opens it and sees that it is what it says. Throws InputError "PATH: reason", which names the
+/// program that holds it where there is one.
+Connection connect(const HidInfo& info);
+
+/// One device that is connected, and whether it could be used.
+struct DeviceListing {
+  HidInfo info;
+  DeviceKind kind = DeviceKind::space_mouse;
+  bool opens = false;
+  std::string reason{};               ///< why it does not open
+  std::string note{};                 ///< who else may hold it
+  DeviceCapabilities capabilities{};  ///< of one that opens
+};
+
+/// Every 6-DoF device, each opened and closed again.
+std::vector<DeviceListing> list_devices();
+
+}  // namespace sonde

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+using DeviceClock = std::chrono::steady_clock;
+
+/// Six numbers in the order x, y, z, about x, about y, about z; right-handed.
+using SixAxes = Eigen::Matrix<double, 6, 1>;
+
+enum class DeviceState {
+  absent,   ///< nothing of the kind is connected
+  refused,  ///< connected, and cannot be opened or used: the status says why
+  ready,    ///< what it sends can be used
+  silent,   ///< open, and it sends nothing where it should
+  faulty,   ///< what it sends cannot be used: the status says why
+};
+const char* name_of(DeviceState state);
+
+/// What a device can do. The same from one sample to the next while it stays connected.
+struct DeviceCapabilities {
+  bool position = false;      ///< tells where its handle is; else it tells deflections from rest
+  bool force = false;         ///< takes a wrench
+  bool led = false;           ///< has a light to switch
+  unsigned buttons = 0;       ///< how many, as far as it says
+  double max_force = 0;       ///< N, 0 without force
+  double max_torque = 0;      ///< N·m
+  double max_stiffness = 0;   ///< N/m that it holds stably by its maker's word; 0 where not known
+  double rate_hz = 0;         ///< reports a second by its own word; 0 where not known
+  Vec3 reach = Vec3::Zero();  ///< half the working volume along each axis, m; 0 without position
+};
+
+/// The newest word of a device: plain data, copied through a triple buffer.
+struct DeviceSample {
+  DeviceState state = DeviceState::absent;
+  bool position = false;           ///< it tells poses; else deflections from rest
+  std::uint64_t count = 0;         ///< usable reports since the start
+  std::uint32_t session = 0;       ///< another after each gap: what came before is no neighbour
+  std::uint32_t buttons = 0;       ///< bit 0 is button 1
+  DeviceClock::time_point time{};  ///< when the report arrived
+  DeviceClock::duration stale_after = std::chrono::milliseconds(200);
+  Pose X_BH{};  ///< the handle in the device's base; identity without position
+  SixAxes deflection = SixAxes::Zero();  ///< -1 to 1 each; zero where the device tells positions
+};
+
+/// The sample as it counts `now`: one that is too old holds no deflection, and is silent, but for a
+/// device of deflections at rest, which sends nothing then. Does not rely on the device's thread.
+DeviceSample aged(const DeviceSample& sample, DeviceClock::time_point now) noexcept;
+
+/// Force (N) and torque (N·m, about the handle's point), in the device's base, on the hand.
+struct DeviceWrench {
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+};
+
+/// Scaled down, force and torque each on its own, to the device's limits; zero where a number of it
+/// is not finite.
+DeviceWrench limited(const DeviceWrench& wrench, const DeviceCapabilities& capabilities) noexcept;
+
+/// What came of a report.
+enum class Heard {
+  sample,   ///< it changed the sample
+  nothing,  ///< it holds nothing of use, and is no fault: a battery's level, a repeat
+  refused,  ///< it cannot be true
+};
+
+}  // namespace sonde

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/input_device.hpp"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "engine/devices/connection.hpp"
+#include "engine/error.hpp"
+#include "engine/haptics/triple_buffer.hpp"
+
+namespace sonde {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto search_every = 1s;
+constexpr auto wrench_lasts = 50ms;
+constexpr auto force_wait = 2ms;  // with no pose to answer, the wrench is sent this often
+constexpr auto puck_wait = 20ms;  // how soon a light switches and the thread ends
+constexpr int most_at_once = 64;  // as many as the kernel keeps
+constexpr std::size_t longest_report = 4096;
+
+struct WantedWrench {
+  DeviceWrench wrench;
+  DeviceClock::time_point time{};
+};
+
+bool fits(const DeviceChoice& choice, const HidInfo& info) {
+  return (choice.vendor == 0 || choice.vendor == info.vendor) &&
+         (choice.product == 0 || choice.product == info.product) &&
+         (choice.serial.empty() || choice.serial == info.serial);
+}
+
+std::string silence(const DeviceSample& sample) {
+  const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(sample.stale_after);
+  return "nothing of use heard from it for more than " + std::to_string(limit.count()) + " ms";
+}
+
+}  // namespace
+
+struct InputDevice::State {
+  explicit State(DeviceChoice wanted) : choice(std::move(wanted)), thread([this] { run(); }) {}
+  ~State() {
+    {
+      const std::lock_guard lock(mutex);
+      stopping = true;
+    }
+    stop.notify_all();
+    thread.join();
+  }
+
+  void run();
+  std::optional<Connection> find();
+  void serve(Connection& connection);
+  bool hear(Connection& connection, std::chrono::milliseconds wait);
+  bool answer(Connection& connection);
+  bool switch_led(Connection& connection);
+  void take(Connection& connection, std::span<const std::uint8_t> report);
+  void publish(DeviceState state, const std::string& reason);
+  bool should_stop() const;
+  void rest();
+
+  const DeviceChoice choice;
+
+  // The device thread's own.
+  DeviceSample sample;
+  std::array<std::uint8_t, longest_report> buffer{};
+  std::string complaint;
+  bool was_ready = false;
+  std::optional<bool> led_shown;
+
+  TripleBuffer<DeviceSample> samples;
+  TripleBuffer<WantedWrench> wrenches;
+  std::atomic<bool> led_wanted{false};
+
+  mutable std::mutex mutex;  // for what follows
+  std::condition_variable stop;
+  bool stopping = false;
+  DeviceStatus status;
+
+  std::thread thread;  // last: it uses the rest
+};
+
+bool InputDevice::State::should_stop() const {
+  const std::lock_guard lock(mutex);
+  return stopping;
+}
+
+/// Until it is time to look for the device again.
+void InputDevice::State::rest() {
+  std::unique_lock lock(mutex);
+  stop.wait_for(lock, search_every, [this] { return stopping; });
+}
+
+void InputDevice::State::publish(DeviceState state, const std::string& reason) {
+  const bool ready = state == DeviceState::ready;
+  if (ready && !was_ready) ++sample.session;
+  was_ready = ready;
+  sample.state = state;
+  if (!ready) sample.deflection.setZero();
+  samples.write(sample);
+  const std::lock_guard lock(mutex);
+  status.state = state;
+  if (status.reason != reason) status.reason = reason;
+}
+
+void InputDevice::State::run() {
+  while (!should_stop()) {
+    try {
+      if (auto connection = find()) serve(*connection);
+    } catch (const std::exception& error) {
+      publish(DeviceState::refused, error.what());
+    }
+    rest();
+  }
+}
+
+std::optional<Connection> InputDevice::State::find() {
+  std::string reasons;
+  for (const HidInfo& info : list_hid()) {
+    if (!kind_of(info) || !fits(choice, info)) continue;
+    try {
+      Connection connection = connect(info);
+      const std::lock_guard lock(mutex);
+      status.name = name_of(info);
+      status.path = info.path;
+      status.capabilities = connection.capabilities();
+      ++status.connections;
+      return connection;
+    } catch (const InputError& error) {
+      reasons.append(reasons.empty() ? "" : "; ").append(error.what());
+    }
+  }
+  if (!reasons.empty())
+    publish(DeviceState::refused, reasons);
+  else if (sample.state != DeviceState::absent || status.reason.empty())
+    publish(DeviceState::absent, "no 6-DoF device is connected that fits");
+  return {};
+}
+
+void InputDevice::State::serve(Connection& connection) {
+  const bool position = connection.capabilities().position;
+  sample = DeviceSample{.position = position,
+                        .count = sample.count,
+                        .session = sample.session,
+                        .time = DeviceClock::now()};
+  complaint.clear();
+  led_shown.reset();
+  // A puck at rest says nothing; a force device is not ready before it has told its pose.
+  sample.state = position ? DeviceState::silent : DeviceState::ready;
+  publish(sample.state, position ? "open, and nothing heard yet" : "");
+  const auto wait = connection.capabilities().force ? force_wait : puck_wait;
+  bool there = true;
+  while (there && !should_stop())
+    there = switch_led(connection) && hear(connection, wait) && answer(connection);
+  if (!there) return publish(DeviceState::absent, "it was unplugged, or stopped answering");
+  publish(DeviceState::absent, "closed");
+  if (auto* force = std::get_if<ForceDevice>(&connection.driver))
+    connection.hid.write(force->wrench_report({}, false));
+}
+
+/// Takes all that has arrived, so that the newest counts; false where the device is gone.
+bool InputDevice::State::hear(Connection& connection, std::chrono::milliseconds wait) {
+  for (int i = 0; i < most_at_once; ++i) {
+    const auto report = connection.hid.read(buffer, i == 0 ? wait : 0ms);
+    if (!report) return false;
+    if (report->empty()) break;
+    take(connection, *report);
+  }
+  const DeviceState now = aged(sample, DeviceClock::now()).state;
+  const bool silent = now == DeviceState::silent;
+  publish(now, now == DeviceState::ready ? "" : silent ? silence(sample) : complaint);
+  return true;
+}
+
+void InputDevice::State::take(Connection& connection, std::span<const std::uint8_t> report) {
+  const auto now = DeviceClock::now();
+  const Heard heard = std::visit(
+      [&](auto& driver) {
+        const Heard result = driver.accept(report, now, sample);
+        if (result == Heard::refused) complaint = driver.complaint();
+        return result;
+      },
+      connection.driver);
+  const auto* force = std::get_if<ForceDevice>(&connection.driver);
+  const std::lock_guard lock(mutex);
+  ++status.reports;
+  if (heard == Heard::refused) ++status.refused;
+  if (force) status.lost = force->lost();
+}
+
+/// The wrench goes out; false where the device does not take it.
+bool InputDevice::State::answer(Connection& connection) {
+  auto* force = std::get_if<ForceDevice>(&connection.driver);
+  if (!force) return true;
+  wrenches.update();
+  const WantedWrench& wanted = wrenches.front();
+  const bool fresh = DeviceClock::now() - wanted.time < wrench_lasts;
+  const bool on = fresh && sample.state == DeviceState::ready;
+  return connection.hid.write(force->wrench_report(wanted.wrench, on));
+}
+
+/// Only a light that was ever asked for is touched.
+bool InputDevice::State::switch_led(Connection& connection) {
+  const auto* mouse = std::get_if<SpaceMouse>(&connection.driver);
+  const bool wanted = led_wanted.load(std::memory_order_relaxed);
+  if (!mouse || wanted == led_shown.value_or(false)) return true;
+  led_shown = wanted;
+  const auto report = mouse->led_report(wanted);
+  if (!report.empty()) connection.hid.write(report);  // a light that fails is no reason to close
+  return true;
+}
+
+InputDevice::InputDevice(DeviceChoice choice)
+    : state_(std::make_unique<State>(std::move(choice))) {}
+InputDevice::~InputDevice() = default;
+
+DeviceSample InputDevice::latest(DeviceClock::time_point now) noexcept {
+  state_->samples.update();
+  return aged(state_->samples.front(), now);
+}
+
+void InputDevice::set_wrench(const DeviceWrench& wrench, DeviceClock::time_point now) noexcept {
+  state_->wrenches.write({wrench, now});
+}
+
+DeviceStatus InputDevice::status() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->status;
+}
+
+void InputDevice::set_led(bool on) { state_->led_wanted.store(on, std::memory_order_relaxed); }
+
+}  // namespace sonde

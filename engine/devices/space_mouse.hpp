@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/devices/device_sample.hpp"
+#include "engine/devices/hid_report_descriptor.hpp"
+
+namespace sonde {
+
+/// The model's name; null for what is not known to be a six-axis device of 3Dconnexion's.
+const char* space_mouse_name(std::uint16_t vendor, std::uint16_t product);
+
+/// 3Dconnexion's mice and keyboards, which have no six axes: never opened.
+bool is_plain_3dconnexion(std::uint16_t vendor, std::uint16_t product);
+
+/// The usage of the one interface, among a receiver's several, that tells the axes.
+inline constexpr HidUsage multi_axis_controller{0x01, 0x08};
+
+/// Where the six numbers, the buttons and the light are.
+struct SpaceMouseLayout {
+  /// By the descriptor, in the device's own frame; none where it does not name all six.
+  std::optional<std::array<HidField, 6>> axes;
+  std::vector<HidField> buttons;  ///< bits, or arrays of the numbers of those held
+  unsigned button_count = 0;      ///< at most 32 are told
+  std::optional<HidField> led;    ///< an output
+};
+SpaceMouseLayout space_mouse_layout(const HidReportDescriptor& descriptor);
+
+/// The SpaceMouse family: six deflections of a puck that springs back, buttons, a light. Turns
+/// reports into samples; no device, no clock.
+///
+/// Axes: x to the right, y away from the user, z up (the device's own frame turned by half a
+/// circle about x). Deflections are fractions of the range the descriptor names, or of ±350 where
+/// it names none. A number up to twice out of range is clamped; beyond, the report is refused and
+/// the last deflection holds. Where the descriptor names no six axes, or a report is not as long as
+/// it says, the two known layouts are tried: 7 bytes with id 1 (translation) and id 2 (rotation),
+/// or 13 bytes with id 1 (both).
+class SpaceMouse {
+ public:
+  /// A puck held still repeats itself, so one that says nothing for this long is taken to be at
+  /// rest, or gone. (Wireless ones report at about 62 Hz.)
+  static constexpr DeviceClock::duration stale_after = std::chrono::milliseconds(200);
+  /// After so many refused reports in a row the deflection is zero and the device faulty.
+  static constexpr int most_refused = 10;
+
+  explicit SpaceMouse(const HidReportDescriptor& descriptor);
+
+  const DeviceCapabilities& capabilities() const { return capabilities_; }
+  /// One report as it was read; nothing of it is trusted. No allocation.
+  Heard accept(std::span<const std::uint8_t> report, DeviceClock::time_point now,
+               DeviceSample& sample) noexcept;
+  /// Why the last report was refused.
+  const char* complaint() const { return complaint_; }
+  /// The output report that switches the light; empty where there is none.
+  std::vector<std::uint8_t> led_report(bool on) const;
+
+ private:
+  Heard refuse(const char* complaint, DeviceSample& sample) noexcept;
+  bool as_described(std::span<const std::uint8_t> report) const noexcept;
+
+  HidReportDescriptor descriptor_;
+  SpaceMouseLayout layout_;
+  DeviceCapabilities capabilities_;
+  const char* complaint_ = "";
+  int refused_ = 0;
+};
+
+}  // namespace sonde
