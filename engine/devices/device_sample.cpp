@@ -4,9 +4,12 @@
 namespace sonde {
 namespace {
 
+/// Of any finite vector: the square of a large one is not.
 Vec3 no_longer(const Vec3& v, double most) {
-  const double length = v.stableNorm();
-  return length <= most ? v : Vec3(v / length * most);
+  const double largest = v.cwiseAbs().maxCoeff();
+  if (largest == 0) return v;
+  const Vec3 scaled = v / largest;
+  return largest * scaled.norm() <= most ? v : Vec3(scaled.normalized() * most);
 }
 
 }  // namespace

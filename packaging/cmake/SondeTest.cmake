@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 include(GoogleTest)
 
-# sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY])
+# sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY]
+#            [LAUNCHER command...])
 #
 # One test program `test_NAME`, of the *_test.cpp files given (default: all in the calling folder),
 # with every GoogleTest case registered in ctest.
 #   LABELS     ci (default): runs in CI. full, soak, fuzz: longer ones, each by `ctest -L LABEL`.
 #   LIBRARIES  beside sonde::engine and GoogleTest.
 #   DISPLAY    the tests open windows: they need an X server, and run one at a time.
+#   LAUNCHER   the program is run by this command, which gets it as its argument.
 # Cases whose names hold a label after a dot-free prefix (Full_, Soak_, Fuzz_) get that label
 # instead: TEST(Suite, Full_name) runs under `full` alone.
 function(sonde_test NAME)
-  cmake_parse_arguments(ARG "DISPLAY" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
   if(NOT ARG_SOURCES)
     file(GLOB ARG_SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp")
   endif()
@@ -24,6 +26,8 @@ function(sonde_test NAME)
   add_executable(test_${NAME} ${ARG_SOURCES})
   target_link_libraries(test_${NAME} PRIVATE sonde::engine sonde_options sonde_test_support
                                              ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  # CMake's word for whatever runs a program.
+  set_target_properties(test_${NAME} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
   set(properties LABELS "${ARG_LABELS}" TIMEOUT 600)
   if(ARG_DISPLAY)
     list(APPEND properties RUN_SERIAL TRUE)
