@@ -2,14 +2,16 @@
 #include "engine/devices/hid_device.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <sstream>
 
+#include "engine/devices/space_mouse.hpp"
 #include "engine/error.hpp"
 #include "tests/engine/devices/descriptors.hpp"
 #include "tests/engine/devices/mock_hid.hpp"
+#include "tests/support/temp_folder.hpp"
 
 namespace sonde::test {
 namespace {
@@ -17,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 Bytes bytes_of(const std::optional<std::span<const std::uint8_t>>& report) {
   if (!report) throw std::runtime_error("the device is gone");
@@ -98,31 +101,45 @@ TEST(HidDevice, a_device_without_a_readable_descriptor_is_refused) {
   EXPECT_THAT(refusal("/dev/hidraw8"), HasSubstr("/dev/hidraw8: it is no HID device"));
 }
 
-/// Without the right to open the node, as a user has it whom no udev rule knows.
-class NoPermission {
+/// The rights of a user whom no udev rule knows, where the tests run as root.
+class NoPrivileges {
  public:
-  explicit NoPermission(const std::string& node) : root_(::geteuid() == 0) {
+  NoPrivileges() : root_(::geteuid() == 0) {
     constexpr uid_t nobody = 65534;
-    if (root_ ? ::seteuid(nobody) != 0 : ::chmod(node.c_str(), 0) != 0)
-      throw std::runtime_error("cannot give up the permission");
+    if (root_ && ::seteuid(nobody) != 0) throw std::runtime_error("cannot give up privileges");
   }
-  ~NoPermission() {
+  ~NoPrivileges() {
     if (root_ && ::seteuid(0) != 0) std::abort();
   }
-  NoPermission(const NoPermission&) = delete;
-  NoPermission& operator=(const NoPermission&) = delete;
+  NoPrivileges(const NoPrivileges&) = delete;
+  NoPrivileges& operator=(const NoPrivileges&) = delete;
 
  private:
   bool root_;
 };
 
 TEST(HidDevice, without_permission_the_udev_rule_is_named) {
-  MockSystem system;
-  system.plug({.descriptor = split_descriptor()});
-  const NoPermission here("/dev/hidraw7");
-  EXPECT_THAT(refusal("/dev/hidraw7"),
-              AllOf(HasSubstr("/dev/hidraw7: no permission"), HasSubstr(udev_rule_file),
-                    HasSubstr("/etc/udev/rules.d")));
+  const TempFolder folder;
+  const std::string node = folder.write("hidraw7", "").string();
+  std::filesystem::permissions(node, std::filesystem::perms::none);
+  const NoPrivileges here;
+  EXPECT_THAT(refusal(node), AllOf(HasSubstr(node + ": no permission"), HasSubstr(udev_rule_file),
+                                   HasSubstr("/etc/udev/rules.d")));
+}
+
+TEST(HidDevice, the_udev_rule_knows_every_id_and_opens_nothing_to_all) {
+  const std::string file = std::string(SONDE_PACKAGING) + "/" + udev_rule_file;
+  EXPECT_LT(std::string(udev_rule_file), "73-seat-late.rules");
+  const std::string rules = text_of(file);
+  EXPECT_THAT(rules, Not(HasSubstr("MODE")));
+  for (unsigned product = 0; product <= 0xffff; ++product) {
+    const auto id = static_cast<std::uint16_t>(product);
+    if (!space_mouse_name(0x046d, id)) continue;
+    std::ostringstream hex;
+    hex << std::hex << product;
+    EXPECT_THAT(rules, HasSubstr(hex.str()));
+  }
+  EXPECT_THAT(rules, HasSubstr(R"(ATTRS{idVendor}=="256f", TAG+="uaccess")"));
 }
 
 TEST(HidDevice, other_failures_to_open_say_what_they_are) {

@@ -39,9 +39,15 @@ struct PuckTest : testing::Test {
   MockSystem system;
   MockHid puck{.descriptor = split_descriptor()};
 
-  void send(const InputDevice& device, const Bytes& report, int number = 7) {
+  /// Comes back after unplug(), under the next number.
+  void plug() {
+    ++puck.number;
+    system.plug(puck);
+  }
+  void unplug() { system.unplug(puck.number); }
+  void send(const InputDevice& device, const Bytes& report) {
     const std::uint64_t before = device.status().reports;
-    system.send(number, report);
+    system.send(puck.number, report);
     ASSERT_TRUE(comes_true([&] { return device.status().reports > before; }));
   }
 };
@@ -54,11 +60,11 @@ TEST_F(SpaceMouseOverHid, deflections_and_buttons_come_in_both_layouts) {
   expected << 1, -0.5, 0.2, -1, 0.1, -0.6;
   for (const bool both : {true, false}) {
     puck.descriptor = both ? joint_descriptor() : split_descriptor();
-    system.plug(puck);
+    plug();
     InputDevice device;
     ASSERT_TRUE(reaches(device, DeviceState::ready)) << device.status().reason;
     EXPECT_EQ(device.status().name, "SpaceMouse Compact");
-    EXPECT_EQ(device.status().path, "/dev/hidraw7");
+    EXPECT_EQ(device.status().path, puck.path());
     for (const Bytes& report : both ? joint : split) send(device, report);
     send(device, {3, 2, 0});
     ASSERT_TRUE(comes_true([&] { return device.latest().buttons == 2; }));
@@ -66,12 +72,12 @@ TEST_F(SpaceMouseOverHid, deflections_and_buttons_come_in_both_layouts) {
     const DeviceSample last = device.latest(device.latest().time);
     EXPECT_LT((last.deflection - expected).norm(), 1e-15);
     EXPECT_EQ(device.status().refused, 0U);
-    system.unplug(7);
+    unplug();
   }
 }
 
 TEST_F(SpaceMouseOverHid, a_deflection_that_is_not_renewed_is_none_soon) {
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::ready));
   send(device, words(1, {350, 0, 0}));
@@ -85,7 +91,7 @@ TEST_F(SpaceMouseOverHid, a_deflection_that_is_not_renewed_is_none_soon) {
 
 TEST_F(SpaceMouseOverHid, at_62_hz_a_deflection_holds_from_one_report_to_the_next) {
   puck.descriptor = joint_descriptor();
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::ready));
   for (int i = 1; i <= 62; ++i) {
@@ -103,23 +109,22 @@ TEST_F(SpaceMouseOverHid, at_62_hz_a_deflection_holds_from_one_report_to_the_nex
 }
 
 TEST_F(SpaceMouseOverHid, unplugged_in_the_middle_it_is_found_again_under_another_path) {
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::ready));
   send(device, words(1, {350, 0, 0}));
   const std::uint32_t session = device.latest().session;
-  system.unplug(7);
+  unplug();
   ASSERT_TRUE(reaches(device, DeviceState::absent));
   EXPECT_EQ(device.latest().deflection, SixAxes::Zero());
   EXPECT_THAT(device.status().reason, HasSubstr("unplugged"));
-  puck.number = 9;
-  system.plug(puck);
+  plug();
   ASSERT_TRUE(reaches(device, DeviceState::ready));
-  EXPECT_EQ(device.status().path, "/dev/hidraw9");
+  EXPECT_EQ(device.status().path, puck.path());
   EXPECT_EQ(device.status().connections, 2U);
   EXPECT_GT(device.latest().session, session);
   EXPECT_EQ(device.latest().deflection, SixAxes::Zero()) << "of another connection";
-  send(device, words(1, {0, 350, 0}), 9);
+  send(device, words(1, {0, 350, 0}));
   ASSERT_TRUE(comes_true([&] { return device.latest().count > 1; }));
   EXPECT_EQ(device.latest(device.latest().time).deflection[1], -1);
 }
@@ -129,12 +134,12 @@ TEST_F(SpaceMouseOverHid, plugged_in_later_it_is_found) {
   ASSERT_TRUE(comes_true([&] { return !device.status().reason.empty(); }));
   EXPECT_THAT(device.status().reason, HasSubstr("no 6-DoF device"));
   EXPECT_EQ(device.latest().state, DeviceState::absent);
-  system.plug(puck);
+  plug();
   EXPECT_TRUE(reaches(device, DeviceState::ready));
 }
 
 TEST_F(SpaceMouseOverHid, garbage_is_no_deflection_and_is_told) {
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::ready));
   send(device, words(1, {350, 0, 0}));
@@ -149,46 +154,46 @@ TEST_F(SpaceMouseOverHid, garbage_is_no_deflection_and_is_told) {
 }
 
 TEST_F(SpaceMouseOverHid, the_light_goes_on_and_off_and_on_again_after_a_reconnection) {
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::ready));
   device.set_led(true);
-  EXPECT_EQ(system.written(7, 30000), (Bytes{4, 1}));
+  EXPECT_EQ(system.written(puck.number, 30000), (Bytes{4, 1}));
   device.set_led(false);
-  EXPECT_EQ(system.written(7, 30000), (Bytes{4, 0}));
+  EXPECT_EQ(system.written(puck.number, 30000), (Bytes{4, 0}));
   device.set_led(true);
-  EXPECT_EQ(system.written(7, 30000), (Bytes{4, 1}));
-  system.unplug(7);
-  system.plug(puck);
-  EXPECT_EQ(system.written(7, 30000), (Bytes{4, 1}));
+  EXPECT_EQ(system.written(puck.number, 30000), (Bytes{4, 1}));
+  unplug();
+  plug();
+  ASSERT_TRUE(comes_true([&] { return device.status().connections == 2; }));
+  EXPECT_EQ(system.written(puck.number, 30000), (Bytes{4, 1}));
 }
 
 TEST_F(SpaceMouseOverHid, of_two_the_chosen_one_is_opened) {
-  system.plug(puck);
-  puck.number = 8;
+  plug();
   puck.serial = "B2";
-  system.plug(puck);
+  plug();
   InputDevice device({.vendor = 0x256f, .product = 0xc635, .serial = "B2"});
   ASSERT_TRUE(reaches(device, DeviceState::ready));
-  EXPECT_EQ(device.status().path, "/dev/hidraw8");
+  EXPECT_EQ(device.status().path, puck.path());
 }
 
 TEST_F(SpaceMouseOverHid, one_that_does_not_open_is_told_and_tried_again) {
   puck.descriptor_in_sysfs = false;
-  system.plug(puck);
+  plug();
   InputDevice device;
   ASSERT_TRUE(reaches(device, DeviceState::refused));
-  EXPECT_THAT(device.status().reason, HasSubstr("/dev/hidraw7: its report descriptor"));
-  system.unplug(7);
+  EXPECT_THAT(device.status().reason, HasSubstr(puck.path() + ": its report descriptor"));
+  unplug();
   puck.descriptor_in_sysfs = true;
-  system.plug(puck);
+  plug();
   EXPECT_TRUE(reaches(device, DeviceState::ready));
 }
 
 /// The reference device of the open force protocol: what a firmware does, on the other end of a
 /// node that the real hidapi has open.
 struct ForceTest : testing::Test {
-  static constexpr int number = 7;
+  int number = 7;
   MockSystem system;
   PoseReport pose;
   WrenchReport heard;  ///< the newest
@@ -198,7 +203,7 @@ struct ForceTest : testing::Test {
     const auto descriptor = force_protocol::report_descriptor();
     const auto feature = force_protocol::encode(force_protocol::Limits{
         .max_force = 8, .max_torque = 0.25, .reach = Vec3::Constant(0.2), .buttons = 2});
-    system.plug({.number = number,
+    system.plug({.number = ++number,
                  .vendor = 0x1209,
                  .product = 0x0001,
                  .name = "Home-made",

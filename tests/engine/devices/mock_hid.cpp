@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -43,7 +44,7 @@ std::string interface_folder(const MockHid& device) {
 }
 std::string hid_folder(const MockHid& device) {
   return interface_folder(device) + "/0003:" + hex(device.vendor, 4) + ":" +
-         hex(device.product, 4) + ".0001";
+         hex(device.product, 4) + "." + hex(static_cast<std::uint32_t>(device.number), 4);
 }
 std::string node_folder(const MockHid& device) {
   return hid_folder(device) + "/hidraw/hidraw" + std::to_string(device.number);
@@ -86,7 +87,7 @@ gboolean answer_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer 
   };
   const bool size_asked = request == static_cast<gulong>(HIDIOCGRDESCSIZE);
   const bool feature_asked = _IOC_TYPE(request) == 'H' && _IOC_NR(request) == 0x07;
-  if (size_asked && device.answers_ioctl) {
+  if (size_asked) {
     const Bytes size{static_cast<std::uint8_t>(device.descriptor.size()),
                      static_cast<std::uint8_t>(device.descriptor.size() >> 8), 0, 0};
     reply(size, size.size(), 0);
@@ -97,6 +98,16 @@ gboolean answer_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer 
     umockdev_ioctl_client_complete(client, -1, EPIPE);
   }
   return TRUE;
+}
+
+/// What the bed leaves of a node it removes, and would stumble over when its pty is used again.
+void forget_node(UMockdevTestbed* bed, const MockHid& device) {
+  gchar* text = umockdev_testbed_get_root_dir(bed);
+  const std::filesystem::path root(text);
+  g_free(text);
+  std::string pty = std::filesystem::read_symlink(root / device.path().substr(1)).string();
+  std::ranges::replace(pty, '/', '_');
+  std::filesystem::remove(root / "dev/.ptymap" / pty);
 }
 
 }  // namespace
@@ -129,12 +140,14 @@ MockSystem::~MockSystem() {
 void MockSystem::plug(const MockHid& device) {
   State::Plugged& plugged = state_->plugged[device.number];
   plugged.device = device;
-  plugged.handler = umockdev_ioctl_base_new();
-  g_signal_connect_after(plugged.handler, "handle-ioctl", G_CALLBACK(answer_ioctl),
-                         &plugged.device);
   GError* error = nullptr;
-  if (!umockdev_testbed_attach_ioctl(state_->bed, device.path().c_str(), plugged.handler, &error))
-    fail("attach_ioctl", error);
+  if (device.answers_ioctl) {
+    plugged.handler = umockdev_ioctl_base_new();
+    g_signal_connect_after(plugged.handler, "handle-ioctl", G_CALLBACK(answer_ioctl),
+                           &plugged.device);
+    if (!umockdev_testbed_attach_ioctl(state_->bed, device.path().c_str(), plugged.handler, &error))
+      fail("attach_ioctl", error);
+  }
   if (!umockdev_testbed_add_from_string(state_->bed, description(device).c_str(), &error))
     fail("add_from_string", error);
   plugged.fd = umockdev_testbed_get_dev_fd(state_->bed, device.path().c_str());
@@ -142,15 +155,16 @@ void MockSystem::plug(const MockHid& device) {
 
 void MockSystem::unplug(int number) {
   State::Plugged& plugged = state_->plugged.at(number);
+  forget_node(state_->bed, plugged.device);
   // The bed keeps its end of the node open, and the host would hear nothing of it.
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   ::dup2(nothing, plugged.fd);
   ::close(nothing);
-  GError* error = nullptr;
-  umockdev_testbed_detach_ioctl(state_->bed, plugged.device.path().c_str(), &error);
-  const std::string gone = "/sys" + node_folder(plugged.device);
-  umockdev_testbed_remove_device(state_->bed, gone.c_str());
-  g_object_unref(plugged.handler);
+  if (plugged.handler)
+    umockdev_testbed_detach_ioctl(state_->bed, plugged.device.path().c_str(), nullptr);
+  for (const auto folder : {node_folder, hid_folder, interface_folder, usb_folder})
+    umockdev_testbed_remove_device(state_->bed, ("/sys" + folder(plugged.device)).c_str());
+  if (plugged.handler) g_object_unref(plugged.handler);
   state_->plugged.erase(number);
 }
 

@@ -35,6 +35,7 @@ class MockSystem {
   MockSystem(const MockSystem&) = delete;
   MockSystem& operator=(const MockSystem&) = delete;
 
+  /// Each time under another number: umockdev cannot give one twice.
   void plug(const MockHid& device);
   /// Whoever has it open is told by the next read or write, as on real hardware.
   void unplug(int number);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "tests/app/app_test.hpp"
+#include "tests/engine/devices/descriptors.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using Devices = AppTest;
+
+std::string hex(const std::vector<std::uint8_t>& bytes) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  std::string text;
+  for (const std::uint8_t byte : bytes) text.append({digits[byte >> 4], digits[byte & 15]});
+  return text;
+}
+
+/// A puck in umockdev's format.
+std::string puck() {
+  return "P: /devices/usb1/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=256f\\n\n"
+         "A: idProduct=c635\\n\nA: manufacturer=3Dconnexion\\n\nA: product=SpaceMouse Compact\\n\n"
+         "A: bcdDevice=0437\\n\n\n"
+         "P: /devices/usb1/1-1/1-1:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\n"
+         "A: bInterfaceNumber=00\\n\n\n"
+         "P: /devices/usb1/1-1/1-1:1.0/0003:256F:C635.0001\nE: SUBSYSTEM=hid\n"
+         "E: HID_ID=0003:0000256F:0000C635\nE: HID_NAME=SpaceMouse Compact\n"
+         "H: report_descriptor=" +
+         hex(split_descriptor()) +
+         "\nA: uevent=HID_ID=0003:0000256F:0000C635\\nHID_NAME=SpaceMouse Compact\\n"
+         "HID_PHYS=usb\\nHID_UNIQ=\\n\n\n"
+         "P: /devices/usb1/1-1/1-1:1.0/0003:256F:C635.0001/hidraw/hidraw7\nN: hidraw7\n"
+         "E: DEVNAME=/dev/hidraw7\nE: SUBSYSTEM=hidraw\nE: MAJOR=242\nE: MINOR=7\n"
+         "A: dev=242:7\\n\nL: device=../../../0003:256F:C635.0001\n\n";
+}
+
+/// `sonde devices ARGUMENTS` where what umockdev plays is connected; `questions` are the answers to
+/// hidapi's questions, without which a device does not open.
+Outcome devices(const TempFolder& folder, const std::string& connected,
+                const std::string& questions, const std::string& arguments) {
+  folder.write("connected.umockdev", connected);
+  folder.write("questions.ioctl", questions);
+  const std::string mock = connected.empty() ? "umockdev-run"
+                                             : "umockdev-run --device connected.umockdev "
+                                               "--ioctl /dev/hidraw7=questions.ioctl";
+  const std::string command = "cd '" + folder.path().string() + "' && " + mock +
+                              " -- '" SONDE_PROGRAM "' devices " + arguments + " >out 2>err";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "out"),
+          text_of(folder / "err")};
+}
+
+const char* const size_of_descriptor = "@DEV /dev/hidraw7\nHIDIOCGRDESCSIZE 0 71000000\n";
+
+TEST_F(Devices, nothing_connected_is_no_error) {
+  const Outcome run = devices(folder, "", "", "");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "no 6-DoF device is connected\n");
+  EXPECT_EQ(json::parse(devices(folder, "", "", "--json").out).at("devices"), json::array());
+}
+
+TEST_F(Devices, a_puck_is_listed_with_what_it_can) {
+  const Outcome text = devices(folder, puck(), size_of_descriptor, "");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("/dev/hidraw7  256f:c635  SpaceMouse Compact (six-axis puck)\n"
+                                  "  opens: deflection, 2 buttons, light\n"));
+  const Outcome run = devices(folder, puck(), size_of_descriptor, "--json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json device = json::parse(run.out).at("devices").at(0);
+  EXPECT_EQ(device.at("id"), "256f:c635");
+  EXPECT_EQ(device.at("kind"), "space_mouse");
+  EXPECT_EQ(device.at("opens"), true);
+  EXPECT_EQ(device.at("reason"), nullptr);
+  EXPECT_EQ(device.at("capabilities").at("force"), false);
+  EXPECT_EQ(device.at("capabilities").at("buttons"), 2);
+}
+
+TEST_F(Devices, one_that_does_not_open_is_listed_with_the_reason) {
+  std::string bare = puck();
+  const std::size_t line = bare.find("H: report_descriptor");
+  bare.erase(line, bare.find('\n', line) + 1 - line);
+  const Outcome text = devices(folder, bare, size_of_descriptor, "");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("does not open: /dev/hidraw7: its report descriptor"));
+  const Outcome run = devices(folder, bare, size_of_descriptor, "--json");
+  const json device = json::parse(run.out).at("devices").at(0);
+  EXPECT_EQ(device.at("opens"), false);
+  EXPECT_THAT(device.at("reason").get<std::string>(), HasSubstr("/dev/hidraw7: "));
+  EXPECT_EQ(device.at("capabilities"), nullptr);
+}
+
+TEST_F(Devices, it_takes_no_arguments_and_writes_where_it_is_told) {
+  expect_refused("devices more", 2, "more");
+  expect_refused("devices --out none/there.txt", 3, "none");
+  ASSERT_EQ(devices(folder, puck(), size_of_descriptor, "--out list.txt").exit_code, 0);
+  EXPECT_THAT(text_of(folder / "list.txt"), HasSubstr("SpaceMouse Compact"));
+}
+
+}  // namespace
+}  // namespace sonde::test
