@@ -35,6 +35,11 @@ bool has_open(const fs::path& process, const std::string& path) {
   return false;
 }
 
+std::string described(const std::string& name, const std::string& number) {
+  std::string text = name;
+  return text.append(" (process ").append(number).append(")");
+}
+
 std::string advice(const std::string& name) {
   return name == "spacenavd" ? "; 'systemctl stop spacenavd' stops it" : "";
 }
@@ -49,10 +54,10 @@ std::string other_holder(const std::string& path, const fs::path& proc) {
     const std::string number = process->path().filename().string();
     if (!is_number(number) || number == std::to_string(::getpid())) continue;
     const std::string name = command_of(process->path());
-    if (has_open(process->path(), path))
-      return name + " (process " + number + ") has it open" + advice(name);
+    const std::string who = described(name, number);
+    if (has_open(process->path(), path)) return who + " has it open" + advice(name);
     if (std::ranges::find(daemons, name) != std::end(daemons))
-      maybe = name + " runs (process " + number + ") and may hold it" + advice(name);
+      maybe = who + " runs, and may hold it" + advice(name);
   }
   return maybe;
 }

@@ -116,7 +116,7 @@ std::vector<HidInfo> list_hid() {
 }
 
 std::string open_failure(int error) {
-  const std::string reason = std::generic_category().message(error);
+  std::string reason = std::generic_category().message(error);
   if (error == EACCES || error == EPERM)
     return "no permission to open it: put " + std::string(udev_rule_file) +
            ", which comes with Sonde, into /etc/udev/rules.d, run 'udevadm control --reload' and "

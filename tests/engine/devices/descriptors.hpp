@@ -41,7 +41,7 @@ inline std::vector<std::uint8_t> mouse_descriptor() {
 }
 
 /// A report of numbers of 16 bits, little-endian, after an id.
-inline std::vector<std::uint8_t> words(std::uint8_t id, std::vector<int> numbers) {
+inline std::vector<std::uint8_t> words(std::uint8_t id, const std::vector<int>& numbers) {
   std::vector<std::uint8_t> bytes{id};
   for (const int number : numbers) {
     bytes.push_back(static_cast<std::uint8_t>(number));

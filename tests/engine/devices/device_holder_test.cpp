@@ -44,7 +44,7 @@ TEST(DeviceHolder, a_daemon_whose_files_are_not_ours_to_see_is_named_with_what_t
   processes.add("812", "spacenavd");
   fs::remove_all(processes.proc / "812" / "fd");
   EXPECT_THAT(other_holder("/dev/hidraw3", processes.proc.path()),
-              AllOf(HasSubstr("spacenavd runs (process 812) and may hold it"),
+              AllOf(HasSubstr("spacenavd (process 812) runs, and may hold it"),
                     HasSubstr("systemctl stop spacenavd")));
 }
 

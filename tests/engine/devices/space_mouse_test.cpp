@@ -158,8 +158,8 @@ TEST(SpaceMouse, the_light_is_where_the_descriptor_says) {
   EXPECT_TRUE(with.capabilities().led);
   EXPECT_EQ(with.led_report(true), (Bytes{4, 1}));
   EXPECT_EQ(with.led_report(false), (Bytes{4, 0}));
-  Bytes dark = split_descriptor();
-  dark.resize(dark.size() - 27);  // the collection of the light, and the end of all
+  const Bytes lit = split_descriptor();
+  Bytes dark(lit.begin(), lit.end() - 27);  // without the light's collection and the end of all
   dark.push_back(0xc0);
   const SpaceMouse without = mouse(dark);
   EXPECT_FALSE(without.capabilities().led);
