@@ -176,10 +176,14 @@ void MockSystem::send(int number, std::span<const std::uint8_t> report) {
 
 Bytes MockSystem::written(int number, int milliseconds) {
   pollfd ready{.fd = state_->fd(number), .events = POLLIN, .revents = 0};
-  Bytes bytes(65536);
-  if (::poll(&ready, 1, milliseconds) <= 0 || (ready.revents & POLLIN) == 0) return {};
-  const ssize_t count = ::read(ready.fd, bytes.data(), bytes.size());
-  bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  Bytes bytes;
+  std::array<std::uint8_t, 4096> some{};
+  // A read stops at the ends of the pty's own buffers: not all at once, and not at a report's end.
+  while (::poll(&ready, 1, bytes.empty() ? milliseconds : 0) > 0 && (ready.revents & POLLIN) != 0) {
+    const ssize_t count = ::read(ready.fd, some.data(), some.size());
+    if (count <= 0) break;
+    bytes.insert(bytes.end(), some.begin(), some.begin() + count);
+  }
   return bytes;
 }
 
