@@ -248,6 +248,7 @@ struct ForceTest : testing::Test {
     ASSERT_TRUE(comes_true([&] { return device.status().connections > connections; }));
     connections = device.status().connections;
     wrenches = 0;
+    heard = {};
     arrived.clear();
     ASSERT_TRUE(comes_true([&] {
       step(device);
