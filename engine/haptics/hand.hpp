@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "engine/geometry/pose.hpp"
+#include "engine/haptics/coupling.hpp"
+
+namespace sonde {
+
+/// What a hand wants of the probe at one tick.
+struct HandSample {
+  Pose X_FM;            ///< the probe's mesh frame in the fixed body's
+  bool held = true;     ///< false: the clutch is open; the probe stays, and there is no force
+  bool trusted = true;  ///< false: the pose is old or cannot be true; there is no force
+};
+
+/// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.
+/// Both functions are called on the servo thread alone, once in each tick and in this order, and
+/// neither allocates, locks, logs, throws or waits.
+struct Hand {
+  /// dt: s since the sample before; 0 for the first.
+  std::function<HandSample(double dt)> sample;
+  /// The wrench on the hand, about the probe's centre of mass at the sampled pose, in the fixed
+  /// frame, after every limit. May be empty.
+  std::function<void(const Wrench&)> render;
+};
+
+}  // namespace sonde
