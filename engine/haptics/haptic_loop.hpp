@@ -9,7 +9,8 @@
 
 namespace sonde {
 
-/// One tick of the loop, with no thread and no clock: what `replay` and the servo thread both run.
+/// One tick of the loop in step: geometry and force in one, with no thread and no clock. What
+/// `replay` runs, and what the decoupled loop of the servo (hand_loop.hpp) is measured against.
 class HapticLoop {
  public:
   HapticLoop(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
@@ -22,11 +23,8 @@ class HapticLoop {
   /// that pose, without damping.
   void reset(const Pose& X_FM, const StaticOptions& options);
   void set_coupling(const Coupling& coupling) noexcept;
-  /// dt in s since the last tick (for the rates of the classic mode); 0 where that is not known,
-  /// and then nothing is damped. No allocation, lock, log, throw.
-  ///
-  /// Rates are backward differences of the separation, which is zero out of contact. There is none
-  /// after a reset, a failed tick or a jump: the separation before belongs to another contact.
+  /// dt in s since the last tick (for the rates of the classic mode, see Coupler); 0 where that is
+  /// not known, and then nothing is damped. No allocation, lock, log, throw.
   void tick(const Pose& X_FM, double dt, const Budget& budget) noexcept;
   const Separation& separation() const;
   const Wrench& wrench() const;  ///< zero where the separation failed

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/contact_feed.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/penetration/deadline.hpp"
+#include "engine/penetration/descent.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of the probe's radius: farther no probe goes while the geometry is busy.
+constexpr double widest = 0.5;
+constexpr std::size_t most_pairs = 96;
+
+}  // namespace
+
+ContactFeed::ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+                         Method method)
+    : probe_(probe),
+      method_(method),
+      solver_(probe, fixed, method),
+      near_(*probe, *fixed, method, {.most_pairs = most_pairs, .most_listed = PairList::enough}) {}
+
+const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
+  StaticOptions own = options;
+  own.method = method_;
+  contacts_ = LocalContacts{};
+  contacts_.separation = solver_.reset(X_FM, own);
+  near_.forget();
+  gather();
+  return contacts_;
+}
+
+const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,
+                                          const Budget& budget) noexcept {
+  const double begin = now_us();
+  contacts_.separation = solver_.tick(X_FM, budget);
+  contacts_.tick = tick;
+  contacts_.time = time;
+  if (contacts_.separation.jumped) ++contacts_.jumps;
+  gather();
+  contacts_.refresh_us = now_us() - begin;
+  return contacts_;
+}
+
+void ContactFeed::gather() noexcept {
+  const Separation& s = contacts_.separation;
+  contacts_.size = 0;
+  if (s.status == Status::failed) return;
+  Chart chart(probe_->mass, s.device);
+  chart.absorb_free_spin(s.separated);
+  const double radius = probe_->mass.radius;
+  const double margin = 0.5 * allowed_clearance(radius, s.depth);
+  const Pose X_MF = inverse(s.separated);
+  const auto add = [&](const Contact& c) {
+    if (contacts_.size == LocalContacts::capacity) return false;
+    contacts_.rows[static_cast<std::size_t>(contacts_.size++)] = {
+        X_MF * c.on_probe, c.on_fixed, c.normal, std::min(c.gap, margin)};
+    return true;
+  };
+  // Those that hold the probe come first: with them, the separated pose is the answer at the pose
+  // it was found for.
+  for (const Contact& c : s.contacts) add(c);
+  near_.gather(chart, chart.coordinates(s.separated), widest * radius, 4 * margin);
+  contacts_.reach = near_.reach();
+  for (int i = 0; i < near_.size(); ++i) {
+    // Nearest first: what finds no room is no nearer than the last one that did.
+    if (add(near_.contact(i))) continue;
+    contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
+    break;
+  }
+}
+
+}  // namespace sonde

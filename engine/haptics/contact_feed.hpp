@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/haptics/local_contacts.hpp"
+#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/contact_rows.hpp"
+
+namespace sonde {
+
+/// The geometry's part of the decoupled loop, with no thread and no clock: follows the device with
+/// the coherent solver, and gathers the rows of all that is near the separated pose, whether the
+/// probe touches it or not. How near follows from the room for rows: as far as the pairs of
+/// triangles are not too many.
+class ContactFeed {
+ public:
+  ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method);
+
+  /// First pose: free, or a static search (by this feed's method). Allocates.
+  const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
+  /// The next device pose, taken in a tick of the servo at a time of its clock, s. No allocation,
+  /// lock, log, throw.
+  const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
+                               const Budget& budget) noexcept;
+  const LocalContacts& contacts() const noexcept { return contacts_; }
+
+ private:
+  void gather() noexcept;
+
+  std::shared_ptr<const Body> probe_;
+  Method method_;
+  CoherentSolver solver_;
+  ContactRows near_;
+  LocalContacts contacts_;
+};
+
+}  // namespace sonde
