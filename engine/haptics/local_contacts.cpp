@@ -95,8 +95,9 @@ class LocalProblem {
 
   bool keep_within_reach(Vec6& y) const {
     const double path = Motion(chart_, start_, y).farthest(chart_.mass().radius);
-    if (path <= contacts_.reach) return false;
-    y = start_ + (contacts_.reach / path) * (y - start_);
+    const double trusted = std::max(contacts_.reach, 0.1 * chart_.mass().radius);
+    if (path <= trusted) return false;
+    y = start_ + (trusted / path) * (y - start_);
     return true;
   }
 

@@ -37,8 +37,8 @@ struct LocalContacts {
 /// What was made of the rows at another device pose.
 struct LocalAnswer {
   Separation separation;  ///< of the new device pose; iterations and converged are the geometry's
-  /// The separated pose was kept within reach of the one that the geometry found, or the rows have
-  /// no common point: the force is that of a probe that lags behind.
+  /// The rows have no common point, or led farther from the separated pose of the geometry than is
+  /// trusted: the answer is as far as that, and the force that of a probe that lags behind.
   bool held_back = false;
 };
 
@@ -52,6 +52,11 @@ struct LocalAnswer {
 /// motion between them, this one's as well as the true one's; so the two differ by at most 2δ, with
 /// δ how far the device went since the rows were made, unless the separated pose jumps. While
 /// contacts persist it is of the order of δ²/ρ, with ρ the radius of curvature of the contact.
+///
+/// What lies beyond the reach of the rows is not known, but a surface goes on as it is more often
+/// than not: the separated pose may go a tenth of the probe's radius, or as far as the reach, and
+/// no farther. A probe that lags takes energy from the hand; one that went through would give some
+/// when the geometry finds it out.
 LocalAnswer separate_locally(const MassProperties& mass, Method method,
                              const LocalContacts& contacts, const Pose& X_FM) noexcept;
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/haptics/geometry_thread.hpp"
 #include "engine/haptics/ring.hpp"
 #include "engine/haptics/schedule.hpp"
 #include "engine/haptics/triple_buffer.hpp"
@@ -33,35 +34,47 @@ void sleep_until(std::int64_t due) noexcept {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr);
 }
 
-std::int64_t period_of(double rate_hz) {
+double possible_rate(double rate_hz) {
   constexpr double slowest = 1, fastest = 1e5;
-  const double rate = rate_hz >= slowest ? std::min(rate_hz, fastest) : slowest;  // NaN: slowest
-  return std::llround(static_cast<double>(second) / rate);
+  return rate_hz >= slowest ? std::min(rate_hz, fastest) : slowest;  // NaN: slowest
+}
+
+HandLoopSettings hand_settings(const ServoSettings& settings) {
+  return {.rate_hz = possible_rate(settings.rate_hz),
+          .safety = settings.safety,
+          .passivity = settings.passivity};
 }
 
 }  // namespace
 
 struct Servo::State {
-  HapticLoop loop;
+  HandLoop loop;
+  GeometryThread geometry;
   ServoSettings settings;
   Coupling coupling;  ///< the newest asked for, as the calling thread knows it
   bool seen = false;  ///< the reader's side of `snapshots` holds a tick of this run
+  Hand hand;
 
   TripleBuffer<Pose> poses;
   TripleBuffer<Coupling> couplings;
   TripleBuffer<Snapshot> snapshots;
+  TripleBuffer<ServoTiming> timings;
   Ring<Snapshot> history{history_ticks};
   std::atomic<bool> stopping{false};
   std::atomic<bool> paused{false};
+  std::atomic<bool> force{true};
   std::thread thread;
 
-  State(HapticLoop l, const ServoSettings& s, const Coupling& c)
-      : loop(std::move(l)), settings(s), coupling(c) {}
+  State(const std::shared_ptr<const Body>& probe, std::shared_ptr<const Body> fixed, Method method,
+        const ServoSettings& s, const Coupling& c)
+      : loop(probe->mass, method, c, hand_settings(s)),
+        geometry(probe, std::move(fixed), method, s.budget),
+        settings(s),
+        coupling(c) {}
 
   // On the servo thread.
   class Run;
   bool wait_for(std::int64_t due) noexcept;
-  void take_commands() noexcept;
 };
 
 /// False where the servo is to stop. The sleep is cut in slices, so that a slow loop stops promptly
@@ -76,20 +89,19 @@ bool Servo::State::wait_for(std::int64_t due) noexcept {
   }
 }
 
-void Servo::State::take_commands() noexcept {
-  if (couplings.update()) loop.set_coupling(couplings.front());
-  poses.update();
-}
-
 /// One run of the servo thread, from start() to stop().
 class Servo::State::Run {
  public:
   explicit Run(State& state)
       : s_(state),
         start_(monotonic_now()),
-        schedule_{.period = period_of(state.settings.rate_hz), .due = start_} {}
+        schedule_{.period = std::llround(static_cast<double>(second) /
+                                         possible_rate(state.settings.rate_hz)),
+                  .due = start_} {}
 
   void go() noexcept {
+    if (s_.settings.real_time) timing_.real_time = request_real_time();
+    schedule_.due = start_ = monotonic_now();
     while (s_.wait_for(schedule_.due)) {
       const std::int64_t begin = monotonic_now();
       if (s_.paused.load(std::memory_order_relaxed))
@@ -97,12 +109,27 @@ class Servo::State::Run {
       else
         tick(begin);
     }
+    end();
   }
 
  private:
+  void render(const Wrench& wrench) noexcept {
+    if (s_.hand.render) s_.hand.render(wrench);
+  }
+
+  HandSample sample(std::int64_t begin) noexcept {
+    const double dt = last_sample_ == 0 ? 0 : static_cast<double>(begin - last_sample_) * 1e-9;
+    last_sample_ = begin;
+    return s_.hand.sample(dt);
+  }
+
   void idle(std::int64_t begin) noexcept {
+    sample(begin);
+    const HandTick& rest = s_.loop.rest(Withheld::paused);
+    render(rest.wrench);
     if (!snapshot_.paused && snapshot_.tick > 0) {
       snapshot_.paused = true;
+      snapshot_.hand.withheld = Withheld::paused;
       s_.snapshots.write(snapshot_);
     }
     meter_ = RateMeter{};
@@ -111,25 +138,58 @@ class Servo::State::Run {
   }
 
   void tick(std::int64_t begin) noexcept {
-    s_.take_commands();
-    const double dt = last_begin_ == 0 ? 0 : static_cast<double>(begin - last_begin_) * 1e-9;
-    s_.loop.tick(s_.poses.front(), dt, s_.settings.budget);
+    if (s_.couplings.update()) s_.loop.set_coupling(s_.couplings.front());
+    const std::int64_t since = last_begin_ == 0 ? 0 : begin - last_begin_;
     last_begin_ = begin;
+    const HandLoop::Clock clock{.tick = snapshot_.tick + 1,
+                                .now = static_cast<double>(begin - start_) * 1e-9,
+                                .dt = static_cast<double>(since) * 1e-9};
+    const HandSample hand = sample(begin);
+    const LocalContacts& contacts = s_.geometry.newest();
+    const Withheld why =
+        s_.force.load(std::memory_order_relaxed) ? Withheld::nothing : Withheld::stopped;
+    const HandTick& done = s_.loop.tick(hand, contacts, clock, why);
+    render(done.wrench);
+    s_.geometry.ask(s_.loop.device(), clock.tick, clock.now);
     meter_.tick(begin);
-    publish(begin, monotonic_now());
+    const std::int64_t end = monotonic_now();
+    measure(since, end - begin, done.hand.rows);
+    publish(clock, end, done);
   }
 
-  void publish(std::int64_t begin, std::int64_t end) noexcept {
-    ++snapshot_.tick;
-    snapshot_.time = static_cast<double>(begin - start_) * 1e-9;
-    snapshot_.separation = s_.loop.separation();
-    snapshot_.wrench = s_.loop.wrench();
-    snapshot_.tick_us = static_cast<double>(end - begin) * 1e-3;
+  void measure(std::int64_t period, std::int64_t time, const RowsUsed& rows) noexcept {
+    if (period > 0) timing_.period.add(static_cast<double>(period) * 1e-3);
+    timing_.tick.add(static_cast<double>(time) * 1e-3);
+    timing_.age.add(rows.age * 1e6);
+    if (rows.age_ticks < last_age_ + 1) timing_.geometry.add(rows.refresh_us);  // new rows
+    last_age_ = rows.age_ticks;
+    ++timing_.ticks;
+    timing_.in_step += rows.in_step;
+  }
+
+  void publish(const HandLoop::Clock& clock, std::int64_t end, const HandTick& done) noexcept {
+    snapshot_.tick = clock.tick;
+    snapshot_.time = clock.now;
+    snapshot_.separation = done.separation;
+    snapshot_.wrench = done.wrench;
+    snapshot_.hand = done.hand;
+    snapshot_.tick_us = static_cast<double>(end - last_begin_) * 1e-3;
     snapshot_.rate_hz = meter_.rate();
     snapshot_.paused = false;
     if (schedule_.finish(end)) ++snapshot_.late;
+    timing_.late = snapshot_.late;
     s_.snapshots.write(snapshot_);
     s_.history.push(snapshot_);
+    s_.timings.write(timing_);
+  }
+
+  /// The last word to the hand.
+  void end() noexcept {
+    render(Wrench{});
+    if (snapshot_.tick == 0) return;
+    snapshot_.wrench = Wrench{};
+    snapshot_.hand.withheld = Withheld::shut_down;
+    s_.snapshots.write(snapshot_);
   }
 
   State& s_;
@@ -137,24 +197,40 @@ class Servo::State::Run {
   Schedule schedule_;
   RateMeter meter_;
   Snapshot snapshot_;
-  std::int64_t last_begin_ = 0;  ///< 0: no tick right before this one, so no rates from it
+  ServoTiming timing_;
+  std::int64_t last_begin_ = 0;   ///< 0: no tick right before this one, so no rates from it
+  std::int64_t last_sample_ = 0;  ///< 0: none yet
+  std::uint64_t last_age_ = 0;
 };
 
 Servo::Servo(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
              const Coupling& coupling, const ServoSettings& settings)
-    : state_(std::make_unique<State>(
-          HapticLoop(std::move(probe), std::move(fixed), method, coupling), settings, coupling)) {}
+    : state_(std::make_unique<State>(probe, std::move(fixed), method, settings, coupling)) {}
 
 Servo::~Servo() { stop(); }
 
 void Servo::start(const Pose& X_FM) {
   stop();
+  TripleBuffer<Pose>& poses = state_->poses;
+  start(X_FM, {.sample =
+                   [&poses](double) {
+                     poses.update();
+                     return HandSample{.X_FM = poses.front()};
+                   },
+               .render = {}});
+}
+
+void Servo::start(const Pose& X_FM, Hand hand) {
+  stop();
   State& s = *state_;
+  s.hand = std::move(hand);
   s.loop.set_coupling(s.coupling);
-  s.loop.reset(X_FM, StaticOptions{});
+  s.loop.restart(X_FM);
+  s.geometry.start(X_FM);
   s.poses.fill(X_FM);
   s.couplings.fill(s.coupling);
   s.snapshots.fill(Snapshot{});
+  s.timings.fill(ServoTiming{});
   s.history.clear();
   s.seen = false;
   s.stopping.store(false, std::memory_order_relaxed);
@@ -165,6 +241,7 @@ void Servo::stop() {
   if (!state_->thread.joinable()) return;
   state_->stopping.store(true, std::memory_order_relaxed);
   state_->thread.join();
+  state_->geometry.stop();
 }
 
 bool Servo::running() const { return state_->thread.joinable(); }
@@ -178,9 +255,16 @@ void Servo::set_coupling(const Coupling& coupling) {
 
 void Servo::set_paused(bool paused) { state_->paused.store(paused, std::memory_order_relaxed); }
 
+void Servo::set_force(bool on) { state_->force.store(on, std::memory_order_relaxed); }
+
 const Snapshot* Servo::latest() {
   if (state_->snapshots.update()) state_->seen = true;
   return state_->seen ? &state_->snapshots.front() : nullptr;
+}
+
+const ServoTiming& Servo::timing() {
+  state_->timings.update();
+  return state_->timings.front();
 }
 
 bool Servo::next_tick(Snapshot& out) { return state_->history.pop(out); }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/geometry_thread.hpp"
+
+#include <utility>
+
+namespace sonde {
+
+GeometryThread::GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+                               Method method, const Budget& budget)
+    : feed_(std::move(probe), std::move(fixed), method), budget_(budget) {}
+
+GeometryThread::~GeometryThread() { stop(); }
+
+void GeometryThread::start(const Pose& X_FM) {
+  stop();
+  contacts_.fill(feed_.reset(X_FM, StaticOptions{}));
+  requests_.fill({.X_FM = X_FM, .tick = 0, .time = 0});
+  asked_.store(0, std::memory_order_relaxed);
+  stopping_.store(false, std::memory_order_relaxed);
+  thread_ = std::thread([this] { run(); });
+}
+
+void GeometryThread::stop() {
+  if (!thread_.joinable()) return;
+  stopping_.store(true, std::memory_order_relaxed);
+  asked_.fetch_add(1, std::memory_order_release);
+  asked_.notify_one();
+  thread_.join();
+}
+
+void GeometryThread::ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept {
+  requests_.write({.X_FM = X_FM, .tick = tick, .time = time});
+  asked_.fetch_add(1, std::memory_order_release);
+  asked_.notify_one();  // a system call where the thread sleeps, and only then
+}
+
+const LocalContacts& GeometryThread::newest() noexcept {
+  contacts_.update();
+  return contacts_.front();
+}
+
+void GeometryThread::run() noexcept {
+  std::int32_t seen = 0;
+  for (;;) {
+    asked_.wait(seen, std::memory_order_acquire);
+    seen = asked_.load(std::memory_order_acquire);
+    if (stopping_.load(std::memory_order_relaxed)) return;
+    if (!requests_.update()) continue;
+    const Request& request = requests_.front();
+    contacts_.write(feed_.refresh(request.X_FM, request.tick, request.time, budget_));
+  }
+}
+
+}  // namespace sonde

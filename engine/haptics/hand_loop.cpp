@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/hand_loop.hpp"
+
+#include <algorithm>
+
+#include "engine/penetration/result.hpp"
+
+namespace sonde {
+
+HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& coupling,
+                   const HandLoopSettings& settings)
+    : mass_(mass),
+      method_(method),
+      // The rows of a slow servo are a tick old at best.
+      stalled_after_(std::max(settings.safety.stalled_after, 4 / settings.rate_hz)),
+      coupler_(mass, coupling),
+      passivity_(mass, settings.passivity, 1 / settings.rate_hz),
+      gate_(settings.safety) {}
+
+void HandLoop::restart(const Pose& X_FM) noexcept {
+  coupler_.forget();
+  passivity_.restart(X_FM);
+  gate_.restart();
+  ids_.forget();
+  X_FM_ = X_FM;
+  jumps_ = 0;
+  out_ = HandTick{};
+}
+
+Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts,
+                         const Clock& clock) const noexcept {
+  if (!sample.trusted) return Withheld::untrusted;
+  if (!is_finite(sample.X_FM)) return Withheld::not_finite;
+  if (!sample.held) return Withheld::let_go;
+  if (!(clock.now - contacts.time <= stalled_after_)) return Withheld::stalled;
+  return Withheld::nothing;
+}
+
+void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
+  const LocalAnswer answer = separate_locally(mass_, method_, contacts, X_FM_);
+  out_.separation = answer.separation;
+  out_.separation.jumped = contacts.jumps != jumps_;
+  jumps_ = contacts.jumps;
+  ids_.follow(out_.separation.separated, mass_.radius, out_.separation.clusters);
+  const std::uint64_t age = clock.tick - contacts.tick;
+  out_.hand.rows = {.age_ticks = age,
+                    .age = clock.now - contacts.time,
+                    .in_step = age <= 1,
+                    .held_back = answer.held_back,
+                    .reach = contacts.reach,
+                    .refresh_us = contacts.refresh_us,
+                    .separated = contacts.separation.separated};
+}
+
+const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
+                               const Clock& clock, Withheld why) noexcept {
+  if (sample.trusted && is_finite(sample.X_FM)) X_FM_ = sample.X_FM;
+  passivity_.observe(X_FM_, clock.dt);
+  separate(contacts, clock);
+  Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;
+  if (reason == Withheld::nothing && out_.separation.status == Status::failed)
+    reason = Withheld::failed;
+
+  const Coupling& coupling = coupler_.coupling();
+  out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
+  const Wrench damped = passivity_.control(out_.hand.asked);
+  out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  passivity_.rendered(out_.wrench);
+
+  out_.hand.withheld = gate_.withheld();
+  out_.hand.share = gate_.share();
+  out_.hand.slewed = gate_.slewed();
+  out_.hand.held = sample.held;
+  out_.hand.energy = passivity_.energy();
+  return out_;
+}
+
+const HandTick& HandLoop::rest(Withheld why) noexcept {
+  coupler_.forget();
+  gate_.pass(Wrench{}, why, 0, 0, 0);
+  passivity_.rendered(Wrench{});
+  out_.wrench = Wrench{};
+  out_.hand.withheld = why;
+  out_.hand.share = 0;
+  return out_;
+}
+
+}  // namespace sonde

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/real_time.hpp"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+
+namespace sonde {
+namespace {
+
+/// Before all ordinary threads, behind those that the system itself runs in this way.
+constexpr int priority = 20;
+
+const char* scheduling_words(int error) {
+  switch (error) {
+    case 0:
+      return "real-time scheduling";
+    case EPERM:
+      return "no real-time scheduling: not permitted (an rtprio limit in "
+             "/etc/security/limits.conf would allow it)";
+    default:
+      return "no real-time scheduling: the system refused";
+  }
+}
+
+const char* memory_words(int error) {
+  switch (error) {
+    case 0:
+      return "memory locked";
+    case EPERM:
+    case ENOMEM:
+    case EAGAIN:
+      return "memory not locked: not permitted (a memlock limit in /etc/security/limits.conf "
+             "would allow it)";
+    default:
+      return "memory not locked: the system refused";
+  }
+}
+
+}  // namespace
+
+RealTime request_real_time() noexcept {
+  sched_param parameters{};
+  parameters.sched_priority = priority;
+  const int scheduling = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  // What is mapped later is not asked for: where the limit is low, every allocation would fail.
+  const int memory = mlockall(MCL_CURRENT) == 0 ? 0 : errno;
+  return {.scheduled = scheduling == 0,
+          .locked = memory == 0,
+          .scheduling = scheduling_words(scheduling),
+          .memory = memory_words(memory)};
+}
+
+}  // namespace sonde

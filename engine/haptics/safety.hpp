@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/haptics/coupling.hpp"
+
+namespace sonde {
+
+/// Why there is no force on the hand.
+enum class Withheld {
+  nothing,     ///< there is, where the probe is in contact
+  stopped,     ///< asked for, by Esc
+  paused,      ///< the loop computes nothing
+  let_go,      ///< the clutch is open
+  untrusted,   ///< the device is gone, or says what cannot be true
+  not_finite,  ///< the device pose, or a force, is no number
+  failed,      ///< no separated pose was found
+  stalled,     ///< the geometry has not answered for too long
+  shut_down,   ///< the loop has ended
+};
+/// In a few words, for the window and the log.
+const char* words(Withheld why);
+
+struct SafetySettings {
+  double ramp_time = 0.3;       ///< s in contact, until the force is whole
+  double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
+  double torque_slew = 250;     ///< N·m/s
+  double stalled_after = 0.02;  ///< s, age of the rows
+};
+
+/// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and
+/// after anything that withheld it; changes no faster than its slew limits; stays below the limits
+/// of the device; and is zero, at once, while it is withheld. The ramp runs only while there is a
+/// force to give: a contact made long after a fault comes in slowly too.
+class SafetyGate {
+ public:
+  explicit SafetyGate(const SafetySettings& settings = {}) : settings_(settings) {}
+
+  /// The wrench that may be rendered, of the one that is wanted; dt in s since the last one. A
+  /// wanted wrench that is not finite is withheld.
+  Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
+              double dt) noexcept;
+  void restart() noexcept;  ///< the next force comes in from zero
+
+  Withheld withheld() const noexcept { return withheld_; }  ///< of the last wrench
+  double share() const noexcept { return share_; }          ///< of the force that the ramp lets by
+  bool slewed() const noexcept { return slewed_; }          ///< a slew limit acted
+
+ private:
+  SafetySettings settings_;
+  Wrench last_;
+  Withheld withheld_ = Withheld::nothing;
+  double share_ = 0;
+  bool slewed_ = false;
+};
+
+}  // namespace sonde

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the system permits is not ours to say: the test asks it for what it granted.
+#include "engine/haptics/real_time.hpp"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <string>
+#include <thread>
+
+namespace sonde {
+namespace {
+
+TEST(RealTime, what_is_said_is_what_was_granted) {
+  RealTime got;
+  int policy = -1;
+  std::thread thread([&] {
+    got = request_real_time();
+    sched_param parameters{};
+    pthread_getschedparam(pthread_self(), &policy, &parameters);
+  });
+  thread.join();
+  munlockall();
+  EXPECT_EQ(got.scheduled, policy == SCHED_FIFO);
+  EXPECT_EQ(got.scheduled, std::string(got.scheduling) == "real-time scheduling");
+  EXPECT_EQ(got.locked, std::string(got.memory) == "memory locked");
+  EXPECT_EQ(!got.scheduled, std::string(got.scheduling).starts_with("no real-time"));
+  EXPECT_EQ(!got.locked, std::string(got.memory).starts_with("memory not locked"));
+}
+
+TEST(RealTime, nothing_is_said_where_nothing_was_asked) {
+  const RealTime none;
+  EXPECT_STREQ(none.scheduling, "");
+  EXPECT_STREQ(none.memory, "");
+}
+
+}  // namespace
+}  // namespace sonde
