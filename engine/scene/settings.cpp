@@ -56,8 +56,8 @@ constexpr std::array<Choice, 2> modes{{
     {"classic", "Classic", "A spring and damper for translation, another for rotation."},
 }};
 
-constexpr std::array<Row<ServoSettings>, 3> servo_rows{{
-    {{"rate_hz", "Servo rate", "Hz", 1, 10000, ServoSettings{}.rate_hz, true,
+constexpr std::array<Row<ServoSettings>, 7> servo_rows{{
+    {{"rate_hz", "Servo rate", "Hz", 500, 10000, ServoSettings{}.rate_hz, true,
       "Ticks of the haptic loop in a second."},
      [](const ServoSettings& s) { return s.rate_hz; },
      [](ServoSettings& s, double value) { s.rate_hz = value; }},
@@ -69,6 +69,23 @@ constexpr std::array<Row<ServoSettings>, 3> servo_rows{{
       "Iterations the solver may take in a tick; 0: until it has converged.", true},
      [](const ServoSettings& s) { return double(s.budget.steps); },
      [](ServoSettings& s, double value) { s.budget.steps = static_cast<int>(value); }},
+    {{"ramp_time", "Force ramp", "s", 0, 5, ServoSettings{}.safety.ramp_time, false,
+      "Time in which the force comes in from zero, after a start and after a fault."},
+     [](const ServoSettings& s) { return s.safety.ramp_time; },
+     [](ServoSettings& s, double value) { s.safety.ramp_time = value; }},
+    {{"force_slew", "Force slew limit", "N/s", 0, 1e6, ServoSettings{}.safety.force_slew, false,
+      "Largest change of the force in a second; 0: no limit."},
+     [](const ServoSettings& s) { return s.safety.force_slew; },
+     [](ServoSettings& s, double value) { s.safety.force_slew = value; }},
+    {{"torque_slew", "Torque slew limit", "N·m/s", 0, 1e5, ServoSettings{}.safety.torque_slew,
+      false, "Largest change of the torque in a second; 0: no limit."},
+     [](const ServoSettings& s) { return s.safety.torque_slew; },
+     [](ServoSettings& s, double value) { s.safety.torque_slew = value; }},
+    {{"passivity_control", "Passivity control", "", 0, 1,
+      double(ServoSettings{}.passivity.control), false,
+      "1: damps away the energy that the loop has put into the hand; 0: only observes it.", true},
+     [](const ServoSettings& s) { return double(s.passivity.control); },
+     [](ServoSettings& s, double value) { s.passivity.control = value > 0; }},
 }};
 
 constexpr std::array<Choice, 3> models{{

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The loop of the hand with no thread and no clock. The reference is the loop in step
+// (haptic_loop.hpp); how old the rows are is the test's to say.
+#include "engine/haptics/hand_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "engine/haptics/contact_feed.hpp"
+#include "engine/haptics/haptic_loop.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double dt = 1e-3;
+
+/// The probe's box upright, so deep in the block's top.
+Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
+
+HandLoopSettings at_once() {
+  HandLoopSettings s;
+  s.safety.ramp_time = s.safety.force_slew = s.safety.torque_slew = 0;
+  return s;
+}
+
+/// A loop whose geometry answers as late as the test wants.
+class Bench {
+ public:
+  explicit Bench(const HandLoopSettings& settings = at_once(), const Coupling& coupling = {})
+      : loop(probe->mass, Method::pdg, coupling, settings) {
+    feed.reset(at_depth(-0.001), {});
+    loop.restart(at_depth(-0.001));
+  }
+  const HandTick& tick(const HandSample& sample, bool geometry = true,
+                       Withheld why = Withheld::nothing) {
+    const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
+    const HandTick& out = loop.tick(sample, feed.contacts(), clock, why);
+    if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
+    return out;
+  }
+  const HandTick& tick(double depth) { return tick({.X_FM = at_depth(depth)}); }
+  void settle(double depth, int ticks = 500) {
+    for (int i = 0; i < ticks; ++i) tick(depth);
+  }
+
+  std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
+  std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  ContactFeed feed{probe, fixed, Method::pdg};
+  HandLoop loop;
+
+ private:
+  std::uint64_t ticks_ = 0;
+};
+
+TEST(HandLoop, with_rows_of_the_tick_before_the_wrench_is_that_of_the_loop_in_step) {
+  for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
+    Coupling coupling;
+    coupling.mode = mode;
+    coupling.b_t = 0.5;
+    Bench bench(at_once(), coupling);
+    HapticLoop in_step(bench.probe, bench.fixed, Method::pdg, coupling);
+    in_step.reset(at_depth(-0.001), {});
+    int contact = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Pose X = at_depth(0.004 * std::sin(0.02 * i));
+      const HandTick& got = bench.tick({.X_FM = X});
+      in_step.tick(X, dt, {});
+      EXPECT_LT((got.wrench.force - in_step.wrench().force).norm(), 2e-3) << i;
+      EXPECT_EQ(got.hand.rows.age_ticks, 1u);
+      EXPECT_TRUE(got.hand.rows.in_step);
+      contact += got.separation.status == Status::penetrating;
+    }
+    EXPECT_GT(contact, 100);
+  }
+}
+
+TEST(HandLoop, says_how_old_its_rows_are) {
+  Bench bench;
+  bench.settle(0.001, 5);
+  for (std::uint64_t age = 2; age < 10; ++age) {
+    const HandTick& t = bench.tick({.X_FM = at_depth(0.002)}, false);
+    if (age == 2) continue;
+    EXPECT_EQ(t.hand.rows.age_ticks, age - 1);
+    EXPECT_NEAR(t.hand.rows.age, double(age - 1) * dt, 1e-9);
+    EXPECT_FALSE(t.hand.rows.in_step);
+    EXPECT_NEAR(t.wrench.force.z(), 500 * 0.002, 1e-3);  // and still pushes as it should
+  }
+}
+
+TEST(HandLoop, the_force_ramps_in_from_zero_at_the_start) {
+  HandLoopSettings settings = at_once();
+  settings.safety.ramp_time = 0.1;
+  Bench bench(settings);
+  double last = -1;
+  for (int i = 0; i < 150; ++i) {
+    const double f = bench.tick(0.002).wrench.force.z();
+    if (i == 0) {
+      EXPECT_LT(f, 0.02);
+    }
+    EXPECT_GE(f, last);
+    last = f;
+  }
+  EXPECT_NEAR(last, 1, 1e-3);
+}
+
+/// What makes the force zero, each with its reason.
+struct Fault {
+  const char* name;
+  Withheld reason;
+  const HandTick& (*tick)(Bench&);
+};
+const Fault faults[] = {
+    {"Esc", Withheld::stopped,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002)}, true, Withheld::stopped);
+     }},
+    {"device loss", Withheld::untrusted,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002), .trusted = false});
+     }},
+    {"clutch", Withheld::let_go,
+     [](Bench& b) -> const HandTick& { return b.tick({.X_FM = at_depth(0.002), .held = false}); }},
+    {"not a number", Withheld::not_finite,
+     [](Bench& b) -> const HandTick& {
+       Pose X = at_depth(0.002);
+       X.p.x() = std::numeric_limits<double>::quiet_NaN();
+       return b.tick({.X_FM = X});
+     }},
+    {"failed separation", Withheld::failed,
+     [](Bench& b) -> const HandTick& {
+       // A pose that the geometry refuses: too far away to compute with.
+       b.feed.refresh({Quat::Identity(), Vec3(1e12, 0, 0)}, 0, 1e9, {});
+       return b.tick({.X_FM = at_depth(0.002)});
+     }},
+    {"stalled geometry", Withheld::stalled,
+     [](Bench& b) -> const HandTick& {
+       for (int i = 0; i < 25; ++i) b.tick({.X_FM = at_depth(0.002)}, false);
+       return b.tick({.X_FM = at_depth(0.002)}, false);
+     }},
+    {"shutdown", Withheld::shut_down,
+     [](Bench& b) -> const HandTick& { return b.loop.rest(Withheld::shut_down); }},
+    {"pause", Withheld::paused,
+     [](Bench& b) -> const HandTick& { return b.loop.rest(Withheld::paused); }},
+};
+
+TEST(HandLoop, whatever_goes_wrong_gives_no_force_says_why_and_ramps_in_again) {
+  for (const Fault& fault : faults) {
+    SCOPED_TRACE(fault.name);
+    HandLoopSettings settings = at_once();
+    settings.safety.ramp_time = 0.1;
+    Bench bench(settings);
+    bench.settle(0.002);
+    ASSERT_NEAR(bench.loop.last().wrench.force.z(), 1, 1e-3);
+    const HandTick& t = fault.tick(bench);
+    EXPECT_EQ(t.wrench.force, Vec3::Zero());
+    EXPECT_EQ(t.wrench.torque, Vec3::Zero());
+    EXPECT_EQ(t.hand.withheld, fault.reason);
+    bench.tick(0.002);  // the geometry's first answer after it
+    const HandTick& again = bench.tick(0.002);
+    EXPECT_EQ(again.hand.withheld, Withheld::nothing);
+    EXPECT_LT(again.wrench.force.z(), 0.05);
+    bench.settle(0.002);
+    EXPECT_NEAR(bench.loop.last().wrench.force.z(), 1, 1e-3);
+  }
+}
+
+TEST(HandLoop, the_geometry_may_be_twenty_milliseconds_late_and_no_more) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int late = 1; late <= 19; ++late)
+    EXPECT_EQ(bench.tick({.X_FM = at_depth(0.002)}, false).hand.withheld, Withheld::nothing);
+  for (int late = 0; late < 3; ++late) bench.tick({.X_FM = at_depth(0.002)}, false);
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
+}
+
+TEST(HandLoop, an_untrusted_pose_is_not_followed) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  bench.tick({.X_FM = at_depth(1), .trusted = false});
+  EXPECT_EQ(bench.loop.device().p, at_depth(0.002).p);
+  EXPECT_NEAR(bench.loop.last().separation.depth, 0.002, 1e-5);
+}
+
+TEST(HandLoop, a_jump_of_the_geometry_is_reported_and_not_damped) {
+  Coupling coupling;
+  coupling.mode = Coupling::Mode::classic;
+  coupling.b_t = 100;
+  Bench bench(at_once(), coupling);
+  bench.settle(0.002, 10);
+  EXPECT_FALSE(bench.loop.last().separation.jumped);
+  LocalContacts jumped = bench.feed.contacts();
+  ++jumped.jumps;
+  const HandLoop::Clock clock{.tick = 20, .now = 0.02, .dt = dt};
+  const HandTick& t = bench.loop.tick({.X_FM = at_depth(0.003)}, jumped, clock, Withheld::nothing);
+  EXPECT_TRUE(t.separation.jumped);
+  EXPECT_NEAR(t.wrench.force.z(), 500 * 0.003, 1e-3);
+}
+
+TEST(HandLoop, the_work_on_the_hand_is_that_of_the_wrench_along_its_motion) {
+  Bench bench;
+  bench.settle(0.001, 5);
+  double work = 0, force = bench.loop.last().wrench.force.z(), z = at_depth(0.001).p.z();
+  const double before = bench.loop.last().hand.energy.given;
+  for (int i = 1; i <= 40; ++i) {
+    const Pose X = at_depth(0.001 + 1e-4 * i);
+    const HandTick& t = bench.tick({.X_FM = X});
+    work += force * (X.p.z() - z);
+    force = t.wrench.force.z();
+    z = X.p.z();
+  }
+  EXPECT_LT(work, -1e-3);
+  EXPECT_NEAR(bench.loop.last().hand.energy.given - before, work, 1e-9);
+}
+
+TEST(HandLoop, a_tick_neither_allocates_nor_frees) {
+  HandLoopSettings settings;
+  settings.passivity.control = true;
+  Bench bench(settings);
+  bench.tick(0.001);
+  int in_contact = 0;
+  test::AllocationCounter counter;
+  for (std::uint64_t i = 2; i < 300; ++i) {
+    const HandLoop::Clock clock{.tick = i, .now = double(i) * dt, .dt = dt};
+    bench.feed.refresh(bench.loop.device(), clock.tick, clock.now, {});
+    const Pose X = at_depth(0.003 * std::sin(0.05 * double(i)));
+    const HandTick& t = bench.loop.tick({.X_FM = X}, bench.feed.contacts(), clock,
+                                        i % 50 == 0 ? Withheld::stopped : Withheld::nothing);
+    in_contact += t.separation.status == Status::penetrating;
+  }
+  counter.stop();
+  EXPECT_EQ(counter.allocations(), 0u);
+  EXPECT_EQ(counter.frees(), 0u);
+  EXPECT_GT(in_contact, 30);
+}
+
+}  // namespace
+}  // namespace sonde
