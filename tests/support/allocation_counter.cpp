@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/allocation_counter.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 
@@ -14,11 +15,17 @@ struct Counts {
 };
 thread_local Counts counts{};
 
+std::atomic<bool> all_on{false};
+std::atomic<std::uint64_t> all_allocations{0}, all_frees{0};
+
 void count_allocation() noexcept {
   if (counts.on) ++counts.allocations;
+  if (all_on.load(std::memory_order_relaxed)) ++all_allocations;
 }
 void count_free(const volatile void* block) noexcept {
-  if (counts.on && block != nullptr) ++counts.frees;
+  if (block == nullptr) return;
+  if (counts.on) ++counts.frees;
+  if (all_on.load(std::memory_order_relaxed)) ++all_frees;
 }
 
 }  // namespace
@@ -90,5 +97,13 @@ void AllocationCounter::stop() {
   allocations_ = counts.allocations;
   frees_ = counts.frees;
 }
+
+ProcessAllocationCounter::ProcessAllocationCounter() {
+  all_allocations = all_frees = 0;
+  all_on = true;
+}
+void ProcessAllocationCounter::stop() { all_on = false; }
+std::uint64_t ProcessAllocationCounter::allocations() const { return all_allocations; }
+std::uint64_t ProcessAllocationCounter::frees() const { return all_frees; }
 
 }  // namespace sonde::test

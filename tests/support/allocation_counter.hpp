@@ -24,4 +24,16 @@ class AllocationCounter {
   std::uint64_t frees_ = 0;
 };
 
+/// The same for all threads of the process, from construction until stop(). One at a time.
+class ProcessAllocationCounter {
+ public:
+  ProcessAllocationCounter();
+  ~ProcessAllocationCounter() { stop(); }
+  ProcessAllocationCounter(const ProcessAllocationCounter&) = delete;
+  ProcessAllocationCounter& operator=(const ProcessAllocationCounter&) = delete;
+  void stop();
+  std::uint64_t allocations() const;
+  std::uint64_t frees() const;
+};
+
 }  // namespace sonde::test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <memory>
 #include <thread>
@@ -113,6 +114,32 @@ TEST(AllocationCounter, looks_at_this_thread_and_between_the_marks_only) {
   look_at(after.data());
   EXPECT_EQ(counter.allocations(), 0u);
   EXPECT_EQ(there, 1u);
+}
+
+TEST(AllocationCounter, of_the_process_sees_every_thread) {
+  std::atomic<bool> go{false}, done{false};
+  std::thread other([&] {
+    while (!go) std::this_thread::yield();
+    auto block = std::make_unique<int[]>(10);
+    look_at(block.get());
+    block.reset();
+    done = true;
+    while (go) std::this_thread::yield();
+  });
+  ProcessAllocationCounter counter;
+  go = true;
+  while (!done) std::this_thread::yield();
+  counter.stop();
+  go = false;
+  other.join();
+  auto after = std::make_unique<int>(1);
+  look_at(after.get());
+  EXPECT_GE(counter.allocations(), 1u);
+  EXPECT_GE(counter.frees(), 1u);
+  const std::uint64_t seen = counter.allocations();
+  after.reset(new int(2));
+  look_at(after.get());
+  EXPECT_EQ(counter.allocations(), seen);
 }
 
 }  // namespace

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The haptic loop in its real threads, along the path of a scene, there and back, for as long as is
+// asked: how it keeps its deadlines, and whether it ever allocates.
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "engine/haptics/servo.hpp"
+#include "engine/scene/poses.hpp"
+#include "engine/scene/scene.hpp"
+#include "tests/support/allocation_counter.hpp"
+
+namespace sonde {
+namespace {
+
+struct Options {
+  std::string scene;
+  double seconds = 60;
+  double rate_hz = 0;
+  bool histogram = false;
+};
+
+/// µs of processor time that this thread has had.
+double cpu_us() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
+}
+
+/// A hand that follows a path in real time, forwards and backwards in turn.
+class PathHand {
+ public:
+  explicit PathHand(std::vector<TimedPose> path) : path_(std::move(path)) {}
+
+  Hand hand() {
+    return {.sample = [this](double dt) { return sample(dt); },
+            .render = [this](const Wrench&) { cpu_.add(cpu_us() - begin_); }};
+  }
+  /// Processor time from sample to render; read when the servo has stopped.
+  const TimeHistogram& cpu() const { return cpu_; }
+
+ private:
+  HandSample sample(double dt) {
+    begin_ = cpu_us();
+    const double length = path_.back().t - path_.front().t;
+    time_ = std::fmod(time_ + dt, 2 * length);
+    const double t = path_.front().t + (time_ < length ? time_ : 2 * length - time_);
+    while (at_ + 2 < path_.size() && path_[at_ + 1].t < t) ++at_;
+    while (at_ > 0 && path_[at_].t > t) --at_;
+    const TimedPose &a = path_[at_], &b = path_[at_ + 1];
+    const double s = std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0);
+    return {.X_FM = {a.pose.q.slerp(s, b.pose.q), a.pose.p + s * (b.pose.p - a.pose.p)}};
+  }
+
+  std::vector<TimedPose> path_;
+  std::size_t at_ = 0;
+  double time_ = 0;
+  double begin_ = 0;
+  TimeHistogram cpu_;
+};
+
+/// What a reader of every tick has seen.
+struct Seen {
+  std::uint64_t ticks = 0, contact = 0, held_back = 0, failed = 0;
+  std::array<std::uint64_t, 9> withheld{};
+  double largest_force = 0;
+  void take(const Snapshot& s) {
+    ++ticks;
+    contact += s.separation.status == Status::penetrating;
+    failed += s.separation.status == Status::failed;
+    held_back += s.hand.rows.held_back;
+    ++withheld[static_cast<std::size_t>(s.hand.withheld)];
+    largest_force = std::max(largest_force, s.wrench.force.norm());
+  }
+};
+
+void print(const char* name, const TimeHistogram& h) {
+  std::printf("%-22s median %8.1f  p99 %8.1f  p99.9 %8.1f  max %9.1f us\n", name, h.quantile(0.5),
+              h.quantile(0.99), h.quantile(0.999), h.largest);
+}
+
+void print_bins(const char* name, const TimeHistogram& h) {
+  std::printf("%s, us: ticks up to\n", name);
+  for (int i = 0; i < TimeHistogram::bins; ++i)
+    if (const auto n = h.counts[static_cast<std::size_t>(i)]; n > 0)
+      std::printf("  %10.1f %u\n", TimeHistogram::edge(i), n);
+}
+
+/// True where nothing was allocated and no separation failed.
+bool run(const Options& o) {
+  const Scene scene = read_scene(o.scene);
+  if (!scene.trajectory) throw InputError::in(o.scene, "the scene names no trajectory");
+  const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
+  if (path.size() < 2) throw InputError::in(o.scene, "the path has a single pose");
+  ServoSettings settings = scene.servo;
+  if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
+  PathHand hand(path);
+  Servo servo(load(scene.probe, scene.unit), load(scene.fixed, scene.unit), Method::pdg,
+              scene.coupling, settings);
+  servo.start(path.front().pose, hand.hand());
+
+  Seen seen;
+  Snapshot snapshot;
+  const auto read = [&] {
+    while (servo.next_tick(snapshot)) seen.take(snapshot);
+  };
+  using std::chrono::steady_clock;
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the threads have begun
+  test::ProcessAllocationCounter counter;
+  const auto end = steady_clock::now() + std::chrono::duration<double>(o.seconds);
+  while (steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    read();
+  }
+  counter.stop();
+  servo.stop();
+  read();
+
+  const ServoTiming& timing = servo.timing();
+  std::printf("%s: %.0f s at %g Hz; %s; %s\n", scene.name.c_str(), o.seconds, settings.rate_hz,
+              timing.real_time.scheduling, timing.real_time.memory);
+  print("period", timing.period);
+  print("tick, wall clock", timing.tick);
+  print("tick, processor time", hand.cpu());
+  print("geometry", timing.geometry);
+  print("age of the rows", timing.age);
+  const auto share = [&](std::uint64_t n) { return 100.0 * double(n) / double(timing.ticks); };
+  std::printf("ticks %llu, late %llu (%.2f %%), in step %.1f %%, in contact %.1f %%\n",
+              static_cast<unsigned long long>(timing.ticks),
+              static_cast<unsigned long long>(timing.late), share(timing.late),
+              share(timing.in_step), share(seen.contact));
+  for (std::size_t i = 1; i < seen.withheld.size(); ++i)
+    if (seen.withheld[i] > 0)
+      std::printf("no force for %llu ticks: %s\n",
+                  static_cast<unsigned long long>(seen.withheld[i]),
+                  words(static_cast<Withheld>(i)));
+  std::printf("held back %llu, failed %llu, dropped by the reader %llu; largest force %.2f N\n",
+              static_cast<unsigned long long>(seen.held_back),
+              static_cast<unsigned long long>(seen.failed),
+              static_cast<unsigned long long>(servo.ticks_dropped()), seen.largest_force);
+  std::printf("allocations %llu, frees %llu, in all threads\n",
+              static_cast<unsigned long long>(counter.allocations()),
+              static_cast<unsigned long long>(counter.frees()));
+  if (o.histogram) {
+    print_bins("period", timing.period);
+    print_bins("tick", timing.tick);
+  }
+  return counter.allocations() == 0 && counter.frees() == 0 && seen.failed == 0;
+}
+
+}  // namespace
+}  // namespace sonde
+
+int main(int argc, char** argv) {
+  sonde::Options o;
+  CLI::App app("The haptic loop in its real threads, along the path of a scene");
+  app.add_option("SCENE", o.scene, "scene file that names a trajectory")->required();
+  app.add_option("--seconds", o.seconds, "how long")->capture_default_str();
+  app.add_option("--rate-hz", o.rate_hz, "of the servo; 0: the scene's own");
+  app.add_flag("--histogram", o.histogram, "print the bins too");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return sonde::run(o) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sonde-soak: %s\n", error.what());
+    return 3;
+  }
+}
