@@ -3,11 +3,13 @@
 
 #include <utility>
 
+#include "engine/haptics/real_time.hpp"
+
 namespace sonde {
 
 GeometryThread::GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                               Method method, const Budget& budget)
-    : feed_(std::move(probe), std::move(fixed), method), budget_(budget) {}
+                               Method method, const Budget& budget, bool real_time)
+    : feed_(std::move(probe), std::move(fixed), method), budget_(budget), real_time_(real_time) {}
 
 GeometryThread::~GeometryThread() { stop(); }
 
@@ -40,6 +42,7 @@ const LocalContacts& GeometryThread::newest() noexcept {
 }
 
 void GeometryThread::run() noexcept {
+  if (real_time_) request_precedence();
   std::int32_t seen = 0;
   for (;;) {
     asked_.wait(seen, std::memory_order_acquire);

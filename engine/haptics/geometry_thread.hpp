@@ -15,7 +15,7 @@ namespace sonde {
 class GeometryThread {
  public:
   GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                 Method method, const Budget& budget);
+                 Method method, const Budget& budget, bool real_time = false);
   ~GeometryThread();  ///< stops it
   GeometryThread(const GeometryThread&) = delete;
   GeometryThread& operator=(const GeometryThread&) = delete;
@@ -40,6 +40,7 @@ class GeometryThread {
 
   ContactFeed feed_;
   Budget budget_;
+  bool real_time_;  ///< ask for more than an ordinary share of the processor
   TripleBuffer<Request> requests_;
   TripleBuffer<LocalContacts> contacts_;
   std::atomic<std::int32_t> asked_{0};  ///< requests so far: what the thread waits on

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <cerrno>
 
@@ -51,6 +52,11 @@ RealTime request_real_time() noexcept {
           .locked = memory == 0,
           .scheduling = scheduling_words(scheduling),
           .memory = memory_words(memory)};
+}
+
+bool request_precedence() noexcept {
+  constexpr int nice = -11;
+  return setpriority(PRIO_PROCESS, 0, nice) == 0;  // of this thread alone, on Linux
 }
 
 }  // namespace sonde

@@ -68,7 +68,7 @@ struct Servo::State {
   State(const std::shared_ptr<const Body>& probe, std::shared_ptr<const Body> fixed, Method method,
         const ServoSettings& s, const Coupling& c)
       : loop(probe->mass, method, c, hand_settings(s)),
-        geometry(probe, std::move(fixed), method, s.budget),
+        geometry(probe, std::move(fixed), method, s.budget, s.real_time),
         settings(s),
         coupling(c) {}
 

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <string>
 #include <thread>
@@ -34,6 +35,19 @@ TEST(RealTime, nothing_is_said_where_nothing_was_asked) {
   const RealTime none;
   EXPECT_STREQ(none.scheduling, "");
   EXPECT_STREQ(none.memory, "");
+}
+
+TEST(RealTime, precedence_is_of_the_thread_alone) {
+  const int before = getpriority(PRIO_PROCESS, 0);
+  bool granted = false;
+  int there = 0;
+  std::thread thread([&] {
+    granted = request_precedence();
+    there = getpriority(PRIO_PROCESS, 0);
+  });
+  thread.join();
+  EXPECT_EQ(granted, there < 0);
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), before);
 }
 
 }  // namespace
