@@ -39,7 +39,8 @@ TEST_F(PanelTest, every_gain_has_a_slider_and_a_typed_value) {
 }
 
 TEST_F(PanelTest, a_slider_acts_on_the_force) {
-  ASSERT_TRUE(wait_until([this] { return force() > 0; }));
+  // The force comes in from zero.
+  ASSERT_TRUE(wait_until([this] { return shown().hand.share >= 1; }));
   const double before = force(), k_before = window->session()->coupling().k;
   auto* slider = find<QSlider>("k_slider");
   slider->setValue(slider->value() - 80);
