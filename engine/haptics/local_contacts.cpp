@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 3;
 /// |v| of the chart that is not gone beyond: ∂w/∂v blows up at 1.
 constexpr double largest_v = 0.95;
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/row_age.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/haptics/local_contacts.hpp"
-#include "engine/penetration/deadline.hpp"
 #include "engine/proximity/motion.hpp"
 
 namespace sonde {
@@ -45,6 +46,13 @@ Wrench wrench_of(const MassProperties& mass, const Separation& s, double k) {
   return object_norm_wrench(mass, s.device, s.separated, k);
 }
 
+/// µs of processor time that this thread has had: what others do does not count.
+double cpu_us() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
+}
+
 struct Samples {
   std::vector<double> force, torque, solve_us;
   int held_back = 0;
@@ -72,17 +80,18 @@ std::vector<RowAge> measure_row_age(std::shared_ptr<const Body> probe,
     const Pose device = pose_at(path, t);
     speeds.push_back(path_length(mass, before, device) * options.rate_hz);
     before = device;
+    const double refresh_begin = cpu_us();
     const LocalContacts& now = kept[i % kept.size()] = feed.refresh(device, i, t, options.budget);
-    refresh_us.push_back(now.refresh_us);
+    refresh_us.push_back(cpu_us() - refresh_begin);
     const Wrench in_step = wrench_of(mass, now.separation, options.k);
     largest_force = std::max(largest_force, in_step.force.norm());
     for (std::size_t a = 0; a < options.ages.size(); ++a) {
       const auto age = static_cast<std::size_t>(options.ages[a]);
       if (i <= age) continue;
       const LocalContacts& old = kept[(i - age) % kept.size()];
-      const double begin = now_us();
+      const double begin = cpu_us();
       const LocalAnswer answer = separate_locally(mass, options.method, old, device);
-      samples[a].solve_us.push_back(now_us() - begin);
+      samples[a].solve_us.push_back(cpu_us() - begin);
       const bool contact = now.separation.status == Status::penetrating ||
                            answer.separation.status == Status::penetrating;
       if (!contact || old.jumps != now.jumps) continue;

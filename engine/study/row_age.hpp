@@ -35,8 +35,8 @@ struct RowAge {
   double largest_force = 0;  ///< N, in step
   Spread force_error;        ///< |F − F in step|, N
   Spread torque_error;       ///< |τ − τ in step|, N·m
-  Spread solve_us;           ///< time of the local problem; the only figures that differ by run
-  Spread refresh_us;         ///< time of the geometry
+  Spread solve_us;           ///< processor time of the local problem; it and the next differ by run
+  Spread refresh_us;         ///< processor time of the geometry
 };
 
 /// Runs the path with the geometry in step, and at each tick solves the rows of `age` ticks ago at
