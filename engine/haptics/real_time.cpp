@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include <cerrno>
+#include <thread>
 
 namespace sonde {
 namespace {
@@ -55,6 +56,11 @@ RealTime request_real_time() noexcept {
 }
 
 bool request_precedence() noexcept {
+  if (std::thread::hardware_concurrency() > 1) {
+    sched_param parameters{};
+    parameters.sched_priority = priority / 2;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
+  }
   constexpr int nice = -11;
   return setpriority(PRIO_PROCESS, 0, nice) == 0;  // of this thread alone, on Linux
 }

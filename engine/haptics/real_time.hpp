@@ -15,8 +15,9 @@ struct RealTime {
 /// Asks for both, for the calling thread and for the process. May wait; not to be called in a tick.
 RealTime request_real_time() noexcept;
 
-/// Asks for more than an ordinary share of the processor for the calling thread, but not for all of
-/// it: for work that has no end. False where that is not permitted.
+/// Asks for the calling thread to run before all ordinary ones, but behind those of
+/// request_real_time(). For work that may have no end: where there is a single processor, only a
+/// greater share of it is asked for. False where that is not permitted.
 bool request_precedence() noexcept;
 
 }  // namespace sonde

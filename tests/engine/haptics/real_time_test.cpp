@@ -37,17 +37,30 @@ TEST(RealTime, nothing_is_said_where_nothing_was_asked) {
   EXPECT_STREQ(none.memory, "");
 }
 
-TEST(RealTime, precedence_is_of_the_thread_alone) {
+TEST(RealTime, precedence_is_of_the_thread_alone_and_behind_what_has_deadlines) {
   const int before = getpriority(PRIO_PROCESS, 0);
   bool granted = false;
-  int there = 0;
+  int nice = 0, policy = -1;
+  sched_param there{}, servo{};
   std::thread thread([&] {
     granted = request_precedence();
-    there = getpriority(PRIO_PROCESS, 0);
+    nice = getpriority(PRIO_PROCESS, 0);
+    pthread_getschedparam(pthread_self(), &policy, &there);
   });
   thread.join();
-  EXPECT_EQ(granted, there < 0);
+  EXPECT_EQ(granted, nice < 0 || policy == SCHED_FIFO);
+  std::thread other([&] {
+    if (!request_real_time().scheduled)
+      servo.sched_priority = 99;  // nothing to compare with
+    else
+      pthread_getschedparam(pthread_self(), &policy, &servo);
+  });
+  other.join();
+  munlockall();
+  EXPECT_LT(there.sched_priority, servo.sched_priority);
   EXPECT_EQ(getpriority(PRIO_PROCESS, 0), before);
+  pthread_getschedparam(pthread_self(), &policy, &there);
+  EXPECT_EQ(policy, SCHED_OTHER);
 }
 
 }  // namespace
