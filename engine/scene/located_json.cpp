@@ -71,7 +71,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t consumed = 0;
 
   bool null() override { return leaf(JsonNode::Kind::null), true; }
-  bool boolean(bool) override { return leaf(JsonNode::Kind::boolean), true; }
+  bool boolean(bool value) override { return leaf(JsonNode::Kind::boolean).boolean = value, true; }
   bool number_integer(number_integer_t value) override { return number(double(value)); }
   bool number_unsigned(number_unsigned_t value) override { return number(double(value)); }
   bool number_float(number_float_t value, const string_t&) override { return number(value); }

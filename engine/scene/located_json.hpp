@@ -16,6 +16,7 @@ struct JsonNode {
   std::size_t line = 0;            ///< where the value begins, counted from 1
   std::string text;                ///< a string's value
   double number = 0;               ///< a number's value, finite
+  bool boolean = false;            ///< true or false
   std::vector<JsonNode> children;  ///< of an array or an object, in the order of the file
   std::string key;                 ///< the name of a child of an object
   std::size_t key_line = 0;

@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "engine/scene/device_settings_file.hpp"
 #include "engine/scene/json_checks.hpp"
+#include "engine/scene/json_settings.hpp"
 #include "engine/scene/located_json.hpp"
 #include "engine/scene/nearest.hpp"
 #include "engine/scene/number_text.hpp"
@@ -39,14 +41,15 @@ const Keys& body_keys() {
   static const Keys keys{"mesh", "model", "scale", "pose"};
   return keys;
 }
-Keys keys_of(std::span<const Setting> settings) {
-  Keys keys;
-  for (const Setting& setting : settings) keys.emplace_back(setting.key);
-  return keys;
-}
 Keys coupling_keys() {
   Keys keys = keys_of(coupling_settings());
   keys.insert(keys.begin(), "mode");
+  return keys;
+}
+/// A scene's `device` names a profile beside the settings.
+Keys device_keys() {
+  Keys keys = device_settings_keys();
+  keys.insert(keys.begin(), "profile");
   return keys;
 }
 
@@ -125,39 +128,36 @@ struct Reader {
     return body;
   }
 
-  /// The settings of a table that the object sets.
-  template <class Target>
-  void read_settings(const JsonNode& object, std::span<const Setting> settings,
-                     Target& target) const {
-    for (const Setting& setting : settings) {
-      const JsonNode* node = object.find(setting.key);
-      if (!node) continue;
-      expect(*node, Kind::number);
-      if (!allowed(setting, node->number))
-        fail(node->line, in_quotes(setting.key) + " is " + number_text(node->number) +
-                             "; it must be " + range_text(setting));
-      set(target, setting.key, node->number);
-    }
-  }
-
   Coupling coupling(const JsonNode& node) const {
     Coupling coupling;
     expect_object(node, coupling_keys());
-    if (const JsonNode* mode = node.find("mode")) {
-      expect(*mode, Kind::string);
-      Keys known;
-      for (const Choice& choice : coupling_modes()) known.emplace_back(choice.key);
-      coupling.mode = choice(*mode, coupling_mode(mode->text), known);
-    }
-    read_settings(node, coupling_settings(), coupling);
+    if (const JsonNode* mode = node.find("mode"))
+      coupling.mode = static_cast<Coupling::Mode>(read_choice(file, *mode, coupling_modes()));
+    read_settings(file, node, coupling_settings(), coupling);
     return coupling;
   }
 
   ServoSettings servo(const JsonNode& node) const {
     ServoSettings servo;
     expect_object(node, keys_of(servo_settings()));
-    read_settings(node, servo_settings(), servo);
+    read_settings(file, node, servo_settings(), servo);
     return servo;
+  }
+
+  /// An id stays as it is; what ends in ".json" is a path like the others.
+  std::string profile(const JsonNode& node) const {
+    const std::filesystem::path whole = path(node);
+    return node.text.ends_with(".json") ? whole.string() : node.text;
+  }
+
+  SceneDevice device(const JsonNode& node) const {
+    if (node.kind == Kind::string) return {.profile = profile(node), .settings = {}};
+    expect_object(node, device_keys());
+    SceneDevice device;
+    if (const JsonNode* given = node.find("profile")) device.profile = profile(*given);
+    const bool nothing_else = node.children.size() == (device.profile.empty() ? 0U : 1U);
+    if (!nothing_else) device.settings = device_settings_in(file, node);
+    return device;
   }
 };
 
@@ -193,14 +193,11 @@ Scene read_scene(const std::filesystem::path& file) {
     scene.coupling = coupling->kind == Kind::string ? read_coupling(reader.path(*coupling))
                                                     : reader.coupling(*coupling);
   if (const JsonNode* servo = root.find("servo")) scene.servo = reader.servo(*servo);
-  const auto keep = [&](const char* key, std::string& into) {
-    const JsonNode* node = root.find(key);
-    if (!node) return;
-    reader.expect(*node, Kind::object);
-    into = text.substr(node->begin, node->end - node->begin);
-  };
-  keep("view", scene.view);
-  keep("device", scene.device);
+  if (const JsonNode* device = root.find("device")) scene.device = reader.device(*device);
+  if (const JsonNode* view = root.find("view")) {
+    reader.expect(*view, Kind::object);
+    scene.view = text.substr(view->begin, view->end - view->begin);
+  }
   return scene;
 }
 
@@ -213,6 +210,12 @@ std::vector<std::string> scene_keys() {
   add("probe.", body_keys());
   add("fixed.", body_keys());
   add("coupling.", coupling_keys());
+  add("device.", device_keys());
+  for (const Choice& axis : device_axes()) {
+    const std::string name = std::string("device.axes.") + axis.key;
+    all.push_back(name);
+    add(name + '.', device_axis_keys());
+  }
   add("servo.", keys_of(servo_settings()));
   return all;
 }

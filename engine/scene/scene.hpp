@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/devices/device_settings.hpp"
 #include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/servo.hpp"
@@ -20,6 +21,15 @@ struct SceneBody {
   Pose pose;  ///< X_WM, metres
 };
 
+/// What a scene says of the device.
+struct SceneDevice {
+  /// The profile to simulate where no other device is asked for: an id, or a path that ends in
+  /// ".json" (absolute, or relative to the working directory); empty where the scene names none.
+  std::string profile;
+  /// None: those kept for the device, or the defaults.
+  std::optional<DeviceSettings> settings;
+};
+
 /// A scene file, read and checked (NAME.sonde.json). Meshes are not loaded yet.
 struct Scene {
   std::filesystem::path file;
@@ -30,9 +40,9 @@ struct Scene {
   std::optional<std::filesystem::path> trajectory;
   Coupling coupling;
   ServoSettings servo;
-  /// The `view` and `device` objects as JSON text, for the desktop program; "{}" where absent.
+  SceneDevice device;
+  /// The `view` object as JSON text, for the desktop program; "{}" where absent.
   std::string view = "{}";
-  std::string device = "{}";
 };
 
 /// Reads a scene. Throws InputError naming the file, the line and the reason: JSON that does not

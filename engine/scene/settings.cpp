@@ -20,11 +20,15 @@ struct Row {
   void (*write)(Target&, double);
 };
 
+template <class Target, double Target::*member>
+constexpr Row<Target> number(Setting setting) {
+  setting.fallback = Target{}.*member;
+  return {setting, [](const Target& t) { return t.*member; },
+          [](Target& t, double value) { t.*member = value; }};
+}
 template <double Coupling::*member>
 constexpr Row<Coupling> gain(Setting setting) {
-  setting.fallback = Coupling{}.*member;
-  return {setting, [](const Coupling& c) { return c.*member; },
-          [](Coupling& c, double value) { c.*member = value; }};
+  return number<Coupling, member>(setting);
 }
 
 // clang-format off
@@ -88,6 +92,47 @@ constexpr std::array<Row<ServoSettings>, 7> servo_rows{{
      [](ServoSettings& s, double value) { s.passivity.control = value > 0; }},
 }};
 
+constexpr std::array device_rows{
+    number<DeviceSettings, &DeviceSettings::scaling>({"scaling", "Workspace scaling", "", 1e-3,
+        1000, 0, true, "How far the probe goes for a motion of the hand; the force grows with it."}),
+    number<DeviceSettings, &DeviceSettings::reach>({"reach", "Full push", "m or m/s", 1e-4, 10, 0,
+        true, "Where full deflection takes the probe, or how fast."}),
+    number<DeviceSettings, &DeviceSettings::turn>({"turn", "Full twist", "rad or rad/s", 0.01, 20, 0,
+        true, "How far full deflection turns the probe, or how fast."}),
+    number<DeviceSettings, &DeviceSettings::smoothing>({"smoothing", "Smoothing", "s", 0, 1, 0,
+        false, "Time in which most of a new deflection has taken effect."}),
+    Row<DeviceSettings>{
+        {"clutch_button", "Clutch button", "", 0, 32, double(DeviceSettings{}.clutch_button), false,
+         "Held down, it leaves the probe where it is while the hand moves on; 0: none.", true},
+        [](const DeviceSettings& d) { return double(d.clutch_button); },
+        [](DeviceSettings& d, double value) { d.clutch_button = static_cast<int>(value); }},
+};
+
+constexpr std::array axis_rows{
+    number<AxisSetting, &AxisSetting::gain>({"gain", "Gain", "", 0, 10, 0, false,
+        "Multiplies the axis; 0 switches it off."}),
+    number<AxisSetting, &AxisSetting::dead_zone>({"dead_zone", "Dead zone", "", 0, 0.9, 0, false,
+        "A deflection up to this part of the full one counts as none."}),
+};
+
+constexpr std::array<Choice, 2> controls{{
+    {"position", "Position", "A deflection is a displacement: let go, and the probe comes back."},
+    {"rate", "Rate", "A deflection is a velocity: let go, and the probe stays."},
+}};
+constexpr std::array<Choice, 3> frames{{
+    {"view", "The picture's", "What is pushed to the right goes to the right of the picture."},
+    {"scene", "The scene's, z up", "x, y and z of the device are those of the scene."},
+    {"y_up", "The scene's, y up", "x, y and z of the device are x, -z and y of the scene."},
+}};
+constexpr std::array<Choice, 6> axes{{
+    {"x", "right", "To the right."},
+    {"y", "away", "Away from the user."},
+    {"z", "up", "Upwards."},
+    {"rx", "about x", "Tilt away from the user and back."},
+    {"ry", "about y", "Tilt to the right and to the left."},
+    {"rz", "about z", "Twist."},
+}};
+
 constexpr std::array<Choice, 3> models{{
     {"auto", "Automatic", "Solid where the mesh is closed, else surface."},
     {"solid", "Solid", "The interior counts; mass by volume."},
@@ -103,6 +148,8 @@ constexpr std::array<Setting, n> settings_of(const std::array<Row<Target>, n>& r
 }
 constexpr auto coupling_table = settings_of(coupling_rows);
 constexpr auto servo_table = settings_of(servo_rows);
+constexpr auto device_table = settings_of(device_rows);
+constexpr auto axis_table = settings_of(axis_rows);
 
 const auto& row(const auto& rows, std::string_view key) {
   const auto found = std::ranges::find(rows, key, [](const auto& r) { return r.setting.key; });
@@ -116,18 +163,16 @@ double brought_in(const Setting& setting, double value) {
   return setting.integer ? std::round(inside) : inside;
 }
 
-/// The place of a name in a table of choices.
-std::optional<std::size_t> place(std::span<const Choice> choices, std::string_view name) {
-  const auto found = std::ranges::find(choices, name, &Choice::key);
-  if (found == choices.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - choices.begin());
-}
-
 }  // namespace
 
 std::span<const Setting> coupling_settings() { return coupling_table; }
 std::span<const Choice> coupling_modes() { return modes; }
 std::span<const Setting> servo_settings() { return servo_table; }
+std::span<const Setting> device_settings() { return device_table; }
+std::span<const Setting> axis_settings() { return axis_table; }
+std::span<const Choice> device_controls() { return controls; }
+std::span<const Choice> device_frames() { return frames; }
+std::span<const Choice> device_axes() { return axes; }
 
 const Setting* find_setting(std::span<const Setting> settings, std::string_view key) {
   const auto found = std::ranges::find(settings, key, &Setting::key);
@@ -160,15 +205,33 @@ void set(ServoSettings& servo, std::string_view key, double value) {
   const auto& r = row(servo_rows, key);
   r.write(servo, brought_in(r.setting, value));
 }
+double get(const DeviceSettings& device, std::string_view key) {
+  return row(device_rows, key).read(device);
+}
+void set(DeviceSettings& device, std::string_view key, double value) {
+  const auto& r = row(device_rows, key);
+  r.write(device, brought_in(r.setting, value));
+}
+double get(const AxisSetting& axis, std::string_view key) { return row(axis_rows, key).read(axis); }
+void set(AxisSetting& axis, std::string_view key, double value) {
+  const auto& r = row(axis_rows, key);
+  r.write(axis, brought_in(r.setting, value));
+}
+
+std::optional<std::size_t> place_of(std::span<const Choice> choices, std::string_view name) {
+  const auto found = std::ranges::find(choices, name, &Choice::key);
+  if (found == choices.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - choices.begin());
+}
 
 const char* name_of(Coupling::Mode mode) { return modes[static_cast<std::size_t>(mode)].key; }
 std::optional<Coupling::Mode> coupling_mode(std::string_view name) {
-  const auto i = place(modes, name);
+  const auto i = place_of(modes, name);
   return i ? std::optional(static_cast<Coupling::Mode>(*i)) : std::nullopt;
 }
 const char* name_of(Model model) { return models[static_cast<std::size_t>(model)].key; }
 std::optional<Model> model_named(std::string_view name) {
-  const auto i = place(models, name);
+  const auto i = place_of(models, name);
   return i ? std::optional(static_cast<Model>(*i)) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/devices/device_settings.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/servo.hpp"
 
@@ -41,6 +42,16 @@ std::span<const Choice> coupling_modes();
 /// passivity_control.
 std::span<const Setting> servo_settings();
 
+/// A device's: scaling, reach, turn, smoothing, clutch_button.
+std::span<const Setting> device_settings();
+/// Those of each of its axes: gain, dead_zone.
+std::span<const Setting> axis_settings();
+/// The values of the device's "control" and "frame", in the order of the enumerations.
+std::span<const Choice> device_controls();
+std::span<const Choice> device_frames();
+/// The six axes, in the order of SixAxes: x, y, z, rx, ry, rz.
+std::span<const Choice> device_axes();
+
 /// The setting of that key; null where there is none.
 const Setting* find_setting(std::span<const Setting> settings, std::string_view key);
 
@@ -55,6 +66,13 @@ double get(const Coupling& coupling, std::string_view key);
 void set(Coupling& coupling, std::string_view key, double value);
 double get(const ServoSettings& servo, std::string_view key);
 void set(ServoSettings& servo, std::string_view key, double value);
+double get(const DeviceSettings& device, std::string_view key);
+void set(DeviceSettings& device, std::string_view key, double value);
+double get(const AxisSetting& axis, std::string_view key);
+void set(AxisSetting& axis, std::string_view key, double value);
+
+/// The place of a name in a table of choices; none where it is not there.
+std::optional<std::size_t> place_of(std::span<const Choice> choices, std::string_view name);
 
 const char* name_of(Coupling::Mode mode);
 std::optional<Coupling::Mode> coupling_mode(std::string_view name);

@@ -58,7 +58,8 @@ TEST(Scene, the_smallest_one_has_the_defaults) {
   EXPECT_EQ(scene.coupling.k, Coupling{}.k);
   EXPECT_EQ(scene.servo.rate_hz, 1000);
   EXPECT_EQ(scene.view, "{}");
-  EXPECT_EQ(scene.device, "{}");
+  EXPECT_EQ(scene.device.profile, "");
+  EXPECT_FALSE(scene.device.settings);
 }
 
 TEST(Scene, everything_is_read) {
@@ -72,7 +73,8 @@ TEST(Scene, everything_is_read) {
     "trajectory": "../path.csv",
     "coupling": {"mode": "classic", "k": 1, "k_t": 2, "k_r": 3, "b_t": 4, "b_r": 0.5,
                  "max_force": 6, "max_torque": 7},
-    "device": {"id": "x"},
+    "device": {"profile": "mine.json", "control": "position", "scaling": 4,
+               "axes": {"y": {"from": "z", "inverted": true}}},
     "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5},
     "view": {"camera": [1, 2, {"a": null}]}
   })"));
@@ -89,11 +91,32 @@ TEST(Scene, everything_is_read) {
   EXPECT_EQ(scene.servo.rate_hz, 500);
   EXPECT_EQ(scene.servo.budget.microseconds, 100);
   EXPECT_EQ(scene.servo.budget.steps, 5);
-  EXPECT_EQ(scene.device, R"({"id": "x"})");
+  EXPECT_EQ(scene.device.profile, (folder / "mine.json").string()) << "relative to the scene";
+  ASSERT_TRUE(scene.device.settings);
+  EXPECT_EQ(scene.device.settings->control, DeviceSettings::Control::position);
+  EXPECT_EQ(scene.device.settings->scaling, 4);
+  EXPECT_EQ(scene.device.settings->axes.axes[1].source, 2);
   EXPECT_EQ(scene.view, R"({"camera": [1, 2, {"a": null}]})");
 
   const Pose relative = relative_pose(scene);
   EXPECT_LT((relative.p - Vec3(-9e-3, 2e-3, 3e-3)).norm(), 1e-15);
+}
+
+TEST(Scene, a_device_is_a_profile_or_an_object) {
+  const TempFolder folder;
+  const auto device =
+      [&](const std::string& value) {
+        return read_scene(folder.write("s.sonde.json", R"({"probe": {"mesh": "a.off"},
+        "fixed": {"mesh": "b.off"}, "device": )" + value + "}"))
+            .device;
+      };
+  EXPECT_EQ(device("\"sigma.7\"").profile, "sigma.7");
+  EXPECT_EQ(device("\"my/own.json\"").profile, (folder / "my/own.json").string());
+  EXPECT_FALSE(device("{\"profile\": \"sigma.7\"}").settings) << "those kept for it";
+  EXPECT_TRUE(device("{\"profile\": \"sigma.7\", \"turn\": 2}").settings);
+  const SceneDevice any = device("{\"turn\": 2}");
+  EXPECT_EQ(any.profile, "");
+  EXPECT_EQ(any.settings->turn, 2);
 }
 
 TEST(Scene, each_setting_of_the_table_is_a_key) {
@@ -164,6 +187,8 @@ TEST(Scene, wrong_types_are_refused) {
               StartsWith("4: \"unit\" is a number; expected a string"));
   EXPECT_THAT(complaint(with_line("\"view\": []")), HasSubstr("a list; expected an object"));
   EXPECT_THAT(complaint(with_line("\"device\": true")), HasSubstr("expected an object"));
+  EXPECT_THAT(complaint(with_line("\"device\": {\"scalling\": 2}")),
+              AllOf(HasSubstr("unknown key \"scalling\""), HasSubstr("\"scaling\"")));
   EXPECT_THAT(complaint(with_line("\"coupling\": null")), HasSubstr("null; expected an object"));
   EXPECT_THAT(complaint(with_line("\"trajectory\": 1")), HasSubstr("expected a string"));
   EXPECT_THAT(complaint(with_line("\"trajectory\": \"\"")), HasSubstr("empty path"));

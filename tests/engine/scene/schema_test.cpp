@@ -58,6 +58,14 @@ TEST(Schema, its_settings_are_those_of_the_table) {
   const json definitions = schema().at("$defs");
   expect_same(definitions.at("coupling").at("properties"), coupling_settings());
   expect_same(definitions.at("servo").at("properties"), servo_settings());
+  expect_same(definitions.at("device").at("properties"), device_settings());
+  expect_same(definitions.at("axis").at("properties"), axis_settings());
+}
+
+void expect_words(const json& property, std::span<const Choice> choices) {
+  std::vector<std::string> known;
+  for (const Choice& choice : choices) known.emplace_back(choice.key);
+  EXPECT_EQ(property.at("enum").get<std::vector<std::string>>(), known);
 }
 
 TEST(Schema, its_words_are_those_of_the_reader) {
@@ -70,6 +78,9 @@ TEST(Schema, its_words_are_those_of_the_reader) {
   const json& modes = root["$defs"]["coupling"]["properties"]["mode"]["enum"];
   EXPECT_EQ(modes.size(), coupling_modes().size());
   for (const json& mode : modes) EXPECT_TRUE(coupling_mode(mode.get<std::string>())) << mode;
+  expect_words(root["$defs"]["device"]["properties"]["control"], device_controls());
+  expect_words(root["$defs"]["device"]["properties"]["frame"], device_frames());
+  expect_words(root["$defs"]["axis"]["properties"]["from"], device_axes());
 }
 
 }  // namespace

@@ -50,6 +50,12 @@ TEST(Settings, servo_table_agrees_with_the_struct) {
   EXPECT_EQ(servo_settings().size(), 7u);
 }
 
+TEST(Settings, device_tables_agree_with_the_structs) {
+  check_table<DeviceSettings>(device_settings());
+  check_table<AxisSetting>(axis_settings());
+  EXPECT_EQ(device_axes().size(), DeviceSettings{}.axes.axes.size());
+}
+
 TEST(Settings, set_brings_the_value_into_the_range) {
   Coupling coupling;
   const Setting& k = *find_setting(coupling_settings(), "k");

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/devices/axis_map.hpp"
+
+namespace sonde {
+
+/// How a person wants a device to move the probe: plain data, copied through a triple buffer. Kept
+/// for each device.
+struct DeviceSettings {
+  /// What a deflection is. A device that tells positions is always followed in position.
+  enum class Control { position, rate };
+  /// Along which axes the device's x (right), y (away from the user) and z (up) lie.
+  enum class Frame {
+    view,   ///< those of the picture, however the camera stands
+    scene,  ///< x, y and z of the scene
+    y_up,   ///< x, -z and y of the scene: for scenes whose y points up
+  };
+
+  Control control = Control::rate;
+  Frame frame = Frame::view;
+  double scaling = 1;       ///< how far the probe goes, for what the device asks
+  double reach = 0.1;       ///< m or m/s of full deflection
+  double turn = 1;          ///< rad or rad/s of full deflection
+  double smoothing = 0.03;  ///< s, time constant for deflections
+  int clutch_button = 1;    ///< held down, it leaves the probe where it is; 0: none
+  AxisMap axes;
+};
+
+}  // namespace sonde
