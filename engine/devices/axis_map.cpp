@@ -43,6 +43,10 @@ Pose position_controlled(const Pose& X_FP_rest, const SixAxes& mapped,
   return moved(X_FP_rest, mapped, reach);
 }
 
+Pose position_at_rest(const Pose& X_FP, const SixAxes& mapped, const Reach& reach) noexcept {
+  return moved(X_FP, -mapped, reach);
+}
+
 Pose rate_controlled(const Pose& X_FP, const SixAxes& mapped, const Reach& rate,
                      double dt) noexcept {
   return moved(X_FP, mapped, {rate.translation * dt, rate.rotation * dt});

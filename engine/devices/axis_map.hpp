@@ -33,6 +33,9 @@ struct Reach {
 /// fixed frame. X_FP: the probe in the fixed frame.
 Pose position_controlled(const Pose& X_FP_rest, const SixAxes& mapped, const Reach& reach) noexcept;
 
+/// The pose at rest from which this deflection leads to X_FP by position control.
+Pose position_at_rest(const Pose& X_FP, const SixAxes& mapped, const Reach& reach) noexcept;
+
 /// Rate control: the deflection is a velocity, in the axes of the fixed frame and about the probe's
 /// origin, for dt (s).
 Pose rate_controlled(const Pose& X_FP, const SixAxes& mapped, const Reach& rate,

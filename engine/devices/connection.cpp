@@ -84,10 +84,17 @@ Connection connect(const HidInfo& info) {
   }
 }
 
+std::vector<ConnectedDevice> connected_devices() {
+  std::vector<ConnectedDevice> connected;
+  for (const HidInfo& info : list_hid())
+    if (const auto kind = kind_of(info)) connected.push_back({info, *kind});
+  return connected;
+}
+
 std::vector<DeviceListing> list_devices() {
   std::vector<DeviceListing> listings;
-  for (const HidInfo& info : list_hid())
-    if (const auto kind = kind_of(info)) listings.push_back(listing_of(info, *kind));
+  for (const ConnectedDevice& device : connected_devices())
+    listings.push_back(listing_of(device.info, device.kind));
   return listings;
 }
 

@@ -34,6 +34,14 @@ struct Connection {
 /// program that holds it where there is one.
 Connection connect(const HidInfo& info);
 
+/// A 6-DoF device as found without opening it.
+struct ConnectedDevice {
+  HidInfo info;
+  DeviceKind kind = DeviceKind::space_mouse;
+};
+/// Every one that is connected.
+std::vector<ConnectedDevice> connected_devices();
+
 /// One device that is connected, and whether it could be used.
 struct DeviceListing {
   HidInfo info;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/device_hand.hpp"
+
+#include <utility>
+
+namespace sonde {
+
+DeviceHand::DeviceHand(std::shared_ptr<InputDevice> device, const DeviceSettings& settings,
+                       const Vec3& com, const Pose& X_FM)
+    : device_(std::move(device)), motion_(settings, com, X_FM) {}
+
+HandSample DeviceHand::sample(double dt) noexcept {
+  if (settings_.update()) motion_.set_settings(settings_.front());
+  if (views_.update()) motion_.set_view(views_.front());
+  if (places_.update()) motion_.place(places_.front());
+  const HandSample moved = motion_.move(device_->latest(), dt);
+  clutch_open_.store(motion_.clutch_open(), std::memory_order_relaxed);
+  return moved;
+}
+
+Hand DeviceHand::hand() {
+  return {.sample = [this](double dt) { return sample(dt); },
+          .render = [this](const Wrench& w) { device_->set_wrench(motion_.on_handle(w)); }};
+}
+
+}  // namespace sonde

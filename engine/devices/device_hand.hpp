@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "engine/devices/device_motion.hpp"
+#include "engine/devices/input_device.hpp"
+#include "engine/haptics/triple_buffer.hpp"
+
+namespace sonde {
+
+/// A connected device that holds the probe: its samples through a DeviceMotion, and the wrench back
+/// to it.
+class DeviceHand {
+ public:
+  /// The probe is at X_FM, com its centre of mass in its mesh frame.
+  DeviceHand(std::shared_ptr<InputDevice> device, const DeviceSettings& settings, const Vec3& com,
+             const Pose& X_FM);
+  DeviceHand(const DeviceHand&) = delete;
+  DeviceHand& operator=(const DeviceHand&) = delete;
+
+  /// For the servo; this object must outlive it.
+  Hand hand();
+
+  // From one other thread; they act on the next tick.
+  void set_settings(const DeviceSettings& settings) { settings_.write(settings); }
+  void set_view(const Quat& q_FV) { views_.write(q_FV); }
+  void place(const Pose& X_FM) { places_.write(X_FM); }
+  bool clutch_open() const { return clutch_open_.load(std::memory_order_relaxed); }
+
+ private:
+  HandSample sample(double dt) noexcept;
+
+  std::shared_ptr<InputDevice> device_;
+  DeviceMotion motion_;
+  TripleBuffer<DeviceSettings> settings_;
+  TripleBuffer<Quat> views_{Quat::Identity()};
+  TripleBuffer<Pose> places_;
+  std::atomic<bool> clutch_open_{false};
+};
+
+}  // namespace sonde

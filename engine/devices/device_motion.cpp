@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/device_motion.hpp"
+
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+/// A puck that sends nothing has been let go: that is no fault.
+bool usable(const DeviceSample& sample) {
+  return sample.state == DeviceState::ready ||
+         (sample.state == DeviceState::silent && !sample.position);
+}
+
+bool is_held(std::uint32_t buttons, int button) {
+  return button >= 1 && button <= 32 && ((buttons >> (button - 1)) & 1U) != 0;
+}
+
+/// The device's axes (x right, y away, z up) in those of the picture (x right, y up, z to the eye),
+/// and in those of a scene whose y points up: a quarter turn about x, backwards.
+Quat lying_down() { return Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0); }
+
+Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
+  if (frame == DeviceSettings::Frame::scene) return Quat::Identity();
+  return frame == DeviceSettings::Frame::y_up ? lying_down() : q_FV * lying_down();
+}
+
+}  // namespace
+
+DeviceMotion::DeviceMotion(const DeviceSettings& settings, const Vec3& com,
+                           const Pose& X_FM) noexcept
+    : settings_(settings), com_(com) {
+  configure();
+  place(X_FM);
+}
+
+void DeviceMotion::configure() noexcept {
+  q_FB_ = base_in_fixed(settings_.frame, q_FV_);
+  map_.configure(settings_.axes, settings_.scaling, q_FB_);
+  following_ = false;
+}
+
+void DeviceMotion::set_settings(const DeviceSettings& settings) noexcept {
+  settings_ = settings;
+  configure();
+}
+
+void DeviceMotion::set_view(const Quat& q_FV) noexcept {
+  q_FV_ = q_FV;
+  if (settings_.frame == DeviceSettings::Frame::view) configure();
+}
+
+void DeviceMotion::place(const Pose& X_FM) noexcept {
+  X_FC_ = {X_FM.q, X_FM * com_};
+  following_ = false;
+}
+
+Reach DeviceMotion::reach() const noexcept {
+  return {settings_.scaling * settings_.reach, settings_.turn};
+}
+
+SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
+  SixAxes turned;
+  turned << q_FB_ * in_base.head<3>(), q_FB_ * in_base.tail<3>();
+  return turned;
+}
+
+void DeviceMotion::anchor(const DeviceSample& sample) noexcept {
+  map_.anchor(sample.X_BH, X_FC_);
+  rest_ = position_at_rest(X_FC_, in_fixed_frame(deflection_), reach());
+}
+
+void DeviceMotion::deflect(const SixAxes& deflection, double dt) noexcept {
+  const SixAxes wanted = mapped(settings_.axes, deflection);
+  deflection_ = smoothed(deflection_, wanted, dt, settings_.smoothing);
+  // The tail of the exponential would drag on for ever.
+  constexpr double nothing = 1e-4;
+  if (wanted.isZero(0) && deflection_.cwiseAbs().maxCoeff() < nothing) deflection_.setZero();
+}
+
+HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
+  clutch_open_ = is_held(sample.buttons, settings_.clutch_button);
+  const bool trusted = usable(sample);
+  const bool follow = trusted && !clutch_open_;
+  if (!sample.position) deflect(sample.deflection, dt);
+  const bool neighbours =
+      following_ && dt > 0 && session_ == sample.session && position_ == sample.position;
+  if (follow) {
+    if (!neighbours) anchor(sample);
+    const bool by_rate = settings_.control == DeviceSettings::Control::rate;
+    const SixAxes deflection = in_fixed_frame(deflection_);
+    if (sample.position)
+      X_FC_ = map_.follow(sample.X_BH);
+    else if (by_rate)
+      X_FC_ = rate_controlled(X_FC_, deflection, reach(), dt);
+    else
+      X_FC_ = position_controlled(rest_, deflection, reach());
+  }
+  following_ = follow;
+  session_ = sample.session;
+  position_ = sample.position;
+  return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_}, .held = !clutch_open_, .trusted = trusted};
+}
+
+DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {
+  return position_ && following_ ? map_.on_handle(wrench) : DeviceWrench{};
+}
+
+}  // namespace sonde

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/devices/device_sample.hpp"
+#include "engine/devices/device_settings.hpp"
+#include "engine/devices/workspace_map.hpp"
+#include "engine/haptics/hand.hpp"
+
+namespace sonde {
+
+/// What a device's samples make of the probe: by position through the WorkspaceMap where it tells
+/// positions; else by the deflections, mapped, smoothed, and taken as a displacement or a velocity.
+///
+/// The probe stays where it is, to the bit, while the clutch button is held and while the device
+/// cannot be trusted; afterwards, as after a change of settings, view or connection, the pose of
+/// the device at that moment stands for the pose of the probe at that moment. So nothing ever
+/// jumps. No device, no clock; no allocation, lock, throw.
+class DeviceMotion {
+ public:
+  /// com: the probe's centre of mass in its mesh frame M, about which it turns.
+  DeviceMotion(const DeviceSettings& settings, const Vec3& com, const Pose& X_FM) noexcept;
+
+  void set_settings(const DeviceSettings& settings) noexcept;
+  /// q_FV: the axes of the picture (x right, y up, z to the eye), for DeviceSettings::Frame::view.
+  void set_view(const Quat& q_FV) noexcept;
+  /// Puts the probe somewhere else.
+  void place(const Pose& X_FM) noexcept;
+
+  /// dt: s since the call before; 0 where there was none, or a pause.
+  HandSample move(const DeviceSample& sample, double dt) noexcept;
+  bool clutch_open() const { return clutch_open_; }
+  /// In the device's base, on the hand, about the handle's point: zero for deflections.
+  DeviceWrench on_handle(const Wrench& wrench) const noexcept;
+
+ private:
+  void configure() noexcept;
+  void deflect(const SixAxes& deflection, double dt) noexcept;
+  void anchor(const DeviceSample& sample) noexcept;
+  Reach reach() const noexcept;
+  SixAxes in_fixed_frame(const SixAxes& in_base) const noexcept;
+
+  DeviceSettings settings_;
+  Vec3 com_;
+  Quat q_FV_ = Quat::Identity();
+  Quat q_FB_ = Quat::Identity();
+  WorkspaceMap map_;
+  Pose X_FC_;  ///< the probe's centre of mass, with the axes of its mesh frame
+  Pose rest_;  ///< X_FC of a deflection of zero, by position
+  SixAxes deflection_ = SixAxes::Zero();  ///< mapped and smoothed, in B
+  bool following_ = false;                ///< false: to be anchored first
+  bool position_ = false;                 ///< of the last sample
+  bool clutch_open_ = false;
+  std::uint32_t session_ = 0;
+};
+
+}  // namespace sonde

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/workspace_map.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace sonde {
+namespace {
+
+/// The rows of the map that take an axis of their own kind, `first` to `first` + 2.
+Mat3 matrix_of(const AxisMap& map, int first) {
+  Mat3 matrix = Mat3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const AxisSetting& axis = map.axes[static_cast<std::size_t>(first + i)];
+    const int source = axis.source - first;
+    if (source < 0 || source > 2) continue;
+    matrix(i, source) = axis.inverted ? -axis.gain : axis.gain;
+  }
+  return matrix;
+}
+
+/// The shorter way round.
+Vec3 rotation_vector(const Quat& q) {
+  const double sine = q.vec().norm();
+  if (sine == 0) return Vec3::Zero();
+  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
+  return (q.w() < 0 ? -angle : angle) / sine * q.vec();
+}
+
+Quat rotation(const Vec3& vector) {
+  const double angle = vector.norm();
+  if (angle == 0) return Quat::Identity();
+  return Quat(Eigen::AngleAxisd(angle, vector / angle));
+}
+
+/// ω = J θ̇ for the rotation exp(θ), ω in the frame that the rotation is seen from.
+Mat3 left_jacobian(const Vec3& theta) {
+  const double a = theta.norm();
+  constexpr double small = 1e-4;  // from here on the series is exact to rounding
+  const double first = a < small ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a);
+  const double second = a < small ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a);
+  Mat3 cross;
+  cross << 0, -theta.z(), theta.y(), theta.z(), 0, -theta.x(), -theta.y(), theta.x(), 0;
+  return Mat3::Identity() + first * cross + second * cross * cross;
+}
+
+}  // namespace
+
+void WorkspaceMap::configure(const AxisMap& axes, double scaling, const Quat& q_FB) noexcept {
+  A_ = scaling * matrix_of(axes, 0);
+  M_ = matrix_of(axes, 3);
+  q_FB_ = q_FB;
+}
+
+void WorkspaceMap::anchor(const Pose& X_BH, const Pose& X_FC) noexcept {
+  X_BH0_ = X_BH;
+  X_FC0_ = X_FC;
+  spin_ = M_;
+}
+
+Pose WorkspaceMap::follow(const Pose& X_BH) noexcept {
+  const Vec3 theta = rotation_vector(X_BH.q * X_BH0_.q.conjugate());
+  const Vec3 mapped = M_ * theta;
+  const Quat turn = q_FB_ * rotation(mapped) * q_FB_.conjugate();
+  const Pose X_FC{(turn * X_FC0_.q).normalized(), X_FC0_.p + q_FB_ * (A_ * (X_BH.p - X_BH0_.p))};
+  spin_ = left_jacobian(mapped) * M_ * left_jacobian(theta).inverse();
+  if (theta.norm() > std::numbers::pi / 2) anchor(X_BH, X_FC);
+  return X_FC;
+}
+
+DeviceWrench WorkspaceMap::on_handle(const Wrench& wrench) const noexcept {
+  const Quat q_BF = q_FB_.conjugate();
+  return {A_.transpose() * (q_BF * wrench.force), spin_.transpose() * (q_BF * wrench.torque)};
+}
+
+}  // namespace sonde

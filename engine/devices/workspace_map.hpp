@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/devices/axis_map.hpp"
+#include "engine/haptics/coupling.hpp"
+
+namespace sonde {
+
+/// From the handle of a device that tells positions to the probe, and from the wrench on the probe
+/// back to the handle. Frames: B the device's base, H its handle, F the fixed body's mesh frame, C
+/// the probe's centre of mass with the axes of its mesh frame. The handle's origin moves the centre
+/// of mass, and the handle's turn turns the probe about it:
+///
+///     p_FC = p_FC0 + R_FB A (p_BH - p_BH0)
+///     R_FC = R_FB exp(M θ) R_FBᵀ R_FC0,   exp(θ) = R_BH R_BH0ᵀ
+///
+/// with the pair of poses "0", the anchor, chosen at will, so that nothing jumps; A (scaling,
+/// gains, swaps, signs) and M (the same of the rotations, without the scaling) by rows of the axis
+/// map. An axis that is taken from one of the other kind stands still; dead zones are for
+/// deflections.
+///
+/// The wrench is mapped by the transpose of the map of velocities, the principle of virtual work:
+/// the hand does exactly the work that is done on the probe. So a map of scaling s has the hand
+/// feel s² times the stiffness of the coupling (s times the force for 1/s of the way), and what is
+/// passive at the probe is passive in the hand. No allocation anywhere.
+class WorkspaceMap {
+ public:
+  /// Scaling and axes, and where the base stands. Does not move the anchor: anchor again after it.
+  void configure(const AxisMap& axes, double scaling, const Quat& q_FB) noexcept;
+  /// From now on this pose of the handle stands for this one of the probe.
+  void anchor(const Pose& X_BH, const Pose& X_FC) noexcept;
+  /// X_FC. Anchors anew after each quarter of a turn, so that no rotation is too large: with gains
+  /// of 1 that changes nothing, with others the turn of the probe depends on the hand's way.
+  Pose follow(const Pose& X_BH) noexcept;
+  /// On the handle, about its origin, in B, at the pose last followed; from the wrench about the
+  /// probe's centre of mass, in F.
+  DeviceWrench on_handle(const Wrench& wrench) const noexcept;
+
+ private:
+  Mat3 A_ = Mat3::Identity(), M_ = Mat3::Identity();
+  Quat q_FB_ = Quat::Identity();
+  Pose X_BH0_, X_FC0_;
+  Mat3 spin_ = Mat3::Identity();  ///< from the handle's angular velocity to the probe's, both in B
+};
+
+}  // namespace sonde
