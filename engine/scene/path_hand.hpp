@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/haptics/hand.hpp"
+#include "engine/scene/poses.hpp"
+
+namespace sonde {
+
+/// The pose of a path at a time: straight from one pose to the next, and turning about one axis;
+/// before the first and after the last, those. The path must not be empty.
+Pose pose_at(std::span<const TimedPose> path, double t) noexcept;
+
+/// A recorded path holds the probe: from where it is to the path's first pose within a second, then
+/// along the path in its own time, then it stays.
+class PathHand {
+ public:
+  /// Throws std::invalid_argument for a path without poses.
+  PathHand(std::vector<TimedPose> path, const Pose& X_FM);
+  PathHand(const PathHand&) = delete;
+  PathHand& operator=(const PathHand&) = delete;
+
+  /// For the servo; this object must outlive it.
+  Hand hand();
+
+ private:
+  std::vector<TimedPose> path_;
+  double t_;
+};
+
+}  // namespace sonde
