@@ -20,6 +20,11 @@ Parsed parse_arguments(int argc, char** argv) {
       ->expected(0, 2);
   app.add_option("--unit", unit, "Unit of two meshes: m, cm, mm, um, in or ft")
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
+  app.add_option("--device", arguments.device,
+                 "What holds the probe: a device profile's id (simulated), a connected device's "
+                 "name or ids, a path (a profile.json, /dev/hidrawN), auto (the first that opens, "
+                 "else the mouse), mouse, or path (the scene's recorded one)")
+      ->type_name("NAME | PATH | auto");
   auto* picture = app.add_option("--screenshot", arguments.screenshot,
                                  "Write a picture of the window (PNG), then end")
                       ->type_name("FILE");
@@ -35,6 +40,10 @@ Parsed parse_arguments(int argc, char** argv) {
     return parsed;
   }
   if (!unit.empty()) arguments.unit = unit_in_metres(unit);
+  if (app.count("--device") > 0 && arguments.device.empty()) {
+    std::cerr << "sonde-view: --device wants a name, a path or auto\n";
+    parsed.exit_code = 2;
+  }
   if (arguments.files.size() == 1 && arguments.unit) {
     std::cerr << "sonde-view: --unit is for two meshes; a scene says its own\n";
     parsed.exit_code = 2;

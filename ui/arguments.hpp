@@ -11,6 +11,7 @@ namespace sonde::ui {
 struct Arguments {
   std::vector<std::string> files;  ///< none: the default scene; one: a scene; two: probe and fixed
   std::optional<double> unit;      ///< metres
+  std::string device;              ///< what is to hold the probe; empty: the scene or the mouse
   std::string screenshot;          ///< a picture to write, then end; empty for none
   std::string demo;                ///< a picture to write after playing the scene's trajectory
 };

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/scene/path_hand.hpp"
 #include "ui/main_window.hpp"
 #include "ui/viewport.hpp"
 
@@ -68,15 +69,7 @@ void Demo::begin(Act act) {
 }
 
 Pose Demo::at(double place) const {
-  const double t = path_.front().t + place * (path_.back().t - path_.front().t);
-  const auto after = std::upper_bound(path_.begin(), path_.end(), t,
-                                      [](double a, const TimedPose& b) { return a < b.t; });
-  if (after == path_.begin()) return path_.front().pose;
-  if (after == path_.end()) return path_.back().pose;
-  const TimedPose& b = *after;
-  const TimedPose& a = *(after - 1);
-  const double part = (t - a.t) / (b.t - a.t);
-  return {a.pose.q.slerp(part, b.pose.q), a.pose.p + part * (b.pose.p - a.pose.p)};
+  return pose_at(path_, path_.front().t + place * (path_.back().t - path_.front().t));
 }
 
 void Demo::step() {

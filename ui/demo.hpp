@@ -31,7 +31,7 @@ class Demo : public QObject {
   void back(double seconds);
   void rest(double seconds);
   void watch(double place);
-  Pose at(double place) const;
+  Pose at(double place) const;  ///< 0 to 1 along the path
   void begin(Act act);
   int finish();
 

@@ -4,9 +4,11 @@
 #include <vtkPolyData.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QImage>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPixmap>
@@ -23,9 +25,12 @@
 #include "ui/actions/menus.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/device_control.hpp"
 #include "ui/mouse_probe.hpp"
 #include "ui/panels/coupling_panel.hpp"
+#include "ui/panels/device_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
+#include "ui/resources.hpp"
 #include "ui/viewport.hpp"
 
 namespace sonde::ui {
@@ -67,7 +72,10 @@ MainWindow::MainWindow(QWidget* parent)
       mouse_(new MouseProbe(*viewport_, this)),
       coupling_panel_(new CouplingPanel(*undo_, this)),
       readout_(new ReadoutPanel(this)),
+      devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
+      device_panel_(new DevicePanel(this)),
       what_happens_(new QLabel(this)),
+      device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
       opener_(std::make_unique<Opener>(*this, prompts_)) {
   setObjectName(QStringLiteral("main_window"));
@@ -75,11 +83,15 @@ MainWindow::MainWindow(QWidget* parent)
   setAcceptDrops(true);
   setCentralWidget(viewport_);
   addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
+  tabifyDockWidget(coupling_panel_, device_panel_);
+  coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   what_happens_->setObjectName(QStringLiteral("what_happens"));
   what_happens_->setMinimumWidth(1);  // a long line is cut, the window does not grow
   rates_->setObjectName(QStringLiteral("rates"));
+  device_status_->setObjectName(QStringLiteral("device_status"));
   statusBar()->addWidget(what_happens_, 1);
+  statusBar()->addPermanentWidget(device_status_);
   statusBar()->addPermanentWidget(rates_);
   add_menus(*this, *undo_);
   mouse_->moved = [this](const Pose& pose) {
@@ -91,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent)
     viewport_->set_coupling(coupling);
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  connect_devices();
   opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
   opener_->failed = [this](const QString& reason) { emit open_failed(reason); };
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
@@ -98,10 +111,21 @@ MainWindow::MainWindow(QWidget* parent)
   frame_timer_.start(frame_ms);
   clock_.start();
   restore_window();
+  QApplication::instance()->installEventFilter(this);
   viewport_->canvas()->setFocus();
 }
 
 MainWindow::~MainWindow() = default;
+
+void MainWindow::connect_devices() {
+  devices_->changed = [this] { show_holder(); };
+  devices_->report_error = [this](const QString& reason) { prompts_.report_error(reason); };
+  device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
+  device_panel_->settings_changed = [this](const DeviceSettings& settings) {
+    devices_->set_settings(settings);
+  };
+  device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
 
 void MainWindow::restore_window() {
   resize(1280, 800);
@@ -138,18 +162,32 @@ void MainWindow::ask_meshes() {
 void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
   stage_ = std::move(stage);
-  const Session& now = *stage_.session;
+  Session& now = *stage_.session;
   shown_.reset();
   companion_.reset();
   viewport_->show_stage(stage_);
-  mouse_->take(now.probe().mass, now.device_pose());
+  devices_->attach(session());
   coupling_panel_->take(now.coupling());
   readout_->set_coupling(now.coupling());
   readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
   setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));
   emit paused_changed(false);
+  emit force_changed(true);
   on_frame();
   emit opened();
+}
+
+void MainWindow::show_device_dock() {
+  device_panel_->show();
+  device_panel_->raise();
+}
+
+/// What holds the probe, or how, has changed: the mouse begins where the probe is.
+void MainWindow::show_holder() {
+  if (session()) mouse_->take(session()->probe().mass, session()->device_pose());
+  device_panel_->show_choices(devices_->choices(), devices_->holder());
+  device_panel_->show_settings(devices_->holder(), devices_->settings());
+  show_device();
 }
 
 void MainWindow::set_device_pose(const Pose& X_FM) {
@@ -163,15 +201,33 @@ void MainWindow::set_paused(bool paused) {
   emit paused_changed(session() && paused);
 }
 
+void MainWindow::set_force(bool on) {
+  if (session()) session()->set_force(on);
+  emit force_changed(session() && on);
+}
+
+/// Whatever has the focus, a dialog or a list that is open: those still get the key.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress &&
+      static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape)
+    set_force(false);
+  return QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::reset() {
   if (!session()) return;
   session()->reset();
-  mouse_->take(session()->probe().mass, session()->device_pose());
+  mouse_->take(session()->probe().mass, session()->opened().start);
   shown_.reset();
   emit paused_changed(false);
 }
 
 void MainWindow::on_frame() {
+  const ViewAxes view = viewport_->camera().axes();
+  Mat3 R_FV;
+  R_FV << view.right, view.up, view.towards;
+  devices_->frame(Quat(R_FV));
+  if (clock_.elapsed() >= device_due_) show_device();
   if (!session()) return;
   draw_if_changed();
   if (!shown_) return;
@@ -245,6 +301,8 @@ void MainWindow::show_status() {
     happens = QStringLiteral("Paused.");
   else if (s.separation.status == Status::failed)
     happens = QStringLiteral("No separation found: %1.").arg(QLatin1String(s.separation.reason));
+  else if (s.hand.withheld != Withheld::nothing)
+    happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
   else if (s.separation.status == Status::separated)
     happens = QStringLiteral("Free.");
   else
@@ -259,6 +317,25 @@ void MainWindow::show_status() {
                       .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
                       .arg(s.tick_us, 0, 'f', 0)
                       .arg(view));
+}
+
+/// Also with nothing open: what is plugged in shows at once.
+void MainWindow::show_device() {
+  device_due_ = clock_.elapsed() + numbers_ms;
+  const Holder& holder = devices_->holder();
+  const HolderReport report = devices_->report();
+  device_panel_->show_choices(devices_->choices(), holder);
+  device_panel_->show_report(holder, report);
+  QString text = QString::fromStdString(name_of(holder));
+  if (std::holds_alternative<ConnectedHolder>(holder)) {
+    text += QStringLiteral(": ") + QLatin1String(name_of(report.device.state));
+    if (report.clutch_open) text += QStringLiteral(", clutch open");
+    if (!report.device.reason.empty())
+      text += QStringLiteral(" (%1)").arg(QString::fromStdString(report.device.reason));
+  }
+  device_status_->setToolTip(text);
+  constexpr int longest = 70;
+  device_status_->setText(text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026));
 }
 
 bool MainWindow::save_picture(const QString& file) {

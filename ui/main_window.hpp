@@ -17,12 +17,14 @@ class QUndoStack;
 namespace sonde::ui {
 
 class CouplingPanel;
+class DeviceControl;
+class DevicePanel;
 class MouseProbe;
 class Opener;
 class ReadoutPanel;
 class Viewport;
 
-/// The window: a view, two docks, and sixty times a second the newest snapshot.
+/// The window: a view, three docks, and sixty times a second the newest snapshot.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -40,9 +42,13 @@ class MainWindow : public QMainWindow {
   const std::optional<CompanionResult>& companion() const { return companion_; }
   /// The newest snapshot shown; none before the first.
   const std::optional<Snapshot>& shown() const { return shown_; }
+  DeviceControl& devices() { return *devices_; }
 
+  void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
   void set_paused(bool paused);
+  /// False at once with Esc, from anywhere in the window; true lets the force come back.
+  void set_force(bool on);
   void reset();
   void set_trail(bool on) { trail_ = on; }
   /// Docks and overlays included. False, and a message, where the file cannot be written.
@@ -56,20 +62,25 @@ class MainWindow : public QMainWindow {
   void opened();
   void open_failed(const QString& reason);
   void paused_changed(bool paused);
+  void force_changed(bool on);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void connect_devices();
   void show_stage(Stage stage);
+  void show_holder();
   void on_frame();
   void draw_if_changed();
   void count_frame();
   void ask_companion();
   void show_numbers();
   void show_status();
+  void show_device();
   void restore_window();
 
   Prompts prompts_;
@@ -79,7 +90,9 @@ class MainWindow : public QMainWindow {
   MouseProbe* mouse_;
   CouplingPanel* coupling_panel_;
   ReadoutPanel* readout_;
-  QLabel *what_happens_, *rates_;
+  std::unique_ptr<DeviceControl> devices_;
+  DevicePanel* device_panel_;
+  QLabel *what_happens_, *device_status_, *rates_;
   std::unique_ptr<Opener> opener_;
   QTimer frame_timer_;
   QElapsedTimer clock_;
@@ -91,6 +104,7 @@ class MainWindow : public QMainWindow {
   std::size_t rate_frames_ = 0;
   double frame_rate_ = 0;
   qint64 numbers_due_ = 0;
+  qint64 device_due_ = 0;
   qint64 companion_due_ = 0;
   qint64 companion_asked_ = 0;
   qint64 rest_since_ = 0;

@@ -11,6 +11,7 @@
 #include "engine/geometry/read_mesh.hpp"
 #include "engine/scene/settings.hpp"
 #include "ui/camera.hpp"
+#include "ui/resources.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -80,6 +81,9 @@ Opened open_scene(const std::filesystem::path& file, const Progress& progress) {
   opened.coupling = scene.coupling;
   opened.servo = scene.servo;
   opened.camera = camera_of(scene);
+  opened.device_settings = scene.device.settings;
+  if (!scene.device.profile.empty())
+    opened.device = find_device_profile(scene.device.profile, device_profile_folders());
   if (scene.trajectory) opened.trajectory = read_trajectory(*scene.trajectory);
   opened.probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
   opened.fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));

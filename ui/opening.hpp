@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 
@@ -28,11 +29,14 @@ struct Opened {
   Pose start;  ///< X_FM, the probe's mesh frame in the fixed body's
   Coupling coupling;
   ServoSettings servo;
-  std::vector<TimedPose> trajectory;  ///< empty where the scene has none
-  std::optional<CameraPlace> camera;  ///< the scene's `view`; none: the window chooses
+  std::vector<TimedPose> trajectory;              ///< empty where the scene has none
+  std::optional<DeviceProfile> device;            ///< what the scene wants simulated
+  std::optional<DeviceSettings> device_settings;  ///< the scene's, before those kept for a device
+  std::optional<CameraPlace> camera;              ///< the scene's `view`; none: the window chooses
 };
 
-/// Reads a scene, its meshes and its trajectory. Throws InputError or Cancelled.
+/// Reads a scene, its meshes, its trajectory and the profile of its device. Throws InputError or
+/// Cancelled.
 Opened open_scene(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Two meshes as their files give them, before anybody has said what their unit is.

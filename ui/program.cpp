@@ -9,9 +9,12 @@
 #include <cstdlib>
 #include <memory>
 #include <string_view>
+#include <utility>
 
+#include "engine/error.hpp"
 #include "ui/arguments.hpp"
 #include "ui/demo.hpp"
+#include "ui/device_control.hpp"
 #include "ui/main_window.hpp"
 #include "ui/resources.hpp"
 #include "ui/theme.hpp"
@@ -20,7 +23,7 @@
 namespace sonde::ui {
 namespace {
 
-constexpr int bad_input = 3, our_fault = 4;
+constexpr int wrong_usage = 2, bad_input = 3, our_fault = 4;
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -107,6 +110,25 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
   window.open(files_to_open(arguments), arguments.unit);
 }
 
+/// What --device asks for holds the probe; an exit code where it cannot be found or opened.
+std::optional<int> choose_device(MainWindow& window, const Arguments& arguments) {
+  if (arguments.device.empty()) return {};
+  try {
+    window.devices().choose(find_holder(arguments.device, device_profile_folders()));
+    window.show_device_dock();
+    if (arguments.demo.empty() || window.devices().mouse_leads()) return {};
+    say(QStringLiteral(
+        "--demo plays the mouse's part: it goes with the mouse or a simulated device"));
+    return wrong_usage;
+  } catch (const UnknownDevice& unknown) {
+    say(QStringLiteral("--device: ") + QString::fromUtf8(unknown.what()));
+    return wrong_usage;
+  } catch (const InputError& bad) {
+    say(QString::fromUtf8(bad.what()));
+    return bad_input;
+  }
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -125,6 +147,9 @@ int run(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("sonde-view"));
   apply_theme(application);
   MainWindow window;
+  const auto ask = std::exchange(window.prompts().report_error, say);
+  if (const auto code = choose_device(window, parsed.arguments)) return *code;
+  window.prompts().report_error = ask;
   window.show();
   // Through the event loop: a failure ends the loop, which must have begun.
   QTimer::singleShot(0, &window,

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 namespace sonde::ui {
 
@@ -14,6 +15,24 @@ QString resource(const QString& name) {
     if (file.exists()) return file.canonicalFilePath();
   }
   return {};
+}
+
+namespace {
+
+std::filesystem::path devices_in(QStandardPaths::StandardLocation location) {
+  const QString folder = QStandardPaths::writableLocation(location);
+  return std::filesystem::path(folder.toStdString()) / "sonde" / "devices";
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> device_profile_folders() {
+  return {devices_in(QStandardPaths::GenericDataLocation),
+          resource(QStringLiteral("devices")).toStdString()};
+}
+
+std::filesystem::path device_settings_folder() {
+  return devices_in(QStandardPaths::GenericConfigLocation);
 }
 
 }  // namespace sonde::ui

@@ -4,17 +4,24 @@
 #include <memory>
 #include <optional>
 
+#include "engine/devices/device_settings.hpp"
+#include "engine/devices/input_device.hpp"
 #include "engine/haptics/companion.hpp"
+#include "engine/haptics/hand_switch.hpp"
 #include "engine/haptics/servo.hpp"
+#include "engine/haptics/simulated_device.hpp"
 #include "ui/opening.hpp"
 
 namespace sonde::ui {
 
-/// What is open: two bodies, the servo that runs on them, and the gains. Made in a worker thread
-/// (the start may search) and then used from the window's thread alone.
+/// What is open: two bodies, the servo that runs on them, the hand that holds the probe, and the
+/// gains. Made in a worker thread (the start may search) and then used from the window's thread
+/// alone.
 class Session {
  public:
+  /// The mouse holds the probe.
   explicit Session(Opened opened);
+  ~Session();
 
   const Opened& opened() const { return opened_; }
   const Body& probe() const { return *opened_.probe; }
@@ -23,12 +30,33 @@ class Session {
   /// The newest snapshot, valid until the next call; null before the first tick.
   const Snapshot* latest() { return servo_.latest(); }
 
-  /// Where the window holds the probe: X_FM.
-  const Pose& device_pose() const { return device_; }
+  /// What holds the probe from now on; it takes over where the probe is, so that nothing jumps.
+  void hold_by_mouse();
+  /// A simulated device, in a hand that goes where the mouse wants the probe. Throws
+  /// std::invalid_argument where such a device cannot be simulated at this rate.
+  void hold_by(const SimulatedDeviceParameters& device, double scaling);
+  void hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings);
+  /// The scene's recorded path, from its beginning; there must be one.
+  void replay();
+  void set_device_settings(const DeviceSettings& settings);
+  /// The axes of the picture, for devices that go by them: x right, y up, z to the eye.
+  void set_view(const Quat& q_FV);
+  /// A button of the device holds the clutch open: the probe stays.
+  bool clutch_open() const;
+  /// Lets go of hands that were replaced. To be called now and then.
+  void sweep() { hands_.sweep(); }
+
+  /// Where the probe is wanted: by the mouse, or else where the device has it. X_FM.
+  Pose device_pose();
+  /// By the mouse. Nothing, where something else holds the probe.
   void set_device_pose(const Pose& X_FM);
 
   const Coupling& coupling() const { return coupling_; }
   void set_coupling(const Coupling& coupling);
+
+  /// False: no force on the hand from the next tick on, whatever the contact.
+  bool force_on() const { return force_on_; }
+  void set_force(bool on);
 
   bool paused() const { return paused_; }
   void set_paused(bool paused);
@@ -42,11 +70,19 @@ class Session {
   std::optional<CompanionResult> companion() { return companion_.latest(); }
 
  private:
+  struct Holding;
+  void hold(std::shared_ptr<Holding> holding);
+  Pose probe_pose();
+
   Opened opened_;
-  Pose device_;
+  Pose target_;  ///< X_FM where the mouse wants the probe
+  Quat q_FV_ = Quat::Identity();
   Coupling coupling_;
+  bool force_on_ = true;
   bool paused_ = false;
   Companion companion_;
+  std::shared_ptr<Holding> holding_;
+  HandSwitch hands_;
   Servo servo_;
 };
 

@@ -136,7 +136,7 @@ void Viewport::show_stage(const Stage& stage) {
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
   s.radius = session.fixed().mass.radius;
-  s.last_device = session.device_pose();
+  s.last_device = session.opened().start;
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};

@@ -30,7 +30,7 @@ class MouseTest : public WindowTest {
     QKeyEvent event(QEvent::KeyPress, code, keys);
     QApplication::sendEvent(window->viewport().canvas(), &event);
   }
-  const Pose& now() const { return window->session()->device_pose(); }
+  Pose now() const { return window->session()->device_pose(); }
   Vec3 moved() const { return com() - com_before; }
   double turned() const { return now().q.angularDistance(start.q); }
 

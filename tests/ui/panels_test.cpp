@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QRadioButton>
@@ -66,6 +67,22 @@ TEST_F(PanelTest, a_typed_value_acts_and_can_be_undone) {
   EXPECT_EQ(typed->value(), 500);
   window->findChild<QAction*>("redo")->trigger();
   EXPECT_DOUBLE_EQ(window->session()->coupling().k, 250.5);
+}
+
+TEST_F(PanelTest, escape_takes_the_force_away_wherever_it_is_pressed) {
+  auto* toggle = find<QAction>("force");
+  for (QWidget* where :
+       {static_cast<QWidget*>(find<TypedValue>("k_value")),
+        static_cast<QWidget*>(find<QComboBox>("holder")), window->viewport().canvas()}) {
+    ASSERT_TRUE(wait_until([this] { return force() > 0; }));
+    QTest::keyClick(where, Qt::Key_Escape);
+    EXPECT_FALSE(toggle->isChecked());
+    EXPECT_TRUE(wait_until([this] { return force() == 0; }));
+    auto* status = find<QLabel>("what_happens");
+    EXPECT_TRUE(wait_until([&] { return status->text().contains("stopped"); }));
+    toggle->trigger();
+  }
+  EXPECT_TRUE(wait_until([this] { return force() > 0; }));
 }
 
 TEST_F(PanelTest, the_mode_shows_its_own_gains) {

@@ -47,6 +47,34 @@ TEST_F(Program, wrong_usage_is_2) {
   EXPECT_EQ(run("a b --unit parsec").exit_code, 2);
 }
 
+TEST_F(Program, a_device_that_nothing_is_called_is_wrong_usage) {
+  const Outcome unknown = run("--device sigma7");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("\"sigma7\"; the nearest known one is \"sigma.7\""));
+  EXPECT_EQ(run("--device ''").exit_code, 2);
+}
+
+TEST_F(Program, a_device_that_cannot_be_used_is_bad_input) {
+  const Outcome absent = run("--device /dev/hidraw99");
+  EXPECT_EQ(absent.exit_code, 3);
+  EXPECT_THAT(absent.err, HasSubstr("/dev/hidraw99: no 6-DoF device is connected there"));
+  const Outcome missing = run("--device none.json");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("none.json"));
+  folder.write("bad.json", "{\n\"nam\": 1}");
+  const Outcome bad = run("--device bad.json");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("bad.json:2: "));
+}
+
+TEST_F(Program, a_simulated_device_and_auto_open_a_window) {
+  for (const char* device : {"sigma.7", "auto", "mouse"}) {
+    const Outcome shown = run(std::string("--screenshot shown.png --device ") + device);
+    EXPECT_EQ(shown.exit_code, 0) << device << ": " << shown.err;
+    EXPECT_TRUE(std::filesystem::remove(folder / "shown.png")) << device;
+  }
+}
+
 TEST_F(Program, no_display_is_said) {
   const Outcome none = run("", "DISPLAY= WAYLAND_DISPLAY=");
   EXPECT_EQ(none.exit_code, 4);

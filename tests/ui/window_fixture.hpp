@@ -75,6 +75,9 @@ class WindowTest : public ::testing::Test {
     const char* display = std::getenv("DISPLAY");
     ASSERT_TRUE(display && *display) << "these tests open windows: set DISPLAY (Xvfb will do)";
     need_application();
+    // Profiles and settings of devices too: none of the person's who runs the tests.
+    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder.path().string()));
+    qputenv("XDG_DATA_HOME", QByteArray::fromStdString((folder / "data").string()));
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                        QString::fromStdString(folder.path().string()));
     window = std::make_unique<MainWindow>();

@@ -115,6 +115,11 @@ void add_probe_menu(MainWindow& window, QToolBar& bar) {
                  QKeySequence(QStringLiteral("Space")), false, [w](bool on) { w->set_paused(on); });
   QObject::connect(w, &MainWindow::paused_changed, pause, &QAction::setChecked);
   bar.addAction(pause);
+  QAction* force = add_toggle(window, menu, "force", QStringLiteral("&Force"),
+                              QKeySequence(QStringLiteral("Ctrl+Space")), true,
+                              [w](bool on) { w->set_force(on); });
+  QObject::connect(w, &MainWindow::force_changed, force, &QAction::setChecked);
+  bar.addAction(force);
   bar.addSeparator();
 }
 

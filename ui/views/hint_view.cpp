@@ -45,6 +45,7 @@ const std::vector<std::pair<QString, QString>>& HintView::keys() {
       {"Right drag", "orbits the view"},
       {"Middle drag", "pans"},
       {"Ctrl+wheel", "zooms"},
+      {"Esc", "no force"},
       {"R", "reset"},
       {"Space", "pause"},
       {"F", "fit"},

@@ -64,7 +64,7 @@ TEST(SimulatedHand, pressed_into_a_wall_two_springs_balance) {
   }
 }
 
-/// How far the probe swings in a wall of stiffness k, soon and three seconds later, m.
+/// How far the probe swings in a wall of stiffness k, after three seconds and three later, m.
 struct Swing {
   double soon, later;
 };
@@ -87,7 +87,7 @@ Swing swing_in_wall(double k) {
     }
     return high - low;
   };
-  run(hand, 1000, k, wall);
+  run(hand, 3000, k, wall);
   const double soon = swing();
   run(hand, 3000, k, wall);
   return {soon, swing()};

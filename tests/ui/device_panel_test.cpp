@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/device_panel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <utility>
+
+#include "engine/scene/device_settings_file.hpp"
+#include "tests/ui/window_fixture.hpp"
+#include "ui/panels/typed_value.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+/// The dock alone, as it shows a puck.
+class DevicePanelTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (HasFatalFailure()) return;
+    panel = std::make_unique<DevicePanel>();
+    panel->settings_changed = [this](const DeviceSettings& settings) {
+      changes.push_back(settings);
+    };
+    panel->chosen = [this](const Holder& holder) { choices.push_back(name_of(holder)); };
+    panel->led_switched = [this](bool on) { led = on; };
+    panel->show();
+  }
+  template <class T>
+  T* find(const char* name) {
+    T* found = panel->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  static HolderReport report(bool position) {
+    HolderReport report;
+    DeviceStatus& device = report.device;
+    device.state = DeviceState::ready;
+    device.path = "/dev/hidraw7";
+    device.capabilities.position = device.capabilities.force = position;
+    device.capabilities.led = !position;
+    device.capabilities.max_force = 8;
+    device.capabilities.max_torque = 0.25;
+    device.reports = 1000;
+    device.refused = 3;
+    device.lost = 5;
+    device.connections = 2;
+    report.reports_per_s = 62.4;
+    return report;
+  }
+
+  const Holder puck = ConnectedHolder{.choice = {1, 2, ""}, .name = "Puck"};
+  std::unique_ptr<DevicePanel> panel;
+  std::vector<DeviceSettings> changes;
+  std::vector<std::string> choices;
+  bool led = false;
+};
+
+TEST_F(DevicePanelTest, a_connected_device_shows_its_numbers_with_units) {
+  panel->show_settings(puck, {});
+  HolderReport now = report(true);
+  now.clutch_open = true;
+  panel->show_report(puck, now);
+  EXPECT_TRUE(find<QLabel>("device_state")->text().contains("ready"));
+  EXPECT_TRUE(find<QLabel>("device_reason")->text().contains("force to 8.00 N and 0.250 N·m"))
+      << find<QLabel>("device_reason")->text().toStdString();
+  EXPECT_EQ(find<QLabel>("device_rate")->text(), "62 Hz");
+  EXPECT_EQ(find<QLabel>("device_lost")->text(), "5 reports");
+  EXPECT_EQ(find<QLabel>("device_refused")->text(), "3 of 1000");
+  EXPECT_EQ(find<QLabel>("device_connections")->text(), "2 times");
+  EXPECT_TRUE(find<QLabel>("device_clutch")->text().startsWith("open"));
+  now.device.state = DeviceState::faulty;
+  now.device.reason = "its handle jumped 200 mm";
+  panel->show_report(puck, now);
+  EXPECT_TRUE(find<QLabel>("device_state")->text().contains("faulty"));
+  EXPECT_TRUE(find<QLabel>("device_reason")->text().contains("jumped 200 mm"));
+}
+
+TEST_F(DevicePanelTest, it_shows_what_means_something_to_the_device_and_no_more) {
+  const auto shown = [this](const char* name) { return find<QWidget>(name)->isVisible(); };
+  panel->show_settings(MouseHolder{}, {});
+  panel->show_report(MouseHolder{}, {});
+  EXPECT_FALSE(shown("scaling_row") || shown("device_rate") || shown("axis_x_gain"));
+  panel->show_settings(SimulatedHolder{}, {});
+  panel->show_report(SimulatedHolder{}, {});
+  EXPECT_TRUE(shown("scaling_row"));
+  EXPECT_FALSE(shown("reach_row") || shown("device_rate") || shown("axis_x_gain"));
+  panel->show_settings(puck, {});
+  panel->show_report(puck, report(false));
+  EXPECT_TRUE(shown("scaling_row") && shown("reach_row") && shown("axis_x_gain"));
+  EXPECT_TRUE(shown("device_led") && shown("dead_zone_row"));
+  panel->show_report(puck, report(true));
+  EXPECT_TRUE(shown("scaling_row") && shown("clutch_button_row") && shown("axis_x_gain"));
+  EXPECT_FALSE(shown("reach_row") || shown("smoothing_row") || shown("device_led"));
+  EXPECT_FALSE(find<QWidget>("axis_x_dead_zone")->isEnabled());
+}
+
+TEST_F(DevicePanelTest, every_change_is_reported_with_all_the_rest_as_it_was) {
+  DeviceSettings settings;
+  settings.scaling = 3;
+  panel->show_settings(puck, settings);
+  panel->show_report(puck, report(false));
+  EXPECT_TRUE(changes.empty()) << "showing is no change";
+  find<TypedValue>("turn_value")->setValue(2);
+  find<QComboBox>("axis_y_from")->setCurrentIndex(2);
+  find<QCheckBox>("axis_rz_inverted")->click();
+  find<TypedValue>("axis_rx_gain")->setValue(0.5);
+  ASSERT_EQ(changes.size(), 4u);
+  const DeviceSettings& last = changes.back();
+  EXPECT_EQ(last.scaling, 3);
+  EXPECT_EQ(last.turn, 2);
+  EXPECT_EQ(last.axes.axes[1].source, 2);
+  EXPECT_TRUE(last.axes.axes[5].inverted);
+  EXPECT_EQ(last.axes.axes[3].gain, 0.5);
+  find<TypedValue>("dead_zone_value")->setValue(0.2);
+  for (const AxisSetting& axis : changes.back().axes.axes) EXPECT_EQ(axis.dead_zone, 0.2);
+  EXPECT_EQ(find<TypedValue>("axis_z_dead_zone")->value(), 0.2);
+  find<QCheckBox>("device_led")->click();
+  EXPECT_TRUE(led);
+}
+
+TEST_F(DevicePanelTest, the_list_has_the_holder_now_and_choosing_is_told) {
+  panel->show_choices({MouseHolder{}, puck}, puck);
+  auto* list = find<QComboBox>("holder");
+  EXPECT_EQ(list->currentText(), "Puck");
+  EXPECT_TRUE(choices.empty());
+  emit list->activated(0);
+  EXPECT_EQ(choices, std::vector<std::string>{"Mouse"});
+}
+
+/// The dock in the window, with the device that is simulated.
+class SimulatedDeviceTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (HasFatalFailure()) return;
+    open_cubes();
+  }
+  void choose(const QString& name) {
+    auto* list = window->findChild<QComboBox*>("holder");
+    ASSERT_TRUE(wait_until([&] { return list->findText(name) >= 0; })) << name.toStdString();
+    emit list->activated(list->findText(name));
+  }
+  Vec3 probe() const { return shown().separation.device.p; }
+};
+
+TEST_F(SimulatedDeviceTest, the_mouse_moves_the_hand_and_the_device_is_pushed_back) {
+  choose("sigma.7 (simulated)");
+  auto* status = window->findChild<QLabel*>("device_status");
+  EXPECT_TRUE(wait_until([&] { return status->text() == "sigma.7 (simulated)"; }));
+  // Overlapping by 10 mm, the wall of 500 N/m pushes the handle out against the hand's 300.
+  const Vec3 wanted = window->session()->device_pose().p;
+  ASSERT_TRUE(wait_until([&] { return probe().x() > wanted.x() + 0.003; })) << probe().x();
+  EXPECT_EQ(window->session()->device_pose().p, wanted) << "the mouse has not moved";
+  // Away from the wall, the probe comes to where the mouse wants it, but for the friction.
+  Pose free = window->session()->device_pose();
+  free.p.x() += 0.1;
+  window->set_device_pose(free);
+  EXPECT_TRUE(wait_until([&] { return (probe() - free.p).norm() < 0.003; }));
+  Vec3 before = Vec3::Zero();
+  ASSERT_TRUE(wait_until([&] {
+    wait(50);
+    return std::exchange(before, probe()) == probe();
+  })) << "friction holds it";
+  choose("Mouse");
+  const Vec3 here = probe();
+  wait(50);
+  EXPECT_EQ(probe(), here) << "taken over where it was";
+}
+
+TEST_F(SimulatedDeviceTest, settings_are_kept_for_each_device) {
+  choose("sigma.7 (simulated)");
+  window->findChild<TypedValue*>("scaling_value")->setValue(2.5);
+  EXPECT_EQ(window->devices().settings().scaling, 2.5);
+  const auto file = folder / "sonde/devices/sigma.7.json";
+  ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(file); }));
+  EXPECT_EQ(read_device_settings(file).scaling, 2.5);
+  choose("omega.7 (simulated)");
+  EXPECT_EQ(window->devices().settings().scaling, 1);
+  choose("sigma.7 (simulated)");
+  EXPECT_EQ(window->devices().settings().scaling, 2.5);
+  // Another window, and one that finds a file it cannot read.
+  window = std::make_unique<MainWindow>();
+  choose("sigma.7 (simulated)");
+  EXPECT_EQ(window->devices().settings().scaling, 2.5);
+  std::filesystem::remove(file);
+  folder.write("sonde/devices/sigma.7.json", "{\"scalin\": 1}");
+  QString complaint;
+  window->prompts().report_error = [&](const QString& text) { complaint = text; };
+  choose("Mouse");
+  choose("sigma.7 (simulated)");
+  EXPECT_TRUE(complaint.contains("\"scalin\"")) << complaint.toStdString();
+  EXPECT_EQ(window->devices().settings().scaling, 1);
+}
+
+TEST_F(SimulatedDeviceTest, a_scene_names_its_device_and_a_choice_stays) {
+  folder.write("own.sonde.json", R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}, "device": {"profile": "omega.7", "scaling": 4}})");
+  open({path("own.sonde.json")});
+  EXPECT_EQ(name_of(window->devices().holder()), "omega.7 (simulated)");
+  EXPECT_EQ(window->devices().settings().scaling, 4);
+  open_cubes();
+  EXPECT_EQ(name_of(window->devices().holder()), "Mouse") << "this scene names none";
+  choose("sigma.7 (simulated)");
+  open({path("own.sonde.json")});
+  EXPECT_EQ(name_of(window->devices().holder()), "sigma.7 (simulated)");
+  folder.write("bad.sonde.json", R"({"probe": {"mesh": "cube.off"}, "fixed": {"mesh": "cube.off"},
+      "device": "omega7"})");
+  open({path("bad.sonde.json")});
+  EXPECT_TRUE(complaints.back().contains("omega.7")) << complaints.back().toStdString();
+}
+
+TEST_F(SimulatedDeviceTest, a_recorded_path_is_played) {
+  folder.write("path.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n0.2,0.4,0,0,1,0,0,0\n");
+  folder.write("path.sonde.json",
+               R"({"probe": {"mesh": "cube.off", "pose": [0.2, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}, "trajectory": "path.csv"})");
+  open({path("path.sonde.json")});
+  choose("Recorded path");
+  EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
+  window->reset();
+  EXPECT_TRUE(wait_until([&] { return window->shown() && probe().x() < 0.35; })) << "again";
+  EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/holder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+#include "engine/error.hpp"
+#include "engine/scene/device_settings_file.hpp"
+#include "engine/scene/nearest.hpp"
+
+namespace sonde::ui {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string ids_of(const HidInfo& info) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%04x:%04x", info.vendor, info.product);
+  return text.data();
+}
+
+Holder first_that_opens() {
+  for (const DeviceListing& listing : list_devices())
+    if (listing.opens) return holder_of(listing.info);
+  return MouseHolder{};
+}
+
+/// Opens it once to see that it can be.
+Holder checked(const HidInfo& info) {
+  connect(info);
+  return holder_of(info);
+}
+
+Holder on_node(const std::string& path) {
+  for (const ConnectedDevice& device : connected_devices())
+    if (device.info.path == path) return checked(device.info);
+  throw InputError::in(path, "no 6-DoF device is connected there");
+}
+
+Holder named(const std::string& asked, std::span<const std::filesystem::path> folders) {
+  const std::vector<std::string> ids = device_profile_ids(folders);
+  if (std::ranges::find(ids, asked) != ids.end())
+    return SimulatedHolder{find_device_profile(asked, folders)};
+  std::vector<std::string> known = ids;
+  for (const ConnectedDevice& device : connected_devices()) {
+    const std::string name = name_of(device.info);
+    if (lower(name) == lower(asked) || ids_of(device.info) == lower(asked))
+      return checked(device.info);
+    known.push_back(name);
+  }
+  known.insert(known.end(), {"auto", "mouse", "path"});
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  throw UnknownDevice("no device profile and no connected device has the name \"" + asked +
+                      "\"; the nearest known one is \"" + std::string(nearest(asked, words)) + '"');
+}
+
+}  // namespace
+
+std::string name_of(const Holder& holder) {
+  return std::visit(
+      Overloaded{[](const MouseHolder&) -> std::string { return "Mouse"; },
+                 [](const PathHolder&) -> std::string { return "Recorded path"; },
+                 [](const SimulatedHolder& s) { return s.profile.name + " (simulated)"; },
+                 [](const ConnectedHolder& c) { return c.name; }},
+      holder);
+}
+
+std::string settings_name_of(const Holder& holder) {
+  if (const auto* simulated = std::get_if<SimulatedHolder>(&holder))
+    return device_settings_name(simulated->profile.id);
+  if (const auto* connected = std::get_if<ConnectedHolder>(&holder))
+    return device_settings_name(connected->choice.vendor, connected->choice.product,
+                                connected->choice.serial);
+  return "";
+}
+
+bool same(const Holder& a, const Holder& b) {
+  return a.index() == b.index() && settings_name_of(a) == settings_name_of(b);
+}
+
+ConnectedHolder holder_of(const HidInfo& info) {
+  return {.choice = {.vendor = info.vendor, .product = info.product, .serial = info.serial},
+          .name = name_of(info)};
+}
+
+Holder find_holder(const std::string& asked,
+                   std::span<const std::filesystem::path> profile_folders) {
+  if (asked == "auto") return first_that_opens();
+  if (asked == "mouse") return MouseHolder{};
+  if (asked == "path") return PathHolder{};
+  if (asked.ends_with(".json")) return SimulatedHolder{find_device_profile(asked, profile_folders)};
+  if (asked.find('/') != std::string::npos) return on_node(asked);
+  return named(asked, profile_folders);
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/devices/connection.hpp"
+#include "engine/devices/input_device.hpp"
+#include "engine/scene/device_profile.hpp"
+
+namespace sonde::ui {
+
+/// The mouse itself, with nothing between.
+struct MouseHolder {};
+/// The scene's recorded path.
+struct PathHolder {};
+/// A simulated device, which the mouse drives.
+struct SimulatedHolder {
+  DeviceProfile profile;
+};
+/// A device that is, or was, connected.
+struct ConnectedHolder {
+  DeviceChoice choice;
+  std::string name;
+};
+
+/// What holds the probe.
+using Holder = std::variant<MouseHolder, PathHolder, SimulatedHolder, ConnectedHolder>;
+
+/// For people: "Mouse", "sigma.7 (simulated)", "SpaceMouse Compact".
+std::string name_of(const Holder& holder);
+/// The file its settings are kept in; empty where it has none.
+std::string settings_name_of(const Holder& holder);
+/// The same device, by its ids.
+bool same(const Holder& a, const Holder& b);
+
+ConnectedHolder holder_of(const HidInfo& info);
+
+/// A name that nothing has: wrong usage.
+class UnknownDevice : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What `--device` asks for:
+/// - `auto`: the first connected device that opens, else the mouse; `mouse` and `path`: those;
+/// - a path: a profile (it ends in ".json"), or the node of a device (/dev/hidraw3);
+/// - a name: the id of a profile, or the name of a connected device, in large or small letters, or
+///   its ids (256f:c635).
+/// Throws UnknownDevice, naming the nearest known name, or InputError where the profile cannot be
+/// read, or the device not be opened, with the reason.
+Holder find_holder(const std::string& asked,
+                   std::span<const std::filesystem::path> profile_folders);
+
+}  // namespace sonde::ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <functional>
+
+#include "engine/devices/axis_map.hpp"
+
+class QCheckBox;
+class QComboBox;
+
+namespace sonde::ui {
+
+class TypedValue;
+
+/// The six axes of a device, a row each: which of its axes it is taken from, whether the other way
+/// round, gain and dead zone. Object names: axis_KEY_from, _inverted, _gain, _dead_zone.
+class AxisTable : public QWidget {
+ public:
+  explicit AxisTable(QWidget* parent);
+
+  /// Shows the axes without reporting them. Dead zones are for deflections.
+  void show_axes(const AxisMap& axes, bool deflections);
+  /// Called with each change.
+  std::function<void(const AxisMap&)> changed;
+
+ private:
+  struct Row {
+    QComboBox* from;
+    QCheckBox* inverted;
+    TypedValue* gain;
+    TypedValue* dead_zone;
+  };
+  void report();
+
+  std::array<Row, 6> rows_{};
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/device_panel.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <string_view>
+
+#include "engine/scene/settings.hpp"
+#include "ui/format.hpp"
+#include "ui/panels/axis_table.hpp"
+#include "ui/panels/slider_row.hpp"
+#include "ui/theme.hpp"
+
+namespace sonde::ui {
+namespace {
+
+QString text(const char* utf8) { return QString::fromUtf8(utf8); }
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString in_colour(const QColor& colour, const QString& words) {
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(colour.name(), words);
+}
+
+const QColor& colour_of(DeviceState state) {
+  if (state == DeviceState::ready) return colour::bound;
+  return state == DeviceState::silent ? colour::contact : colour::force;
+}
+
+QString with_unit(double value, const char* unit) { return number(value) + ' ' + text(unit); }
+
+QString capabilities(const DeviceCapabilities& can) {
+  QStringList parts{can.position ? QStringLiteral("tells positions")
+                                 : QStringLiteral("tells deflections")};
+  parts << (can.force ? QStringLiteral("force to %1 and %2")
+                            .arg(with_unit(can.max_force, "N"), with_unit(can.max_torque, "N·m"))
+                      : QStringLiteral("no force"));
+  if (can.buttons > 0) parts << QStringLiteral("%1 buttons").arg(can.buttons);
+  return parts.join(QStringLiteral(", "));
+}
+
+QString words_of(const DeviceProfile& profile) {
+  const QString limits =
+      QStringLiteral("Simulated: %1 and %2, %3, %4 late. The mouse moves the hand on it.")
+          .arg(with_unit(profile.max_force.value, "N"), with_unit(profile.max_torque.value, "N·m"),
+               with_unit(profile.mass.value, "kg"), with_unit(1e3 * profile.delay.value, "ms"));
+  QStringList assumed;
+  for (const std::string& key : assumed_keys(profile)) assumed << text(key).replace('_', ' ');
+  return assumed.isEmpty()
+             ? limits
+             : limits + QStringLiteral(" Assumed: ") + assumed.join(QStringLiteral(", ")) + '.';
+}
+
+QString words_of(const DeviceStatus& status) {
+  QStringList lines;
+  if (!status.path.empty()) lines << text(status.path) + ": " + capabilities(status.capabilities);
+  if (!status.reason.empty()) lines << text(status.reason);
+  return lines.join(QStringLiteral("\n"));
+}
+
+}  // namespace
+
+DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device"), parent) {
+  setObjectName(QStringLiteral("device_panel"));
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(scroll);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(10, 8, 10, 8);
+  build_choice(*layout);
+  build_state(*layout);
+  build_motion(*layout);
+  build_axes(*layout);
+  layout->addStretch();
+  scroll->setWidget(content);
+  content->ensurePolished();
+  scroll->setMinimumWidth(std::max(290, content->minimumSizeHint().width() + 18));
+  setWidget(scroll);
+  show_settings(MouseHolder{}, {});
+  show_report(MouseHolder{}, {});
+}
+
+void DevicePanel::build_choice(QVBoxLayout& layout) {
+  auto* label = new QLabel(QStringLiteral("The probe is held by"), this);
+  holders_ = new QComboBox(this);
+  holders_->setObjectName(QStringLiteral("holder"));
+  holders_->setToolTip(QStringLiteral(
+      "The mouse itself, a simulated device that it drives, or a connected device."));
+  label->setBuddy(holders_);
+  layout.addWidget(label);
+  layout.addWidget(holders_);
+  connect(holders_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
+    if (chosen) chosen(choices_.at(static_cast<std::size_t>(i)));
+  });
+}
+
+QLabel* DevicePanel::number(QFormLayout& form, const char* name, const char* object,
+                            const char* doc) {
+  auto* label = new QLabel(text(name), form.parentWidget());
+  auto* value = new QLabel(QStringLiteral("–"), form.parentWidget());
+  value->setObjectName(text(object));
+  value->setAlignment(Qt::AlignRight);
+  label->setToolTip(text(doc));
+  value->setToolTip(text(doc));
+  form.addRow(label, value);
+  return value;
+}
+
+void DevicePanel::build_state(QVBoxLayout& layout) {
+  state_ = new QLabel(this);
+  state_->setObjectName(QStringLiteral("device_state"));
+  state_->setTextFormat(Qt::RichText);
+  what_ = new QLabel(this);
+  what_->setObjectName(QStringLiteral("device_reason"));
+  what_->setWordWrap(true);
+  what_->setTextFormat(Qt::PlainText);
+  layout.addWidget(state_);
+  layout.addWidget(what_);
+  numbers_ = new QWidget(this);
+  auto* form = new QFormLayout(numbers_);
+  form->setContentsMargins(0, 4, 0, 0);
+  form->setVerticalSpacing(3);
+  rate_ = number(*form, "reports", "device_rate", "Reports a second, measured.");
+  lost_ = number(*form, "lost", "device_lost", "Missing by the device's own count, this time.");
+  refused_ = number(*form, "refused", "device_refused", "Reports that could not be true.");
+  connections_ = number(*form, "opened", "device_connections", "How often it was opened.");
+  clutch_ = number(*form, "clutch", "device_clutch", "Open: the probe stays where it is.");
+  layout.addWidget(numbers_);
+  led_ = new QCheckBox(QStringLiteral("Light"), this);
+  led_->setObjectName(QStringLiteral("device_led"));
+  connect(led_, &QCheckBox::toggled, this, [this](bool on) {
+    if (led_switched) led_switched(on);
+  });
+  layout.addWidget(led_);
+}
+
+void DevicePanel::build_motion(QVBoxLayout& layout) {
+  motion_box_ = new QGroupBox(QStringLiteral("Motion"), this);
+  auto* box = new QVBoxLayout(motion_box_);
+  box->setContentsMargins(0, 4, 0, 0);
+  choices_row_ = new QWidget(motion_box_);
+  auto* form = new QFormLayout(choices_row_);
+  form->setContentsMargins(0, 0, 0, 0);
+  const auto combo = [&](const char* name, const char* object, std::span<const Choice> choices) {
+    auto* list = new QComboBox(choices_row_);
+    list->setObjectName(text(object));
+    int i = 0;
+    for (const Choice& choice : choices) {
+      list->addItem(text(choice.label));
+      list->setItemData(i++, text(choice.doc), Qt::ToolTipRole);
+    }
+    form->addRow(text(name), list);
+    return list;
+  };
+  controls_ = combo("a deflection is", "device_control", device_controls());
+  frames_ = combo("its axes are", "device_frame", device_frames());
+  connect(controls_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
+    change([i](DeviceSettings& s) { s.control = static_cast<DeviceSettings::Control>(i); });
+  });
+  connect(frames_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
+    change([i](DeviceSettings& s) { s.frame = static_cast<DeviceSettings::Frame>(i); });
+  });
+  box->addWidget(choices_row_);
+  for (const Setting& setting : device_settings()) {
+    auto* row = new SliderRow(setting, motion_box_);
+    row->changed = [this, row](double value) {
+      change([&](DeviceSettings& s) { set(s, row->setting().key, value); });
+    };
+    rows_.push_back(row);
+    box->addWidget(row);
+  }
+  layout.addWidget(motion_box_);
+}
+
+void DevicePanel::build_axes(QVBoxLayout& layout) {
+  axes_box_ = new QGroupBox(QStringLiteral("Axes"), this);
+  auto* box = new QVBoxLayout(axes_box_);
+  box->setContentsMargins(0, 4, 0, 0);
+  for (const Setting& setting : axis_settings()) {
+    auto* row = new SliderRow(setting, axes_box_);
+    row->setToolTip(text(setting.doc) + QStringLiteral(" This sets all six."));
+    row->changed = [this, row](double value) {
+      change([&](DeviceSettings& s) {
+        for (AxisSetting& axis : s.axes.axes) set(axis, row->setting().key, value);
+      });
+    };
+    axis_rows_.push_back(row);
+    box->addWidget(row);
+  }
+  axes_ = new AxisTable(axes_box_);
+  axes_->changed = [this](const AxisMap& axes) {
+    change([&](DeviceSettings& s) { s.axes = axes; });
+  };
+  box->addWidget(axes_);
+  auto* defaults = new QPushButton(QStringLiteral("Defaults"), axes_box_);
+  defaults->setObjectName(QStringLiteral("device_defaults"));
+  connect(defaults, &QPushButton::clicked, this,
+          [this] { change([](DeviceSettings& s) { s = {}; }); });
+  box->addWidget(defaults);
+  layout.addWidget(axes_box_);
+}
+
+void DevicePanel::change(const std::function<void(DeviceSettings&)>& how) {
+  how(settings_);
+  show_rows();
+  if (settings_changed) settings_changed(settings_);
+}
+
+void DevicePanel::show_choices(const std::vector<Holder>& choices, const Holder& current) {
+  const bool known = std::ranges::equal(choices, choices_, [](const Holder& a, const Holder& b) {
+    return same(a, b) && name_of(a) == name_of(b);
+  });
+  const QSignalBlocker quiet(holders_);
+  if (!known) {
+    choices_ = choices;
+    holders_->clear();
+    for (const Holder& holder : choices_) holders_->addItem(text(name_of(holder)));
+  }
+  const auto now =
+      std::ranges::find_if(choices_, [&](const Holder& h) { return same(h, current); });
+  holders_->setCurrentIndex(static_cast<int>(now - choices_.begin()));
+}
+
+void DevicePanel::show_settings(const Holder& holder, const DeviceSettings& settings) {
+  connected_ = std::holds_alternative<ConnectedHolder>(holder);
+  adjustable_ = connected_ || std::holds_alternative<SimulatedHolder>(holder);
+  settings_ = settings;
+  show_rows();
+}
+
+void DevicePanel::show_rows() {
+  motion_box_->setVisible(adjustable_);
+  axes_box_->setVisible(connected_);
+  choices_row_->setVisible(connected_);
+  controls_->setCurrentIndex(static_cast<int>(settings_.control));
+  controls_->setEnabled(deflections_);
+  frames_->setCurrentIndex(static_cast<int>(settings_.frame));
+  for (SliderRow* row : rows_) {
+    const std::string_view key = row->setting().key;
+    const bool always = key == "scaling";
+    const bool for_both = always || key == "clutch_button";
+    row->setVisible(always || (connected_ && (for_both || deflections_)));
+    const double value = get(settings_, key);
+    if (row->value() != value) row->set_value(value);
+  }
+  for (SliderRow* row : axis_rows_) {
+    row->setVisible(deflections_ || std::string_view(row->setting().key) != "dead_zone");
+    row->set_value(get(settings_.axes.axes[0], row->setting().key));
+  }
+  axes_->show_axes(settings_.axes, deflections_);
+}
+
+void DevicePanel::show_report(const Holder& holder, const HolderReport& report) {
+  const DeviceStatus& device = report.device;
+  numbers_->setVisible(connected_);
+  state_->setVisible(connected_);
+  led_->setVisible(connected_ && device.capabilities.led);
+  const auto* simulated = std::get_if<SimulatedHolder>(&holder);
+  what_->setText(simulated ? words_of(simulated->profile) : words_of(device));
+  what_->setVisible(!what_->text().isEmpty());
+  if (!connected_) return;
+  if (deflections_ == device.capabilities.position) {
+    deflections_ = !device.capabilities.position;
+    show_rows();
+  }
+  state_->setText(QStringLiteral("<b>%1</b>")
+                      .arg(in_colour(colour_of(device.state), text(name_of(device.state)))));
+  rate_->setText(QString::number(report.reports_per_s, 'f', 0) + QStringLiteral(" Hz"));
+  const auto of = [&](std::uint64_t count) {
+    return QStringLiteral("%1 of %2").arg(count).arg(device.reports);
+  };
+  lost_->setText(QString::number(device.lost) + QStringLiteral(" reports"));
+  refused_->setText(of(device.refused));
+  connections_->setText(device.connections == 1
+                            ? QStringLiteral("once")
+                            : QStringLiteral("%1 times").arg(device.connections));
+  clutch_->setText(report.clutch_open ? QStringLiteral("open: the probe stays")
+                                      : QStringLiteral("closed"));
+}
+
+}  // namespace sonde::ui

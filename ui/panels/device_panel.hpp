@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <functional>
+#include <vector>
+
+#include "engine/devices/device_settings.hpp"
+#include "ui/device_control.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QGroupBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+class AxisTable;
+class SliderRow;
+
+/// The dock of the device: what holds the probe and what else could, how a connected device is
+/// doing, and how it moves the probe. Settings that mean nothing to the device are left out.
+class DevicePanel : public QDockWidget {
+ public:
+  explicit DevicePanel(QWidget* parent = nullptr);
+
+  /// What the probe can be held by; the list is built anew only where it is another.
+  void show_choices(const std::vector<Holder>& choices, const Holder& current);
+  void show_settings(const Holder& holder, const DeviceSettings& settings);
+  void show_report(const Holder& holder, const HolderReport& report);
+
+  std::function<void(const Holder&)> chosen;
+  /// Called at once with every change.
+  std::function<void(const DeviceSettings&)> settings_changed;
+  std::function<void(bool)> led_switched;
+
+ private:
+  void build_choice(QVBoxLayout& layout);
+  void build_state(QVBoxLayout& layout);
+  void build_motion(QVBoxLayout& layout);
+  void build_axes(QVBoxLayout& layout);
+  QLabel* number(QFormLayout& form, const char* name, const char* object, const char* doc);
+  void show_rows();
+  void change(const std::function<void(DeviceSettings&)>& how);
+
+  std::vector<Holder> choices_;
+  DeviceSettings settings_;
+  bool adjustable_ = false;  ///< a connected device or a simulated one
+  bool connected_ = false;
+  bool deflections_ = true;  ///< a connected device that tells no positions
+  QComboBox *holders_, *controls_, *frames_;
+  QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_;
+  QGroupBox *motion_box_, *axes_box_;
+  QWidget *numbers_, *choices_row_;
+  QCheckBox* led_;
+  std::vector<SliderRow*> rows_, axis_rows_;
+  AxisTable* axes_;
+};
+
+}  // namespace sonde::ui
