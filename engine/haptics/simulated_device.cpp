@@ -104,7 +104,7 @@ void SimulatedDevice::reset(const Pose& X_WD) noexcept {
   newest_ = 0;
 }
 
-void SimulatedDevice::step(const Wrench& command, const Pose& X_WH) noexcept {
+void SimulatedDevice::step(const Wrench& command, const Pose& X_WH, const Wrench& push) noexcept {
   newest_ = (newest_ + 1) % commands_.size();
   commands_[newest_] = limit(command, parameters_.translation.limit, parameters_.rotation.limit);
   const auto given = [&](std::size_t samples_ago) -> const Wrench& {
@@ -112,8 +112,11 @@ void SimulatedDevice::step(const Wrench& command, const Pose& X_WH) noexcept {
   };
   const Vec3 hand_velocity = (X_WH.p - X_WH_.p) / sample_time_;
   const Vec3 hand_spin = rotation_vector(X_WH.q * X_WH_.q.conjugate()) / sample_time_;
-  advance(older_, given(samples_late_ + 1), hand_velocity, hand_spin);
-  advance(newer_, given(samples_late_), hand_velocity, hand_spin);
+  const auto with_push = [&](const Wrench& motors) {
+    return Wrench{motors.force + push.force, motors.torque + push.torque};
+  };
+  advance(older_, with_push(given(samples_late_ + 1)), hand_velocity, hand_spin);
+  advance(newer_, with_push(given(samples_late_)), hand_velocity, hand_spin);
   X_WH_ = X_WH;  // to the bit, whatever the steps have rounded
   motors_ = given(samples_late_);
 }
@@ -140,20 +143,20 @@ void move(const HandleMotion& motion, const Step& s, const Vec3& force, const Ve
 
 }  // namespace
 
-void SimulatedDevice::advance(const Part& part, const Wrench& motors, const Vec3& hand_velocity,
+void SimulatedDevice::advance(const Part& part, const Wrench& given, const Vec3& hand_velocity,
                               const Vec3& hand_spin) noexcept {
   const Vec3 hand_shift = hand_velocity * part.step_time;
   const Vec3 hand_turn = hand_spin * part.step_time;
   for (std::size_t i = 0; i < part.steps; ++i) {
     Vec3 offset = state_.X_WD.p - X_WH_.p;
-    move(parameters_.translation, part.translation, motors.force, hand_velocity, offset,
+    move(parameters_.translation, part.translation, given.force, hand_velocity, offset,
          state_.velocity);
     X_WH_.p += hand_shift;
     state_.X_WD.p = X_WH_.p + offset;
 
     const Vec3 before = rotation_vector(state_.X_WD.q * X_WH_.q.conjugate());
     Vec3 turn = before;
-    move(parameters_.rotation, part.rotation, motors.torque, hand_spin, turn, state_.spin);
+    move(parameters_.rotation, part.rotation, given.torque, hand_spin, turn, state_.spin);
     X_WH_.q = (rotation(hand_turn) * X_WH_.q).normalized();
     state_.X_WD.q = (rotation(turn - before + hand_turn) * state_.X_WD.q).normalized();
   }

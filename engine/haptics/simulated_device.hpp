@@ -64,8 +64,9 @@ class SimulatedDevice {
   void reset(const Pose& X_WD) noexcept;
   /// From this sample to the next: `command` is the wrench on the hand, in W, about the handle's
   /// origin, cut to the motors' limits; X_WH is where the hand wants the handle by the next sample.
+  /// `push` is a wrench that the hand gives beside its spring, constant until then, at once.
   /// No allocation, lock, log, throw.
-  void step(const Wrench& command, const Pose& X_WH) noexcept;
+  void step(const Wrench& command, const Pose& X_WH, const Wrench& push = {}) noexcept;
 
   /// What the encoders say: coordinates, and those of the rotation vector, rounded to their step.
   Pose measured() const noexcept;
@@ -87,7 +88,7 @@ class SimulatedDevice {
   };
   static LinearStep linear_step(const HandleMotion& motion, double time);
   Part part(double time) const;
-  void advance(const Part& part, const Wrench& motors, const Vec3& hand_velocity,
+  void advance(const Part& part, const Wrench& given, const Vec3& hand_velocity,
                const Vec3& hand_spin) noexcept;
 
   SimulatedDeviceParameters parameters_;

@@ -245,6 +245,20 @@ TEST(SimulatedDevice, NoGainIsTooHighForTheSimulation) {
   }
 }
 
+TEST(SimulatedDevice, APushIsAForceAtOnceAndWithoutLimit) {
+  SimulatedDeviceParameters p = bare();
+  p.translation.limit = 1;
+  p.delay = 5e-3;
+  SimulatedDevice device(p, T);
+  for (int k = 1; k <= 3; ++k) {
+    device.step({}, {}, force(2));
+    EXPECT_NEAR(device.state().X_WD.p.x(), step_response(0.1, 0, 0, 2, k * T), 1e-15);
+  }
+  EXPECT_EQ(device.motors().force, Vec3::Zero());
+  device.step({}, {}, torque(1e-3));
+  EXPECT_NEAR(device.state().spin.x(), 1e-3 * T / 5e-5, 1e-12);
+}
+
 TEST(SimulatedDevice, SameInputSameBitsAndNoAllocation) {
   SimulatedDeviceParameters p;
   p.translation.friction = 0.1;

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/study_parts.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "engine/error.hpp"
+#include "engine/scene/output_file.hpp"
+#include "engine/scene/text_file.hpp"
+
+namespace sonde {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+fs::path study_file(const fs::path& folder) { return folder / "study.json"; }
+fs::path part_file(const fs::path& folder, const std::string& name) {
+  return folder / "parts" / (name + ".json");
+}
+
+std::string study_text(const Study& study) {
+  Json names = Json::array();
+  for (const StudyPart& part : study.parts) names.push_back(part.name);
+  const Json json{{"study", study.kind}, {"about", Json::parse(study.about)}, {"parts", names}};
+  return json.dump(2) + "\n";
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder / "parts", error);
+  if (error) throw InputError::in(folder.string(), "cannot be made: " + error.message());
+}
+
+/// Writes study.json, or finds that the one there says the same.
+void claim(const fs::path& folder, const Study& study) {
+  const std::string text = study_text(study);
+  if (!fs::exists(study_file(folder))) {
+    make_folder(folder);
+    return write_whole(study_file(folder), text);
+  }
+  if (read_text(study_file(folder), most_bytes) != text)
+    throw InputError::in(study_file(folder).string(),
+                         "is of a study with other inputs or settings; take another folder");
+  make_folder(folder);
+}
+
+/// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
+/// thrown here.
+template <class Task>
+void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (std::size_t i; (i = next++) < n;) task(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = n;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(threads, n); ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// The parts of the shard that have no file yet.
+std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study, Shard shard,
+                                      std::size_t& total) {
+  std::vector<const StudyPart*> parts;
+  total = 0;
+  for (std::size_t i = shard.index; i < study.parts.size(); i += shard.count) {
+    ++total;
+    if (!fs::exists(part_file(folder, study.parts[i].name))) parts.push_back(&study.parts[i]);
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool StudyFolder::complete() const {
+  return std::ranges::all_of(results, [](const auto& result) { return result.has_value(); });
+}
+
+std::optional<Shard> shard_of(std::string_view text) {
+  const auto number = [](std::string_view digits) -> std::optional<std::size_t> {
+    std::size_t value = 0;
+    const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (end.ec != std::errc{} || end.ptr != digits.data() + digits.size()) return std::nullopt;
+    return value;
+  };
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const auto which = number(text.substr(0, slash)), count = number(text.substr(slash + 1));
+  if (!which || !count || *which < 1 || *which > *count) return std::nullopt;
+  return Shard{*which - 1, *count};
+}
+
+void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsigned threads,
+                   const Stop& stop, const PartsProgress& progress) {
+  claim(folder, study);
+  std::size_t total = 0;
+  const std::vector<const StudyPart*> parts = missing(folder, study, shard, total);
+  std::atomic<std::size_t> done{total - parts.size()};
+  std::atomic<bool> failed{false};
+  const Stop stop_or_failed = [&] { return failed || stop(); };
+  run_parallel(parts.size(), std::max(1u, threads), [&](std::size_t i) {
+    try {
+      if (stop_or_failed()) throw Cancelled();
+      const std::string result = parts[i]->compute(stop_or_failed);
+      write_whole(part_file(folder, parts[i]->name), result);
+    } catch (...) {
+      failed = true;  // the other threads need not finish what nobody will read
+      throw;
+    }
+    if (progress) progress(++done, total);
+  });
+}
+
+StudyFolder read_study(const fs::path& folder) {
+  const fs::path file = study_file(folder);
+  const Json json = Json::parse(read_text(file, most_bytes), nullptr, false);
+  const auto bad = [&] { throw InputError::in(file.string(), "is not what a study writes"); };
+  StudyFolder out;
+  try {
+    out.kind = json.at("study").get<std::string>();
+    out.about = json.at("about").dump();
+    out.names = json.at("parts").get<std::vector<std::string>>();
+  } catch (const Json::exception&) {
+    bad();
+  }
+  for (const std::string& name : out.names) {
+    if (name.empty() || name.find('/') != std::string::npos) bad();
+    const fs::path part = part_file(folder, name);
+    out.results.push_back(fs::exists(part) ? std::optional(read_text(part, most_bytes))
+                                           : std::nullopt);
+  }
+  return out;
+}
+
+std::string fingerprint(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  char digits[16];
+  for (int i = 15; i >= 0; --i, hash >>= 4) digits[i] = "0123456789abcdef"[hash & 15];
+  return {digits, sizeof digits};
+}
+
+}  // namespace sonde
