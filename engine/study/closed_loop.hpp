@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "engine/haptics/haptic_loop.hpp"
+#include "engine/haptics/simulated_device.hpp"
+
+namespace sonde {
+
+/// All that a closed loop is made of.
+struct ClosedLoopSetup {
+  std::shared_ptr<const Body> probe;
+  std::shared_ptr<const Body> fixed;
+  Method method = Method::pdg;
+  Coupling coupling;
+  SimulatedDeviceParameters device;
+  double sample_time = 1e-3;  ///< T, s
+  Budget budget;              ///< of each tick; counted work, or the bits are not the same
+};
+
+/// A simulated device with a hand on it, and the haptic loop on two real bodies: what `sonde tune`
+/// studies. The handle's origin is the probe's centre of mass, so that the loop's torque is about
+/// it; scene and device are of one scale. No thread and no clock: same input, same bits.
+class ClosedLoop {
+ public:
+  /// Throws std::invalid_argument as SimulatedDevice. Allocates.
+  explicit ClosedLoop(const ClosedLoopSetup& setup);
+
+  /// At rest at X_FM, the hand with it. The loop follows from there; where the probe overlaps, from
+  /// what a static search finds. Allocates.
+  void reset(const Pose& X_FM, const StaticOptions& options = {});
+
+  /// One sample: the pose as the encoders say it, the tick, the wrench to the motors, and the
+  /// handle until the next sample. X_FH is where the hand wants the probe's mesh frame by then;
+  /// `push` is what it gives beside its spring, about the centre of mass. No allocation, lock, log,
+  /// throw.
+  void step(const Pose& X_FH, const Wrench& push = {}) noexcept;
+
+  /// The mesh frame as it is, not as the encoders say it.
+  Pose X_FM() const noexcept { return device_.state().X_WD * X_DM_; }
+  const SimulatedDevice& device() const noexcept { return device_; }
+  const HapticLoop& haptic_loop() const noexcept { return loop_; }
+  const ClosedLoopSetup& setup() const noexcept { return setup_; }
+
+ private:
+  ClosedLoopSetup setup_;
+  Pose X_DM_;
+  HapticLoop loop_;
+  SimulatedDevice device_;
+};
+
+/// What Hooke's law asks for at a separation: the spring's part of the coupling, before limits and
+/// without damping. Zero out of contact.
+Wrench spring_wrench(const MassProperties& mass, const Separation& separation,
+                     const Coupling& coupling);
+
+/// Kinetic energy of the handle, J.
+double kinetic_energy(const SimulatedDeviceParameters& device, const HandleState& state);
+
+}  // namespace sonde

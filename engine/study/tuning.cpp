@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/error.hpp"
+#include "engine/scene/settings.hpp"
+#include "engine/study/contact_stability.hpp"
+#include "engine/study/gain_sweep.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// So many situations of a kind are tried until one holds still when it is pressed.
+constexpr int tried_of_kind = 6;
+
+double inertia_per_mass(const DeviceProfile& device) {
+  return device.inertia.value / device.mass.value;
+}
+
+/// The gains at which theory compares contacts: those of one N/m.
+Coupling unit_gains(const TuningRequest& request) {
+  Coupling c = request.coupling;
+  c.k = c.k_t = 1;
+  c.k_r = inertia_per_mass(request.device);
+  c.b_t = c.b_r = 0;
+  return c;
+}
+
+/// Translational and rotational blocks alone: what the driver's limits are compared with.
+double largest_block(const Mat6& stiffness, Eigen::Index first) {
+  const Mat3 block = stiffness.block<3, 3>(first, first);
+  return Eigen::SelfAdjointEigenSolver<Mat3>((block + block.transpose()) / 2)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+SimulatedDeviceParameters held_by(const DeviceProfile& device, const HandGrip& grip) {
+  SimulatedDeviceParameters p = simulated(device);
+  const double per = inertia_per_mass(device);
+  p.translation.hand_stiffness = grip.stiffness;
+  p.translation.hand_damping = grip.damping;
+  p.rotation.hand_stiffness = grip.stiffness * per;
+  p.rotation.hand_damping = grip.damping * per;
+  return p;
+}
+
+/// The push of the hand: against the contact's own wrench, a quarter of what the device gives and
+/// half of its torque.
+Wrench push_into(const TuningRequest& request, const Separation& s) {
+  const Wrench spring = spring_wrench(request.probe->mass, s, unit_gains(request));
+  const double force = spring.force.norm(), torque = spring.torque.norm();
+  double scale = INFINITY;
+  if (force > 0) scale = 0.25 * request.device.max_force.value / force;
+  if (torque > 0 && request.device.max_torque.value > 0)
+    scale = std::min(scale, 0.5 * request.device.max_torque.value / torque);
+  if (!std::isfinite(scale)) return {};
+  return {-scale * spring.force, -scale * spring.torque};
+}
+
+/// All that parts share.
+struct Plan {
+  TuningRequest request;
+  std::vector<TuningSituation> situations;
+};
+
+double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
+  return largest_stable_factor({.device = held_by(request.device, hand_grips[0]),
+                                .sample_time = request.sample_time,
+                                .stiffness = felt.stiffness(unit_gains(request))});
+}
+
+TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
+                     const TuningSituation& situation, const HandGrip& grip) {
+  TuningSetup out;
+  out.loop = {request.probe,         request.fixed,       request.method, request.coupling,
+              held_by(device, grip), request.sample_time, request.budget};
+  // Hands are those of the profile as it is, whatever is assumed of the device.
+  const SimulatedDeviceParameters hand = held_by(request.device, grip);
+  out.loop.device.rotation.hand_stiffness = hand.rotation.hand_stiffness;
+  out.loop.device.rotation.hand_damping = hand.rotation.hand_damping;
+  out.loop.coupling.max_force = std::min(request.coupling.max_force, device.max_force.value);
+  if (device.max_torque.value > 0)
+    out.loop.coupling.max_torque = std::min(request.coupling.max_torque, device.max_torque.value);
+  else  // what the device has no motors for is not missed
+    out.loop.coupling.max_torque = INFINITY;
+  out.situation = situation;
+  out.low = request.low;
+  out.high = request.high;
+  out.ratio = request.ratio;
+  out.rotation_per_translation = inertia_per_mass(request.device);
+  out.most_damping = device.max_damping.value;
+  out.most_rotational_damping = device.max_rotational_damping.value;
+  set_base_gains(out);
+  return out;
+}
+
+/// True where a light hand presses the probe into the contact at half of the stiffness that theory
+/// allows, and it stays there.
+bool holds_still(const TuningRequest& request, const TuningSituation& situation) {
+  ClosedLoop loop(setup_of(request, request.device, situation, hand_grips[0]).loop);
+  const HoldReport report = press_and_hold(loop, press_of(situation));
+  return report.stable && report.contact > 0.95 && report.pop_throughs == 0;
+}
+
+/// The hardest situation of each kind that holds still.
+std::vector<TuningSituation> choose(const TuningRequest& request,
+                                    const std::vector<ContactSituation>& found, const Stop& stop) {
+  std::vector<TuningSituation> out;
+  for (const ContactSituation& each : found) {
+    if (!out.empty() && out.back().contact.kind == each.kind) continue;
+    if (stop()) throw Cancelled();
+    const TuningSituation situation{each, push_into(request, each.separation),
+                                    theory_factor(request, each.stiffness)};
+    if (holds_still(request, situation)) out.push_back(situation);
+  }
+  return out;
+}
+
+std::vector<TuningSituation> situations_of(const TuningRequest& request, const Stop& stop) {
+  SituationOptions options{.method = request.method, .seed = request.seed};
+  options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
+  const auto found = request.path.empty()
+                         ? find_situations(request.probe, request.fixed, request.X_FM,
+                                           tried_of_kind, options, stop)
+                         : situations_along(request.probe, request.fixed, request.path,
+                                            tried_of_kind, options, stop);
+  if (found.empty())
+    throw InputError(request.path.empty() ? "no contact of the two bodies was found"
+                                          : "the probe is in contact at no pose of the trajectory");
+  auto chosen = choose(request, found, stop);
+  if (chosen.empty())
+    throw InputError("no contact was found in which a hand could hold the probe still");
+  return chosen;
+}
+
+std::vector<GainAxis> axes_of(const TuningRequest& request) {
+  if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
+  if (request.device.max_torque.value > 0) return {GainAxis::translation, GainAxis::rotation};
+  return {GainAxis::translation};
+}
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+Json numbers(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+Json numbers(const Pose& X) {
+  return {X.p.x(), X.p.y(), X.p.z(), X.q.w(), X.q.x(), X.q.y(), X.q.z()};
+}
+
+Json about(const TuningRequest& request, const TuningSituation& situation) {
+  const Separation& s = situation.contact.separation;
+  const MassProperties& mass = request.probe->mass;
+  const StiffnessRatio felt = stiffness_ratio(mass, s.device, situation.contact.stiffness.object);
+  const StiffnessRatio summed = summed_penalty_ratio(mass, s);
+  const Mat6 unit = situation.contact.stiffness.stiffness(unit_gains(request));
+  return {{"kind", name_of(situation.contact.kind)},
+          {"device", numbers(s.device)},
+          {"separated", numbers(s.separated)},
+          {"depth", s.depth},
+          {"clusters", s.clusters.size},
+          {"contacts", s.contacts.size},
+          {"push_force", numbers(situation.push.force)},
+          {"push_torque", numbers(situation.push.torque)},
+          {"felt_translation", felt.translation},
+          {"felt_rotation", felt.rotation},
+          {"summed_translation", summed.translation},
+          {"summed_rotation", summed.rotation},
+          {"largest_translational_stiffness", largest_block(unit, 0)},
+          {"largest_rotational_stiffness", largest_block(unit, 3)},
+          {"theory_stable", number(situation.theory)}};
+}
+
+Json about(const DeviceProfile& device) {
+  Json out{{"id", device.id}, {"name", device.name}};
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue& value = device.*key.value;
+    out[key.key] = {{"value", value.value}, {value.assumed ? "assumed" : "source", value.origin}};
+  }
+  return out;
+}
+
+Json about(const Plan& plan) {
+  const TuningRequest& r = plan.request;
+  Json situations = Json::array();
+  for (const TuningSituation& each : plan.situations) situations.push_back(about(r, each));
+  return {{"inputs", Json::parse(r.inputs)},
+          {"mode", name_of(r.coupling.mode)},
+          {"method", r.method == Method::pdt ? "pdt" : "pdg"},
+          {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
+          {"max_torque", r.coupling.max_torque},
+          {"sample_time", r.sample_time},
+          {"budget_steps", r.budget.steps},
+          {"seed", r.seed},
+          {"ratio", r.ratio},
+          {"low", r.low},
+          {"high", r.high},
+          {"trajectory", !r.path.empty()},
+          {"device", about(r.device)},
+          {"situations", situations}};
+}
+
+/// A part of the study, as its file names it.
+struct PartOf {
+  std::size_t situation;
+  const HandGrip* grip;
+  GainAxis axis;
+  const char* assumed = nullptr;  ///< a key of the profile that is not as it says
+  double times = 1;
+};
+
+std::string part_name(const Plan& plan, const PartOf& part) {
+  std::string name = name_of(plan.situations[part.situation].contact.kind);
+  name += std::string(".") + part.grip->name + "." + name_of(part.axis);
+  if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
+  return name;
+}
+
+DeviceProfile changed(DeviceProfile device, const PartOf& part) {
+  for (const ProfileKey& key : profile_keys())
+    if (part.assumed && std::string_view(key.key) == part.assumed)
+      (device.*key.value).value *= part.times;
+  return device;
+}
+
+StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part) {
+  return {part_name(*plan, part), [plan, part](const Stop& stop) {
+            const DeviceProfile device = changed(plan->request.device, part);
+            const TuningSituation& situation = plan->situations[part.situation];
+            const bool nominal = part.assumed == nullptr;
+            const TuningSetup setup = setup_of(plan->request, device, situation, *part.grip);
+            Json json{{"situation", part.situation},
+                      {"kind", name_of(situation.contact.kind)},
+                      {"hand", part.grip->name},
+                      {"axis", name_of(part.axis)},
+                      {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
+                      {"times", part.times}};
+            json.update(Json::parse(sweep_gains(setup, part.axis, nominal, stop)));
+            return json.dump(1) + "\n";
+          }};
+}
+
+std::size_t hardest(const Plan& plan) {
+  const auto least = std::ranges::min_element(plan.situations, {}, &TuningSituation::theory);
+  return static_cast<std::size_t>(least - plan.situations.begin());
+}
+
+std::vector<PartOf> parts_of(const Plan& plan) {
+  std::vector<PartOf> parts;
+  const std::vector<GainAxis> axes = axes_of(plan.request);
+  for (const GainAxis axis : axes)
+    for (std::size_t i = 0; i < plan.situations.size(); ++i)
+      for (const HandGrip& grip : hand_grips) parts.push_back({i, &grip, axis});
+  for (const ProfileKey& key : profile_keys()) {
+    if (!(plan.request.device.*key.value).assumed || (plan.request.device.*key.value).value == 0)
+      continue;
+    for (const GainAxis axis : axes)
+      for (const double times : {0.5, 2.0})
+        parts.push_back({hardest(plan), &hand_grips[0], axis, key.key, times});
+  }
+  return parts;
+}
+
+}  // namespace
+
+Study plan_tuning(const TuningRequest& request, const Stop& stop) {
+  const auto plan = std::make_shared<Plan>(Plan{request, situations_of(request, stop)});
+  Study study{"tune", about(*plan).dump(), {}};
+  for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
+  return study;
+}
+
+}  // namespace sonde

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/scene/device_profile.hpp"
+#include "engine/scene/poses.hpp"
+#include "engine/study/contact_situations.hpp"
+#include "engine/study/study_parts.hpp"
+
+namespace sonde {
+
+/// What a study of a coupling's gains is asked for.
+struct TuningRequest {
+  std::shared_ptr<const Body> probe;
+  std::shared_ptr<const Body> fixed;
+  Pose X_FM;          ///< of the scene: contacts are looked for near this turn of the probe
+  Coupling coupling;  ///< of the scene: which mode to study, and its limits
+  Method method = Method::pdg;
+  double sample_time = 1e-3;   ///< s
+  Budget budget{.steps = 60};  ///< of a tick; counted work
+  DeviceProfile device;
+  std::vector<TimedPose> path;  ///< contacts are taken from it; empty: they are looked for
+  std::uint64_t seed = 1;
+  double ratio = 1.02;         ///< to which limits are known
+  double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the
+                               ///< same times inertia over mass of the device
+  std::string inputs = "{}";   ///< JSON that tells the files apart: names, fingerprints
+};
+
+/// How a hand holds the device: a spring and a damper, of rotations the same times inertia over
+/// mass.
+struct HandGrip {
+  const char* name;
+  double stiffness;  ///< N/m
+  double damping;    ///< N·s/m
+};
+/// A hand that hardly holds and one that holds fast: the order of what is measured of hands
+/// (Hogan, 1989; Hajian and Howe, 1997), without their mass, which would help.
+constexpr HandGrip hand_grips[] = {{"light", 200, 1}, {"firm", 1000, 10}};
+
+/// Looks for the contact situations (that takes seconds) and makes the study: a part for each
+/// situation, hand and axis, and in the situation that theory calls the hardest one for half and
+/// twice each assumed value of the profile. Throws InputError where there is no contact, Cancelled.
+Study plan_tuning(const TuningRequest& request, const Stop& stop);
+
+}  // namespace sonde
