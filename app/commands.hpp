@@ -10,5 +10,6 @@ Command add_devices_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);
+Command add_tune_command(CLI::App& program);
 
 }  // namespace sonde::app

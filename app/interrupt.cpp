@@ -4,14 +4,20 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
+
 namespace sonde::app {
 namespace {
 
 constexpr int interrupted_exit_code = 130;
 volatile sig_atomic_t writing = 0;
+volatile sig_atomic_t noting = 0;
+std::atomic<bool> noted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Not cooperative on purpose: a single search may run for minutes, and there is nothing to undo.
+// Not cooperative by default: a single search may run for minutes, and there is nothing to undo.
 extern "C" void on_interrupt(int) {
+  if (noting != 0) return noted.store(true);
   if (writing == 0) _exit(interrupted_exit_code);
 }
 
@@ -26,5 +32,8 @@ void catch_interrupts() {
 }
 
 void finish_despite_interrupts() { writing = 1; }
+
+void note_interrupts() { noting = 1; }
+bool interrupt_noted() { return noted.load(); }
 
 }  // namespace sonde::app

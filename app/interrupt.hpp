@@ -10,4 +10,9 @@ void catch_interrupts();
 /// From here on an interrupt is ignored: what is being written becomes whole.
 void finish_despite_interrupts();
 
+/// From here on an interrupt is noted and ends nothing by itself: for work that keeps what it has
+/// finished, and asks in between whether it is to stop.
+void note_interrupts();
+bool interrupt_noted();
+
 }  // namespace sonde::app

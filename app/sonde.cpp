@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
       sonde::app::add_info_command(program),
       sonde::app::add_query_command(program),
       sonde::app::add_replay_command(program),
+      sonde::app::add_tune_command(program),
       sonde::app::add_devices_command(program),
   };
   try {

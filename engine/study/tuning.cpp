@@ -191,7 +191,9 @@ Json about(const Plan& plan) {
           {"mode", name_of(r.coupling.mode)},
           {"method", r.method == Method::pdt ? "pdt" : "pdg"},
           {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
-          {"max_torque", r.coupling.max_torque},
+          {"max_torque", r.device.max_torque.value > 0
+                             ? std::min(r.coupling.max_torque, r.device.max_torque.value)
+                             : r.coupling.max_torque},
           {"sample_time", r.sample_time},
           {"budget_steps", r.budget.steps},
           {"seed", r.seed},

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/scene/number_text.hpp"
+#include "engine/scene/text_file.hpp"
+#include "engine/study/tuning.hpp"
+
+namespace sonde::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct TuneOptions {
+  BodyOptions bodies;
+  StudyOptions study;
+  std::string device;
+  std::string trajectory;
+  std::string coupling_mode;
+  std::string method = "pdg";
+  double ratio = 1.02;
+  double low = 1, high = 1e5;
+  std::uint64_t seed = 1;
+};
+
+/// Profiles of the installed program, or of the tree that it was built in.
+std::vector<fs::path> profile_folders() {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {here / "../share/sonde/devices", fs::path(SONDE_SOURCE_RESOURCES) / "devices"};
+}
+
+DeviceProfile device_named(const std::string& id) {
+  const std::vector<fs::path> folders = profile_folders();
+  try {
+    return find_device_profile(id, folders);
+  } catch (const InputError& error) {
+    if (id.ends_with(".json")) throw;
+    std::string known;
+    for (const std::string& each : device_profile_ids(folders)) known += " " + each;
+    throw InputError(error.what() + ("; known are:" + known));
+  }
+}
+
+/// What tells the inputs of two studies apart, beside the settings.
+std::string inputs_json(const Scene& scene, const TuneOptions& options, const BodyPair& bodies) {
+  constexpr std::size_t most_bytes = std::size_t{4} << 30;
+  const auto file = [&](const fs::path& path) {
+    return Json{{"file", path.filename().string()},
+                {"fingerprint", fingerprint(read_text(path, most_bytes))}};
+  };
+  Json out{{"scene", file(scene.file)},
+           {"probe", file(scene.probe.mesh)},
+           {"fixed", file(scene.fixed.mesh)},
+           {"probe_solid", bodies.probe->solid},
+           {"fixed_solid", bodies.fixed->solid}};
+  if (!options.trajectory.empty()) out["trajectory"] = file(options.trajectory);
+  return out.dump();
+}
+
+TuningRequest request_of(const Scene& scene, const TuneOptions& options, const BodyPair& bodies,
+                         const DeviceProfile& device) {
+  TuningRequest request;
+  request.probe = bodies.probe;
+  request.fixed = bodies.fixed;
+  request.X_FM = relative_pose(scene);
+  request.coupling = scene.coupling;
+  if (const auto mode = coupling_mode(options.coupling_mode)) request.coupling.mode = *mode;
+  request.method = options.method == "pdt" ? Method::pdt : Method::pdg;
+  request.sample_time = 1 / scene.servo.rate_hz;
+  if (scene.servo.budget.steps > 0) request.budget.steps = scene.servo.budget.steps;
+  request.device = device;
+  if (!options.trajectory.empty()) request.path = read_trajectory(options.trajectory);
+  request.seed = options.seed;
+  request.ratio = options.ratio;
+  request.low = options.low;
+  request.high = options.high;
+  request.inputs = inputs_json(scene, options, bodies);
+  return request;
+}
+
+void run(const TuneOptions& options) {
+  if (!(options.low < options.high)) throw UsageError("--from must be below --to");
+  const Scene scene = scene_of(options.bodies);
+  const DeviceProfile device = device_named(options.device);
+  ProgressLine progress(options.study.quiet);
+  const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
+  progress.show("tune, looking for contacts", 0, 1);
+  const Study study = plan_tuning(request_of(scene, options, bodies, device), stop_on_interrupt());
+  progress.clear();
+  run_study(study, options.study, tuning_files);
+}
+
+std::string check_ratio(const std::string& text) {
+  const auto ratio = parse_number(text);
+  return ratio && *ratio >= 1.0001 && *ratio <= 2 ? ""
+                                                  : "\"" + text + "\" must be from 1.0001 to 2";
+}
+
+}  // namespace
+
+Command add_tune_command(CLI::App& program) {
+  const auto options = std::make_shared<TuneOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "tune", "Stability of a coupling on a device, in contacts of a scene; recommended gains");
+  add_scene(*parser, options->bodies);
+  parser
+      ->add_option("--device", options->device,
+                   "profile to simulate: its id (sigma.7), or the path of its file")
+      ->required();
+  add_flags(*parser, options->study);
+  parser->add_option("--trajectory", options->trajectory,
+                     "take the contacts from this path (CSV t,px,py,pz,qw,qx,qy,qz)");
+  parser->add_option("--coupling", options->coupling_mode, "mode to study; without it the scene's")
+      ->check(CLI::IsMember({"object", "classic"}));
+  parser->add_option("--method", options->method, "pdg: all six degrees; pdt: translation only")
+      ->check(CLI::IsMember({"pdg", "pdt"}))
+      ->capture_default_str();
+  parser
+      ->add_option("--ratio", options->ratio,
+                   "a limit is known when what fails is at most so many times as stiff")
+      ->check(check_ratio)
+      ->capture_default_str();
+  parser->add_option("--from", options->low, "least stiffness studied, N/m")
+      ->check(check_positive)
+      ->capture_default_str();
+  parser->add_option("--to", options->high, "largest stiffness studied, N/m")
+      ->check(check_positive)
+      ->capture_default_str();
+  parser->add_option("--seed", options->seed, "seed of the search for contacts")
+      ->check(check_whole)
+      ->capture_default_str();
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study_run.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <thread>
+
+#include "app/interrupt.hpp"
+#include "app/progress_line.hpp"
+#include "engine/scene/output_file.hpp"
+
+namespace sonde::app {
+namespace {
+
+constexpr unsigned most_threads = 1024;
+
+std::string check_shard(const std::string& text) {
+  return shard_of(text) ? "" : "\"" + text + "\" must be I/N, with I from 1 to N";
+}
+
+}  // namespace
+
+void add_flags(CLI::App& parser, StudyOptions& options) {
+  parser.add_option("--out", options.out, "folder to write; what is finished in it is kept")
+      ->required();
+  parser
+      .add_option("--shard", options.shard,
+                  "I/N: compute only the I-th of N shares of the study; sonde merge joins them")
+      ->check(check_shard);
+  parser.add_option("--threads", options.threads, "threads to compute on; 0: all the machine has")
+      ->check(check_whole)
+      ->check(CLI::Range(0U, most_threads))
+      ->capture_default_str();
+  parser.add_flag("--quiet", options.quiet, "no progress and no notes on stderr, only failures");
+}
+
+Stop stop_on_interrupt() {
+  note_interrupts();
+  return [] { return interrupt_noted(); };
+}
+
+void run_study(const Study& study, const StudyOptions& options, StudyFiles join) {
+  const Stop stop = stop_on_interrupt();
+  const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard).value();
+  const unsigned threads =
+      options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
+  ProgressLine progress(options.quiet);
+  compute_parts(options.out, study, shard, threads, stop, [&](std::size_t done, std::size_t total) {
+    progress.show(study.kind + ", parts", done, total);
+  });
+  progress.clear();
+  const StudyFolder folder = read_study(options.out);
+  if (!folder.complete()) {
+    if (!options.quiet)
+      std::cerr << "sonde: this share is finished; other shares are still missing here\n";
+    return;
+  }
+  for (const StudyFile& file : join(options.out, folder))
+    write_whole(std::filesystem::path(options.out) / file.name, file.text);
+}
+
+}  // namespace sonde::app

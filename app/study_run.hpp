@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/options.hpp"
+#include "engine/study/study_parts.hpp"
+#include "engine/study/tuning_report.hpp"
+
+namespace sonde::app {
+
+/// How a study is run: where to, and how much of it here.
+struct StudyOptions {
+  std::string out;    ///< folder
+  std::string shard;  ///< "2/8"; empty: all of it
+  unsigned threads = 0;
+  bool quiet = false;
+};
+void add_flags(CLI::App& parser, StudyOptions& options);
+
+/// What a finished folder is joined into.
+using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);
+
+/// Computes the parts that are missing in the folder and, where all are there, writes what they
+/// join into. Says on stderr what is left to do, unless quiet.
+void run_study(const Study& study, const StudyOptions& options, StudyFiles join);
+
+/// True once an interrupt has asked long work to stop.
+Stop stop_on_interrupt();
+
+}  // namespace sonde::app

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/gain_recommendation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/scene/settings.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Lines = std::vector<const TuningLine*>;
+using Profile = std::map<std::string, double>;
+
+Lines lines_where(const TuningResults& results,
+                  const std::function<bool(const TuningLine&)>& wanted) {
+  Lines out;
+  for (const TuningLine& line : results.lines)
+    if (wanted(line)) out.push_back(&line);
+  return out;
+}
+
+const TuningColumn* column_at(const TuningLine& line, double damping) {
+  const auto found = std::ranges::find(line.columns, damping, &TuningColumn::damping);
+  return found == line.columns.end() ? nullptr : &*found;
+}
+
+/// The dampings that every line has.
+std::vector<double> common_dampings(const Lines& lines) {
+  std::vector<double> out;
+  for (const TuningColumn& column : lines.front()->columns)
+    if (std::ranges::all_of(lines, [&](const TuningLine* line) {
+          return column_at(*line, column.damping) != nullptr;
+        }))
+      out.push_back(column.damping);
+  return out;
+}
+
+/// The largest stiffness whose force changes, at one step of the encoder, by no more than friction
+/// takes out (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of what the device gives
+/// where it has less friction than that. The damping's own step counts too.
+double resolved_stiffness(double friction, double most, double step, double damping,
+                          double sample_time) {
+  if (step == 0) return infinity;
+  return std::max(0.0, std::max(2 * friction, 0.01 * most) / step - damping / sample_time);
+}
+
+/// What the profile says, not the runs.
+void add_profile_limits(const TuningResults& results, const Lines& lines, const Profile& device,
+                        GainAxis axis, double damping, std::vector<GainLimit>& limits) {
+  const double T = results.sample_time;
+  const double per = device.at("inertia") / device.at("mass");
+  for (const TuningLine* line : lines) {
+    TuningResults::Felt felt = results.felt[line->situation];
+    if (axis == GainAxis::rotation) felt.rotation /= per;  // at 1 N·m/rad
+    const auto add = [&](const char* reason, double allowed, double felt_at_one) {
+      if (felt_at_one > 0) limits.push_back({reason, allowed / felt_at_one, line->kind, ""});
+    };
+    if (axis != GainAxis::rotation) {
+      add("driver", device.at("max_stiffness"), felt.translation);
+      add("resolution",
+          resolved_stiffness(device.at("friction"), device.at("max_force"), device.at("resolution"),
+                             damping, T),
+          felt.translation);
+    }
+    if (axis != GainAxis::translation && device.at("max_torque") > 0) {
+      if (device.at("max_rotational_stiffness") > 0)
+        add("driver", device.at("max_rotational_stiffness"), felt.rotation);
+      add("resolution",
+          resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
+                             device.at("rotational_resolution"), damping, T),
+          felt.rotation);
+    }
+  }
+}
+
+void add_measured_limits(const TuningLine& line, const TuningColumn& column,
+                         std::vector<GainLimit>& limits) {
+  const auto add = [&](const char* reason, double stiffness) {
+    limits.push_back({reason, stiffness, line.kind, line.hand});
+  };
+  if (column.stable.fault == HoldFault::none)
+    add("range", column.stable.stiffness);
+  else
+    add("stability", column.stable.stiffness / stability_margin);
+  if (column.good.fault != HoldFault::none && column.good.fault != HoldFault::unstable)
+    add(name_of(column.good.fault), column.good.stiffness);
+}
+
+/// The least of each reason, lowest first.
+std::vector<GainLimit> least_of_each(std::vector<GainLimit> limits) {
+  std::ranges::stable_sort(limits, {}, &GainLimit::stiffness);
+  std::vector<GainLimit> out;
+  for (const GainLimit& limit : limits)
+    if (std::ranges::find(out, limit.reason, &GainLimit::reason) == out.end()) out.push_back(limit);
+  return out;
+}
+
+AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profile& device,
+                   GainAxis axis, double damping) {
+  AxisGains out{.axis = axis,
+                .damping = damping,
+                .boundary = infinity,
+                .passive = infinity,
+                .theory = infinity,
+                .limit = {},
+                .limits = {}};
+  std::vector<GainLimit> limits;
+  for (const TuningLine* line : lines) {
+    const TuningColumn& column = *column_at(*line, damping);
+    add_measured_limits(*line, column, limits);
+    out.boundary = std::min(out.boundary, column.stable.stiffness);
+    out.passive = std::min(out.passive, column.theory_passive);
+    out.theory = std::min(out.theory, column.theory_stable);
+  }
+  add_profile_limits(results, lines, device, axis, damping, limits);
+  out.limits = least_of_each(limits);
+  out.limit = out.limits.front();
+  out.stiffness = out.limit.stiffness;
+  return out;
+}
+
+/// The damping that allows the largest stiffness; of equal ones the least.
+std::optional<AxisGains> best(const TuningResults& results, const Lines& lines,
+                              const Profile& device, GainAxis axis) {
+  std::optional<AxisGains> out;
+  if (lines.empty()) return out;
+  for (const double damping : common_dampings(lines)) {
+    const AxisGains gains = gains_at(results, lines, device, axis, damping);
+    if (!out || gains.stiffness > out->stiffness) out = gains;
+  }
+  return out;
+}
+
+/// The line that the assumed values are varied beside.
+const TuningLine* varied(const TuningResults& results, GainAxis axis) {
+  for (const TuningLine& line : results.lines)
+    if (line.axis == axis && !line.assumed.empty()) return &line;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
+                                   const std::string& assumed, double times) {
+  const Lines lines = lines_where(results, [&](const TuningLine& line) {
+    return line.axis == axis && line.assumed == assumed && line.times == times;
+  });
+  Profile device = results.device;
+  if (!assumed.empty()) device[assumed] *= times;
+  return best(results, lines, device, axis);
+}
+
+std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis) {
+  const TuningLine* beside = varied(results, axis);
+  if (!beside) return std::nullopt;
+  const Lines lines = lines_where(results, [&](const TuningLine& line) {
+    return line.axis == axis && line.assumed.empty() && line.situation == beside->situation &&
+           line.hand == beside->hand;
+  });
+  return best(results, lines, results.device, axis);
+}
+
+std::vector<GainAxis> axes_of(const TuningResults& results) {
+  std::vector<GainAxis> out;
+  for (const TuningLine& line : results.lines)
+    if (std::ranges::find(out, line.axis) == out.end()) out.push_back(line.axis);
+  return out;
+}
+
+Coupling recommended_coupling(const TuningResults& results) {
+  Coupling out;
+  out.mode = results.mode;
+  set(out, "max_force", results.max_force);
+  set(out, "max_torque", results.max_torque);
+  for (const GainAxis axis : axes_of(results)) {
+    const auto gains = recommend(results, axis);
+    if (!gains) continue;
+    const bool turns = axis == GainAxis::rotation;
+    set(out, axis == GainAxis::object ? "k" : turns ? "k_r" : "k_t", gains->stiffness);
+    if (axis != GainAxis::object) set(out, turns ? "b_r" : "b_t", gains->damping);
+  }
+  return out;
+}
+
+}  // namespace sonde
