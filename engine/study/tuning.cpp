@@ -9,7 +9,6 @@
 #include "engine/error.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/study/contact_stability.hpp"
-#include "engine/study/gain_sweep.hpp"
 
 namespace sonde {
 namespace {
@@ -120,23 +119,6 @@ std::vector<TuningSituation> choose(const TuningRequest& request,
     if (holds_still(request, situation)) out.push_back(situation);
   }
   return out;
-}
-
-std::vector<TuningSituation> situations_of(const TuningRequest& request, const Stop& stop) {
-  SituationOptions options{.method = request.method, .seed = request.seed};
-  options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
-  const auto found = request.path.empty()
-                         ? find_situations(request.probe, request.fixed, request.X_FM,
-                                           tried_of_kind, options, stop)
-                         : situations_along(request.probe, request.fixed, request.path,
-                                            tried_of_kind, options, stop);
-  if (found.empty())
-    throw InputError(request.path.empty() ? "no contact of the two bodies was found"
-                                          : "the probe is in contact at no pose of the trajectory");
-  auto chosen = choose(request, found, stop);
-  if (chosen.empty())
-    throw InputError("no contact was found in which a hand could hold the probe still");
-  return chosen;
 }
 
 std::vector<GainAxis> axes_of(const TuningRequest& request) {
@@ -268,8 +250,30 @@ std::vector<PartOf> parts_of(const Plan& plan) {
 
 }  // namespace
 
+std::vector<TuningSituation> tuning_situations(const TuningRequest& request, const Stop& stop) {
+  SituationOptions options{.method = request.method, .seed = request.seed};
+  options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
+  const auto found = request.path.empty()
+                         ? find_situations(request.probe, request.fixed, request.X_FM,
+                                           tried_of_kind, options, stop)
+                         : situations_along(request.probe, request.fixed, request.path,
+                                            tried_of_kind, options, stop);
+  if (found.empty())
+    throw InputError(request.path.empty() ? "no contact of the two bodies was found"
+                                          : "the probe is in contact at no pose of the trajectory");
+  auto chosen = choose(request, found, stop);
+  if (chosen.empty())
+    throw InputError("no contact was found in which a hand could hold the probe still");
+  return chosen;
+}
+
+TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
+                         const HandGrip& grip) {
+  return setup_of(request, request.device, situation, grip);
+}
+
 Study plan_tuning(const TuningRequest& request, const Stop& stop) {
-  const auto plan = std::make_shared<Plan>(Plan{request, situations_of(request, stop)});
+  const auto plan = std::make_shared<Plan>(Plan{request, tuning_situations(request, stop)});
   Study study{"tune", about(*plan).dump(), {}};
   for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
   return study;

@@ -7,7 +7,7 @@
 
 #include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
-#include "engine/study/contact_situations.hpp"
+#include "engine/study/gain_sweep.hpp"
 #include "engine/study/study_parts.hpp"
 
 namespace sonde {
@@ -41,9 +41,17 @@ struct HandGrip {
 /// (Hogan, 1989; Hajian and Howe, 1997), without their mass, which would help.
 constexpr HandGrip hand_grips[] = {{"light", 200, 1}, {"firm", 1000, 10}};
 
-/// Looks for the contact situations (that takes seconds) and makes the study: a part for each
-/// situation, hand and axis, and in the situation that theory calls the hardest one for half and
-/// twice each assumed value of the profile. Throws InputError where there is no contact, Cancelled.
+/// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
+/// Takes seconds. Throws InputError where there is none, Cancelled.
+std::vector<TuningSituation> tuning_situations(const TuningRequest& request, const Stop& stop);
+
+/// A situation with a hand and the request's device, at gains well within what theory allows.
+TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
+                         const HandGrip& grip);
+
+/// Looks for the situations and makes the study: a part for each of them, hand and axis, and in the
+/// situation that theory calls the hardest one for half and twice each assumed value of the
+/// profile. Errors as tuning_situations.
 Study plan_tuning(const TuningRequest& request, const Stop& stop);
 
 }  // namespace sonde

@@ -26,6 +26,13 @@ struct Stretch {
   MapClass map_class;
 };
 
+void add(std::vector<Stretch>& stretches, const Stretch& next) {
+  if (!stretches.empty() && stretches.back().map_class == next.map_class)
+    stretches.back().to = next.to;
+  else
+    stretches.push_back(next);
+}
+
 std::vector<Stretch> stretches(const TuningColumn& column) {
   std::vector<Stretch> out;
   const auto& runs = column.runs;
@@ -34,10 +41,13 @@ std::vector<Stretch> stretches(const TuningColumn& column) {
     const double from = i == 0 ? own : std::sqrt(runs[i - 1].stiffness * own);
     const double to = i + 1 == runs.size() ? own : std::sqrt(runs[i + 1].stiffness * own);
     const MapClass map_class = class_of(runs[i], column.theory_passive);
-    if (!out.empty() && out.back().map_class == map_class)
-      out.back().to = to;
-    else
-      out.push_back({from, to, map_class});
+    const double passive = column.theory_passive;
+    if (map_class >= MapClass::stable && from < passive && passive < to) {  // theory knows it finer
+      add(out, {from, passive, MapClass::passive});
+      add(out, {passive, to, MapClass::stable});
+    } else {
+      add(out, {from, to, map_class});
+    }
   }
   return out;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/engine/study/made_up_results.hpp"
+
+namespace sonde {
+namespace {
+
+using test::column;
+using test::line;
+using test::results;
+
+constexpr auto unstable = HoldFault::unstable;
+
+TEST(TuningMap, ClassesFromTheWorstDown) {
+  HoldReport report;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::unstable);
+  report.stable = report.chattering = report.saturated = true;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::saturated);
+  report.saturated = false;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::chattering);
+  report.chattering = false;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::passive);
+  EXPECT_EQ(class_of({300, report}, 200), MapClass::stable);
+}
+
+TEST(TuningMap, HasARowForEachRunAndAPictureForEachMode) {
+  TuningResults r = results();
+  r.device_id = "a.device";
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  const std::string csv = map_csv(r);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
+  const std::size_t commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
+  EXPECT_EQ(commas, 25u * 5);
+  EXPECT_THAT(map_svg(r),
+              testing::AllOf(testing::HasSubstr("<svg"), testing::HasSubstr("passive in theory"),
+                             testing::HasSubstr("recommended")));
+  r.mode = Coupling::Mode::classic;
+  for (TuningLine& each : r.lines) each.axis = GainAxis::translation;
+  EXPECT_THAT(map_svg(r), testing::HasSubstr("damping b_t"));
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/study/gain_recommendation.hpp"
+#include "engine/study/tuning_report.hpp"
+#include "tests/support/shapes.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde {
+namespace {
+
+using testing::HasSubstr;
+
+const Stop never = [] { return false; };
+
+DeviceProfile profile(const std::string& id = "sigma.7") {
+  return read_device_profile(std::string(SONDE_RESOURCES "/devices/") + id + ".json");
+}
+
+/// A small box on a large one; of the assumed values only the mass, so that there is little to do.
+TuningRequest boxes() {
+  TuningRequest request;
+  request.probe = test::body(test::box({0.06, 0.05, 0.04}));
+  request.fixed = test::body(test::box({0.2, 0.2, 0.1}));
+  request.X_FM = {Quat::Identity(), {0, 0, 0.1}};
+  request.device = profile();
+  for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
+  request.device.mass.assumed = true;
+  request.ratio = 1.1;
+  return request;
+}
+
+std::string all_text(const std::filesystem::path& folder) {
+  std::string out;
+  for (const StudyFile& file : tuning_files(folder.string(), read_study(folder)))
+    out += file.name + "\n" + file.text;
+  return out;
+}
+
+TEST(Tuning, SameBitsAtAnyThreadCountAndInShards) {
+  const TuningRequest request = boxes();
+  const test::TempFolder whole, threads, shards;
+  compute_parts(whole.path(), plan_tuning(request, never), {}, 1, never);
+  compute_parts(threads.path(), plan_tuning(request, never), {}, 3, never);
+  const std::string text = all_text(whole.path());
+  EXPECT_EQ(all_text(threads.path()), text);
+  for (const std::size_t i : {2u, 0u, 1u}) {
+    EXPECT_THROW(all_text(shards.path()), InputError);
+    compute_parts(shards.path(), plan_tuning(request, never), {i, 3}, 1, never);
+  }
+  EXPECT_EQ(all_text(shards.path()), text);
+}
+
+TEST(Tuning, WhatItRecommendsASceneCanInclude) {
+  for (const auto mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
+    TuningRequest request = boxes();
+    request.coupling.mode = mode;
+    request.device.mass.assumed = false;
+    request.ratio = 1.3;
+    const test::TempFolder folder;
+    compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+    for (const StudyFile& file : tuning_files(folder.path().string(), read_study(folder.path())))
+      folder.write(file.name, file.text);
+    const Coupling c = read_coupling(folder / "coupling.json");
+    EXPECT_EQ(c.mode, mode);
+    EXPECT_EQ(c.max_force, 10);
+    EXPECT_EQ(c.max_torque, 0.2);
+    EXPECT_GT(mode == Coupling::Mode::object ? c.k : c.k_t, 50);
+    EXPECT_THAT(test::text_of(folder / "recommendation.json"), HasSubstr("limited_by"));
+  }
+}
+
+TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
+  TuningRequest request = boxes();
+  request.path = {{0, {Quat::Identity(), {0, 0, 1}}}, {1, {Quat::Identity(), {0, 0, 2}}}};
+  try {
+    plan_tuning(request, never);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("contact at no pose of the trajectory"));
+  }
+  EXPECT_THROW(plan_tuning(boxes(), [] { return true; }), Cancelled);
+}
+
+TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
+  TuningRequest request = boxes();
+  request.device.mass.assumed = false;
+  request.low = 1e11;
+  request.high = 1e12;
+  request.ratio = 2;
+  const test::TempFolder folder;
+  compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+  const TuningResults results = read_tuning("", read_study(folder.path()));
+  for (const TuningLine& line : results.lines)
+    for (const SweepPoint& run : line.columns.front().runs) {
+      EXPECT_NE(fault_of(run.report), HoldFault::none) << run.stiffness;
+    }
+  EXPECT_EQ(recommend(results, GainAxis::object)->stiffness, 0);
+}
+
+// The spoon in the cup, on a sigma.7.
+
+TuningRequest spoon_in_cup() {
+  const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
+  TuningRequest request;
+  request.probe = load(scene.probe, scene.unit);
+  request.fixed = load(scene.fixed, scene.unit);
+  request.X_FM = relative_pose(scene);
+  request.coupling = scene.coupling;
+  request.device = profile();
+  for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
+  return request;
+}
+
+TuningResults tuned(const TuningRequest& request) {
+  const test::TempFolder folder;
+  compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+  return read_tuning("", read_study(folder.path()));
+}
+
+TEST(Tuning, Full_within_five_percent_of_a_ten_times_finer_sweep) {
+  TuningRequest request = spoon_in_cup();
+  const AxisGains coarse = *recommend(tuned(request), GainAxis::object);
+  request.ratio = 1.002;
+  const AxisGains fine = *recommend(tuned(request), GainAxis::object);
+  EXPECT_NEAR(coarse.stiffness / fine.stiffness, 1, 0.05);
+  EXPECT_NEAR(coarse.boundary / fine.boundary, 1, 0.05);
+  RecordProperty("stiffness",
+                 std::to_string(coarse.stiffness) + " " + std::to_string(fine.stiffness));
+  RecordProperty("boundary", std::to_string(coarse.boundary) + " " + std::to_string(fine.boundary));
+}
+
+HoldReport hold_again(const TuningRequest& request, const TuningSituation& situation,
+                      const TuningLine& line, double stiffness, double seconds) {
+  const auto grip = std::ranges::find(hand_grips, line.hand, &HandGrip::name);
+  TuningSetup setup = tuning_setup(request, situation, *grip);
+  setup.loop.coupling.k = stiffness;
+  Press press = press_of(situation);
+  press.window_time = seconds / 2;
+  ClosedLoop loop(setup.loop);
+  return press_and_hold(loop, press);
+}
+
+/// Every situation and hand for `seconds`, at the recommended gains and at 1.3 × its own boundary.
+void expect_recommendation_holds(const TuningRequest& request, double seconds) {
+  const TuningResults results = tuned(request);
+  const AxisGains gains = *recommend(results, GainAxis::object);
+  const auto situations = tuning_situations(request, never);
+  for (const TuningLine& line : results.lines) {
+    const TuningSituation& at = situations[line.situation];
+    SCOPED_TRACE(line.kind + " " + line.hand);
+    const double boundary = line.columns.front().stable.stiffness;
+    EXPECT_TRUE(hold_again(request, at, line, gains.stiffness, seconds).stable);
+    EXPECT_FALSE(hold_again(request, at, line, 1.3 * boundary, seconds).stable);
+  }
+}
+
+TEST(Tuning, TheRecommendedGainsHoldAndBeyondTheBoundaryTheyDoNot) {
+  TuningRequest request = boxes();
+  request.device.mass.assumed = false;
+  expect_recommendation_holds(request, 5);
+}
+TEST(Tuning, Full_the_recommended_gains_hold_for_a_minute_in_every_situation) {
+  expect_recommendation_holds(spoon_in_cup(), 60);
+}
+
+}  // namespace
+}  // namespace sonde
