@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "engine/penetration/contact_rows.hpp"
+
+namespace sonde {
+
+/// The torque of a translational separation, PD_t, as its contacts make it. The motion t itself has
+/// none; but the separated pose turns with the device, and turning it against its contacts changes
+/// the depth: U = ½k|t|² gives F = kt = kΣλᵢnᵢ and τ = kΣλᵢ rᵢ×nᵢ.
+///
+/// Where the contacts are more than t needs (a face on a face), many λ add up to t. Of these, those
+/// with the least torque are taken: the most steady choice there is, so that PD_t is compared at
+/// its best. It is the least-distance problem of all contacts within the solver's clearance, in
+/// which turning counts a ten-thousandth: enough to choose, too little to change t.
+class ContactTorque {
+ public:
+  ContactTorque(const Body& probe, const Body& fixed);
+
+  /// Σλᵢ rᵢ×nᵢ about the probe's centre of mass, fixed frame, m²; zero out of contact. (About the
+  /// centre of mass at the separated pose or the device's: the force goes along the line between.)
+  Vec3 at(const Separation& separation);
+
+ private:
+  const Body& probe_;
+  ContactRows rows_;
+  std::vector<HalfSpace> half_spaces_;
+};
+
+}  // namespace sonde
