@@ -9,6 +9,7 @@
 #include "engine/scene/number_text.hpp"
 #include "engine/scene/text_file.hpp"
 #include "engine/study/tuning.hpp"
+#include "engine/study/tuning_report.hpp"
 
 namespace sonde::app {
 namespace {

@@ -6,8 +6,10 @@
 namespace sonde::app {
 
 /// Each adds its subcommand to the program's parser.
+Command add_compare_command(CLI::App& program);
 Command add_devices_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
+Command add_merge_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);

@@ -21,6 +21,13 @@ std::string check_shard(const std::string& text) {
 
 }  // namespace
 
+void check_output(const StudyOptions& options) {
+  std::error_code error;
+  if (std::filesystem::exists(options.out, error) &&
+      !std::filesystem::is_directory(options.out, error))
+    throw UsageError("--out " + options.out + " is a file; a study needs a folder");
+}
+
 void add_flags(CLI::App& parser, StudyOptions& options) {
   parser.add_option("--out", options.out, "folder to write; what is finished in it is kept")
       ->required();
@@ -50,14 +57,14 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join)
     progress.show(study.kind + ", parts", done, total);
   });
   progress.clear();
-  const StudyFolder folder = read_study(options.out);
-  if (!folder.complete()) {
-    if (!options.quiet)
-      std::cerr << "sonde: this share is finished; other shares are still missing here\n";
-    return;
-  }
-  for (const StudyFile& file : join(options.out, folder))
-    write_whole(std::filesystem::path(options.out) / file.name, file.text);
+  if (read_study(options.out).complete()) return join_study(options.out, join);
+  if (!options.quiet)
+    std::cerr << "sonde: this share is finished; other shares are still missing here\n";
+}
+
+void join_study(const std::string& folder, StudyFiles join) {
+  for (const StudyFile& file : join(folder, read_study(folder)))
+    write_whole(std::filesystem::path(folder) / file.name, file.text);
 }
 
 }  // namespace sonde::app

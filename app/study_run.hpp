@@ -5,7 +5,6 @@
 
 #include "app/options.hpp"
 #include "engine/study/study_parts.hpp"
-#include "engine/study/tuning_report.hpp"
 
 namespace sonde::app {
 
@@ -18,12 +17,19 @@ struct StudyOptions {
 };
 void add_flags(CLI::App& parser, StudyOptions& options);
 
+/// Refuses, before any work, an --out that is a file.
+void check_output(const StudyOptions& options);
+
 /// What a finished folder is joined into.
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);
 
 /// Computes the parts that are missing in the folder and, where all are there, writes what they
 /// join into. Says on stderr what is left to do, unless quiet.
 void run_study(const Study& study, const StudyOptions& options, StudyFiles join);
+
+/// Reads a complete study and writes what it is joined into beside its parts. Throws InputError
+/// naming the parts that are missing.
+void join_study(const std::string& folder, StudyFiles join);
 
 /// True once an interrupt has asked long work to stop.
 Stop stop_on_interrupt();

@@ -39,6 +39,12 @@ struct StudyFolder {
   bool complete() const;
 };
 
+/// A file of a study's end: its name in the folder, and its text.
+struct StudyFile {
+  std::string name;
+  std::string text;
+};
+
 /// Parts index, index + count, index + 2 count, ... of a study, index from 0.
 struct Shard {
   std::size_t index = 0;

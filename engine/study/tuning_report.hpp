@@ -8,12 +8,6 @@
 
 namespace sonde {
 
-/// A file of a study's end: its name in the folder, and its text.
-struct StudyFile {
-  std::string name;
-  std::string text;
-};
-
 /// What `sonde tune` ends with: `map.csv`, `map.svg`, `coupling.json`, which a scene can include,
 /// and `recommendation.json`, which says why. A function of the study's folder alone, so the same
 /// bits wherever its parts were computed. Throws InputError where a part is missing or is not what

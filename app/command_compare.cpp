@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/scene/text_file.hpp"
+#include "engine/study/compare_report.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct CompareOptions {
+  BodyOptions bodies;
+  StudyOptions study;
+  bool json = false;
+  std::string trajectory;
+  std::string coupling_mode;
+  SettingValues coupling;
+  int budget_steps = 0;
+  std::uint64_t seed = 1;
+};
+
+Scene scene_for(const CompareOptions& options) {
+  Scene scene = scene_of(options.bodies);
+  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  if (!scene.trajectory) throw UsageError("the scene names no trajectory: give --trajectory");
+  if (const auto mode = coupling_mode(options.coupling_mode)) scene.coupling.mode = *mode;
+  for (const auto& [key, value] : options.coupling) set(scene.coupling, key, value);
+  return scene;
+}
+
+std::string fingerprint_of(const std::filesystem::path& file) {
+  return fingerprint(read_text(file, std::numeric_limits<std::size_t>::max()));
+}
+
+/// What the results depend on beside the settings. Names, not paths: a shard may run elsewhere.
+std::string inputs_text(const Scene& scene, const BodyPair& bodies) {
+  const auto body = [&](const SceneBody& described, const Body& loaded) {
+    return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
+                                  {"fingerprint", fingerprint_of(described.mesh)},
+                                  {"scale", scene.unit * described.scale},
+                                  {"solid", loaded.solid}};
+  };
+  const nlohmann::ordered_json json{{"version", SONDE_VERSION},
+                                    {"probe", body(scene.probe, *bodies.probe)},
+                                    {"fixed", body(scene.fixed, *bodies.fixed)},
+                                    {"trajectory", fingerprint_of(*scene.trajectory)}};
+  return json.dump();
+}
+
+/// The shards of a study have none, whichever ends last.
+void print_summary(const CompareOptions& options) {
+  const char* name = options.json ? "summary.json" : "summary.md";
+  const auto file = std::filesystem::path(options.study.out) / name;
+  write_result({}, read_text(file, std::size_t{1} << 20));
+}
+
+void run(const CompareOptions& options) {
+  check_output(options.study);
+  const Scene scene = scene_for(options);
+  CompareSetup setup;
+  setup.path = read_trajectory(*scene.trajectory);
+  setup.scene = scene.name;
+  {
+    ProgressLine progress(options.study.quiet);
+    const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
+    setup.inputs = inputs_text(scene, bodies);
+    setup.render.probe = bodies.probe;
+    setup.render.fixed = bodies.fixed;
+  }
+  setup.render.coupling = scene.coupling;
+  setup.render.budget.steps =
+      options.budget_steps > 0 ? options.budget_steps : scene.servo.budget.steps;
+  setup.render.search.seed = options.seed;
+  run_study(compare_study(setup), options.study, compare_files);
+  if (options.study.shard.empty()) print_summary(options);
+}
+
+}  // namespace
+
+Command add_compare_command(CLI::App& program) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "compare", "One device path with PD_t and with PD_g: which is smoother, which truer");
+  add_scene(*parser, options->bodies);
+  parser->add_option("--trajectory", options->trajectory,
+                     "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
+  add_flags(*parser, options->study);
+  parser->add_flag("--json", options->json, "the summary on standard output as JSON");
+  parser
+      ->add_option("--budget-steps", options->budget_steps,
+                   "limit on counted iterations for each tick; 0: the scene's, or until converged")
+      ->check(check_whole)
+      ->capture_default_str();
+  parser->add_option("--seed", options->seed, "seed of the searches' random starts")
+      ->check(check_whole)
+      ->capture_default_str();
+  parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
+      ->check(CLI::IsMember({"object", "classic"}))
+      ->group("Settings of the scene to replace");
+  add_setting_flags(*parser, coupling_settings(), options->coupling);
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

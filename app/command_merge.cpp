@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/error.hpp"
+#include "engine/study/compare_report.hpp"
+#include "engine/study/merge_study.hpp"
+#include "engine/study/tuning_report.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct MergeOptions {
+  StudyOptions study;
+  std::vector<std::string> folders;
+};
+
+StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
+  if (study.kind == "compare") return compare_files;
+  if (study.kind == "tune") return tuning_files;
+  throw InputError::in(folder, "holds a study of an unknown kind: " + study.kind);
+}
+
+void run(const MergeOptions& options) {
+  check_output(options.study);
+  const std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
+  const StudyFolder whole = merge_studies(folders);
+  const StudyFiles join = files_of(whole, options.folders.front());
+  write_study(options.study.out, whole);
+  join_study(options.study.out, join);
+}
+
+}  // namespace
+
+Command add_merge_command(CLI::App& program) {
+  const auto options = std::make_shared<MergeOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "merge", "Joins the shards of a study: what one run of all of it would have written");
+  parser->add_option("folders", options->folders, "what the shards were written to")->required();
+  parser->add_option("--out", options->study.out, "folder to write; may be one of the others")
+      ->required();
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app
