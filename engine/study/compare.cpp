@@ -162,12 +162,12 @@ const char* name_of(Verdict verdict) {
 
 Verdict smoother_force(const Comparison& c) {
   return both(less(c.of_pdg.force_above_50, c.of_pdt.force_above_50),
-              less(c.of_pdg.force_restlessness(), c.of_pdt.force_restlessness()));
+              less(c.of_pdg.force_variation, c.of_pdt.force_variation));
 }
 
 Verdict smoother_torque(const Comparison& c) {
   return both(less(c.of_pdg.torque_above_50, c.of_pdt.torque_above_50),
-              less(c.of_pdg.torque_restlessness(), c.of_pdt.torque_restlessness()));
+              less(c.of_pdg.torque_variation, c.of_pdt.torque_variation));
 }
 
 Verdict fewer_steps(const Comparison& c) {

@@ -60,8 +60,8 @@ struct Comparison {
 enum class Verdict { holds, fails, same, mixed, none };
 const char* name_of(Verdict verdict);
 
-/// "PD_g is smoother": by the share of the force's spectrum above 50 Hz and by its restlessness; of
-/// the torque likewise.
+/// "PD_g is smoother": by the share of the force's spectrum above 50 Hz and by its total variation;
+/// of the torque likewise. The first does not depend on how large the force is, the second does.
 Verdict smoother_force(const Comparison& comparison);
 Verdict smoother_torque(const Comparison& comparison);
 /// "PD_g has fewer steps": force steps and torque steps together.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of the manual says what the program finds: some of its rows are computed again.
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "tests/compare/pairs.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde::test {
+namespace {
+
+void expect_in_the_manual(const ComparedPair& pair) {
+  const std::string manual = text_of(SONDE_TABLE);
+  EXPECT_THAT(manual, testing::HasSubstr(table_head()));
+  EXPECT_THAT(manual, testing::HasSubstr(table_row(pair.name, compare_pair(pair))));
+}
+
+TEST(CompareTable, ASeededSampleOfItsRowsIsFoundAgain) {
+  const std::vector<ComparedPair> pairs = compared_pairs();
+  std::mt19937_64 random(20);
+  for (int i = 0; i < 3; ++i) expect_in_the_manual(pairs[random() % pairs.size()]);
+}
+
+TEST(CompareTable, Full_everyRowIsFoundAgain) {
+  for (const ComparedPair& pair : compared_pairs()) expect_in_the_manual(pair);
+}
+
+}  // namespace
+}  // namespace sonde::test
