@@ -5,6 +5,7 @@
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/profiles.hpp"
 #include "app/study_run.hpp"
 #include "engine/scene/text_file.hpp"
 #include "engine/study/compare_report.hpp"
@@ -17,6 +18,7 @@ struct CompareOptions {
   StudyOptions study;
   bool json = false;
   std::string trajectory;
+  std::string device;
   std::string coupling_mode;
   SettingValues coupling;
   int budget_steps = 0;
@@ -37,17 +39,21 @@ std::string fingerprint_of(const std::filesystem::path& file) {
 }
 
 /// What the results depend on beside the settings. Names, not paths: a shard may run elsewhere.
-std::string inputs_text(const Scene& scene, const BodyPair& bodies) {
+std::string inputs_text(const Scene& scene, const BodyPair& bodies, const DeviceProfile* device) {
   const auto body = [&](const SceneBody& described, const Body& loaded) {
     return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
                                   {"fingerprint", fingerprint_of(described.mesh)},
                                   {"scale", scene.unit * described.scale},
                                   {"solid", loaded.solid}};
   };
-  const nlohmann::ordered_json json{{"version", SONDE_VERSION},
-                                    {"probe", body(scene.probe, *bodies.probe)},
-                                    {"fixed", body(scene.fixed, *bodies.fixed)},
-                                    {"trajectory", fingerprint_of(*scene.trajectory)}};
+  nlohmann::ordered_json json{{"version", SONDE_VERSION},
+                              {"probe", body(scene.probe, *bodies.probe)},
+                              {"fixed", body(scene.fixed, *bodies.fixed)},
+                              {"trajectory", fingerprint_of(*scene.trajectory)}};
+  if (device) json["device"] = {{"id", device->id}, {"rate_hz", scene.servo.rate_hz}};
+  if (device)
+    for (const ProfileKey& key : profile_keys())
+      json["device"][key.key] = (device->*key.value).value;
   return json.dump();
 }
 
@@ -64,10 +70,14 @@ void run(const CompareOptions& options) {
   CompareSetup setup;
   setup.path = read_trajectory(*scene.trajectory);
   setup.scene = scene.name;
+  std::optional<DeviceProfile> device;
+  if (!options.device.empty()) device = device_named(options.device);
+  if (device) setup.device = simulated(*device);
+  setup.sample_time = 1 / scene.servo.rate_hz;
   {
     ProgressLine progress(options.study.quiet);
     const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
-    setup.inputs = inputs_text(scene, bodies);
+    setup.inputs = inputs_text(scene, bodies, device ? &*device : nullptr);
     setup.render.probe = bodies.probe;
     setup.render.fixed = bodies.fixed;
   }
@@ -88,6 +98,9 @@ Command add_compare_command(CLI::App& program) {
   add_scene(*parser, options->bodies);
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
+  parser->add_option("--device", options->device,
+                     "also the largest stable stiffness of both on this device: a profile's id "
+                     "(sigma.7), or the path of its file");
   add_flags(*parser, options->study);
   parser->add_flag("--json", options->json, "the summary on standard output as JSON");
   parser

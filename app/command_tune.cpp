@@ -5,6 +5,7 @@
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/profiles.hpp"
 #include "app/study_run.hpp"
 #include "engine/scene/number_text.hpp"
 #include "engine/scene/text_file.hpp"
@@ -28,25 +29,6 @@ struct TuneOptions {
   double low = 1, high = 1e5;
   std::uint64_t seed = 1;
 };
-
-/// Profiles of the installed program, or of the tree that it was built in.
-std::vector<fs::path> profile_folders() {
-  std::error_code error;
-  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return {here / "../share/sonde/devices", fs::path(SONDE_SOURCE_RESOURCES) / "devices"};
-}
-
-DeviceProfile device_named(const std::string& id) {
-  const std::vector<fs::path> folders = profile_folders();
-  try {
-    return find_device_profile(id, folders);
-  } catch (const InputError& error) {
-    if (id.ends_with(".json")) throw;
-    std::string known;
-    for (const std::string& each : device_profile_ids(folders)) known += " " + each;
-    throw InputError(error.what() + ("; known are:" + known));
-  }
-}
 
 /// What tells the inputs of two studies apart, beside the settings.
 std::string inputs_json(const Scene& scene, const TuneOptions& options, const BodyPair& bodies) {

@@ -106,14 +106,24 @@ Study compare_study(const CompareSetup& setup) {
       return to_json(render(own->render, method, own->path, stop));
     };
   };
-  return {"compare",
-          about(setup).dump(),
-          {{"pdt", rendering(Method::pdt)},
-           {"pdg", rendering(Method::pdg)},
-           {"analytic", [own](const Stop& stop) {
-              return to_json(analytic_wrenches(own->render, own->path, own->render.search.seed,
-                                               analytic_ticks, stop));
-            }}}};
+  Study study{"compare",
+              about(setup).dump(),
+              {{"pdt", rendering(Method::pdt)},
+               {"pdg", rendering(Method::pdg)},
+               {"analytic", [own](const Stop& stop) {
+                  return to_json(analytic_wrenches(own->render, own->path, own->render.search.seed,
+                                                   analytic_ticks, stop));
+                }}}};
+  if (!setup.device) return study;
+  const auto stiffness = [own](Method method) {
+    return [own, method](const Stop& stop) {
+      return to_json(
+          stable_stiffness(own->render, method, own->path, *own->device, own->sample_time, stop));
+    };
+  };
+  study.parts.push_back({"stiffness-pdt", stiffness(Method::pdt)});
+  study.parts.push_back({"stiffness-pdg", stiffness(Method::pdg)});
+  return study;
 }
 
 Comparison comparison_of(const std::string& folder, const StudyFolder& study) {
@@ -141,6 +151,9 @@ Comparison comparison_of(const std::string& folder, const StudyFolder& study) {
   out.pdg = rendering_of(part("pdg"), folder + "/parts/pdg.json");
   out.of_pdt = measure(out.pdt, analytic, out);
   out.of_pdg = measure(out.pdg, analytic, out);
+  if (std::ranges::find(study.names, "stiffness-pdt") == study.names.end()) return out;
+  out.of_pdt.stiffness = stable_stiffness_of(part("stiffness-pdt"), folder);
+  out.of_pdg.stiffness = stable_stiffness_of(part("stiffness-pdg"), folder);
   return out;
 }
 

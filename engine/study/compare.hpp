@@ -9,6 +9,7 @@
 #include "engine/study/analytic_wrench.hpp"
 #include "engine/study/discontinuities.hpp"
 #include "engine/study/smoothness.hpp"
+#include "engine/study/stable_stiffness.hpp"
 
 namespace sonde {
 
@@ -17,11 +18,15 @@ namespace sonde {
 struct CompareSetup {
   RenderSetup render;
   std::vector<TimedPose> path;
-  std::string scene;          ///< its name, for titles
+  std::string scene;  ///< its name, for titles
+  /// With a device the largest stable stiffness of both is computed too.
+  std::optional<SimulatedDeviceParameters> device = {};
+  double sample_time = 1e-3;  ///< of the device's loop, s
   std::string inputs = "{}";  ///< JSON object: what tells the input files and the program apart
 };
 
-/// The study: a part for each rendering, and one for the analytic wrenches.
+/// The study: a part for each rendering, one for the analytic wrenches, and with a device one for
+/// the largest stable stiffness of each.
 Study compare_study(const CompareSetup& setup);
 
 /// One rendering, measured.
@@ -33,8 +38,9 @@ struct MethodMeasures {
   std::optional<double> force_above_50, torque_above_50;
   Discontinuities discontinuities;
   TorqueRealism realism;
-  double deepest = 0;     ///< m
-  int contact_ticks = 0;  ///< with a force
+  StableStiffness stiffness;  ///< without a device there is none
+  double deepest = 0;         ///< m
+  int contact_ticks = 0;      ///< with a force
   int failed_ticks = 0;
   int unconverged_ticks = 0;  ///< blocked, or out of budget
   int saturated_ticks = 0;    ///< beyond a limit of the device

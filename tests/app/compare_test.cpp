@@ -103,6 +103,22 @@ TEST_F(Compare, settings_and_path_can_be_replaced) {
   EXPECT_TRUE(nothing.at("pdg").at("force_above_50_hz").is_null());
 }
 
+TEST_F(Compare, a_device_adds_the_largest_stable_stiffness) {
+  EXPECT_TRUE(
+      json::parse(sonde(boxes + "--out c --json").out).at("pdg").at("stable_stiffness").is_null());
+  const json with = json::parse(sonde(boxes + "--out d --json --device sigma.7").out);
+  for (const char* method : {"pdt", "pdg"}) {
+    const double stable = with.at(method).at("stable_stiffness");
+    EXPECT_GT(stable, 0);
+    EXPECT_LE(with.at(method).at("passive_stiffness"), stable);
+    // The same contact at twice the stiffness asked for is as stiff on the device.
+    const json twice =
+        json::parse(sonde(boxes + "--out e" + method + " --json --k 1000 --device sigma.7").out);
+    EXPECT_NEAR(twice.at(method).at("stable_stiffness").get<double>() / stable, 1, 1e-3);
+  }
+  expect_refused(boxes + "--out f --device none", 3, "none");
+}
+
 TEST_F(Compare, joined_shards_are_the_unsplit_run_to_the_bit) {
   expect_done(boxes + "--out whole --threads 2");
   for (const char* shard : {"1", "2", "3"})

@@ -124,7 +124,7 @@ Comparison compare_pair(const ComparedPair& pair) {
     folder.names.push_back(part.name);
     folder.results.push_back(part.compute([] { return false; }));
   }
-  return comparison_of(folder);
+  return comparison_of(pair.name, folder);
 }
 
 namespace {

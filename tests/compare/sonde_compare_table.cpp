@@ -24,9 +24,9 @@ int run(const std::filesystem::path& pictures) {
     const sonde::Comparison comparison = sonde::test::compare_pair(pair);
     std::fputs(sonde::test::table_row(pair.name, comparison).c_str(), stdout);
     std::fflush(stdout);
-    if (!pictures.empty())
-      sonde::write_whole(pictures / file_name(pair.name),
-                         sonde::compare_files(comparison).at("wrench.svg"));
+    if (pictures.empty()) continue;
+    for (const sonde::StudyFile& file : sonde::compare_files(comparison))
+      if (file.name == "wrench.svg") sonde::write_whole(pictures / file_name(pair.name), file.text);
   }
   return 0;
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/profiles.hpp"
+
+#include <filesystem>
+#include <vector>
+
+#include "engine/error.hpp"
+
+namespace sonde::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Profiles of the installed program, or of the tree that it was built in.
+std::vector<fs::path> profile_folders() {
+  std::error_code error;
+  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {here / "../share/sonde/devices", fs::path(SONDE_SOURCE_RESOURCES) / "devices"};
+}
+
+}  // namespace
+
+DeviceProfile device_named(const std::string& id) {
+  const std::vector<fs::path> folders = profile_folders();
+  try {
+    return find_device_profile(id, folders);
+  } catch (const InputError& error) {
+    if (id.ends_with(".json")) throw;
+    std::string known;
+    for (const std::string& each : device_profile_ids(folders)) known += " " + each;
+    throw InputError(error.what() + ("; known are:" + known));
+  }
+}
+
+}  // namespace sonde::app
