@@ -93,7 +93,7 @@ TEST(ContactStability, AHandCountsAsTheSimulatedDeviceHasIt) {
 TEST(ContactStability, SlidingAwayIsNoBuzz) {
   SampledContact c = contact(1e-3);
   c.stiffness(0, 0) = -1;
-  EXPECT_TRUE(std::isinf(largest_stable_factor(c)));
+  EXPECT_LE(buzz_radius(c), 1);
   c.stiffness(2, 2) = 1;
   EXPECT_NEAR(largest_stable_factor(c) / largest_stable_stiffness({0.1, 0.5, 0, 1e-3, 1e-3}), 1,
               3e-4);

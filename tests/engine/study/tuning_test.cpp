@@ -25,7 +25,8 @@ DeviceProfile profile(const std::string& id = "sigma.7") {
   return read_device_profile(std::string(SONDE_RESOURCES "/devices/") + id + ".json");
 }
 
-/// A small box on a large one; of the assumed values only the mass, so that there is little to do.
+/// A small box pressed on a large one, in one situation; of the assumed values only the mass: there
+/// is little to do.
 TuningRequest boxes() {
   TuningRequest request;
   request.probe = test::body(test::box({0.06, 0.05, 0.04}));
@@ -34,7 +35,9 @@ TuningRequest boxes() {
   request.device = profile();
   for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
   request.device.mass.assumed = true;
-  request.ratio = 1.1;
+  request.ratio = 1.5;
+  for (int i = 0; i < 30; ++i)
+    request.path.push_back({i * 1e-3, {Quat::Identity(), {0.01, 0.005, 0.075 - i * 2e-4}}});
   return request;
 }
 
@@ -59,24 +62,24 @@ TEST(Tuning, SameBitsAtAnyThreadCountAndInShards) {
   EXPECT_EQ(all_text(shards.path()), text);
 }
 
-TEST(Tuning, WhatItRecommendsASceneCanInclude) {
-  for (const auto mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
-    TuningRequest request = boxes();
-    request.coupling.mode = mode;
-    request.device.mass.assumed = false;
-    request.ratio = 1.3;
-    const test::TempFolder folder;
-    compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
-    for (const StudyFile& file : tuning_files(folder.path().string(), read_study(folder.path())))
-      folder.write(file.name, file.text);
-    const Coupling c = read_coupling(folder / "coupling.json");
-    EXPECT_EQ(c.mode, mode);
-    EXPECT_EQ(c.max_force, 10);
-    EXPECT_EQ(c.max_torque, 0.2);
-    EXPECT_GT(mode == Coupling::Mode::object ? c.k : c.k_t, 50);
-    EXPECT_THAT(test::text_of(folder / "recommendation.json"), HasSubstr("limited_by"));
-  }
+void expect_coupling(Coupling::Mode mode) {
+  TuningRequest request = boxes();
+  request.coupling.mode = mode;
+  request.device.mass.assumed = false;
+  const test::TempFolder folder;
+  compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+  for (const StudyFile& file : tuning_files(folder.path().string(), read_study(folder.path())))
+    folder.write(file.name, file.text);
+  const Coupling c = read_coupling(folder / "coupling.json");
+  EXPECT_EQ(c.mode, mode);
+  EXPECT_EQ(c.max_force, 10);
+  EXPECT_EQ(c.max_torque, 0.2);
+  EXPECT_GT(mode == Coupling::Mode::object ? c.k : c.k_t, 50);
+  EXPECT_THAT(test::text_of(folder / "recommendation.json"), HasSubstr("limited_by"));
 }
+
+TEST(Tuning, WhatItRecommendsASceneCanInclude) { expect_coupling(Coupling::Mode::object); }
+TEST(Tuning, Full_of_the_classic_coupling_too) { expect_coupling(Coupling::Mode::classic); }
 
 TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
   TuningRequest request = boxes();
@@ -87,7 +90,7 @@ TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("contact at no pose of the trajectory"));
   }
-  EXPECT_THROW(plan_tuning(boxes(), [] { return true; }), Cancelled);
+  EXPECT_THROW(tuning_situations(boxes(), [] { return true; }), Cancelled);
 }
 
 TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Tune : public AppTest {
+ protected:
+  /// A device of which nothing is assumed, so that there is little to study.
+  Tune() {
+    std::string text = R"({"name": "Bench")";
+    const std::pair<const char*, const char*> values[] = {
+        {"max_force", "10"},       {"max_torque", "0.3"},
+        {"max_stiffness", "3000"}, {"max_rotational_stiffness", "5"},
+        {"max_damping", "10"},     {"max_rotational_damping", "0.01"},
+        {"mass", "0.2"},           {"inertia", "2e-4"},
+        {"damping", "1"},          {"rotational_damping", "1e-3"},
+        {"friction", "0.1"},       {"rotational_friction", "1e-3"},
+        {"resolution", "1e-6"},    {"rotational_resolution", "1e-5"},
+        {"delay", "1e-3"}};
+    for (const auto& [key, value] : values)
+      text += std::string(", \"") + key + "\": {\"value\": " + value + ", \"source\": \"made up\"}";
+    folder.write("bench.json", text + "}");
+  }
+  static constexpr const char* quick =
+      "tune boxes.sonde.json --device bench.json --trajectory path.csv --ratio 1.5 ";
+};
+
+TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
+  const Outcome run = sonde(std::string(quick) + "--out out --threads 2");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(text_of(folder / "out/map.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(text_of(folder / "out/recommendation.json"), HasSubstr("\"limited_by\""));
+  const Csv map(text_of(folder / "out/map.csv"));
+  EXPECT_GT(map.rows.size(), 8u);
+  folder.write("tuned.sonde.json",
+               R"({"probe": {"mesh": "small.off"}, "fixed": {"mesh": "large.off"},
+                   "trajectory": "path.csv", "coupling": "out/coupling.json"})");
+  EXPECT_EQ(sonde("replay tuned.sonde.json").exit_code, 0);
+}
+
+TEST_F(Tune, finished_parts_are_kept_and_shards_make_the_same_files) {
+  ASSERT_EQ(sonde(std::string(quick) + "--out whole").exit_code, 0);
+  for (const char* shard : {"2/2", "1/2"})
+    ASSERT_EQ(sonde(std::string(quick) + "--out shards --shard " + shard).exit_code, 0);
+  for (const char* file : {"map.csv", "map.svg", "coupling.json", "recommendation.json"})
+    EXPECT_EQ(text_of(folder / "shards" / file), text_of(folder / "whole" / file)) << file;
+  // Another study does not go into the same folder.
+  const std::string before = text_of(folder / "whole/map.csv");
+  expect_refused(std::string(quick) + "--out whole --seed 2", 3, "other inputs or settings");
+  EXPECT_EQ(text_of(folder / "whole/map.csv"), before);
+}
+
+TEST_F(Tune, bad_input_is_refused_before_any_work) {
+  const std::string scene = "tune boxes.sonde.json --out out ";
+  expect_refused(scene + "--device sigma7", 3,
+                 "nearest known one is \"sigma.7\"; known are: lambda.7");
+  expect_refused(scene, 2, "--device");
+  for (const char* gain : {"0", "-5", "nan", "x", "inf"}) {
+    expect_refused(scene + "--device sigma.7 --from " + gain, 2, "above zero");
+    expect_refused(scene + "--device sigma.7 --to " + gain, 2, "above zero");
+  }
+  expect_refused(scene + "--device sigma.7 --from 10 --to 10", 2, "--from must be below --to");
+  expect_refused(scene + "--device sigma.7 --ratio 1", 2, "1.0001");
+  expect_refused(scene + "--device sigma.7 --shard 3/2", 2, "I/N");
+}
+
+TEST_F(Tune, no_contact_on_the_trajectory_is_an_error) {
+  folder.write("far.csv", "t,px,py,pz,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n1,1,0,0.1,1,0,0,0\n");
+  expect_refused("tune boxes.sonde.json --device sigma.7 --out out --trajectory far.csv", 3,
+                 "in contact at no pose of the trajectory");
+}
+
+TEST_F(Tune, stiffness_beyond_all_reason_ends_in_an_honest_map) {
+  const Outcome run = sonde(std::string(quick) + "--out out --from 1e11 --to 1e12");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Csv map(text_of(folder / "out/map.csv"));
+  ASSERT_FALSE(map.rows.empty());
+  for (std::size_t i = 0; i < map.rows.size(); ++i) {
+    EXPECT_NE(map.text(i, "class"), "stable");
+    EXPECT_NE(map.text(i, "class"), "passive");
+  }
+}
+
+TEST_F(Tune, interrupted_it_keeps_what_is_finished_and_goes_on_from_there) {
+  const std::string fine =
+      "tune boxes.sonde.json --device bench.json --trajectory path.csv --ratio 1.01 --threads 1 ";
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (::chdir(folder.path().c_str()) != 0) ::_exit(99);
+    ::execl(SONDE_PROGRAM, SONDE_PROGRAM, "tune", "boxes.sonde.json", "--device", "bench.json",
+            "--trajectory", "path.csv", "--ratio", "1.01", "--threads", "1", "--out", "out",
+            "--quiet", nullptr);
+    ::_exit(99);
+  }
+  const auto parts = [&] {
+    std::error_code none;
+    return std::distance(std::filesystem::directory_iterator(folder / "out/parts", none), {});
+  };
+  int status = 0;
+  while (parts() == 0 && ::waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ::kill(child, SIGINT);
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_GE(parts(), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/map.csv"));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "out")) {
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+  }
+  ASSERT_EQ(sonde(fine + "--out out").exit_code, 0);
+  ASSERT_EQ(sonde(fine + "--out whole").exit_code, 0);
+  EXPECT_EQ(text_of(folder / "out/map.csv"), text_of(folder / "whole/map.csv"));
+}
+
+}  // namespace
+}  // namespace sonde::test
