@@ -134,8 +134,10 @@ TEST(Scene, each_setting_of_the_table_is_a_key) {
   }
   for (const Setting& setting : servo_settings()) {
     const std::string line = std::string("\"servo\": {\"") + setting.key + "\": ";
-    const Scene scene = read_scene(folder.write("a.json", with_line(line + "7}")));
-    EXPECT_EQ(get(scene.servo, setting.key), 7);
+    const auto most = static_cast<int>(setting.maximum);
+    const Scene scene =
+        read_scene(folder.write("a.json", with_line(line + std::to_string(most) + "}")));
+    EXPECT_EQ(get(scene.servo, setting.key), most);
     EXPECT_THAT(complaint(with_line(line + "-1}")),
                 AllOf(StartsWith("4: "), HasSubstr(setting.key), HasSubstr("between")));
   }
