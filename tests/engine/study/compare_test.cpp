@@ -61,7 +61,7 @@ TEST(Compare, VerdictsSayWhoIsSmoother) {
   EXPECT_EQ(verdict(press(6, 0), press(1, 0.005)), Verdict::mixed)
       << "less in all, but more of it trembles";
   const Comparison c = comparison_of("folder", folder_of(press(3, 0), press(3, 0)));
-  EXPECT_EQ(smoother_torque(c), Verdict::same) << "neither has any";
+  EXPECT_EQ(smoother_torque(c), Verdict::none) << "neither has any";
   EXPECT_EQ(better_torque(c), Verdict::none);
   EXPECT_EQ(fewer_steps(c), Verdict::same);
   EXPECT_EQ(fewer_pop_throughs(c), Verdict::same);
