@@ -16,10 +16,15 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> kind_names = {"none", "ball", "half-space"};
 constexpr int starts = 12;
 
+/// Vertices on a sphere make no ball yet: those of a box are. The faces have to be near it too.
 bool is_ball(const Body& body) {
   if (!body.solid) return false;
-  for (const Vec3& x : body.soup.vertices)
-    if ((x - body.mass.com).norm() < 0.99 * body.mass.radius) return false;
+  for (const Triangle& t : body.soup.triangles) {
+    const Vec3 a = body.soup.vertices[t[0]] - body.mass.com;
+    const Vec3 b = body.soup.vertices[t[1]] - body.mass.com;
+    const Vec3 c = body.soup.vertices[t[2]] - body.mass.com;
+    if ((b - a).cross(c - a).normalized().dot(a) < 0.97 * body.mass.radius) return false;
+  }
   return true;
 }
 

@@ -13,7 +13,7 @@ namespace sonde {
 ///
 /// - *half-space*: any probe that meets one face of a large box, away from its edges, which is a
 ///   half-space to it (half_space_below). PD_g is a search over rotations alone.
-/// - *ball*: a solid probe whose vertices lie on a sphere about its centre of mass, to a hundredth.
+/// - *ball*: a solid probe whose faces all lie on a sphere about its centre of mass, within 3 %.
 ///   Nothing turns it, whatever it touches: the torque is zero. The force is not known.
 /// - *none*: any other pair.
 enum class AnalyticKind { none, ball, half_space };

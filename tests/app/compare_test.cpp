@@ -148,7 +148,7 @@ TEST_F(Compare, refusals) {
   expect_refused(boxes, 2, "--out");
   expect_refused(boxes + "--out path.csv", 2, "is a file");
   for (const char* shard : {"0/2", "3/2", "1", "a/b"})
-    expect_refused(boxes + "--out c --shard " + shard, 2, "i/n");
+    expect_refused(boxes + "--out c --shard " + shard, 2, "I/N");
   for (const char* k : {"0", "-1", "nan"}) expect_refused(boxes + "--out c --k " + k, 2, "--k");
   expect_refused("merge c --out d", 3, "c");
   expect_refused("merge --out d", 2, "folders");
