@@ -82,13 +82,52 @@ int winding_by_solid_angles(const Body& body, const Vec3& x) {
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-/// One corner of each component of `body`; does one lie inside `solid`? X takes body to solid.
-bool any_component_inside(const Body& body, const Body& solid, const Transform& X) {
-  for (const std::uint32_t triangle : body.component_triangle) {
-    const Vec3 x = X * body.soup.vertices[body.soup.triangles[triangle][0]];
-    if (inside(solid, x)) return true;
+/// A corner of a triangle of `body`, in the frame of the solid. X takes body to solid.
+Vec3 corner(const Body& body, std::uint32_t triangle, const Transform& X) {
+  return X * body.soup.vertices[body.soup.triangles[triangle][0]];
+}
+
+/// Up to so many components are quicker to look at one by one.
+constexpr std::size_t few_components = 1024;
+
+/// The same for bodies of many components, given that no triangles meet: a box that
+/// is clear of the solid's surface is inside or outside with all that it holds, so that one point
+/// speaks for it. Any triangle speaks for its component.
+bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X) {
+  PairStack<std::uint32_t> stack;
+  stack.push(0);
+  while (!stack.empty()) {
+    const std::uint32_t slot = stack.pop();
+    const std::uint32_t child = body.tree.child(slot);
+    if (child & Tree::triangle_bit) {
+      if (inside(solid, corner(body, child & ~Tree::triangle_bit, X))) return true;
+      continue;
+    }
+    const Vec3 center = X * body.tree.center(slot);
+    const double radius = body.tree.half_diagonal(slot) * (1 + 1e-6);
+    const Vec3 in_box = center.cwiseMax(solid.tree.low).cwiseMin(solid.tree.high);
+    const double to_box = (center - in_box).norm();
+    const double guard = rounding_guard(extent(body), extent(solid), X.p);
+    if (to_box > radius + guard) continue;
+    // A few triangles are quicker to look at than the distance of their box.
+    const Tree::Node& node = body.tree.nodes[child];
+    const bool many = (node.child[0] & Tree::triangle_bit) == 0;
+    if (many && point_distance(solid, center, radius + guard) > radius + guard) {
+      if (inside(solid, center)) return true;
+      continue;
+    }
+    for (std::uint32_t k = 0; k < Tree::width; ++k)
+      if (node.child[k] != Tree::none) stack.push(child * Tree::width + k);
   }
   return false;
+}
+
+/// Does one component of `body` lie inside `solid`? One corner of each decides.
+bool any_component_inside(const Body& body, const Body& solid, const Transform& X) {
+  if (body.component_triangle.size() > few_components) return any_triangle_inside(body, solid, X);
+  return std::ranges::any_of(body.component_triangle, [&](std::uint32_t triangle) {
+    return inside(solid, corner(body, triangle, X));
+  });
 }
 
 }  // namespace

@@ -85,5 +85,31 @@ TEST(Inside, rays_through_corners_do_not_count_twice) {
       }
 }
 
+// Reference: a corner of each triangle, asked one by one. So many loose triangles are walked by
+// their boxes, some of which the surface of the ring cuts through.
+TEST(Inside, one_of_many_loose_triangles) {
+  std::mt19937_64 random(5);
+  const auto ring = test::body(test::torus(0.1, 0.04, 30, 16));
+  PolygonSoup crumbs;  // so small that none of them meets the ring
+  for (std::size_t i = 0; i < 3000; ++i) {
+    const Vec3 at = test::random_in_ball(random, 0.03);
+    for (int k = 0; k < 3; ++k) crumbs.points.push_back(at + test::random_in_ball(random, 1e-7));
+    crumbs.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const auto soup = test::body(crumbs);
+  ASSERT_EQ(soup->component_triangle.size(), 3000U);
+  int in = 0, out = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Transform at(test::random_pose(random, *soup, *ring, 1.0));
+    bool expected = false;
+    for (const Triangle& t : soup->soup.triangles)
+      expected = expected || inside(*ring, at * soup->soup.vertices[t[0]]);
+    EXPECT_EQ(component_inside(*soup, *ring, at), expected) << i;
+    (expected ? in : out) += 1;
+  }
+  EXPECT_GT(in, 5);
+  EXPECT_GT(out, 5);
+}
+
 }  // namespace
 }  // namespace sonde
