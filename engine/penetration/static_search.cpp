@@ -313,12 +313,27 @@ class Search {
   int iterations_ = 0;
 };
 
+/// Of the probe's radius: where coordinates are rounded by more, contacts mean nothing.
+constexpr double largest_rounding = 0.01;
+
+/// Is the probe's ball about its centre of mass clear of the box around the fixed body?
+bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, double rounding) {
+  const Vec3 com = X * probe.mass.com;
+  const Vec3 nearest = com.cwiseMax(fixed.tree.low).cwiseMin(fixed.tree.high);
+  return (com - nearest).stableNorm() > probe.mass.radius + rounding;
+}
+
 }  // namespace
 
 Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
                            const StaticOptions& options) {
   if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
   const Pose device{X_FM.q.normalized(), X_FM.p};
+  // Without a look at the trees: rounding that is as large as a body makes all boxes overlap.
+  const double rounding = rounding_guard(extent(probe), extent(fixed), device.p);
+  if (ball_is_clear(probe, fixed, Transform(device), rounding)) return separated_at(device);
+  if (rounding > largest_rounding * probe.mass.radius)
+    return failed(device, "too far from the origin for the size of the probe");
   const Deadline deadline{options.budget.microseconds, now_us()};
   Separation out;
   if (!overlap(probe, fixed, Transform(device), Doubt::exact))
