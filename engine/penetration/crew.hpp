@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+
+namespace sonde {
+
+/// The calling thread and at most one more, which lives as long as this does: thousands of small
+/// pieces of work, where starting a thread for each would cost as much as they do.
+class Crew {
+ public:
+  /// work(k, lane), for k < count; the lane is k % 2. What one lane does is done in order, so that
+  /// it may have a memory.
+  using Work = std::function<void(std::size_t k, std::size_t lane)>;
+
+  explicit Crew(bool two_threads) : two_threads_(two_threads) {}
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  /// All of k < count, each once. Returns when all are done. Work must not throw.
+  void each(std::size_t count, const Work& work);
+
+ private:
+  void help();
+  void take_part(std::size_t lane);
+
+  bool two_threads_;
+  std::thread other_;  // started when first needed
+  const Work* work_ = nullptr;
+  std::size_t count_ = 0;
+  std::atomic<int> asked_ = 0, answered_ = 0;
+  std::atomic<bool> over_ = false;
+};
+
+}  // namespace sonde
