@@ -55,6 +55,7 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
   std::atomic<std::size_t> done{0};
+  const Sketches sketches = make_sketches(*bodies.probe, *bodies.fixed);
   // A search uses two threads itself.
   const unsigned threads = thread_count(options.threads);
   const std::size_t at_once =
@@ -63,6 +64,7 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
     StaticOptions own = options.static_options();
     own.two_threads = threads > 1;
     own.seed = seed_of(options.seed, i);
+    own.sketches = sketches;
     TimedSeparation& result = results[i];
     result.time_us = timed_us(
         [&] { result.separation = separate_static(*bodies.probe, *bodies.fixed, poses[i], own); });

@@ -15,7 +15,10 @@ inline double now_us() {
 struct Deadline {
   double microseconds = 0;  ///< 0: none
   double started = 0;       ///< from now_us()
-  bool passed() const { return microseconds > 0 && now_us() - started > microseconds; }
+  /// `ahead`: or will be in so many µs.
+  bool passed(double ahead = 0) const {
+    return microseconds > 0 && now_us() - started + ahead > microseconds;
+  }
 };
 
 }  // namespace sonde

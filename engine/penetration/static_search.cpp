@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <vector>
 
+#include "engine/penetration/crew.hpp"
 #include "engine/penetration/leap_descent.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/random.hpp"
 #include "engine/penetration/result.hpp"
+#include "engine/penetration/sketch_search.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "engine/proximity/placement.hpp"
 
@@ -24,7 +25,9 @@ constexpr std::size_t per_round = 8;
 /// A list of pairs pays for many short steps, of which there are few here.
 constexpr ContactRows::Finding unlisted{.most_listed = 0};
 /// The rest of the time is for making what was found fit to be returned.
-constexpr double share_for_the_search = 0.65;
+constexpr double share_for_the_search = 0.55;
+/// Of which so much may go into the sketches.
+constexpr double share_for_sketches = 0.3;
 /// So many starts that ended at the best depth, to within the tolerance, are enough.
 constexpr int enough_agreement = 6;
 
@@ -38,18 +41,23 @@ class Search {
         deadline_{options.budget.microseconds, now_us()},
         searching_{share_for_the_search * options.budget.microseconds, deadline_.started},
         lanes_{lane(probe, fixed), lane(probe, fixed)},
-        descent_(probe, fixed, options.method, unlisted) {}
+        descent_(probe, fixed, options.method, unlisted),
+        crew_(options.two_threads) {
+    if (!options.sketches) return;
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane)
+      sketched_.emplace_back(*options.sketches.probe, *options.sketches.fixed, fixed.mass);
+  }
 
   Separation run() {
     // Of counted steps, translations get their part: the depth is never more than theirs.
     reserved_ = rotates() ? options_.budget.steps / 3 : 0;
-    if (rotates()) near_starts(Method::pdg, 2000);
+    if (rotates()) first_starts(Method::pdg, 2000);
     reserved_ = 0;
     if (!rotates() || found_.empty() || options_.budget.steps > 0) translations();
     if (found_.empty()) return failed(chart_.device(), "no free pose was found");
     for (int start = 0; start < options_.starts && !done(); start += int{per_round})
       random_starts(start);
-    if (rotates() && !std::isfinite(translated_.depth)) translations();
+    if (rotates() && !std::isfinite(translated_.depth) && !out_of_budget()) translations();
     return finish();
   }
 
@@ -58,7 +66,7 @@ class Search {
     Vec6 y = Vec6::Zero();
     double depth = std::numeric_limits<double>::infinity();
     int iterations = 0;
-    bool independent = true;  ///< of what was found before: it may confirm it
+    int starts = 1;  ///< that led there independently of what was found before: they confirm it
   };
   using Round = std::array<Found, per_round>;
   /// Every other start of a round, one after the other, and what they work with.
@@ -83,34 +91,26 @@ class Search {
   }
   /// Nothing is left for polishing either.
   bool late() const { return deadline_.passed() || steps_left() == 0; }
-  /// Of the starts of a round, so many are made, each with an equal share of the steps left.
-  std::size_t starts_worth_while() const {
-    return std::min(per_round, static_cast<std::size_t>(std::max(1, steps_left() / 4)));
-  }
-
   /// Runs start(k, lane) for each of a round, and takes down what they found.
   template <class Start>
-  void round(const Start& start) {
+  void round(const Start& start, std::size_t most = per_round) {
     if (out_of_budget() && best_ < std::numeric_limits<double>::infinity()) return;
     Round found;
-    const std::size_t count = starts_worth_while();
+    // Each has an equal share of the steps left, and some are not made where it is small.
+    const std::size_t count =
+        std::min(most, static_cast<std::size_t>(std::max(1, steps_left() / 4)));
     share_ = std::max(1, steps_left() / static_cast<int>(count));
-    const auto every_other = [&](std::size_t lane) {
-      for (std::size_t k = lane; k < count; k += lanes_.size()) found[k] = start(k, lanes_[lane]);
-    };
-    std::future<void> other;
-    if (options_.two_threads) other = std::async(std::launch::async, every_other, 1);
-    every_other(0);
-    options_.two_threads ? other.get() : every_other(1);
-    for (const Found& f : found) note(f);
+    crew_.each(count, [&](std::size_t k, std::size_t lane) { found[k] = start(k, lanes_[lane]); });
+    for (std::size_t k = 0; k < count; ++k) note(found[k]);
   }
 
   void note(const Found& f) {
     iterations_ += f.iterations;
     if (!std::isfinite(f.depth)) return;
     if (f.depth < 0.98 * best_) agreeing_ = 0;
-    agreeing_ += f.independent && f.depth < 1.02 * std::min(best_, f.depth);
+    if (f.depth < 1.02 * std::min(best_, f.depth)) agreeing_ += f.starts;
     best_ = std::min(best_, f.depth);
+    if (f.y.head<3>().isZero(0) && f.depth < translated_.depth) translated_ = f;
     found_.push_back(f);
   }
 
@@ -131,6 +131,17 @@ class Search {
     return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
   }
 
+  Found descend_exactly(LeapDescent& leaps, const Vec6& y, double beat) const {
+    const auto exact = leaps.run(chart_, y,
+                                 {.guide = Guide::few,
+                                  .tolerance = 0.01,
+                                  .steps = std::min(15, share_),
+                                  .reach = 0.2,
+                                  .beat = std::isfinite(beat) ? 1.02 * beat : 0},
+                                 searching_);
+    return {exact.y, exact.y.norm(), exact.iterations};
+  }
+
   /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
   /// in it, also in a tangle that nothing from outside finds its way into.
   void near_starts(Method method, std::uint64_t streams) {
@@ -144,6 +155,70 @@ class Search {
           lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
           return descend(leaps, *y, y->norm());
         }
+      return Found{};
+    });
+  }
+
+  /// Where the sketches of the bodies are apart nearest by, and where there is a way out that they
+  /// do not show; else from the nearest free poses.
+  void first_starts(Method method, std::uint64_t streams) {
+    if (sketched_.empty()) return near_starts(method, streams);
+    const std::vector<SketchEnd> ends = search_sketches(
+        chart_,
+        {.method = method,
+         .fewest = method == options_.method ? 48 : 16,
+         .seed = options_.seed,
+         .deadline = {share_for_sketches * deadline_.microseconds, deadline_.started}},
+        sketched_, crew_);
+    from_sketches(method, ends);
+    if (method == options_.method && found_.empty()) return near_starts(method, streams);
+    if (!out_of_budget()) pockets(method, streams);
+  }
+
+  /// On from the ends found there, as long as they may be better than what has been found.
+  void from_sketches(Method method, const std::vector<SketchEnd>& ends) {
+    const double off = 0.3 * sketched_[0].spacing();
+    for (std::size_t first = 0; first < std::min<std::size_t>(ends.size(), 8) && !out_of_budget();
+         first += 2) {
+      const double beat = method == options_.method ? best_ : translated_.depth;
+      if (ends[first].depth - off > 1.02 * beat) break;
+      round(
+          [&](std::size_t k, Lane& lane) {
+            const SketchEnd& end = ends[first + k];
+            const auto y = freed(end.y, method, lane);
+            Found out = y ? descend_exactly(descent_of(lane, method), *y, beat) : Found{};
+            out.starts = method == options_.method ? end.starts : 0;
+            return out;
+          },
+          std::min<std::size_t>(2, ends.size() - first));
+    }
+  }
+
+  /// A free pose near an end on the sketches: where they are further apart.
+  std::optional<Vec6> freed(const Vec6& end, Method method, Lane& lane) {
+    SketchDescent& sketches = sketched_[static_cast<std::size_t>(&lane - lanes_.data())];
+    Vec6 y = end;
+    for (const double apart : {0.0, 0.1, 0.3, 0.6, 1.2}) {
+      if (apart > 0)
+        y = sketches
+                .run(chart_, y,
+                     {.method = method, .margin = apart * sketches.spacing(), .steps = 4})
+                .y;
+      if (descent_of(lane, method).is_free(chart_, y)) return y;
+    }
+    return std::nullopt;
+  }
+
+  /// From free poses nearer than the best so far: there must be none, but where there is a way out
+  /// too narrow for the sketches to show it.
+  void pockets(Method method, std::uint64_t streams) {
+    round([&](std::size_t k, Lane& lane) {
+      Random random = stream(streams + k);
+      const double best = method == options_.method ? best_ : translated_.depth;
+      for (double radius = 0.1 * best; radius < best; radius *= 1.5)
+        if (const auto y =
+                free_sample(descent_of(lane, method), random, Vec6::Zero(), radius, 2, method))
+          return descend(descent_of(lane, method), *y, best);
       return Found{};
     });
   }
@@ -169,11 +244,9 @@ class Search {
   /// By translation alone; and on from there by all six.
   void translations() {
     const std::size_t before = found_.size();
-    near_starts(Method::pdt, 1000);
+    first_starts(Method::pdt, 1000);
     if (!rotates() || found_.size() == before) starts_outside();
-    for (std::size_t i = before; i < found_.size(); ++i)
-      if (found_[i].depth < translated_.depth) translated_ = found_[i];
-    if (!rotates() || out_of_budget()) return;
+    if (!rotates() || out_of_budget() || !std::isfinite(translated_.depth)) return;
     share_ = steps_left();
     note(descend(lanes_[0].pdg, translated_.y, best_));
   }
@@ -218,7 +291,7 @@ class Search {
     const auto y =
         free_sample(descent_of(lane, options_.method), random, end, radius, 50, options_.method);
     Found out = y ? descend(descent_of(lane, options_.method), *y, best) : Found{};
-    out.independent = false;
+    out.starts = 0;
     return out;
   }
 
@@ -238,15 +311,12 @@ class Search {
   /// The best few to the last digit; the best of them that stands the exact test.
   Separation finish() {
     std::vector<Separation> answers;
-    std::optional<double> pdt;
-    if (const auto translated = rotates() ? polish_translation() : std::nullopt) {
-      answers.push_back(*translated);
-      pdt = translated->depth;
-    }
     for (const Vec6& y : best_ends(3)) {
       if (y.norm() > 1.03 * best_ || (late() && !answers.empty())) break;
       answers.push_back(polish(descent_of(lanes_[0], options_.method), descent_, y));
     }
+    std::optional<double> pdt;
+    if (rotates() && (!deadline_.passed() || answers.empty())) pdt = add_translation(answers);
 
     std::stable_sort(answers.begin(), answers.end(),
                      [](const Separation& a, const Separation& b) { return a.depth < b.depth; });
@@ -286,13 +356,20 @@ class Search {
     return make_separation(chart_, o);
   }
 
-  /// The translational depth to the last digit.
-  std::optional<Separation> polish_translation() {
+  /// The translational depth to the last digit. Where it competes with all six degrees, they go on
+  /// from there: what holds the probe against a turn as well makes it an answer of theirs.
+  std::optional<double> add_translation(std::vector<Separation>& answers) {
     if (!std::isfinite(translated_.depth)) return std::nullopt;
     Descent descent(probe_, fixed_, Method::pdt, unlisted);
     const Separation out = polish(lanes_[0].pdt, descent, translated_.y);
     if (overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return std::nullopt;
-    return out;
+    const bool competes = std::ranges::all_of(
+        answers, [&](const Separation& a) { return out.depth < 1.001 * a.depth; });
+    answers.push_back(out);
+    if (!competes || late()) return out.depth;
+    const Separation on = polish(lanes_[0].pdg, descent_, chart_.coordinates(out.separated));
+    if (!overlap(probe_, fixed_, Transform(on.separated), Doubt::exact)) answers.back() = on;
+    return std::max(out.depth, on.depth);  // the same, but for rounding, where no turn helps
   }
 
   static bool nearer(const Found& a, const Found& b) { return a.depth < b.depth; }
@@ -304,6 +381,8 @@ class Search {
   Deadline deadline_, searching_;
   std::array<Lane, 2> lanes_;
   Descent descent_;
+  std::vector<SketchDescent> sketched_;  // one for each lane, or none
+  Crew crew_;
   std::vector<Found> found_;
   Found translated_;
   double best_ = std::numeric_limits<double>::infinity();  // m

@@ -5,6 +5,7 @@
 
 #include "engine/geometry/body.hpp"
 #include "engine/penetration/separation.hpp"
+#include "engine/proximity/sketch.hpp"
 
 namespace sonde {
 
@@ -15,6 +16,8 @@ struct StaticOptions {
   int starts = 64;  ///< random free starts at most; fewer where the same depth is found repeatedly
   bool want_lower_bound = true;
   bool two_threads = false;  ///< the same bits
+  /// Of the same two bodies (make_sketches): the search is quicker, and better where time is short.
+  Sketches sketches = {};
 };
 
 /// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,

@@ -46,10 +46,12 @@ class Bodies {
     if (pair == pair_) return probe != nullptr;
     pair_ = pair;
     probe = fixed = nullptr;
+    sketches = {};
     for (const PairSpec& spec : pair_specs()) try {
         if (spec.name != pair) continue;
         fixed = spec.fixed();
         probe = spec.probe();
+        sketches = make_sketches(*probe, *fixed);
         return true;
       } catch (const std::exception& error) {
         std::fprintf(stderr, "sonde-depths: %s is missing: %s\n", pair.c_str(), error.what());
@@ -59,6 +61,7 @@ class Bodies {
     return false;
   }
   std::shared_ptr<const Body> probe, fixed;
+  Sketches sketches;
 
  private:
   std::string pair_;
@@ -71,7 +74,9 @@ std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options
     Row& row = rows[i];
     if (!options.only.empty() && options.only != row.pair) continue;
     if (!bodies.load(row.pair)) continue;
-    out.push_back(measure(row, *bodies.probe, *bodies.fixed, options.search));
+    StaticOptions search = options.search;
+    search.sketches = bodies.sketches;
+    out.push_back(measure(row, *bodies.probe, *bodies.fixed, search));
     if (options.mend) mend(row, out.back(), options.search.method);
   }
   return out;

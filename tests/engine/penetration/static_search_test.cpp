@@ -57,6 +57,13 @@ void check_lower_bound(const test::BodyPair& pair, const Separation& s, std::mt1
   }
 }
 
+StaticOptions with(const Sketches& sketches, Method method = Method::pdg) {
+  StaticOptions options;
+  options.method = method;
+  options.sketches = sketches;
+  return options;
+}
+
 TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(2);
   for (const auto& pair : pairs())
@@ -116,6 +123,7 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
     for (const int steps : {1, 20, 100}) {
       StaticOptions options;
       options.budget.steps = steps;
+      options.sketches = make_sketches(*pair.a, *pair.b);
       const Separation s = separate_static(*pair.a, *pair.b, X, options);
       test::check_separation(*pair.a, *pair.b, s, pair.name);
       // A few steps more make what was found fit to be returned: one for each of ten at most.
@@ -155,9 +163,10 @@ TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    for (const int steps : {0, 50}) {
+    for (const int steps : {0, 50, -1}) {
       StaticOptions one;
-      one.budget.steps = steps;
+      one.budget.steps = std::max(0, steps);
+      if (steps < 0) one.sketches = make_sketches(*pair.a, *pair.b);
       StaticOptions two = one;
       two.two_threads = true;
       EXPECT_TRUE(same_bits(separate_static(*pair.a, *pair.b, X, one),
@@ -210,13 +219,70 @@ TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
   EXPECT_EQ(separate_static(*ring, *ring, linked).status, Status::separated);
 }
 
+// Reference: the balance of moments. A box that lies flat on a plate is held against turns as well,
+// though the shortest way out does not turn it.
+TEST(StaticSearch, a_box_flat_on_a_plate_is_held_against_turns) {
+  const auto box = test::body(test::box({0.1, 0.08, 0.06}));
+  const auto plate = test::body(test::box({2, 2, 1}));
+  for (const double deep : {0.001, 0.01}) {
+    const Separation s =
+        separate_static(*box, *plate, {Quat::Identity(), Vec3(0.02, -0.01, 0.5 + 0.03 - deep)});
+    test::check_separation(*box, *plate, s, "flat");
+    EXPECT_NEAR(s.depth, deep, 1e-3 * deep);
+    Vec3 moment = Vec3::Zero();
+    for (const Contact& c : s.contacts)
+      moment += c.multiplier * (c.on_probe - s.separated * box->mass.com).cross(c.normal);
+    EXPECT_LT(moment.norm(), 1e-3 * deep * box->mass.radius);
+  }
+}
+
 // Linked rings that overlap come apart as far as contact, not out of each other.
 TEST(StaticSearch, linked_rings) {
   const auto ring = test::body(test::torus(0.08, 0.02, 16, 8));
   const Pose X{Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX())), Vec3(0.125, 0.002, 0)};
-  const Separation s = separate_static(*ring, *ring, X);
-  test::check_separation(*ring, *ring, s, "linked");
-  EXPECT_LT(s.depth, 0.0151);  // inwards by what is too far out
+  for (const Sketches& sketches : {Sketches{}, make_sketches(*ring, *ring)}) {
+    const Separation s = separate_static(*ring, *ring, X, with(sketches));
+    test::check_separation(*ring, *ring, s, "linked");
+    EXPECT_LT(s.depth, 0.0151);  // inwards by what is too far out
+  }
+}
+
+TEST(StaticSearch, answers_from_sketches_are_free_near_contact_and_add_up) {
+  std::mt19937_64 random(22);
+  for (const auto& pair : pairs()) {
+    const Sketches sketches = make_sketches(*pair.a, *pair.b);
+    for (const Method method : {Method::pdg, Method::pdt})
+      for (int i = 0; i < 3; ++i) {
+        const Pose X = overlapping_pose(random, pair);
+        const Separation s = separate_static(*pair.a, *pair.b, X, with(sketches, method));
+        test::check_separation(*pair.a, *pair.b, s, pair.name);
+        EXPECT_TRUE(method == Method::pdg || s.rotation == 0) << pair.name;
+      }
+  }
+}
+
+// Reference: the width of the gap. A peg in a hole that the spacing of the sketches does not show
+// comes back to the middle of the hole, not out of it.
+TEST(StaticSearch, a_way_out_too_narrow_for_sketches_is_found) {
+  const auto wall = [](const Vec3& low, const Vec3& high, PolygonSoup& out) {
+    const PolygonSoup box = test::box(high - low);
+    const std::size_t first = out.points.size();
+    for (const Vec3& x : box.points) out.points.push_back(x + (low + high) / 2);
+    for (auto polygon : box.polygons) {
+      for (auto& corner : polygon) corner += first;
+      out.polygons.push_back(polygon);
+    }
+  };
+  PolygonSoup walls;
+  wall({-0.2, -0.1, -0.1}, {-0.0205, 0.1, 0.1}, walls);
+  wall({0.0205, -0.1, -0.1}, {0.2, 0.1, 0.1}, walls);
+  const auto fixed = test::body(walls), peg = test::body(test::box({0.04, 0.12, 0.12}));
+  const Sketches sketches = make_sketches(*peg, *fixed);
+  ASSERT_TRUE(sketches);
+  const Separation s =
+      separate_static(*peg, *fixed, {Quat::Identity(), Vec3(0.001, 0, 0)}, with(sketches));
+  test::check_separation(*peg, *fixed, s, "peg");
+  EXPECT_NEAR(s.depth, 0.0005, 1e-6);
 }
 
 TEST(StaticSearch, one_triangle_against_one) {

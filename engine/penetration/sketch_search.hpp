@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/penetration/crew.hpp"
+#include "engine/penetration/deadline.hpp"
+#include "engine/penetration/sketch_descent.hpp"
+
+namespace sonde {
+
+/// Where descents on the sketches ended.
+struct SketchEnd {
+  Vec6 y;
+  double depth = 0;  ///< |y|, m
+  int starts = 1;    ///< how many came there
+  double from = 0;   ///< |y| of where the first began, m
+};
+
+struct SketchSearch {
+  Method method = Method::pdg;
+  int fewest = 32;  ///< starts
+  int most = 96;    ///< until as many as a quarter of the fewest have ended at the same depth
+  std::uint64_t seed = 1;
+  Deadline deadline = {};
+};
+
+/// Looks for the places nearest to the origin at which the sketches are apart, from random starts,
+/// one descent for each lane of the crew at a time. The nearest first, each once. The same on any
+/// number of threads, but for the deadline.
+std::vector<SketchEnd> search_sketches(const Chart& chart, const SketchSearch& search,
+                                       std::span<SketchDescent> lanes, Crew& crew);
+
+}  // namespace sonde
