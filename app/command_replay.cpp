@@ -23,13 +23,13 @@ struct ReplayOptions {
   SettingValues servo;
 };
 
-constexpr std::array<Column, 29> columns{
+constexpr std::array<Column, 30> columns{
     {{"t", "s"},        {"px", "m"},       {"py", "m"},      {"pz", "m"},      {"qw", ""},
      {"qx", ""},        {"qy", ""},        {"qz", ""},       {"sx", "m"},      {"sy", "m"},
      {"sz", "m"},       {"sqw", ""},       {"sqx", ""},      {"sqy", ""},      {"sqz", ""},
      {"fx", "N"},       {"fy", "N"},       {"fz", "N"},      {"tx", "N*m"},    {"ty", "N*m"},
      {"tz", "N*m"},     {"depth", "m"},    {"sigma", "m^2"}, {"contacts", ""}, {"iterations", ""},
-     {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""}}};
+     {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""},   {"converged", ""}}};
 
 /// One tick's outcome.
 struct Tick {
@@ -58,6 +58,7 @@ Row row_of(const TimedPose& at, const Tick& tick, double rate_hz) {
   row.push_back(std::int64_t{tick.wrench.saturated});
   row.push_back(std::int64_t{tick.result.time_us > 1e6 / rate_hz});
   row.push_back(std::int64_t{s.jumped});
+  row.push_back(std::int64_t{s.converged});
   return row;
 }
 

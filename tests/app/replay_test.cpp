@@ -10,7 +10,7 @@ using nlohmann::json;
 
 constexpr const char* header =
     "t,px,py,pz,qw,qx,qy,qz,sx,sy,sz,sqw,sqx,sqy,sqz,fx,fy,fz,tx,ty,tz,depth,sigma,contacts,"
-    "iterations,tick_us,saturated,late,jumped";
+    "iterations,tick_us,saturated,late,jumped,converged";
 const std::vector<std::string> time_columns{"tick_us", "late"};
 
 class Replay : public AppTest {
@@ -28,7 +28,7 @@ TEST_F(Replay, one_row_for_each_row_of_the_path) {
   const Csv csv = replay("boxes.sonde.json");
   EXPECT_EQ(csv.header, header);
   ASSERT_EQ(csv.rows.size(), 40u);
-  for (const auto& row : csv.rows) EXPECT_EQ(row.size(), 29u);
+  for (const auto& row : csv.rows) EXPECT_EQ(row.size(), 30u);
   EXPECT_EQ(csv.number(7, "t"), 0.007);
   EXPECT_EQ(csv.number(7, "px"), 0.163);
   EXPECT_EQ(csv.text(7, "sx"), csv.text(7, "px")) << "free: the separated pose is the device's";
@@ -39,6 +39,7 @@ TEST_F(Replay, one_row_for_each_row_of_the_path) {
   EXPECT_NEAR(csv.number(last, "fx"), 500 * deepest, 0.02) << "k of 500 N/m, outwards";
   EXPECT_EQ(csv.text(last, "saturated"), "0");
   EXPECT_EQ(csv.text(last, "jumped"), "0");
+  EXPECT_EQ(csv.text(last, "converged"), "1");
 }
 
 TEST_F(Replay, the_same_bits_every_time_but_for_the_times) {
