@@ -48,7 +48,7 @@ struct CoherentSolver::State {
   /// lifted off its contacts by as much as the turn can move a point of it, in one motion that is
   /// swept; the descent lets it down again. False where that is blocked: then it has turned as far
   /// as it could.
-  bool follow_turn(const Chart& chart, Vec6& y) noexcept {
+  bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
     const double reach = 2 * chart.v(y).norm() * probe->mass.radius;
@@ -56,7 +56,7 @@ struct CoherentSolver::State {
     for (const double lift : {0, 1, 2, 4}) {
       Vec6 turned = Vec6::Zero();
       turned.tail<3>() = y.tail<3>() * (depth > 0 ? 1 + lift * reach / depth : 1);
-      const Sweep swept = descent.sweep_to(chart, y, turned);
+      const Sweep swept = descent.sweep_to(chart, y, turned, effort);
       if (!swept.hit) return y = turned, true;
       const Vec6 reached = y + 0.9 * swept.free_until * (turned - y);
       if (reached.head<3>().norm() < furthest.head<3>().norm()) furthest = reached;
@@ -84,6 +84,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.started = s.last.status != Status::failed;
   s.device = s.last.device;
   s.separated = s.last.separated;
+  s.descent.forget();
   s.ids.forget();
   s.ids.follow(s.last.separated, s.probe->mass.radius, s.last.clusters);
   return s.last;
@@ -100,17 +101,18 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     s.last.separated = s.separated;
     return s.last;
   }
-  const Deadline deadline{budget.microseconds, budget.microseconds > 0 ? now_us() : 0};
+  const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
+  Effort effort(budget.work, until);
   const Pose device{X_FM.q.normalized(), X_FM.p};
   Chart chart(s.probe->mass, device);
   chart.absorb_free_spin(s.separated);
   Vec6 y = chart.coordinates(s.separated);
-  const bool followed = s.method == Method::pdg || s.follow_turn(chart, y);
+  const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
   const double moved = Chart(s.probe->mass, s.device).coordinates(device).norm();
   const Descent::Outcome found =
-      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), deadline);
+      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), effort);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
   s.keep_spin(chart);

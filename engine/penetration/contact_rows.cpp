@@ -11,6 +11,9 @@ namespace sonde {
 namespace {
 
 constexpr std::size_t most_rows = 128;
+/// A list of so many pairs, up to twice as many, is made for its cost to be spread over many steps.
+constexpr std::size_t good_list = 1000;
+constexpr int work_to_take = 16;  // a pair, in the units of Effort
 
 }  // namespace
 
@@ -25,11 +28,12 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       rows_(most_rows),
       at_(most_rows),
       crowded_(probe.mass.radius),
-      list_limit_(probe.mass.radius) {}
+      list_limit_(probe.mass.radius),
+      list_reach_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
   list_.clear();
-  crowded_ = list_limit_ = probe_.mass.radius;
+  crowded_ = list_limit_ = list_reach_ = probe_.mass.radius;
 }
 
 void ContactRows::accept(const Contact& contact) noexcept {
@@ -64,38 +68,50 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner);
 }
 
-NearPairs ContactRows::find_pairs(const Transform& X, double reach) noexcept {
+NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   const bool short_steps = list_.capacity() > 0 && reach < 0.02 * probe_.mass.radius;
   if (short_steps && list_.reach_at(X) < reach) {
+    const double ample = std::max(1.5 * reach, std::min({32 * reach, list_limit_, list_reach_}));
+    const bool fits = list_.build(X, ample, effort);
     // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
-    const bool fits = list_.build(X, std::max(1.5 * reach, std::min(4 * reach, list_limit_)));
     list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
+    const bool few = list_.size()<good_list, many = list_.size()> 2 * good_list;
+    list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
   }
-  const NearPairs near = list_.reach_at(X) >= reach ? list_.near(X, reach, pairs_)
-                                                    : near_pairs(probe_, fixed_, X, reach, pairs_);
+  const NearPairs near = list_.reach_at(X) >= reach
+                             ? list_.near(X, reach, pairs_, effort)
+                             : near_pairs(probe_, fixed_, X, reach, pairs_, effort);
+  if (near.reach < 0) return near;
   crowded_ = near.reach < reach ? near.reach : std::min(1.5 * crowded_, probe_.mass.radius);
   return near;
 }
 
-void ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
+bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
+                         Effort& effort) noexcept {
   const Transform X(chart.pose(y));
-  const NearPairs near = find_pairs(X, std::min(reach, crowded_));
-  reach_ = near.reach;
+  asked_ = std::min(reach, crowded_);
+  const NearPairs near = find_pairs(X, asked_, effort);
+  count_ = 0;
+  smallest_gap_ = reach_ = std::max(near.reach, 0.0);
+  if (near.reach < 0 || effort.is_spent()) return false;
   turn_ = 2 * reach_ / probe_.mass.radius;
   const std::span<NearPair> pairs(pairs_.data(), near.count);
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
     return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
   });
-  count_ = 0;
-  smallest_gap_ = pairs.empty() ? reach_ : pairs.front().gap;
-  for (const NearPair& p : pairs) take(p, X, flat);
+  if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
+  for (const NearPair& p : pairs) {
+    effort.spend(work_to_take);
+    take(p, X, flat);
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
     at_[i] = rows_[i].normal.dot(y);
   }
+  return true;
 }
 
 double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept {
@@ -105,11 +121,11 @@ double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept
 }
 
 Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
-                              double clearance) noexcept {
+                              double clearance, Effort& effort) noexcept {
   const double path = motion.farthest(probe_.mass.radius);
   const Transform X(chart.pose(y));
-  if (list_.reach_at(X) > path + clearance) return list_.sweep_along(motion, clearance);
-  return sweep(probe_, fixed_, motion, clearance);
+  if (list_.reach_at(X) > path + clearance) return list_.sweep_along(motion, clearance, effort);
+  return sweep(probe_, fixed_, motion, clearance, effort);
 }
 
 ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {

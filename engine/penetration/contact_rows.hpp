@@ -33,8 +33,16 @@ class ContactRows {
 
   /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
   /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one
-  /// point alone.
-  void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept;
+  /// point alone. False, and no rows, where the effort ran out.
+  bool gather(const Chart& chart, const Vec6& y, double reach, double flat,
+              Effort& effort) noexcept;
+  void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
+    Effort unlimited;
+    gather(chart, y, reach, flat, unlimited);
+  }
+
+  /// The last gather was too much work: the next ones have half of its reach, and then more again.
+  void look_less_far() noexcept { crowded_ = 0.5 * asked_; }
 
   /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit
   /// where surfaces are near each other here and there; where they lie along each other over a wide
@@ -43,8 +51,8 @@ class ContactRows {
   double quick_path(const Chart& chart, const Vec6& y) const noexcept;
 
   /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.
-  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
-                   double clearance) noexcept;
+  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y, double clearance,
+                   Effort& effort) noexcept;
 
   /// What becomes of a gap that is smaller than the margin already.
   enum class Narrow { keep, open };
@@ -59,7 +67,7 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
-  NearPairs find_pairs(const Transform& X, double reach) noexcept;
+  NearPairs find_pairs(const Transform& X, double reach, Effort& effort) noexcept;
   void accept(const Contact& contact) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   void take(const NearPair& pair, const Transform& X, double flat) noexcept;
@@ -76,6 +84,8 @@ class ContactRows {
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
   double list_limit_;
+  double list_reach_;  // at which the list has a good size
+  double asked_ = 0;   // reach of the last gather
   double smallest_gap_ = 0;
   double reach_ = 0;
   double turn_ = 0;  // rad, that a step of the size of the reach may make

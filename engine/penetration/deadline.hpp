@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
+#include "engine/proximity/effort.hpp"
 
 namespace sonde {
-
-/// µs of a clock that never goes back.
-inline double now_us() {
-  using namespace std::chrono;
-  return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
-}
 
 /// A clock that long work asks between its steps; none: never out of time.
 struct Deadline {

@@ -12,6 +12,8 @@ namespace {
 
 /// |v| of a pose the chart is left at: beyond, ∂w/∂v blows up.
 constexpr double largest_v = 0.95;
+/// What a step takes besides what is counted where it is done, in the units of Effort.
+constexpr int work_of_step = 500;
 /// Turn of one step, as |Δv|: a linearised turn is of little use beyond.
 constexpr double largest_turn = 0.3;
 
@@ -32,13 +34,25 @@ double allowed_clearance(double radius, double depth) {
 
 Descent::Descent(const Body& probe, const Body& fixed, Method method,
                  const ContactRows::Finding& finding)
-    : rows_(probe, fixed, method, finding), extents_(extent(probe) + extent(fixed)) {}
+    : rows_(probe, fixed, method, finding),
+      extents_(extent(probe) + extent(fixed)),
+      wary_(std::numeric_limits<double>::infinity()) {}
+
+void Descent::forget() noexcept {
+  rows_.forget();
+  wary_ = std::numeric_limits<double>::infinity();
+}
+
+void Descent::Outcome::move_to(const Vec6& to) noexcept {
+  y = to;
+  const double length = y.norm();
+  residual = length > 0 ? (y - held).norm() / length : 0;
+}
 
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
-  out.y = y;
   out.contacts = rows_.holding(nearest);
-  const double length = y.norm();
-  out.residual = length > 0 ? (y - nearest.y).norm() / length : 0;
+  out.held = nearest.y;
+  out.move_to(y);
 }
 
 /// What the steps so far say about the next.
@@ -63,7 +77,7 @@ struct Descent::Pace {
     last = step;
     stalled = moved > worth_while ? 0 : stalled + 1;
     scale = std::max(moved, 0.1 * scale);
-    const bool cut_short = swept.hit && swept.free_until < 0.5;
+    const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
     bending =
         cut_short ? std::min(4 * bending, 1e6 / radius) : std::max(0.5 * bending, 0.1 / radius);
   }
@@ -85,7 +99,8 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step *= turn_limit(chart, y, step);
   step = pace.damped(step);
-  const double quick = std::max(0.9 * rows_.quick_path(chart, y) - margin, 8 * margin);
+  const double quick =
+      std::max(std::min(wary_, 0.9 * rows_.quick_path(chart, y) - margin), 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
   return path > quick ? Vec6(step * (quick / path)) : step;
 }
@@ -95,20 +110,35 @@ double Descent::margin(const Chart& chart, double depth) const noexcept {
   return std::max(0.5 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
 }
 
-Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target) noexcept {
-  return rows_.sweep_from(chart, Motion(chart, y, target), y, 0.5 * margin(chart, y.norm()));
+Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
+                        Effort& effort) noexcept {
+  const Motion motion(chart, y, target);
+  return rows_.sweep_from(chart, motion, y, 0.5 * margin(chart, y.norm()), effort);
 }
 
-void Descent::close_up(const Chart& chart, double margin, Outcome& out) noexcept {
+void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
   const Vec6 y = out.y;
-  const Sweep swept = sweep_to(chart, y, Vec6::Zero());
+  const Sweep swept = sweep_to(chart, y, Vec6::Zero(), effort);
   const Vec6 near = swept.hit ? Vec6((1 - swept.free_until) * y) : Vec6::Zero();
-  rows_.gather(chart, near, 16 * margin, 4 * margin);
+  out.move_to(near);
+  if (!rows_.gather(chart, near, 16 * margin, 4 * margin, effort)) return;
   report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
 }
 
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
                               double expected_step, const Deadline& deadline) noexcept {
+  Effort unlimited;
+  return run(chart, start, goal, expected_step, deadline, unlimited);
+}
+
+Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
+                              double expected_step, Effort& effort) noexcept {
+  return run(chart, start, goal, expected_step, {}, effort);
+}
+
+Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
+                              double expected_step, const Deadline& deadline,
+                              Effort& effort) noexcept {
   const double radius = chart.mass().radius;
   Outcome out;
   Vec6 y = start;
@@ -119,7 +149,12 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const double length = y.norm();
     const double margin = this->margin(chart, length);
     const double widest = std::max(0.03 * radius, 16 * margin);
-    rows_.gather(chart, y, std::clamp(2 * pace.scale, 16 * margin, widest), 4 * margin);
+    out.move_to(y);
+    const double reach = std::clamp(2 * pace.scale, 16 * margin, widest);
+    if (!rows_.gather(chart, y, reach, 4 * margin, effort)) {
+      if (out.iterations == 0) rows_.look_less_far();
+      return out;
+    }
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
     report(out, y, nearest);
     const double size = (nearest.y - y).norm();
@@ -132,13 +167,18 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
     if (late || out.iterations >= goal.steps || pace.stalled >= 4) {
-      if (rows_.smallest_gap() > 2 * margin) close_up(chart, margin, out);
+      if (rows_.smallest_gap() > 2 * margin) close_up(chart, margin, effort, out);
       return out;
     }
     ++out.iterations;
+    effort.spend(work_of_step);
     const Vec6 step = next_step(chart, y, nearest, margin, pace);
     const Vec6 target = y + step;
-    const Sweep swept = sweep_to(chart, y, target);
+    const Sweep swept = sweep_to(chart, y, target, effort);
+    if (!swept.given_up)
+      wary_ *= 2;
+    else if (out.iterations == 1)
+      wary_ = 0.25 * Motion(chart, y, target).farthest(radius);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
     pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
   }

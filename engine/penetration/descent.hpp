@@ -30,18 +30,29 @@ class Descent {
   struct Outcome {
     Vec6 y = Vec6::Zero();
     ContactSet contacts;
+    Vec6 held = Vec6::Zero();  ///< Jᵀλ of the contacts
     double residual = 0;
     int iterations = 0;
     bool converged = false;
+
+    void move_to(const Vec6& to) noexcept;
   };
 
+  /// What comes next has nothing to do with what was run before.
+  void forget() noexcept;
+
   /// From the free pose at y (in the chart of the device pose). `expected_step`: how far, in y, the
-  /// answer is thought to lie (0: unknown).
+  /// answer is thought to lie (0: unknown). The deadline is looked at between steps, of which one
+  /// is always taken.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline) noexcept;
+  /// The effort may end anywhere, also within the first step. The path is free up to where the run
+  /// stopped; it may be away from any contact, and the contacts are those last found on the way.
+  Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
+              Effort& effort) noexcept;
 
   /// Sweeps the probe from y straight to another point, with half of the gap that a run leaves.
-  Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target) noexcept;
+  Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target, Effort& effort) noexcept;
 
  private:
   struct Pace;
@@ -53,11 +64,14 @@ class Descent {
                  Pace& pace) noexcept;
   /// Stopped on the way, away from any contact: straight on towards the device pose to the first
   /// one, so that what is returned touches.
-  void close_up(const Chart& chart, double margin, Outcome& out) noexcept;
+  void close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;
+  Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
+              const Deadline& deadline, Effort& effort) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
   double extents_;  // of both bodies, m
+  double wary_;     // m: no path is longer, since a sweep of such took all of the effort
 };
 
 }  // namespace sonde

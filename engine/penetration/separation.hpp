@@ -85,10 +85,12 @@ struct Separation {
 };
 
 /// Work allowed to one query: 0 means no limit of that kind. `steps` counts iterations of the local
-/// optimiser (the same bits on every machine); `microseconds` is wall-clock.
+/// optimiser and `work` the units of Effort that a tick may spend (the same bits on every machine);
+/// `microseconds` is wall-clock.
 struct Budget {
   int steps = 0;
   double microseconds = 0;
+  std::int64_t work = 0;  ///< coherent only
 };
 
 }  // namespace sonde

@@ -22,6 +22,12 @@ std::size_t keep_nearer_half(std::span<NearPair> out, double& reach) {
 
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                      std::span<NearPair> out) {
+  Effort unlimited;
+  return near_pairs(a, b, X_BA, reach, out, unlimited);
+}
+
+NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
+                     std::span<NearPair> out, Effort& effort) {
   const Placement at(a, b, X_BA);
   TriangleBatch batch(a, b, at.X);
   PairStack<SlotPair> stack;
@@ -29,6 +35,7 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
   std::size_t found = 0;
   bool crowded = false;
   const auto look = [&] {
+    effort.spend(TriangleBatch::work * batch.size());
     batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
       if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
       if (found == out.size()) found = keep_nearer_half(out, reach), crowded = true;
@@ -46,6 +53,7 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
       continue;
     }
     at.open_near(p, limit, children);
+    if (!effort.spend(work_to_open(children.count))) return {0, -1};
     // Where not all fit, the nearest first: what is further away need not be looked at.
     if (crowded)
       std::sort(children.begin(), children.end(),

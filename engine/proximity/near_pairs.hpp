@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/geometry/body.hpp"
+#include "engine/proximity/effort.hpp"
 
 namespace sonde {
 
@@ -21,13 +22,15 @@ struct NearPair {
 
 struct NearPairs {
   std::size_t count = 0;  ///< pairs written
-  double reach = 0;       ///< every pair nearer than this was written
+  double reach = 0;       ///< every pair nearer than this was written; negative: no statement
 };
 
 /// All pairs at a distance of at most `reach`, in the order of the walk, written to `out`; where
 /// they do not fit, the farther ones are dropped and the reach returned is the smaller one that
 /// holds. Pairs that meet are left out: they have no normal. `out` must hold at least two. Never
-/// allocates.
+/// allocates. Where the effort runs out nothing is found and nothing stated.
+NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
+                     std::span<NearPair> out, Effort& effort);
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                      std::span<NearPair> out);
 

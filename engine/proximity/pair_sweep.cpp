@@ -82,7 +82,7 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
     const Step step = step_along(normal, now, ta, tb, acceleration, stop + guard_);
     // Stopped, or closing in on the stop in ever smaller steps: here is where the freedom ends.
     if (slack <= 0 || tries == 50 || (step.closing && slack < 0.05 * stop)) {
-      result_ = {s, true, i, j};
+      result_ = {.free_until = s, .hit = true, .triangle_a = i, .triangle_b = j};
       return;
     }
     s += step.length;

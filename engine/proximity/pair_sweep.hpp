@@ -33,6 +33,11 @@ class PairSweep {
   /// it does not have it then. Units of s.
   double free_along(std::uint32_t i, std::uint32_t j, const Vec3& normal, const Moment& now) const;
 
+  /// The path is followed no further: all that was not looked at is free up to `known`.
+  void give_up(double known) {
+    if (known < result_.free_until) result_ = {.free_until = known, .hit = true, .given_up = true};
+  }
+
   const Sweep& result() const { return result_; }
   double free_until() const { return result_.free_until; }
   const Moment& start() const { return start_; }

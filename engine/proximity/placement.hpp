@@ -72,6 +72,9 @@ inline SlotPair down_b(const SlotPair& p, const Tree& b, std::uint32_t node, std
   return {p.a, node * Tree::width + lane, bound, p.size_a, b.nodes[node].half_sum(lane)};
 }
 
+/// Work to open a pair of boxes out of which so many come, in the units of Effort.
+constexpr int work_to_open(int found) { return 12 + 4 * found; }
+
 /// Both slots hold triangles.
 inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
   return (a.child(p.a) & b.child(p.b) & Tree::triangle_bit) != 0;

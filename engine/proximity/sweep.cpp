@@ -17,8 +17,13 @@ void copy(const Vec3& x, float (&out)[3]) {
 
 class Sweeper {
  public:
-  Sweeper(const Body& a, const Body& b, const Motion& motion, double clearance)
-      : a_(a), b_(b), motion_(motion), pairs_(a, b, motion, clearance), kernels_(sweep_kernels()) {
+  Sweeper(const Body& a, const Body& b, const Motion& motion, double clearance, Effort& effort)
+      : a_(a),
+        b_(b),
+        motion_(motion),
+        pairs_(a, b, motion, clearance),
+        kernels_(sweep_kernels()),
+        effort_(effort) {
     const Vec3 shift = pairs_.start().X * a.tree.origin - b.tree.origin;
     const double arm = (a.tree.origin - motion.com()).norm();
     const double size_a = (a.tree.high - a.tree.low).maxCoeff();
@@ -45,6 +50,7 @@ class Sweeper {
     dive();
     stack_.push(roots(a_.tree, b_.tree));
     while (pairs_.free_until() > 0) {
+      if (effort_.is_spent()) return give_up();
       if (!stack_.empty())
         visit(stack_.pop());
       else if (waiting_ > 0)
@@ -91,6 +97,16 @@ class Sweeper {
     if (waiting_ > 0) advance_waiting();
   }
 
+  /// As far as all pairs that are still to be looked at are known to be free.
+  Sweep give_up() {
+    double known = 1;
+    while (!stack_.empty()) known = std::min(known, static_cast<double>(stack_.pop().bound));
+    for (int k = 0; k < waiting_; ++k)
+      known = std::min(known, queue_[static_cast<std::size_t>(k)].from);
+    pairs_.give_up(known);
+    return pairs_.result();
+  }
+
   // Of an entry, `bound` is how far along the path the pair is known to be free.
   void visit(const SlotPair& p) {
     const double from = static_cast<double>(p.bound);
@@ -101,6 +117,7 @@ class Sweeper {
     }
     SlotPairs found;
     open(p, found);
+    effort_.spend(2 * work_to_open(found.count));
     // The pair that may stop it first is looked at first: what it says rules out others.
     std::sort(found.begin(), found.end(),
               [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
@@ -201,6 +218,7 @@ class Sweeper {
       }
       if (from < pairs_.free_until()) pairs_.advance(w.i, w.j, from, n);
     }
+    effort_.spend(work_to_advance * waiting_);
     waiting_ = 0;
   }
 
@@ -240,13 +258,15 @@ class Sweeper {
     return bounds;
   }
 
-  static constexpr std::size_t abreast = 8;  // measured: of 1 to 16
-  static constexpr int moments = 4096;       // a power of two: number / moments is exact
+  static constexpr std::size_t abreast = 8;   // measured: of 1 to 16
+  static constexpr int moments = 4096;        // a power of two: number / moments is exact
+  static constexpr int work_to_advance = 10;  // of a pair of triangles, in the units of Effort
   const Body& a_;
   const Body& b_;
   const Motion& motion_;
   PairSweep pairs_;
   const SweepKernels& kernels_;
+  Effort& effort_;
   double per_unit_;
   float scale_;
   PathBounds bounds_{};
@@ -260,8 +280,14 @@ class Sweeper {
 
 }  // namespace
 
+Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance,
+            Effort& effort) {
+  return Sweeper(probe, fixed, motion, clearance, effort).run();
+}
+
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance) {
-  return Sweeper(probe, fixed, motion, clearance).run();
+  Effort unlimited;
+  return sweep(probe, fixed, motion, clearance, unlimited);
 }
 
 }  // namespace sonde

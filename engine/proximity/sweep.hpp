@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/geometry/body.hpp"
+#include "engine/proximity/effort.hpp"
 #include "engine/proximity/motion.hpp"
 
 namespace sonde {
@@ -13,6 +14,7 @@ struct Sweep {
   /// least the clearance asked for (or half of what it had at the start, if that was less).
   double free_until = 0;
   bool hit = false;              ///< false: free to the end of the path
+  bool given_up = false;         ///< a hit that is none: the effort ran out, more may be free
   std::uint32_t triangle_a = 0;  ///< the pair that stopped it
   std::uint32_t triangle_b = 0;
 };
@@ -23,6 +25,8 @@ struct Sweep {
 /// advancement with directional motion bounds; after Mirtich 1996 and Tang, Kim and Manocha, C2A,
 /// 2009). The start must be free: a start without a gap above the rounding error gives free_until =
 /// 0. Never allocates.
+Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance,
+            Effort& effort);
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance);
 
 }  // namespace sonde

@@ -13,6 +13,8 @@ namespace sonde {
 /// Pairs of triangles of two bodies, eight of which are compared at a time.
 class TriangleBatch {
  public:
+  static constexpr int work = 5;  ///< to compare a pair, in the units of Effort
+
   TriangleBatch(const Body& a, const Body& b, const Transform& X_BA) : a_(a), b_(b), X_(X_BA) {}
 
   struct Pair {
@@ -22,6 +24,7 @@ class TriangleBatch {
 
   bool full() const { return count_ == static_cast<int>(pairs_.size()); }
   bool empty() const { return count_ == 0; }
+  int size() const { return count_; }
 
   /// Not while it is full.
   void add(std::uint32_t i, std::uint32_t j) {

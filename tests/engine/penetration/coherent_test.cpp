@@ -137,6 +137,46 @@ TEST(Coherent, rules_hold_when_the_budget_runs_out) {
   }
 }
 
+// The effort may end within any step; whatever has been reached by then is handed out.
+TEST(Coherent, rules_hold_wherever_the_work_runs_out) {
+  std::mt19937_64 random(9);
+  for (const auto& pair : pairs())
+    for (const std::int64_t work : {1, 1000, 3000, 10000}) {
+      Rules rules;
+      Budget budget;
+      budget.work = work;
+      follow(pair, walk(random, pair, 120, 0.1), budget, 12, rules);
+      EXPECT_GT(rules.contacts, 10) << pair.name;
+      EXPECT_LT(rules.converged, rules.contacts) << pair.name << work;  // or it was no limit
+    }
+}
+
+// Reference: the residual. What one tick has no time for, the next ones do.
+TEST(Coherent, a_descent_cut_short_goes_on_in_the_next_ticks) {
+  std::mt19937_64 random(10);
+  for (const auto& pair : pairs()) {
+    CoherentSolver solver(pair.a, pair.b), twin(pair.a, pair.b);
+    const auto path = walk(random, pair, 60, 0.1);
+    solver.reset(path[0]), twin.reset(path[0]);
+    Budget budget;
+    budget.work = 6000;
+    for (const Pose& X : path) {
+      const Separation once = solver.tick(X, budget);
+      ASSERT_EQ(once.separated.p, twin.tick(X, budget).separated.p)
+          << "the same work, the same bits";
+    }
+    ASSERT_EQ(solver.last().status, Status::penetrating) << pair.name;
+    int ticks = 0;
+    for (double depth = solver.last().depth; !solver.last().converged && ticks < 2000; ++ticks) {
+      const Separation& s = solver.tick(path.back(), budget);
+      EXPECT_LE(s.depth, depth * (1 + 1e-12)) << pair.name;
+      depth = s.depth;
+    }
+    std::printf("  %s: at rest after %d ticks\n", pair.name.c_str(), ticks);
+    EXPECT_TRUE(solver.last().converged) << pair.name;
+  }
+}
+
 TEST(Coherent, Full_rules_of_every_tick) {
   for (int seed = 100; seed < 140; ++seed) {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));

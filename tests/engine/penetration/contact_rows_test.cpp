@@ -144,7 +144,8 @@ TEST(ContactRows, sweeps_are_conservative) {
         const Vec6 to = g.y + length * g.reach * way.normalized();
         if (g.chart.v(to).norm() > 0.95) continue;
         const Motion motion(g.chart, g.y, to);
-        const Sweep s = rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach);
+        Effort unlimited;
+        const Sweep s = rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach, unlimited);
         for (const double at : {0.3, 0.7, 0.95, 0.9999, 1.0})
           EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(at * s.free_until)))
               << pair.name;
@@ -188,7 +189,8 @@ TEST(ContactRows, do_not_allocate) {
     test::AllocationCounter counter;
     rows.gather(g.chart, g.y, g.reach, 0.1 * g.reach);
     rows.solve(0.01 * g.reach, ContactRows::Narrow::keep);
-    rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach);
+    Effort unlimited;
+    rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach, unlimited);
     counter.stop();
     EXPECT_EQ(counter.allocations(), 0u) << pair.name;
   }

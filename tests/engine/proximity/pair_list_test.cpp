@@ -38,6 +38,7 @@ double rounding_at(const test::BodyPair& pair, const Pose& X) {
 // Reference: near_pairs, itself tested against all pairs. The list is asked again and again while
 // the probe walks off, so that its memory of bounds and normals is used.
 TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
+  Effort unlimited;
   std::mt19937_64 random(1);
   std::vector<NearPair> from_list(1 << 15), from_trees(1 << 15);
   for (const auto& pair : test::body_pairs(51)) {
@@ -47,7 +48,7 @@ TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
     for (int i = 0; i < 12; ++i) {
       Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
       const double reach = test::uniform(random, 0.05, 0.3) * pair.a->mass.radius;
-      ASSERT_TRUE(list.build(Transform(X), reach)) << pair.name;
+      ASSERT_TRUE(list.build(Transform(X), reach, unlimited)) << pair.name;
       EXPECT_LE(list.reach_at(Transform(X)), reach);
       EXPECT_NEAR(list.reach_at(Transform(X)), reach, 10 * rounding_at(pair, X));
       for (int step = 0; step < 20; ++step) {
@@ -55,7 +56,7 @@ TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
         const double left = list.reach_at(Transform(X));
         if (left <= 0) break;
         const double asked = test::uniform(random, 0, 1) * left;
-        const auto near = list.near(Transform(X), asked, from_list);
+        const auto near = list.near(Transform(X), asked, from_list, unlimited);
         const auto expected = near_pairs(*pair.a, *pair.b, Transform(X), asked, from_trees);
         EXPECT_EQ(near.reach, asked);
         const auto got = gaps({from_list.data(), near.count}),
@@ -83,6 +84,7 @@ TEST(PairList, near_agrees_with_near_pairs_while_within_reach) {
 // Reference: distances of all pairs. Whatever is nearer than reach_at is in the list, which `near`
 // with that reach shows.
 TEST(PairList, its_reach_after_a_move_is_a_true_bound) {
+  Effort unlimited;
   std::mt19937_64 random(2);
   std::vector<NearPair> out(1 << 15);
   for (const auto& pair : test::body_pairs(52)) {
@@ -91,13 +93,13 @@ TEST(PairList, its_reach_after_a_move_is_a_true_bound) {
     for (int i = 0; i < 40; ++i) {
       const Pose start = test::random_pose(random, *pair.a, *pair.b, 1.2);
       const double reach = 0.3 * pair.a->mass.radius;
-      ASSERT_TRUE(list.build(Transform(start), reach));
+      ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
       const Transform X(nudged(random, *pair.a, start, test::uniform(random, 0, 0.7) * reach));
       const double left = list.reach_at(X);
       EXPECT_LE(left, reach);
       if (left <= 0) continue;
       ++used;
-      const auto got = gaps({out.data(), list.near(X, left, out).count});
+      const auto got = gaps({out.data(), list.near(X, left, out, unlimited).count});
       const auto ta = test::placed_triangles(*pair.a, X), tb = test::placed_triangles(*pair.b, {});
       for (std::uint32_t a = 0; a < ta.size(); ++a)
         for (std::uint32_t b = 0; b < tb.size(); ++b) {
@@ -116,6 +118,7 @@ TEST(PairList, its_reach_after_a_move_is_a_true_bound) {
 // same place but for what boxes leave over, which is less than the clearance. Freedom itself is
 // tested with exact predicates on all pairs.
 TEST(PairList, sweep_along_agrees_with_sweep) {
+  Effort unlimited;
   std::mt19937_64 random(3);
   for (const auto& pair : test::body_pairs(53)) {
     PairList list(*pair.a, *pair.b);
@@ -124,7 +127,7 @@ TEST(PairList, sweep_along_agrees_with_sweep) {
       const Pose start = test::random_pose(random, *pair.a, *pair.b, 0.9);
       const double reach = 0.4 * pair.a->mass.radius;
       if (test::any_pair_meets(*pair.a, *pair.b, Transform(start))) continue;
-      ASSERT_TRUE(list.build(Transform(start), reach));
+      ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
       const Chart chart(pair.a->mass, start);
       for (int again = 0; again < 6; ++again) {
         const Vec6 to = chart.coordinates(nudged(random, *pair.a, start, 0.4 * reach));
@@ -133,7 +136,7 @@ TEST(PairList, sweep_along_agrees_with_sweep) {
         const double path = motion.linear_distance() + motion.turn_bound() * pair.a->mass.radius;
         if (path + clearance > list.reach_at(Transform(start))) continue;
         const Sweep expected = sweep(*pair.a, *pair.b, motion, clearance);
-        const Sweep got = list.sweep_along(motion, clearance);
+        const Sweep got = list.sweep_along(motion, clearance, unlimited);
         const double allowed = (2 * clearance + 100 * rounding_at(pair, start)) / path;
         EXPECT_EQ(got.hit, expected.hit) << pair.name;
         // Where the probe slides along, a little more room is a longer way.
@@ -150,18 +153,20 @@ TEST(PairList, sweep_along_agrees_with_sweep) {
 }
 
 TEST(PairList, says_so_when_there_are_too_many_and_before_it_is_built) {
+  Effort unlimited;
   const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 100, 8));
   PairList list(*knot, *knot);
   EXPECT_LT(list.reach_at(Transform()), 0);
-  EXPECT_FALSE(list.build(Transform(), 1));
+  EXPECT_FALSE(list.build(Transform(), 1, unlimited));
   EXPECT_LT(list.reach_at(Transform()), 0);
   Transform away;
   away.p = Vec3(1, 0, 0);
-  EXPECT_TRUE(list.build(away, 0.1));
+  EXPECT_TRUE(list.build(away, 0.1, unlimited));
   EXPECT_NEAR(list.reach_at(away), 0.1, 1e-11);
 }
 
 TEST(PairList, does_not_allocate) {
+  Effort unlimited;
   std::mt19937_64 random(4);
   const auto pairs = test::body_pairs(54);
   std::vector<NearPair> out(50);
@@ -172,12 +177,56 @@ TEST(PairList, does_not_allocate) {
     Vec6 to = Vec6::Zero();
     to[4] = 0.1 * pair.a->mass.radius;
     test::AllocationCounter counter;
-    list.build(Transform(X), 0.3 * pair.a->mass.radius);
-    list.near(Transform(X), 0.2 * pair.a->mass.radius, out);
-    list.sweep_along(Motion(chart, Vec6::Zero(), to), 1e-4 * pair.a->mass.radius);
+    list.build(Transform(X), 0.3 * pair.a->mass.radius, unlimited);
+    list.near(Transform(X), 0.2 * pair.a->mass.radius, out, unlimited);
+    list.sweep_along(Motion(chart, Vec6::Zero(), to), 1e-4 * pair.a->mass.radius, unlimited);
     counter.stop();
     EXPECT_EQ(counter.allocations(), 0u) << pair.name;
   }
+}
+
+// Reference: the same calls with all the effort they want, themselves tested above, and exact
+// predicates for what a sweep calls free. The way that is known to be free grows with the effort,
+// and is never longer than the whole answer.
+TEST(PairList, gives_up_with_what_is_known_when_the_effort_runs_out) {
+  std::mt19937_64 random(9);
+  std::vector<NearPair> out(1 << 15);
+  int part_ways = 0, given_up = 0;
+  for (const auto& pair : test::body_pairs(54))
+    for (int i = 0; i < 20; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 0.9);
+      const double reach = 0.4 * pair.a->mass.radius, clearance = 1e-4 * reach;
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(start))) continue;
+      const Chart chart(pair.a->mass, start);
+      const Vec6 to = chart.coordinates(nudged(random, *pair.a, start, 0.3 * reach));
+      const Motion motion(chart, Vec6::Zero(), to);
+      Effort unlimited;
+      PairList whole(*pair.a, *pair.b);
+      ASSERT_TRUE(whole.build(Transform(start), reach, unlimited));
+      const std::size_t all = whole.near(Transform(start), 0.5 * reach, out, unlimited).count;
+      const Sweep swept = whole.sweep_along(motion, clearance, unlimited);
+      for (const std::int64_t work : {1, 30, 100, 300, 1000, 3000, 100000}) {
+        Effort to_build(work, 0), to_look(work, 0), to_sweep(work, 0);
+        PairList list(*pair.a, *pair.b);
+        if (!list.build(Transform(start), reach, to_build)) {
+          EXPECT_TRUE(to_build.is_spent());
+          EXPECT_LT(list.reach_at(Transform(start)), 0);
+          ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
+        }
+        const NearPairs near = list.near(Transform(start), 0.5 * reach, out, to_look);
+        EXPECT_EQ(near.reach < 0, to_look.is_spent());
+        EXPECT_EQ(near.count, near.reach < 0 ? 0 : all) << pair.name;
+        const Sweep part = list.sweep_along(motion, clearance, to_sweep);
+        EXPECT_LE(part.free_until, swept.free_until + 0.01) << pair.name;
+        EXPECT_TRUE(to_sweep.is_spent() || !part.given_up);
+        EXPECT_TRUE(part.hit || !part.given_up);
+        EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(part.free_until)));
+        given_up += part.given_up;
+        part_ways += part.given_up && part.free_until > 0;
+      }
+    }
+  EXPECT_GT(given_up, 50);
+  EXPECT_GT(part_ways, 10);
 }
 
 }  // namespace

@@ -217,5 +217,36 @@ TEST(Sweep, does_not_allocate) {
   EXPECT_GT(hits, 5);
 }
 
+// Reference: the sweep with all the effort it wants, and exact predicates on all pairs of
+// triangles.
+TEST(Sweep, gives_up_with_what_is_known_when_the_effort_runs_out) {
+  std::mt19937_64 random(19);
+  int given_up = 0, finished = 0;
+  for (const auto& pair : test::body_pairs(55))
+    for (int i = 0; i < 20; ++i) {
+      const Case c = random_case(random, pair);
+      const Motion motion = c.motion();
+      const Sweep whole = sweep(*pair.a, *pair.b, motion, c.clearance);
+      double before = 0;
+      for (const std::int64_t work : {1, 30, 100, 300, 1000, 10000000}) {
+        Effort effort(work, 0);
+        const Sweep part = sweep(*pair.a, *pair.b, motion, c.clearance, effort);
+        EXPECT_GE(part.free_until, before) << pair.name;
+        EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(part.free_until)));
+        EXPECT_LE(part.free_until, whole.free_until) << pair.name;
+        if (part.given_up) {
+          EXPECT_TRUE(part.hit && effort.is_spent());
+        } else {
+          EXPECT_EQ(part.free_until, whole.free_until) << pair.name;
+          EXPECT_EQ(part.hit, whole.hit);
+        }
+        before = part.free_until;
+        ++(part.given_up ? given_up : finished);
+      }
+    }
+  EXPECT_GT(given_up, 100);
+  EXPECT_GT(finished, 100);
+}
+
 }  // namespace
 }  // namespace sonde

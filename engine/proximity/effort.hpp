@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+
+namespace sonde {
+
+/// µs of a clock that never goes back.
+inline double now_us() {
+  using namespace std::chrono;
+  return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// What a query may still spend. Work is counted by the query itself, in units of about 10 ns, so
+/// that a limit on it leaves the same bits on every machine; a clock is looked at now and then.
+/// Long queries ask after each small piece of work, and give up with what they know by then.
+class Effort {
+ public:
+  Effort() = default;  ///< as much as it takes
+  /// `work`: units at most (0: no limit). `until`: of now_us() (0: none).
+  Effort(std::int64_t work, double until)
+      : left_(work > 0 ? work : std::numeric_limits<std::int64_t>::max()), until_(until) {}
+
+  /// False when nothing is left.
+  bool spend(int work) noexcept {
+    left_ -= work;
+    if (until_ > 0 && left_ > 0 && (unwatched_ += work) > between_looks) {
+      unwatched_ = 0;
+      if (now_us() > until_) left_ = 0;
+    }
+    return left_ > 0;
+  }
+  bool is_spent() const noexcept { return left_ <= 0; }
+
+ private:
+  static constexpr int between_looks = 300;
+  std::int64_t left_ = std::numeric_limits<std::int64_t>::max();
+  double until_ = 0;
+  int unwatched_ = between_looks;
+};
+
+}  // namespace sonde
