@@ -179,8 +179,7 @@ Press press_of(const TuningSituation& situation) {
 
 void set_base_gains(TuningSetup& setup) {
   const double half = setup.situation.theory / 2;
-  const double stiffness =
-      std::isfinite(half) ? std::clamp(half, setup.low, setup.high) : setup.low;
+  const double stiffness = std::isfinite(half) && half > 0 ? half : Coupling{}.k;
   Coupling& c = setup.loop.coupling;
   c.k = c.k_t = stiffness;
   c.k_r = stiffness * setup.rotation_per_translation;

@@ -152,7 +152,8 @@ HoldReport hold_again(const TuningRequest& request, const TuningSituation& situa
   return press_and_hold(loop, press);
 }
 
-/// Every situation and hand for `seconds`, at the recommended gains and at 1.3 × its own boundary.
+/// Every situation and hand: for `seconds` at the recommended gains, and as in a sweep at 1.3 × its
+/// own boundary (there friction may end in many seconds what does not die down in a fraction).
 void expect_recommendation_holds(const TuningRequest& request, double seconds) {
   const TuningResults results = tuned(request);
   const AxisGains gains = *recommend(results, GainAxis::object);
@@ -162,13 +163,14 @@ void expect_recommendation_holds(const TuningRequest& request, double seconds) {
     SCOPED_TRACE(line.kind + " " + line.hand);
     const double boundary = line.columns.front().stable.stiffness;
     EXPECT_TRUE(hold_again(request, at, line, gains.stiffness, seconds).stable);
-    EXPECT_FALSE(hold_again(request, at, line, 1.3 * boundary, seconds).stable);
+    EXPECT_FALSE(hold_again(request, at, line, 1.3 * boundary, 0.6).stable);
   }
 }
 
 TEST(Tuning, TheRecommendedGainsHoldAndBeyondTheBoundaryTheyDoNot) {
   TuningRequest request = boxes();
   request.device.mass.assumed = false;
+  request.ratio = 1.02;
   expect_recommendation_holds(request, 5);
 }
 TEST(Tuning, Full_the_recommended_gains_hold_for_a_minute_in_every_situation) {
