@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/gain_sweep.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,6 +78,7 @@ class Columns {
     double damping, good;
     Json json;
   };
+  static constexpr double jolt_share = 0.25;  ///< of the largest torque
   static constexpr std::array shares{0.0, 0.125, 0.25, 0.5, 1.0};
 
   double damping_of_theory() const {
@@ -115,11 +117,21 @@ class Columns {
       ClosedLoopSetup loop = setup_.loop;
       set_gains(loop.coupling, axis_, stiffness, damping);
       ClosedLoop closed(loop);
-      return press_and_hold(closed, press_of(setup_.situation));
+      return press_and_hold(closed, press());
     };
     const StiffnessSweep sweep = sweep_stiffness(run, options, stop_);
     columns_.push_back({damping, sweep.good.stiffness,
                         json_of(damping, theory, largest_passive_factor(contact), sweep)});
+  }
+
+  /// Where rotations are swept, the knock turns the probe too, about the axis that resists most.
+  Press press() const {
+    Press out = press_of(setup_.situation);
+    if (axis_ != GainAxis::rotation) return out;
+    const Mat3 felt = setup_.situation.contact.stiffness.classic.bottomRightCorner<3, 3>();
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver((felt + felt.transpose()) / 2);
+    out.jolt.torque = jolt_share * setup_.loop.device.rotation.limit * solver.eigenvectors().col(2);
+    return out;
   }
 
   static Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }

@@ -25,13 +25,16 @@ struct Timetable {
     second = first + ticks(p.window_time);
     end = second + ticks(p.window_time);
   }
-  double push(std::int64_t tick, double knock) const {
-    const bool knocking = tick >= knock_begin && tick < knock_end;
-    return std::min(1.0, double(tick) / double(rise)) + (knocking ? knock : 0);
-  }
+  bool knocking(std::int64_t tick) const { return tick >= knock_begin && tick < knock_end; }
+  double push(std::int64_t tick) const { return std::min(1.0, double(tick) / double(rise)); }
 };
 
-Wrench scaled(const Wrench& w, double by) { return {by * w.force, by * w.torque}; }
+Wrench push_at(std::int64_t tick, const Press& press, const Timetable& times) {
+  const bool knocking = times.knocking(tick);
+  const double by = times.push(tick) + (knocking ? press.knock : 0);
+  const Wrench jolt = knocking ? press.jolt : Wrench{};
+  return {by * press.push.force + jolt.force, by * press.push.torque + jolt.torque};
+}
 
 /// Root mean square of a difference over that of what it is measured against.
 struct Error {
@@ -121,7 +124,7 @@ HoldReport press_and_hold(ClosedLoop& loop, const Press& press) {
   loop.reset(press.X_FM);
   for (std::int64_t tick = 0; tick < times.end; ++tick) {
     const HandleState before = loop.device().state();
-    loop.step(press.X_FM, scaled(press.push, times.push(tick, press.knock)));
+    loop.step(press.X_FM, push_at(tick, press, times));
     observer.look(tick, before);
   }
   return observer.report(press);

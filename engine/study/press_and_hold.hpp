@@ -16,6 +16,7 @@ struct Press {
   double settle_time = 0.1;   ///< s, after the rise and again after the knock
   double knock_time = 0.02;   ///< s, during which the hand pushes harder
   double knock = 1;           ///< by so many times the push
+  Wrench jolt = {};           ///< and by this: what the push alone would not set swinging
   double window_time = 0.3;   ///< s, of each of the two windows
   double decay = 0.95;        ///< the swing must fall to this share from window to window
   double quiet_speed = 1e-3;  ///< m/s: what moves with less energy than the handle's mass at this

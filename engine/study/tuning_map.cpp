@@ -160,7 +160,11 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
     MapClass worst = MapClass::passive;
     for (const TuningColumn* column : columns)
       worst = std::min(worst, class_at(*column, values[i]));
-    panel.cells.push_back({sides[i], sides[i + 1], from, to, static_cast<std::size_t>(worst)});
+    const auto kind = static_cast<std::size_t>(worst);
+    if (i > 0 && panel.cells.back().kind == kind)
+      panel.cells.back().x_to = sides[i + 1];
+    else
+      panel.cells.push_back({sides[i], sides[i + 1], from, to, kind});
   }
 }
 
