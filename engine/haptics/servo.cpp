@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/haptics/gain_glide.hpp"
 #include "engine/haptics/geometry_thread.hpp"
 #include "engine/haptics/ring.hpp"
 #include "engine/haptics/schedule.hpp"
@@ -52,6 +53,7 @@ struct Servo::State {
   GeometryThread geometry;
   ServoSettings settings;
   Coupling coupling;  ///< the newest asked for, as the calling thread knows it
+  GainGlide glide;    ///< to it, on the servo thread
   bool seen = false;  ///< the reader's side of `snapshots` holds a tick of this run
   Hand hand;
 
@@ -70,7 +72,8 @@ struct Servo::State {
       : loop(probe->mass, method, c, hand_settings(s)),
         geometry(probe, std::move(fixed), method, s.budget, s.real_time),
         settings(s),
-        coupling(c) {}
+        coupling(c),
+        glide(c) {}
 
   // On the servo thread.
   class Run;
@@ -138,12 +141,13 @@ class Servo::State::Run {
   }
 
   void tick(std::int64_t begin) noexcept {
-    if (s_.couplings.update()) s_.loop.set_coupling(s_.couplings.front());
     const std::int64_t since = last_begin_ == 0 ? 0 : begin - last_begin_;
     last_begin_ = begin;
     const HandLoop::Clock clock{.tick = snapshot_.tick + 1,
                                 .now = static_cast<double>(begin - start_) * 1e-9,
                                 .dt = static_cast<double>(since) * 1e-9};
+    if (s_.couplings.update()) s_.glide.set(s_.couplings.front());
+    s_.loop.set_coupling(s_.glide.next(clock.dt));
     const HandSample hand = sample(begin);
     const LocalContacts& contacts = s_.geometry.newest();
     const Withheld why =
@@ -224,7 +228,7 @@ void Servo::start(const Pose& X_FM, Hand hand) {
   stop();
   State& s = *state_;
   s.hand = std::move(hand);
-  s.loop.set_coupling(s.coupling);
+  s.glide.restart(s.coupling);
   s.loop.restart(X_FM);
   s.geometry.start(X_FM);
   s.poses.fill(X_FM);

@@ -71,7 +71,7 @@ class Servo {
   /// The newest device pose wins; lock-free. Where the servo was started with a hand, it is that of
   /// no hand.
   void set_device_pose(const Pose& X_FM);
-  /// Acts on the next tick.
+  /// Acts from the next tick on, over a tenth of a second; see GainGlide.
   void set_coupling(const Coupling& coupling);
   /// A paused loop keeps its threads and its last snapshot, and computes nothing.
   void set_paused(bool paused);
