@@ -15,6 +15,20 @@ constexpr int steps = 1000;
 
 }  // namespace
 
+QString reason_of(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const Cancelled&) {
+    return {};
+  } catch (const InputError& bad) {
+    return QString::fromStdString(bad.what());
+  } catch (const std::bad_alloc&) {
+    return QStringLiteral("There is not enough memory for these meshes.");
+  } catch (const std::exception& fault) {
+    return QStringLiteral("An error of the program: ") + QString::fromUtf8(fault.what());
+  }
+}
+
 struct Job::Task {
   std::atomic<double> fraction = 0;
   std::atomic<bool> cancelled = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QTimer>
 #include <exception>
 #include <functional>
@@ -15,6 +16,9 @@ class QWidget;
 
 namespace sonde::ui {
 
+/// What to tell the user of an error; empty of Cancelled.
+QString reason_of(const std::exception_ptr& error);
+
 /// Long work in a thread of its own, with a progress dialog that can cancel it once it takes longer
 /// than a moment. One piece of work at a time: starting another abandons the first, whose end is
 /// then not heard of.
@@ -28,12 +32,13 @@ class Job : public QObject {
   void start(const QString& what, std::function<void(const Progress&)> work,
              std::function<void(std::exception_ptr)> done);
   bool running() const { return current_ != nullptr; }
+  /// Nothing more is heard of the work.
+  void abandon();
 
  private:
   struct Task;
   void poll();
   void finish(std::exception_ptr error);
-  void abandon();
 
   QWidget* window_;
   QTimer timer_;

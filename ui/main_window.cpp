@@ -30,7 +30,9 @@
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
+#include "ui/panels/stiffness_panel.hpp"
 #include "ui/resources.hpp"
+#include "ui/stiffness_control.hpp"
 #include "ui/viewport.hpp"
 
 namespace sonde::ui {
@@ -74,6 +76,8 @@ MainWindow::MainWindow(QWidget* parent)
       readout_(new ReadoutPanel(this)),
       devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
       device_panel_(new DevicePanel(this)),
+      stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_, *undo_, prompts_,
+                                      *this)),
       what_happens_(new QLabel(this)),
       device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
@@ -86,6 +90,8 @@ MainWindow::MainWindow(QWidget* parent)
   tabifyDockWidget(coupling_panel_, device_panel_);
   coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
+  tabifyDockWidget(readout_, &stiffness_->panel());
+  readout_->raise();
   what_happens_->setObjectName(QStringLiteral("what_happens"));
   what_happens_->setMinimumWidth(1);  // a long line is cut, the window does not grow
   rates_->setObjectName(QStringLiteral("rates"));
@@ -101,6 +107,7 @@ MainWindow::MainWindow(QWidget* parent)
     if (session()) session()->set_coupling(coupling);
     readout_->set_coupling(coupling);
     viewport_->set_coupling(coupling);
+    stiffness_->show_gains(coupling);
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
   connect_devices();
@@ -168,6 +175,7 @@ void MainWindow::show_stage(Stage stage) {
   viewport_->show_stage(stage_);
   devices_->attach(session());
   coupling_panel_->take(now.coupling());
+  stiffness_->attach(session());
   readout_->set_coupling(now.coupling());
   readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
   setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));
@@ -187,6 +195,8 @@ void MainWindow::show_holder() {
   if (session()) mouse_->take(session()->probe().mass, session()->device_pose());
   device_panel_->show_choices(devices_->choices(), devices_->holder());
   device_panel_->show_settings(devices_->holder(), devices_->settings());
+  const auto* simulating = std::get_if<SimulatedHolder>(&devices_->holder());
+  stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
   show_device();
 }
 
@@ -229,6 +239,7 @@ void MainWindow::on_frame() {
   devices_->frame(Quat(R_FV));
   if (clock_.elapsed() >= device_due_) show_device();
   if (!session()) return;
+  stiffness_->frame(clock_.elapsed());
   draw_if_changed();
   if (!shown_) return;
   const qint64 now = clock_.elapsed();

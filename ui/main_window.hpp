@@ -22,9 +22,10 @@ class DevicePanel;
 class MouseProbe;
 class Opener;
 class ReadoutPanel;
+class StiffnessControl;
 class Viewport;
 
-/// The window: a view, three docks, and sixty times a second the newest snapshot.
+/// The window: a view, four docks, and sixty times a second the newest snapshot.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -43,6 +44,7 @@ class MainWindow : public QMainWindow {
   /// The newest snapshot shown; none before the first.
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
+  StiffnessControl& stiffness() { return *stiffness_; }
 
   void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
@@ -92,6 +94,7 @@ class MainWindow : public QMainWindow {
   ReadoutPanel* readout_;
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
+  StiffnessControl* stiffness_;
   QLabel *what_happens_, *device_status_, *rates_;
   std::unique_ptr<Opener> opener_;
   QTimer frame_timer_;

@@ -77,6 +77,8 @@ Opened open_scene(const std::filesystem::path& file, const Progress& progress) {
   const Scene scene = read_scene(file);
   Opened opened;
   opened.name = scene.name;
+  opened.probe_file = scene.probe.mesh;
+  opened.fixed_file = scene.fixed.mesh;
   opened.start = relative_pose(scene);
   opened.coupling = scene.coupling;
   opened.servo = scene.servo;
@@ -116,6 +118,8 @@ Opened build_pair(MeshPair pair, double unit, const Progress& progress) {
     return make_body(soup, Model::automatic, file.stem().string(), report);
   };
   Opened opened;
+  opened.probe_file = pair.probe_file;
+  opened.fixed_file = pair.fixed_file;
   opened.probe = build(pair.probe, pair.probe_file, part(progress, 0, 0.5));
   opened.fixed = build(pair.fixed, pair.fixed_file, part(progress, 0.5, 1));
   opened.name = opened.probe->name + " against " + opened.fixed->name;

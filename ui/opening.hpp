@@ -26,6 +26,7 @@ struct Opened {
   std::string name;
   std::shared_ptr<const Body> probe;
   std::shared_ptr<const Body> fixed;
+  std::filesystem::path probe_file, fixed_file;  ///< the meshes they are made of
   Pose start;  ///< X_FM, the probe's mesh frame in the fixed body's
   Coupling coupling;
   ServoSettings servo;

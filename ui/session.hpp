@@ -30,6 +30,9 @@ class Session {
   /// The newest snapshot, valid until the next call; null before the first tick.
   const Snapshot* latest() { return servo_.latest(); }
 
+  /// Every tick in its order; false where there is none left. See Servo::next_tick.
+  bool next_tick(Snapshot& out) { return servo_.next_tick(out); }
+
   /// What holds the probe from now on; it takes over where the probe is, so that nothing jumps.
   void hold_by_mouse();
   /// A simulated device, in a hand that goes where the mouse wants the probe. Throws

@@ -12,6 +12,7 @@
 
 #include "ui/main_window.hpp"
 #include "ui/resources.hpp"
+#include "ui/stiffness_control.hpp"
 #include "ui/viewport.hpp"
 #include "ui/views/hint_view.hpp"
 
@@ -85,6 +86,8 @@ void add_file_menu(MainWindow& window, QToolBar& bar) {
                     [w](bool) { w->ask_scene(); }));
   bar.addAction(add(window, menu, "open_meshes", QStringLiteral("Open two &meshes…"),
                     QKeySequence(QStringLiteral("Ctrl+M")), [w](bool) { w->ask_meshes(); }));
+  add(window, menu, "open_tuning", QStringLiteral("Open a stability m&ap…"), {},
+      [w](bool) { w->stiffness().ask_load(); });
   menu.addSeparator();
   bar.addAction(add(window, menu, "screenshot", QStringLiteral("&Screenshot…"),
                     QKeySequence(QStringLiteral("S")), [w](bool) { w->ask_picture(); }));
@@ -120,6 +123,8 @@ void add_probe_menu(MainWindow& window, QToolBar& bar) {
                               [w](bool on) { w->set_force(on); });
   QObject::connect(w, &MainWindow::force_changed, force, &QAction::setChecked);
   bar.addAction(force);
+  add(window, menu, "switch_gains", QStringLiteral("&Gains A/B"), QKeySequence(QStringLiteral("B")),
+      [w](bool) { w->stiffness().switch_gains(); });
   bar.addSeparator();
 }
 

@@ -14,20 +14,6 @@ std::filesystem::path path_of(const QString& file) {
   return std::filesystem::path(file.toStdString());
 }
 
-QString reason_of(const std::exception_ptr& error) {
-  try {
-    std::rethrow_exception(error);
-  } catch (const Cancelled&) {
-    return {};
-  } catch (const InputError& bad) {
-    return QString::fromStdString(bad.what());
-  } catch (const std::bad_alloc&) {
-    return QStringLiteral("There is not enough memory for these meshes.");
-  } catch (const std::exception& fault) {
-    return QStringLiteral("An error of the program: ") + QString::fromUtf8(fault.what());
-  }
-}
-
 }  // namespace
 
 Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}

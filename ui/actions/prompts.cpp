@@ -39,6 +39,11 @@ Prompts dialogs(QWidget& window) {
                                         QDir(last_folder()).filePath(name),
                                         QStringLiteral("Pictures (*.png)"));
   };
+  const auto ask_folder = [parent](const char* what) {
+    return QFileDialog::getExistingDirectory(parent, QString::fromUtf8(what), last_folder());
+  };
+  prompts.ask_tuning = [ask_folder] { return ask_folder("Open what sonde tune has written"); };
+  prompts.ask_tuning_folder = [ask_folder] { return ask_folder("A folder for the study"); };
   return prompts;
 }
 

@@ -27,7 +27,7 @@ class CouplingChange : public QUndoCommand {
       : QUndoCommand(QString::fromUtf8(what)),
         panel_(panel),
         what_(what),
-        before_(panel.coupling_),
+        before_(panel.coupling()),
         after_(wanted),
         made_(Clock::now()) {}
   void redo() override { panel_.apply(after_); }

@@ -25,15 +25,17 @@ class CouplingPanel : public QDockWidget {
   void take(const Coupling& coupling);
   const Coupling& coupling() const { return coupling_; }
 
+  /// Changes the gains as a slider does; `what` names the change for whoever undoes it.
+  void request(const Coupling& wanted, const char* what);
+  /// The same with nothing to undo: for what undoes it itself.
+  void apply(const Coupling& coupling);
+
   /// Called at once with every change.
   std::function<void(const Coupling&)> changed;
   std::function<void(double)> mouse_gain_changed;
 
  private:
-  friend class CouplingChange;
   void build();
-  void request(const Coupling& wanted, const char* what);
-  void apply(const Coupling& coupling);
   void show_values();
 
   QUndoStack& undo_;

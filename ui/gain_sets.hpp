@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+#include "engine/haptics/coupling.hpp"
+
+class QUndoStack;
+
+namespace sonde::ui {
+
+class CouplingPanel;
+
+/// Two sets of gains, A and B, to feel one after the other: the sliders show and change the active
+/// one, the other waits as it was left. The panel, the stack and the sets live equally long.
+class GainSets {
+ public:
+  GainSets(CouplingPanel& panel, QUndoStack& undo) : panel_(panel), undo_(undo) {}
+
+  /// A pair was opened: both sets are its gains, and A is active.
+  void take(const Coupling& coupling);
+  std::size_t active() const { return active_; }
+  Coupling gains(std::size_t set) const;
+  /// Changes to the other set; can be undone.
+  void switch_over();
+
+  /// The other set is active now.
+  std::function<void()> switched;
+
+ private:
+  friend class GainSwitch;
+  void swap();
+
+  CouplingPanel& panel_;
+  QUndoStack& undo_;
+  std::array<Coupling, 2> sets_;  ///< that of the active one is the panel's
+  std::size_t active_ = 0;
+};
+
+}  // namespace sonde::ui

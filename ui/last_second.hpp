@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "engine/geometry/mass.hpp"
+#include "engine/haptics/servo.hpp"
+#include "engine/proximity/motion.hpp"
+
+namespace sonde::ui {
+
+/// What the hand got in the last second of the servo.
+struct Buzz {
+  double chatter = 0;  ///< chatter_index, 0 to 1
+  double energy = 0;   ///< J, net work on the hand; below zero where the hand gave it
+};
+
+/// The ticks of the last second of one probe, in their order, and what they were like.
+class LastSecond {
+ public:
+  /// A new probe: its ticks begin afresh.
+  void take(const MassProperties& probe);
+  /// A tick earlier than the last one, or long after it, is the first of another second.
+  void add(const Snapshot& tick);
+  /// None before a second, or nearly, is there. Takes some milliseconds.
+  std::optional<Buzz> buzz() const;
+
+ private:
+  struct Tick {
+    double time;   ///< s
+    Vec6 wrench;   ///< on the hand
+    double given;  ///< J, since the start
+  };
+  double length_ = 0;  ///< m, as in press_and_hold
+  std::deque<Tick> ticks_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/last_second.hpp"
+#include "ui/tuning.hpp"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+class HistoryPlot;
+class MapPlot;
+
+/// The dock of stiffness: the map that `sonde tune` measured with the gains of now on it, the
+/// recommended gains and why, what the last second was like, and two sets of gains to compare.
+class StiffnessPanel : public QDockWidget {
+ public:
+  explicit StiffnessPanel(const std::vector<std::string>& device_ids, QWidget* parent = nullptr);
+
+  /// A pair was opened: the curve begins afresh.
+  void clear_history();
+  /// None: there is nothing to show yet.
+  void show_tuning(const std::optional<Tuning>& tuning);
+  /// The device that is simulated now, which is then the one to compute for; empty: none.
+  void show_device(const std::string& id);
+  void show_gains(const Coupling& now);
+  void show_sets(const std::array<Coupling, 2>& sets, std::size_t active);
+  /// At the time (s) of the newest tick; none: nothing has run for a second.
+  void show_buzz(const std::optional<Buzz>& buzz, double time);
+
+  /// What to compute for, as chosen in the panel.
+  std::string device_id() const;
+  std::string kind() const;  ///< empty: all
+
+  std::function<void()> load_asked, compute_asked, apply_asked, switch_asked;
+
+ private:
+  QPushButton* button(const QString& text, const char* object, const QString& doc);
+  void build_source(QVBoxLayout& layout, const std::vector<std::string>& device_ids);
+  void build_map(QVBoxLayout& layout);
+  void build_recommendation(QVBoxLayout& layout);
+  void build_sets(QVBoxLayout& layout);
+  void build_last_second(QVBoxLayout& layout);
+  void choose_axes();
+  void show_map();
+  void show_point();
+  void show_doubt();
+  GainAxis axis() const;
+
+  std::optional<Tuning> tuning_;
+  Coupling now_;
+  std::string simulated_;
+  QComboBox *devices_, *kinds_, *axes_, *shown_kinds_;
+  QWidget* map_box_;
+  MapPlot* plot_;
+  QLabel *source_, *doubt_, *place_, *words_, *chatter_, *energy_;
+  QPushButton* apply_;
+  std::array<QPushButton*, 2> sets_;
+  HistoryPlot* chatter_plot_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "engine/study/tuning_map.hpp"
+
+namespace sonde::ui {
+
+/// A row of the map. Stiffness in N/m or N·m/rad, damping in N·s/m or N·m·s/rad, by the axis.
+struct MapRow {
+  struct Stretch {
+    double from, to;  ///< stiffness
+    MapClass map_class;
+  };
+  double from = 0, to = 1;  ///< its place along y
+  double damping = 0;
+  QString label;                                 ///< of a row that is no damping
+  std::vector<Stretch> stretches;                ///< from below, without gaps
+  double stable = 0;                             ///< the measured limit
+  double theory_stable = 0, theory_passive = 0;  ///< infinite where theory sees no end
+};
+
+/// What a study found over the gains of one axis: over damping and stiffness where it varied both,
+/// else a row for each situation and hand.
+struct StabilityMap {
+  GainAxis axis = GainAxis::object;
+  bool over_damping = false;
+  std::vector<MapRow> rows;
+  double low = 1, high = 1e5;  ///< stiffness at the ends
+};
+
+/// Of the profile as it is, in situations of one kind or (empty) of every one. A row that stands
+/// for several situations and hands shows the worst of them, and the least of each limit.
+StabilityMap stability_map(const TuningResults& results, GainAxis axis, const std::string& kind);
+
+/// The kinds of situations studied, in their order.
+std::vector<std::string> kinds_of(const TuningResults& results);
+
+/// "N/m", "N·m/rad"; "N·s/m", "N·m·s/rad".
+QString stiffness_unit(GainAxis axis);
+QString damping_unit(GainAxis axis);
+/// The setting whose value the stiffness is: "k", "k_t", "k_r".
+const char* stiffness_key(GainAxis axis);
+/// "b_t", "b_r"; of the one k, which has no damping, "".
+const char* damping_key(GainAxis axis);
+
+}  // namespace sonde::ui
