@@ -17,7 +17,8 @@ struct HandSample {
 
 /// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.
 /// Both functions are called on the servo thread alone, once in each tick and in this order, and
-/// neither allocates, locks, logs, throws or waits.
+/// neither allocates, locks, logs, throws or waits. When the servo stops, render gets a zero wrench
+/// once more, even if there was no tick.
 struct Hand {
   /// dt: s since the sample before; 0 for the first.
   std::function<HandSample(double dt)> sample;

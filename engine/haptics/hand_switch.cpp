@@ -26,7 +26,8 @@ Hand HandSwitch::hand() {
   return {.sample = [this](double dt) { return sample(dt); },
           .render =
               [this](const Wrench& wrench) {
-                if (held_->render) held_->render(wrench);
+                // A servo that is stopped before its first tick says its last word all the same.
+                if (held_ && held_->render) held_->render(wrench);
               }};
 }
 

@@ -97,7 +97,7 @@ TEST_F(Replay, json_has_units) {
   const json result = json::parse(sonde("replay --json boxes.sonde.json").out);
   EXPECT_EQ(result.at("units").at("fx"), "N");
   EXPECT_EQ(result.at("results").size(), 40u);
-  EXPECT_EQ(result.at("results")[3].size(), 29u);
+  EXPECT_EQ(result.at("results")[3].size(), 30u);
 }
 
 TEST_F(Replay, out_is_written_whole) {

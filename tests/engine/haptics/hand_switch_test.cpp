@@ -44,6 +44,13 @@ TEST(HandSwitch, the_newest_hand_holds_and_the_one_before_ends_without_force) {
   EXPECT_EQ(first.last_force, Vec3(0, 0, 0));
 }
 
+TEST(HandSwitch, a_last_wrench_before_the_first_tick_goes_to_nobody) {
+  Recorded first(1);
+  HandSwitch hands(first.hand);
+  hands.hand().render({});
+  EXPECT_EQ(first.last_force, Vec3(-1, -1, -1));
+}
+
 TEST(HandSwitch, a_paused_hand_is_not_asked_and_begins_anew) {
   Recorded first(1), second(2);
   HandSwitch hands(first.hand);

@@ -139,7 +139,7 @@ void expect_energy_bounded(const Contacts& contacts, std::uint64_t seed, int eac
 }
 
 TEST(FeltStiffness, IsNeverMoreThanAskedForWhereSummedPenaltiesAre) {
-  expect_felt_stiffness_bounded(spoon_in_cup(60));
+  expect_felt_stiffness_bounded(spoon_in_cup(120));
 }
 TEST(FeltStiffness, EnergyBesideAContactIsBoundedByStaying) {
   expect_energy_bounded(spoon_in_cup(40), 1, 5);
