@@ -24,9 +24,13 @@ StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
 
 void run(const MergeOptions& options) {
   check_output(options.study);
-  const std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
+  std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
+  // Parts that are there already would be kept: they must be the same.
+  if (std::filesystem::exists(std::filesystem::path(options.study.out) / "study.json"))
+    folders.emplace_back(options.study.out);
   const StudyFolder whole = merge_studies(folders);
   const StudyFiles join = files_of(whole, options.folders.front());
+  join(options.folders.front(), whole);  // what cannot be read is found before anything is written
   write_study(options.study.out, whole);
   join_study(options.study.out, join);
 }

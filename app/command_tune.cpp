@@ -37,11 +37,9 @@ std::string inputs_json(const Scene& scene, const TuneOptions& options, const Bo
     return Json{{"file", path.filename().string()},
                 {"fingerprint", fingerprint(read_text(path, most_bytes))}};
   };
-  Json out{{"scene", file(scene.file)},
-           {"probe", file(scene.probe.mesh)},
-           {"fixed", file(scene.fixed.mesh)},
-           {"probe_solid", bodies.probe->solid},
-           {"fixed_solid", bodies.fixed->solid}};
+  Json out{{"version", SONDE_VERSION},           {"scene", file(scene.file)},
+           {"probe", file(scene.probe.mesh)},    {"fixed", file(scene.fixed.mesh)},
+           {"probe_solid", bodies.probe->solid}, {"fixed_solid", bodies.fixed->solid}};
   if (!options.trajectory.empty()) out["trajectory"] = file(options.trajectory);
   return out.dump();
 }
@@ -68,6 +66,7 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const B
 }
 
 void run(const TuneOptions& options) {
+  check_output(options.study);
   if (!(options.low < options.high)) throw UsageError("--from must be below --to");
   const Scene scene = scene_of(options.bodies);
   const DeviceProfile device = device_named(options.device);

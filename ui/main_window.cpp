@@ -33,6 +33,7 @@
 #include "ui/panels/stiffness_panel.hpp"
 #include "ui/resources.hpp"
 #include "ui/stiffness_control.hpp"
+#include "ui/timing_text.hpp"
 #include "ui/viewport.hpp"
 
 namespace sonde::ui {
@@ -96,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
   what_happens_->setMinimumWidth(1);  // a long line is cut, the window does not grow
   rates_->setObjectName(QStringLiteral("rates"));
   device_status_->setObjectName(QStringLiteral("device_status"));
+  device_status_->setTextFormat(Qt::PlainText);  // a device names itself
   statusBar()->addWidget(what_happens_, 1);
   statusBar()->addPermanentWidget(device_status_);
   statusBar()->addPermanentWidget(rates_);
@@ -111,6 +113,7 @@ MainWindow::MainWindow(QWidget* parent)
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
   connect_devices();
+  stiffness_->ticked = [this](const Snapshot& tick) { force_log_.add(tick); };
   opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
   opener_->failed = [this](const QString& reason) { emit open_failed(reason); };
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
@@ -168,8 +171,10 @@ void MainWindow::ask_meshes() {
 
 void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
+  const bool force = !session() || session()->force_on();
   stage_ = std::move(stage);
   Session& now = *stage_.session;
+  now.set_force(force);  // what Esc took away stays away
   shown_.reset();
   companion_.reset();
   viewport_->show_stage(stage_);
@@ -180,7 +185,7 @@ void MainWindow::show_stage(Stage stage) {
   readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
   setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));
   emit paused_changed(false);
-  emit force_changed(true);
+  emit force_changed(force);
   on_frame();
   emit opened();
 }
@@ -318,12 +323,15 @@ void MainWindow::show_status() {
     happens = QStringLiteral("Free.");
   else
     happens = QStringLiteral("In contact.");
+  if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
+    happens += QLatin1Char(' ') + fault;
   what_happens_->setText(QStringLiteral("%1   %2   %3")
                              .arg(happens, nature("Probe", session()->probe()),
                                   nature("Fixed body", session()->fixed())));
   what_happens_->setToolTip(what_happens_->text());
   const QString view = frame_rate_ < 1 ? QStringLiteral("at rest")
                                        : QStringLiteral("%1 frames/s").arg(frame_rate_, 0, 'f', 0);
+  rates_->setToolTip(timing_text(session()->timing()));
   rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3")
                       .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
                       .arg(s.tick_us, 0, 'f', 0)
@@ -344,7 +352,7 @@ void MainWindow::show_device() {
     if (!report.device.reason.empty())
       text += QStringLiteral(" (%1)").arg(QString::fromStdString(report.device.reason));
   }
-  device_status_->setToolTip(text);
+  device_status_->setToolTip(text.toHtmlEscaped());
   constexpr int longest = 70;
   device_status_->setText(text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026));
 }

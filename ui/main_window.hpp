@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
+#include "ui/force_log.hpp"
 #include "ui/stage.hpp"
 
 class QAction;
@@ -99,6 +100,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Opener> opener_;
   QTimer frame_timer_;
   QElapsedTimer clock_;
+  ForceLog force_log_;
   std::optional<Snapshot> shown_;
   std::optional<CompanionResult> companion_;
   bool trail_ = false;

@@ -30,6 +30,9 @@ class Session {
   /// The newest snapshot, valid until the next call; null before the first tick.
   const Snapshot* latest() { return servo_.latest(); }
 
+  /// The deadlines so far, valid until the next call.
+  const ServoTiming& timing() { return servo_.timing(); }
+
   /// Every tick in its order; false where there is none left. See Servo::next_tick.
   bool next_tick(Snapshot& out) { return servo_.next_tick(out); }
 

@@ -81,6 +81,7 @@ void StiffnessControl::frame(qint64 now) {
   if (!session_) return;
   for (Snapshot tick; session_->next_tick(tick);) {
     last_second_.add(tick);
+    if (ticked) ticked(tick);
     newest_ = tick.time;
   }
   if (now < buzz_due_) return;

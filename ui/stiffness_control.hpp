@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,9 @@ class StiffnessControl : public QObject {
   const GainSets& sets() const { return sets_; }
   /// The newest one; none before a second of ticks, or while the dock is not to be seen.
   const std::optional<Buzz>& buzz() const { return buzz_; }
+
+  /// Called with each tick of the session, in its order.
+  std::function<void(const Snapshot&)> ticked;
 
   /// Another session was opened; null for none.
   void attach(Session* session);

@@ -13,7 +13,7 @@ HandSample DeviceHand::sample(double dt) noexcept {
   if (settings_.update()) motion_.set_settings(settings_.front());
   if (views_.update()) motion_.set_view(views_.front());
   if (places_.update()) motion_.place(places_.front());
-  const HandSample moved = motion_.move(device_->latest(), dt);
+  HandSample moved = motion_.move(device_->latest(), dt);
   clutch_open_.store(motion_.clutch_open(), std::memory_order_relaxed);
   return moved;
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/device_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sonde {
 namespace {
+
+/// A tick that comes late must not fling the probe.
+constexpr double longest_step = 0.01;  // s
 
 /// A puck that sends nothing has been let go: that is no fault.
 bool usable(const DeviceSample& sample) {
@@ -31,6 +36,7 @@ DeviceMotion::DeviceMotion(const DeviceSettings& settings, const Vec3& com,
                            const Pose& X_FM) noexcept
     : settings_(settings), com_(com) {
   configure();
+  remapped_ = false;
   place(X_FM);
 }
 
@@ -38,6 +44,7 @@ void DeviceMotion::configure() noexcept {
   q_FB_ = base_in_fixed(settings_.frame, q_FV_);
   map_.configure(settings_.axes, settings_.scaling, q_FB_);
   following_ = false;
+  remapped_ = true;
 }
 
 void DeviceMotion::set_settings(const DeviceSettings& settings) noexcept {
@@ -92,14 +99,17 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
     if (sample.position)
       X_FC_ = map_.follow(sample.X_BH);
     else if (by_rate)
-      X_FC_ = rate_controlled(X_FC_, deflection, reach(), dt);
+      X_FC_ = rate_controlled(X_FC_, deflection, reach(), std::min(dt, longest_step));
     else
       X_FC_ = position_controlled(rest_, deflection, reach());
   }
   following_ = follow;
   session_ = sample.session;
   position_ = sample.position;
-  return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_}, .held = !clutch_open_, .trusted = trusted};
+  const bool turned = std::exchange(remapped_, false) && sample.position;
+  return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_},
+          .held = !clutch_open_ && !turned,
+          .trusted = trusted};
 }
 
 DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {

@@ -13,8 +13,10 @@ namespace sonde {
 ///
 /// The probe stays where it is, to the bit, while the clutch button is held and while the device
 /// cannot be trusted; afterwards, as after a change of settings, view or connection, the pose of
-/// the device at that moment stands for the pose of the probe at that moment. So nothing ever
-/// jumps. No device, no clock; no allocation, lock, throw.
+/// the device at that moment stands for the pose of the probe at that moment. So no pose ever
+/// jumps. A change of settings or view turns the force that the handle gets: the probe is let go
+/// for a tick, after which the force comes in from zero. No device, no clock; no allocation, lock,
+/// throw.
 class DeviceMotion {
  public:
   /// com: the probe's centre of mass in its mesh frame M, about which it turns.
@@ -48,6 +50,7 @@ class DeviceMotion {
   Pose rest_;  ///< X_FC of a deflection of zero, by position
   SixAxes deflection_ = SixAxes::Zero();  ///< mapped and smoothed, in B
   bool following_ = false;                ///< false: to be anchored first
+  bool remapped_ = false;                 ///< since the last sample
   bool position_ = false;                 ///< of the last sample
   bool clutch_open_ = false;
   std::uint32_t session_ = 0;

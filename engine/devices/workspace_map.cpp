@@ -62,7 +62,7 @@ Pose WorkspaceMap::follow(const Pose& X_BH) noexcept {
   const Vec3 theta = rotation_vector(X_BH.q * X_BH0_.q.conjugate());
   const Vec3 mapped = M_ * theta;
   const Quat turn = q_FB_ * rotation(mapped) * q_FB_.conjugate();
-  const Pose X_FC{(turn * X_FC0_.q).normalized(), X_FC0_.p + q_FB_ * (A_ * (X_BH.p - X_BH0_.p))};
+  Pose X_FC{(turn * X_FC0_.q).normalized(), X_FC0_.p + q_FB_ * (A_ * (X_BH.p - X_BH0_.p))};
   spin_ = left_jacobian(mapped) * M_ * left_jacobian(theta).inverse();
   if (theta.norm() > std::numbers::pi / 2) anchor(X_BH, X_FC);
   return X_FC;

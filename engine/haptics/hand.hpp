@@ -2,17 +2,25 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "engine/geometry/pose.hpp"
 #include "engine/haptics/coupling.hpp"
 
 namespace sonde {
 
+/// What is known of the device in the hand, as felt at the probe.
+struct DeviceTraits {
+  double damping = 0;  ///< N·s/m, of the mechanism
+  double delay = 0;    ///< s, from command to motors
+};
+
 /// What a hand wants of the probe at one tick.
 struct HandSample {
   Pose X_FM;            ///< the probe's mesh frame in the fixed body's
   bool held = true;     ///< false: the clutch is open; the probe stays, and there is no force
   bool trusted = true;  ///< false: the pose is old or cannot be true; there is no force
+  std::optional<DeviceTraits> device = {};  ///< none: nothing is known of it
 };
 
 /// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.

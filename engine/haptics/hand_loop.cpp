@@ -55,6 +55,7 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
 const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
                                const Clock& clock, Withheld why) noexcept {
   if (sample.trusted && is_finite(sample.X_FM)) X_FM_ = sample.X_FM;
+  if (sample.device) passivity_.set_device(*sample.device);
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);
   Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;
@@ -63,7 +64,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 
   const Coupling& coupling = coupler_.coupling();
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
-  const Wrench damped = passivity_.control(out_.hand.asked);
+  const Wrench damped =
+      reason == Withheld::nothing ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
   passivity_.rendered(out_.wrench);
 

@@ -19,10 +19,17 @@ std::size_t whole_ticks(double delay, double period, std::size_t most) {
 Passivity::Passivity(const MassProperties& mass, const PassivitySettings& settings, double period)
     : mass_(mass),
       settings_(settings),
+      period_(period),
       ticks_late_(whole_ticks(settings.delay, period, most_ticks_late)) {}
 
 const Wrench& Passivity::acting() const noexcept {
   return wrenches_[(newest_ + wrenches_.size() - ticks_late_) % wrenches_.size()];
+}
+
+void Passivity::set_device(const DeviceTraits& device) noexcept {
+  settings_.device_damping = device.damping;
+  settings_.delay = device.delay;
+  ticks_late_ = whole_ticks(device.delay, period_, most_ticks_late);
 }
 
 void Passivity::restart(const Pose& X_FM) noexcept {
@@ -36,6 +43,7 @@ void Passivity::restart(const Pose& X_FM) noexcept {
 void Passivity::observe(const Pose& X_FM, double dt) noexcept {
   const SeparationMotion motion = separation_motion(mass_, X_FM_, X_FM);
   X_FM_ = X_FM;
+  energy_.damping = 0;
   step_ = motion.t;
   turn_ = motion.theta;
   dt_ = dt > 0 ? dt : 0;
@@ -48,7 +56,6 @@ void Passivity::observe(const Pose& X_FM, double dt) noexcept {
 }
 
 Wrench Passivity::control(const Wrench& wanted) noexcept {
-  energy_.damping = 0;
   const bool contact = pushes(wanted);
   // Out of contact the wall stores nothing: what it has taken from the hand is gone.
   if (!contact && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);

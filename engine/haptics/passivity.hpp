@@ -7,6 +7,7 @@
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
 #include "engine/haptics/coupling.hpp"
+#include "engine/haptics/hand.hpp"
 
 namespace sonde {
 
@@ -40,6 +41,8 @@ class Passivity {
  public:
   Passivity(const MassProperties& mass, const PassivitySettings& settings, double period);
 
+  /// What is known of the device, from the next pose on. Instead of the settings'.
+  void set_device(const DeviceTraits& device) noexcept;
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick: what the last wrench did. dt in s since the last one.
   void observe(const Pose& X_FM, double dt) noexcept;
@@ -55,6 +58,7 @@ class Passivity {
 
   MassProperties mass_;
   PassivitySettings settings_;
+  double period_;  ///< s
   std::size_t ticks_late_;
   Pose X_FM_;
   Vec3 step_ = Vec3::Zero();  ///< of the centre of mass, m

@@ -96,9 +96,9 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceParameters& parameters, do
   reset(X_WD);
 }
 
-void SimulatedDevice::reset(const Pose& X_WD) noexcept {
+void SimulatedDevice::reset(const Pose& X_WD, const Pose& X_WH) noexcept {
   state_ = {.X_WD = X_WD};
-  X_WH_ = X_WD;
+  X_WH_ = X_WH;
   motors_ = {};
   commands_.fill({});
   newest_ = 0;

@@ -61,7 +61,9 @@ class SimulatedDevice {
                   const Pose& X_WD = {});
 
   /// At rest at X_WD, the hand with it, no command on its way.
-  void reset(const Pose& X_WD) noexcept;
+  void reset(const Pose& X_WD) noexcept { reset(X_WD, X_WD); }
+  /// The same with the hand at X_WH.
+  void reset(const Pose& X_WD, const Pose& X_WH) noexcept;
   /// From this sample to the next: `command` is the wrench on the hand, in W, about the handle's
   /// origin, cut to the motors' limits; X_WH is where the hand wants the handle by the next sample.
   /// `push` is a wrench that the hand gives beside its spring, constant until then, at once.

@@ -14,6 +14,7 @@ constexpr double hand_lag = 0.025;  // s
 SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double period,
                              double scaling, const Vec3& com, const Pose& X_FM)
     : scaling_(scaling),
+      traits_{.damping = parameters.translation.damping, .delay = parameters.delay},
       com_(com),
       share_(1 - std::exp(-period / hand_lag)),
       device_(parameters, period, to_device(X_FM)),
@@ -38,10 +39,10 @@ void SimulatedHand::follow_target() noexcept {
 }
 
 HandSample SimulatedHand::sample() noexcept {
-  if (scalings_.update()) {
+  if (scalings_.update() && scalings_.front() != scaling_) {
     const Pose here = to_probe(device_.state().X_WD);
     scaling_ = scalings_.front();
-    device_.reset(to_device(here));
+    device_.reset(to_device(here), to_device(hand_));
   }
   follow_target();
   if (places_.update()) {
@@ -51,7 +52,10 @@ HandSample SimulatedHand::sample() noexcept {
     device_.step(command_, to_device(hand_));
   }
   begun_ = true;
-  return {.X_FM = to_probe(device_.measured())};
+  // The power is the same at both ends: b v² with velocities `scaling` times greater at the probe.
+  const DeviceTraits at_probe{.damping = traits_.damping / (scaling_ * scaling_),
+                              .delay = traits_.delay};
+  return {.X_FM = to_probe(device_.measured()), .device = at_probe};
 }
 
 Hand SimulatedHand::hand() {

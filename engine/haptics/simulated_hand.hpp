@@ -40,6 +40,7 @@ class SimulatedHand {
   Pose to_probe(const Pose& X_WD) const noexcept;
 
   double scaling_;
+  DeviceTraits traits_;  ///< at the handle
   Vec3 com_;
   double share_;  ///< of the way to the target that the hand goes in a tick
   SimulatedDevice device_;

@@ -76,7 +76,8 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effo
     const bool fits = list_.build(X, ample, effort);
     // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
     list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
-    const bool few = list_.size()<good_list, many = list_.size()> 2 * good_list;
+    const bool few = list_.size() < good_list;
+    const bool many = list_.size() > 2 * good_list;
     list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
   }
   const NearPairs near = list_.reach_at(X) >= reach

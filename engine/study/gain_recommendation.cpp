@@ -53,7 +53,8 @@ double resolved_stiffness(double friction, double most, double step, double damp
 void add_profile_limits(const TuningResults& results, const Lines& lines, const Profile& device,
                         GainAxis axis, double damping, std::vector<GainLimit>& limits) {
   const double T = results.sample_time;
-  const double per = device.at("inertia") / device.at("mass");
+  // As the felt stiffness was measured, whatever value is varied here.
+  const double per = results.device.at("inertia") / results.device.at("mass");
   for (const TuningLine* line : lines) {
     TuningResults::Felt felt = results.felt[line->situation];
     if (axis == GainAxis::rotation) felt.rotation /= per;  // at 1 N·m/rad
@@ -113,7 +114,8 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
   for (const TuningLine* line : lines) {
     const TuningColumn& column = *column_at(*line, damping);
     add_measured_limits(*line, column, limits);
-    out.boundary = std::min(out.boundary, column.stable.stiffness);
+    if (column.stable.fault != HoldFault::none)
+      out.boundary = std::min(out.boundary, column.stable.stiffness);
     out.passive = std::min(out.passive, column.theory_passive);
     out.theory = std::min(out.theory, column.theory_stable);
   }
@@ -170,6 +172,13 @@ std::vector<GainAxis> axes_of(const TuningResults& results) {
   for (const TuningLine& line : results.lines)
     if (std::ranges::find(out, line.axis) == out.end()) out.push_back(line.axis);
   return out;
+}
+
+bool has_recommendation(const TuningResults& results) {
+  return std::ranges::all_of(axes_of(results), [&](GainAxis axis) {
+    const auto gains = recommend(results, axis);
+    return gains && gains->stiffness > 0;
+  });
 }
 
 Coupling recommended_coupling(const TuningResults& results) {

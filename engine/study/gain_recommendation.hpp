@@ -26,7 +26,9 @@ struct AxisGains {
   GainAxis axis = GainAxis::object;
   double stiffness = 0;  ///< N/m | N·m/rad; 0: none in the range studied is good
   double damping = 0;    ///< N·s/m | N·m·s/rad
-  double boundary = 0;   ///< the least stiffness, over situations and hands, that is not stable
+  /// The least stiffness, over situations and hands, that is not stable; infinite where all that was
+  /// studied is.
+  double boundary = 0;
   double passive = 0;    ///< up to which theory has every situation passive
   double theory = 0;     ///< up to which theory has every situation stable, without friction
   GainLimit limit;       ///< the one that holds: its stiffness is the recommended one
@@ -46,6 +48,8 @@ std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainA
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);
 
+/// True where some stiffness is good on each axis.
+bool has_recommendation(const TuningResults& results);
 /// The gains as a coupling of a scene, within what its settings allow.
 Coupling recommended_coupling(const TuningResults& results);
 

@@ -143,6 +143,7 @@ std::vector<double> dampings_of(const std::vector<const TuningLine*>& lines) {
 std::vector<const TuningColumn*> columns_at(const std::vector<const TuningLine*>& lines,
                                             double damping) {
   std::vector<const TuningColumn*> out;
+  out.reserve(lines.size());
   for (const TuningLine* line : lines)
     out.push_back(&*std::ranges::find(line->columns, damping, &TuningColumn::damping));
   return out;

@@ -128,10 +128,11 @@ std::string coupling_text(const TuningResults& results) {
 
 std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder& study) {
   const TuningResults results = read_tuning(folder, study);
-  return {{"map.csv", map_csv(results)},
-          {"map.svg", map_svg(results)},
-          {"coupling.json", coupling_text(results)},
-          {"recommendation.json", recommendation(results)}};
+  std::vector<StudyFile> files{{"map.csv", map_csv(results)},
+                               {"map.svg", map_svg(results)},
+                               {"recommendation.json", recommendation(results)}};
+  if (has_recommendation(results)) files.push_back({"coupling.json", coupling_text(results)});
+  return files;
 }
 
 }  // namespace sonde

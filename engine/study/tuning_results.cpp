@@ -11,6 +11,18 @@
 namespace sonde {
 namespace {
 
+/// Of the device's profile, what the recommendation goes by.
+constexpr const char* profile_values[] = {"mass",
+                                          "inertia",
+                                          "max_force",
+                                          "max_torque",
+                                          "friction",
+                                          "resolution",
+                                          "max_stiffness",
+                                          "max_rotational_stiffness",
+                                          "rotational_friction",
+                                          "rotational_resolution"};
+
 using Json = nlohmann::ordered_json;
 
 /// JSON has no infinity: what has no end is null.
@@ -60,6 +72,7 @@ TuningColumn column_of(const Json& json) {
   column.stable = {json.at("stable").get<double>(), fault_named(json.at("stable_ends_by"))};
   column.good = {json.at("good").get<double>(), fault_named(json.at("good_ends_by"))};
   for (const Json& run : json.at("runs")) column.runs.push_back(point_of(run));
+  if (column.runs.empty()) throw std::out_of_range("a column without runs");
   return column;
 }
 
@@ -73,6 +86,7 @@ TuningLine line_of(const Json& json) {
   if (!json.at("assumed").is_null()) line.assumed = json.at("assumed").get<std::string>();
   line.times = json.at("times").get<double>();
   for (const Json& column : json.at("columns")) line.columns.push_back(column_of(column));
+  if (line.columns.empty()) throw std::out_of_range("no columns");
   return line;
 }
 
@@ -83,6 +97,8 @@ void read_about(const Json& json, TuningResults& out) {
   out.max_torque = json.at("max_torque").get<double>();
   for (const auto& [key, value] : json.at("device").items())
     if (value.is_object()) out.device[key] = value.at("value").get<double>();
+  for (const char* needed : profile_values)
+    if (!out.device.contains(needed)) throw std::out_of_range(needed);
   out.device_id = json.at("device").at("id").get<std::string>();
   for (const Json& situation : json.at("situations"))
     out.felt.push_back({situation.at("largest_translational_stiffness").get<double>(),
@@ -97,14 +113,17 @@ TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
   for (std::size_t i = 0; i < study.results.size(); ++i)
     if (!study.results[i])
       throw InputError::in(folder, "part " + study.names[i] + " is not finished");
+  if (study.names.empty()) throw InputError::in(folder, "the study has no parts");
+  std::string reading = "study.json";
   try {
     read_about(Json::parse(study.about), out);
-    for (const auto& result : study.results) {
-      out.lines.push_back(line_of(Json::parse(*result)));
+    for (std::size_t i = 0; i < study.results.size(); ++i) {
+      reading = "part " + study.names[i];
+      out.lines.push_back(line_of(Json::parse(*study.results[i])));
       if (out.lines.back().situation >= out.felt.size()) throw std::out_of_range("situation");
     }
   } catch (const std::exception& error) {  // what the parser, the names and the optional throw
-    throw InputError::in(folder, std::string("a part is not what a study writes: ") + error.what());
+    throw InputError::in(folder, reading + " is not what a study writes: " + error.what());
   }
   return out;
 }

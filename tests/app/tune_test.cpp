@@ -61,6 +61,23 @@ TEST_F(Tune, finished_parts_are_kept_and_shards_make_the_same_files) {
   EXPECT_EQ(text_of(folder / "whole/map.csv"), before);
 }
 
+TEST_F(Tune, a_damaged_part_is_named_and_nothing_is_joined) {
+  ASSERT_EQ(sonde(std::string(quick) + "--out whole --quiet").exit_code, 0);
+  const auto part = std::filesystem::directory_iterator(folder / "whole/parts")->path();
+  const std::string whole = text_of(part);
+  const std::size_t columns = whole.find("\"columns\":");
+  ASSERT_NE(columns, std::string::npos);
+  for (const std::string& damaged :
+       {std::string("{"), whole.substr(0, columns) + "\"columns\":[]}"}) {
+    folder.write("whole/parts/" + part.filename().string(), damaged);
+    expect_refused("merge whole --out joined", 3, part.stem().string());
+    EXPECT_FALSE(std::filesystem::exists(folder / "joined")) << damaged;
+  }
+  folder.write("whole/parts/" + part.filename().string(), whole);
+  EXPECT_EQ(sonde("merge whole --out joined").exit_code, 0);
+  EXPECT_EQ(text_of(folder / "joined/map.csv"), text_of(folder / "whole/map.csv"));
+}
+
 TEST_F(Tune, bad_input_is_refused_before_any_work) {
   const std::string scene = "tune boxes.sonde.json --out out ";
   expect_refused(scene + "--device sigma7", 3,
@@ -90,6 +107,8 @@ TEST_F(Tune, stiffness_beyond_all_reason_ends_in_an_honest_map) {
     EXPECT_NE(map.text(i, "class"), "stable");
     EXPECT_NE(map.text(i, "class"), "passive");
   }
+  // Nothing of it can be recommended.
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/coupling.json"));
 }
 
 TEST_F(Tune, interrupted_it_keeps_what_is_finished_and_goes_on_from_there) {

@@ -217,7 +217,7 @@ void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
   tuning_ = tuning;
   map_box_->setVisible(tuning_.has_value());
   words_->setVisible(tuning_.has_value());
-  apply_->setVisible(tuning_.has_value());
+  apply_->setVisible(tuning_ && has_recommendation(tuning_->results));
   source_->setText(tuning_ ? QStringLiteral("%1, for %2.")
                                  .arg(QFileInfo(text(tuning_->folder.string())).fileName(),
                                       text(tuning_->results.device_id))

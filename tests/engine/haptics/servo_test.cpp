@@ -250,22 +250,27 @@ TEST(Servo, a_rate_that_is_none_does_not_spin_or_hang) {
 // Under ThreadSanitizer this is the test that counts.
 TEST_F(ServoTest, takes_poses_couplings_and_pauses_from_a_busy_window) {
   servo.start(at_depth(-0.01));
+  int in_contact = 0;
   for (int i = 0; i < 3000; ++i) {
     servo.set_device_pose(at_depth(0.002 * (i % 10) / 10.0));
     if (i % 3 == 0) servo.set_coupling(stiffness(100 + i % 7));
     if (i % 100 == 0) servo.set_paused(i % 200 == 0);
     if (const Snapshot* s = servo.latest()) {
       ASSERT_NE(s->separation.status, Status::failed);
-      // Force and separation are of one tick, and the stiffness is one that was set.
+      // Force and separation are of one tick: along it, and no stiffer than what was ever set.
       const double t = s->separation.translation;
-      if (t > 1e-5) {
-        const double k = s->wrench.force.norm() / t;
-        ASSERT_NEAR(k, std::round(k), 1e-6);
-        ASSERT_TRUE(k > 499 ? k < 501 : k > 99 && k < 107) << k;
+      if (t > 1e-5 && !s->paused) {
+        ++in_contact;
+        const double k = s->hand.asked.force.norm() / t;
+        ASSERT_GT(k, 100 - 1e-6);
+        ASSERT_LT(k, 500 + 1e-6);
+        ASSERT_LE(s->wrench.force.norm(), 500.01 * t);
+        ASSERT_LT(s->wrench.force.head<2>().norm(), 1e-3 * t);
       }
     }
-    if (i % 50 == 0) std::this_thread::sleep_for(2ms);
+    if (i % 50 == 7) std::this_thread::sleep_for(2ms);
   }
+  EXPECT_GT(in_contact, 100);
   servo.set_paused(false);
   EXPECT_TRUE(wait_for_ticks(servo, 3));
 }

@@ -118,6 +118,39 @@ TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {
   EXPECT_LT((placed.p - elsewhere.p).norm(), 1e-12) << "at rest there";
 }
 
+/// A wall of 500 N/m at the start, into which the hand wants to go.
+struct Pressed {
+  SimulatedHand simulated{{}, period, 1, com, start};
+  Hand hand = simulated.hand();
+  Pose last = start;
+
+  Pressed() { simulated.set_target(moved(start, Vec3(0.03, 0, 0))); }
+  /// The greatest speed in so many ticks, m/s.
+  double speed(int ticks) {
+    double most = 0;
+    for (int i = 0; i < ticks; ++i) {
+      const Pose now = hand.sample(period).X_FM;
+      const double in = (now.p - start.p).x();
+      hand.render({.force = Vec3(in > 0 ? -500 * in : 0, 0, 0)});
+      most = std::max(most, (now.p - last.p).norm() / period);
+      last = now;
+    }
+    return most;
+  }
+};
+
+TEST(SimulatedHand, a_change_of_scaling_in_contact_does_not_kick) {
+  Pressed pressed;
+  pressed.speed(2000);
+  ASSERT_LT(pressed.speed(100), 1e-3) << "at rest in the wall";
+  pressed.simulated.set_scaling(1);
+  EXPECT_LT(pressed.speed(50), 1e-3) << "no change";
+  // The stretched spring is another one at another scaling: the handle moves, and is not flung. As
+  // the hand's damper had it flung: 0.86 m/s.
+  pressed.simulated.set_scaling(1.1);
+  EXPECT_LT(pressed.speed(50), 0.2);
+}
+
 TEST(SimulatedHand, what_no_device_has_is_refused) {
   SimulatedDeviceParameters massless;
   massless.translation.inertia = 0;

@@ -38,6 +38,23 @@ TEST(GainRecommendation, StabilityIsTheLeastOfAllSituationsWithItsMargin) {
   EXPECT_EQ(c.max_torque, 0.2);
 }
 
+TEST(GainRecommendation, WhatWasNeverUnstableHasNoBoundary) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 50, 50, HoldFault::none)})};
+  r.lines[0].columns[0].stable.fault = HoldFault::none;
+  const auto gains = recommend(r, GainAxis::object);
+  ASSERT_TRUE(gains);
+  EXPECT_EQ(gains->limit.reason, "range");
+  EXPECT_TRUE(std::isinf(gains->boundary));
+  EXPECT_TRUE(has_recommendation(r));
+}
+
+TEST(GainRecommendation, WhereNoStiffnessIsGoodThereIsNone) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 0, 0, unstable)})};
+  EXPECT_FALSE(has_recommendation(r));
+}
+
 TEST(GainRecommendation, EachReasonIsNamedWhereItHolds) {
   const auto reason = [](const auto& change) {
     TuningResults r = results();

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/force_log.hpp"
+
+#include <QLoggingCategory>
+
+namespace sonde::ui {
+namespace {
+
+Q_LOGGING_CATEGORY(force, "sonde.force")
+
+constexpr double readable = 4;  // s
+
+bool is_fault(Withheld why) {
+  return why == Withheld::untrusted || why == Withheld::not_finite || why == Withheld::failed ||
+         why == Withheld::stalled;
+}
+
+}  // namespace
+
+void ForceLog::add(const Snapshot& tick) {
+  if (tick.time < time_) *this = ForceLog{};
+  time_ = tick.time;
+  const Withheld why = tick.hand.withheld;
+  if (is_fault(why)) {
+    fault_ = why;
+    fault_time_ = tick.time;
+  }
+  if (why == now_) return;
+  now_ = why;
+  const QString at = QString::number(tick.time, 'f', 3);
+  if (why == Withheld::nothing)
+    qCInfo(force).noquote() << at + QStringLiteral(" s: the force may come in again");
+  else
+    qCWarning(force).noquote() << at + QStringLiteral(" s: no force: ") +
+                                      QString::fromUtf8(words(why));
+}
+
+QString ForceLog::recent(double time) const {
+  if (fault_ == Withheld::nothing || time < fault_time_ || time - fault_time_ > readable) return {};
+  return QStringLiteral("No force %1 s ago: %2.")
+      .arg(time - fault_time_, 0, 'f', 1)
+      .arg(QString::fromUtf8(words(fault_)));
+}
+
+}  // namespace sonde::ui
