@@ -9,9 +9,9 @@
 namespace sonde {
 
 /// What `sonde tune` ends with: `map.csv`, `map.svg`, `coupling.json`, which a scene can include
-/// (not where no stiffness is good), and `recommendation.json`, which says why. A function of the study's folder alone, so the same
-/// bits wherever its parts were computed. Throws InputError where a part is missing or is not what
-/// a study writes; `folder` is for the complaint.
+/// (not where no stiffness is good), and `recommendation.json`, which says why. A function of the
+/// study's folder alone, so the same bits wherever its parts were computed. Throws InputError where
+/// a part is missing or is not what a study writes; `folder` is for the complaint.
 std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -193,19 +193,42 @@ TEST(DeviceMotion, right_away_and_up_lie_where_the_frame_says) {
                         Case{Frame::view, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}) {
     DeviceSettings settings = in_scene();
     settings.frame = c.frame;
-    settings.reach = 1;
+    settings.reach = 100;
     DeviceMotion motion(settings, com, start);
     motion.set_view(Quat(R_FV));
     const Vec3 expected[] = {c.right, c.away, c.up};
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 before = motion.move(pushed(SixAxes::Zero()), 0).X_FM.p;
-      const Vec3 after = motion.move(pushed(along(axis, 1)), 1).X_FM.p;
+      const Vec3 after = motion.move(pushed(along(axis, 1)), 0.01).X_FM.p;
       EXPECT_LT((after - before - expected[axis]).norm(), 1e-14) << axis;
       motion.move(handle_at({0, 0, 0}), 0.001);
       const Vec3 handle = motion.move(handle_at(Vec3::Unit(axis)), 0.001).X_FM.p;
       EXPECT_LT((handle - after - expected[axis]).norm(), 1e-14) << axis;
     }
   }
+}
+
+TEST(DeviceMotion, what_turns_the_force_lets_go_for_a_tick) {
+  DeviceSettings settings = in_scene();
+  DeviceMotion motion(settings, com, start);
+  const auto held = [&] { return motion.move(handle_at({0, 0, 0}), 0.001).held; };
+  EXPECT_TRUE(held());
+  settings.axes.axes[0].inverted = true;
+  motion.set_settings(settings);
+  EXPECT_FALSE(held());
+  EXPECT_TRUE(held());
+  motion.set_settings(settings);
+  EXPECT_TRUE(motion.move(pushed(SixAxes::Zero()), 0.001).held) << "a puck has no force";
+}
+
+TEST(DeviceMotion, a_late_tick_does_not_fling_the_probe) {
+  DeviceSettings settings = in_scene();
+  settings.reach = 1;
+  DeviceMotion motion(settings, com, start);
+  const Vec3 before = motion.move(pushed(SixAxes::Zero()), 0).X_FM.p;
+  const Vec3 after = motion.move(pushed(along(0, 1)), 0.19).X_FM.p;
+  EXPECT_GT((after - before).norm(), 0.005);
+  EXPECT_LT((after - before).norm(), 0.011);
 }
 
 TEST(DeviceMotion, it_neither_allocates_nor_frees) {
