@@ -26,12 +26,12 @@ struct AxisGains {
   GainAxis axis = GainAxis::object;
   double stiffness = 0;  ///< N/m | N·m/rad; 0: none in the range studied is good
   double damping = 0;    ///< N·s/m | N·m·s/rad
-  /// The least stiffness, over situations and hands, that is not stable; infinite where all that was
-  /// studied is.
+  /// The least stiffness, over situations and hands, that is not stable; infinite where all that
+  /// was studied is.
   double boundary = 0;
-  double passive = 0;    ///< up to which theory has every situation passive
-  double theory = 0;     ///< up to which theory has every situation stable, without friction
-  GainLimit limit;       ///< the one that holds: its stiffness is the recommended one
+  double passive = 0;  ///< up to which theory has every situation passive
+  double theory = 0;   ///< up to which theory has every situation stable, without friction
+  GainLimit limit;     ///< the one that holds: its stiffness is the recommended one
   std::vector<GainLimit> limits;  ///< the least of each reason, the lowest first
 
   double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }
