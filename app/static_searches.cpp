@@ -2,13 +2,11 @@
 #include "app/static_searches.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <iostream>
-#include <mutex>
 #include <thread>
 
 #include "app/timed.hpp"
+#include "engine/geometry/work.hpp"
 
 namespace sonde::app {
 namespace {
@@ -23,30 +21,6 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
 
 unsigned thread_count(unsigned asked) {
   return std::max(1u, asked == 0 ? std::thread::hardware_concurrency() : asked);
-}
-
-/// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
-/// thrown here.
-template <class Task>
-void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t i; (i = next++) < n;) task(i);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = n;
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -12,14 +14,8 @@ double without_dead_zone(double deflection, double dead_zone) {
   return beyond <= 0 ? 0 : std::copysign(beyond / (1 - dead_zone), deflection);
 }
 
-Quat rotation_of(const Vec3& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0) return Quat::Identity();
-  return Quat(Eigen::AngleAxisd(angle, rotation_vector / angle));
-}
-
 Pose moved(const Pose& X_FP, const SixAxes& by, const Reach& reach) {
-  return {(rotation_of(reach.rotation * by.tail<3>()) * X_FP.q).normalized(),
+  return {(rotation_by(reach.rotation * by.tail<3>()) * X_FP.q).normalized(),
           X_FP.p + reach.translation * by.head<3>()};
 }
 

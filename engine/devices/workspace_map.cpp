@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -17,20 +19,6 @@ Mat3 matrix_of(const AxisMap& map, int first) {
     matrix(i, source) = axis.inverted ? -axis.gain : axis.gain;
   }
   return matrix;
-}
-
-/// The shorter way round.
-Vec3 rotation_vector(const Quat& q) {
-  const double sine = q.vec().norm();
-  if (sine == 0) return Vec3::Zero();
-  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
-  return (q.w() < 0 ? -angle : angle) / sine * q.vec();
-}
-
-Quat rotation(const Vec3& vector) {
-  const double angle = vector.norm();
-  if (angle == 0) return Quat::Identity();
-  return Quat(Eigen::AngleAxisd(angle, vector / angle));
 }
 
 /// ω = J θ̇ for the rotation exp(θ), ω in the frame that the rotation is seen from.
@@ -61,7 +49,7 @@ void WorkspaceMap::anchor(const Pose& X_BH, const Pose& X_FC) noexcept {
 Pose WorkspaceMap::follow(const Pose& X_BH) noexcept {
   const Vec3 theta = rotation_vector(X_BH.q * X_BH0_.q.conjugate());
   const Vec3 mapped = M_ * theta;
-  const Quat turn = q_FB_ * rotation(mapped) * q_FB_.conjugate();
+  const Quat turn = q_FB_ * rotation_by(mapped) * q_FB_.conjugate();
   Pose X_FC{(turn * X_FC0_.q).normalized(), X_FC0_.p + q_FB_ * (A_ * (X_BH.p - X_BH0_.p))};
   spin_ = left_jacobian(mapped) * M_ * left_jacobian(theta).inverse();
   if (theta.norm() > std::numbers::pi / 2) anchor(X_BH, X_FC);

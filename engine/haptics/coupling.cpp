@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -15,13 +17,6 @@ Quat relative_rotation(const Pose& X_FO, const Pose& X_FQ) {
 
 Vec3 displacement_of_com(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) {
   return X_FQ * mass.com - X_FO * mass.com;
-}
-
-/// By the arc tangent of the half angle: exact to rounding for the smallest angles and at π.
-Vec3 rotation_vector(const Quat& q) {
-  const double sine = q.vec().norm();
-  if (sine == 0) return 2 * q.vec();
-  return (2 * std::atan2(sine, q.w()) / sine) * q.vec();
 }
 
 /// Scales x down to the limit. What is not a number must never reach a hand: it becomes zero.

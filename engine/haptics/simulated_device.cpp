@@ -7,6 +7,8 @@
 #include <string>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -31,20 +33,6 @@ void check(const HandleMotion& m) {
 double swing(const HandleMotion& m) {
   const double decay = (m.damping + m.hand_damping) / (2 * m.inertia);
   return std::sqrt(std::max(0.0, m.hand_stiffness / m.inertia - decay * decay));
-}
-
-/// By the arc tangent of the half angle, the shorter way round: exact to rounding at any angle.
-Vec3 rotation_vector(const Quat& q) {
-  const double sine = q.vec().norm();
-  if (sine == 0) return Vec3::Zero();
-  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
-  return (q.w() < 0 ? -angle : angle) / sine * q.vec();
-}
-
-Quat rotation(const Vec3& vector) {
-  const double angle = vector.norm();
-  if (angle == 0) return Quat::Identity();
-  return Quat(Eigen::AngleAxisd(angle, vector / angle));
 }
 
 Vec3 rounded(const Vec3& x, double step) {
@@ -157,14 +145,14 @@ void SimulatedDevice::advance(const Part& part, const Wrench& given, const Vec3&
     const Vec3 before = rotation_vector(state_.X_WD.q * X_WH_.q.conjugate());
     Vec3 turn = before;
     move(parameters_.rotation, part.rotation, given.torque, hand_spin, turn, state_.spin);
-    X_WH_.q = (rotation(hand_turn) * X_WH_.q).normalized();
-    state_.X_WD.q = (rotation(turn - before + hand_turn) * state_.X_WD.q).normalized();
+    X_WH_.q = (rotation_by(hand_turn) * X_WH_.q).normalized();
+    state_.X_WD.q = (rotation_by(turn - before + hand_turn) * state_.X_WD.q).normalized();
   }
 }
 
 Pose SimulatedDevice::measured() const noexcept {
   const double step = parameters_.rotation.resolution;
-  return {step == 0 ? state_.X_WD.q : rotation(rounded(rotation_vector(state_.X_WD.q), step)),
+  return {step == 0 ? state_.X_WD.q : rotation_by(rounded(rotation_vector(state_.X_WD.q), step)),
           rounded(state_.X_WD.p, parameters_.translation.resolution)};
 }
 

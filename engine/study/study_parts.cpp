@@ -2,15 +2,12 @@
 #include "engine/study/study_parts.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cstdint>
-#include <exception>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "engine/error.hpp"
+#include "engine/geometry/work.hpp"
 #include "engine/scene/output_file.hpp"
 #include "engine/scene/text_file.hpp"
 
@@ -51,30 +48,6 @@ void claim(const fs::path& folder, const Study& study) {
     throw InputError::in(study_file(folder).string(),
                          "is of a study with other inputs or settings; take another folder");
   make_folder(folder);
-}
-
-/// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
-/// thrown here.
-template <class Task>
-void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t i; (i = next++) < n;) task(i);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = n;
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(threads, n); ++i) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 /// The parts of the shard that have no file yet.

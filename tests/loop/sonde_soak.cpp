@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "engine/haptics/servo.hpp"
+#include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 #include "tests/support/allocation_counter.hpp"
@@ -32,9 +33,9 @@ double cpu_us() {
 }
 
 /// A hand that follows a path in real time, forwards and backwards in turn.
-class PathHand {
+class PathThereAndBack {
  public:
-  explicit PathHand(std::vector<TimedPose> path) : path_(std::move(path)) {}
+  explicit PathThereAndBack(std::vector<TimedPose> path) : path_(std::move(path)) {}
 
   Hand hand() {
     return {.sample = [this](double dt) { return sample(dt); },
@@ -49,15 +50,10 @@ class PathHand {
     const double length = path_.back().t - path_.front().t;
     time_ = std::fmod(time_ + dt, 2 * length);
     const double t = path_.front().t + (time_ < length ? time_ : 2 * length - time_);
-    while (at_ + 2 < path_.size() && path_[at_ + 1].t < t) ++at_;
-    while (at_ > 0 && path_[at_].t > t) --at_;
-    const TimedPose &a = path_[at_], &b = path_[at_ + 1];
-    const double s = std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0);
-    return {.X_FM = {a.pose.q.slerp(s, b.pose.q), a.pose.p + s * (b.pose.p - a.pose.p)}};
+    return {.X_FM = pose_at(path_, t)};
   }
 
   std::vector<TimedPose> path_;
-  std::size_t at_ = 0;
   double time_ = 0;
   double begin_ = 0;
   TimeHistogram cpu_;
@@ -98,7 +94,7 @@ bool run(const Options& o) {
   if (path.size() < 2) throw InputError::in(o.scene, "the path has a single pose");
   ServoSettings settings = scene.servo;
   if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
-  PathHand hand(path);
+  PathThereAndBack hand(path);
   Servo servo(load(scene.probe, scene.unit), load(scene.fixed, scene.unit), Method::pdg,
               scene.coupling, settings);
   servo.start(path.front().pose, hand.hand());

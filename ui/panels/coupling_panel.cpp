@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollArea>
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -14,6 +13,7 @@
 #include <string_view>
 
 #include "engine/scene/settings.hpp"
+#include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
 
 namespace sonde::ui {
@@ -73,13 +73,7 @@ CouplingPanel::CouplingPanel(QUndoStack& undo, QWidget* parent)
 }
 
 void CouplingPanel::build() {
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* content = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 8, 10, 8);
+  const auto [scroll, content, layout] = scrolled(*this);
   modes_ = new QButtonGroup(this);
   auto* mode_row = new QHBoxLayout;
   int index = 0;
@@ -118,8 +112,6 @@ void CouplingPanel::build() {
   mouse_layout->addWidget(gain);
   layout->addWidget(mouse);
   layout->addStretch();
-  scroll->setWidget(content);
-  setWidget(scroll);
   setMinimumWidth(290);
   connect(defaults, &QPushButton::clicked, this, [this] { request(defaults_, "Gains as opened"); });
   connect(modes_, &QButtonGroup::idClicked, this, [this](int id) {

@@ -16,6 +16,7 @@
 #include "engine/scene/settings.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/axis_table.hpp"
+#include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
 #include "ui/theme.hpp"
 
@@ -69,22 +70,14 @@ QString words_of(const DeviceStatus& status) {
 
 DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device"), parent) {
   setObjectName(QStringLiteral("device_panel"));
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* content = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 8, 10, 8);
+  const auto [scroll, content, layout] = scrolled(*this);
   build_choice(*layout);
   build_state(*layout);
   build_motion(*layout);
   build_axes(*layout);
   layout->addStretch();
-  scroll->setWidget(content);
   content->ensurePolished();
   scroll->setMinimumWidth(std::max(290, content->minimumSizeHint().width() + 18));
-  setWidget(scroll);
   show_settings(MouseHolder{}, {});
   show_report(MouseHolder{}, {});
 }

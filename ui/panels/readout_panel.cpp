@@ -9,6 +9,7 @@
 
 #include "ui/panels/bar.hpp"
 #include "ui/panels/history_plot.hpp"
+#include "ui/panels/scrolled.hpp"
 #include "ui/theme.hpp"
 
 namespace sonde::ui {
@@ -37,21 +38,13 @@ QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
 
 ReadoutPanel::ReadoutPanel(QWidget* parent) : QDockWidget(QStringLiteral("Readout"), parent) {
   setObjectName(QStringLiteral("readout_panel"));
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* content = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 6, 10, 8);
+  const auto [scroll, content, layout] = scrolled(*this);
   layout->setSpacing(4);
   build_depth(*layout);
   build_wrench(*layout);
   build_loop(*layout);
   layout->addStretch();
-  scroll->setWidget(content);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 4);
-  setWidget(scroll);
 }
 
 QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* object,

@@ -7,7 +7,6 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -16,6 +15,7 @@
 #include "ui/format.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/map_plot.hpp"
+#include "ui/panels/scrolled.hpp"
 #include "ui/recommendation_text.hpp"
 #include "ui/theme.hpp"
 
@@ -57,13 +57,7 @@ QLabel* wrapped(const char* object, QWidget* parent) {
 StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidget* parent)
     : QDockWidget(QStringLiteral("Stiffness"), parent) {
   setObjectName(QStringLiteral("stiffness_panel"));
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* content = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 6, 10, 8);
+  const auto [scroll, content, layout] = scrolled(*this);
   layout->setSpacing(4);
   build_last_second(*layout);
   build_sets(*layout);
@@ -71,8 +65,6 @@ StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidg
   build_recommendation(*layout);
   build_source(*layout, device_ids);
   layout->addStretch();
-  scroll->setWidget(content);
-  setWidget(scroll);
   setMinimumWidth(330);
   show_tuning({});
   show_buzz({}, 0);

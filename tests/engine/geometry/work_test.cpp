@@ -105,5 +105,18 @@ TEST(AtOnce, ThrowsWhatEitherPartThrows) {
   }
 }
 
+TEST(RunParallel, DoesEachOnceAndThrowsWhatOneThrows) {
+  for (const std::size_t threads : {0, 1, 2, 5}) {
+    std::vector<std::atomic<int>> done(1000);
+    run_parallel(done.size(), threads, [&](std::size_t i) { ++done[i]; });
+    for (const auto& times : done) EXPECT_EQ(times, 1);
+    const auto fail = [](std::size_t i) {
+      if (i == 7) throw InputError("a fault");
+    };
+    EXPECT_THROW(run_parallel(1000, threads, fail), InputError);
+    run_parallel(0, threads, fail);
+  }
+}
+
 }  // namespace
 }  // namespace sonde

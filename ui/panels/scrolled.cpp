@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/scrolled.hpp"
+
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace sonde::ui {
+
+Scrolled scrolled(QDockWidget& dock) {
+  auto* scroll = new QScrollArea(&dock);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(scroll);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(10, 8, 10, 8);
+  scroll->setWidget(content);
+  dock.setWidget(scroll);
+  return {scroll, content, layout};
+}
+
+}  // namespace sonde::ui
