@@ -57,9 +57,16 @@ class TurnSearch {
     }
   }
 
-  /// The least bound of all cells when the work is done, m.
+  /// The least bound of all cells when the work is done, m; or when half as much again as before
+  /// has hardly raised it.
   double run(int work, const Deadline& deadline) {
-    while (10 * depth_.evaluations() + cells_ < work && !deadline.passed()) {
+    double before = 0;
+    for (double look = first_look; spent() < work && !deadline.passed();) {
+      if (spent() >= look) {
+        const double now = std::sqrt(queue_.top().bound);
+        if (now < enough_gain * before) break;
+        before = now, look *= 1.5;
+      }
       const std::uint32_t i = queue_.top().node;
       queue_.pop();
       if (nodes_[i].seen < witnesses_.size()) {
@@ -76,6 +83,7 @@ class TurnSearch {
 
  private:
   static constexpr std::size_t most_near = 6, most_new = 64;
+  static constexpr double first_look = 4000, enough_gain = 1.02;
   struct Near {
     double depth;           // at the cell's middle, m
     double away;            // r from p there, m
@@ -99,6 +107,8 @@ class TurnSearch {
     }
   };
 
+  int spent() const { return 10 * depth_.evaluations() + cells_; }
+
   void consider(Node& n, const CellSpread& spread, std::uint32_t witness) const {
     const Witness& w = witnesses_[witness];
     const double away = (spread.middle() * w.r - w.p).norm(), depth = w.depth - away;
@@ -116,9 +126,31 @@ class TurnSearch {
       if (n.near[i].depth - reach > most)
         most = n.near[i].depth - reach, n.best = i, n.reach = reach;
     }
+    ++cells_;
     const double way = std::max(0.0, most);
     n.bound = std::max(n.bound, n.cell.least_cost(inertia_) + way * way);
-    ++cells_;
+    if (way > 0) n.bound = std::max(n.bound, least_sum(n, spread));
+  }
+
+  /// A bound of cost and way together, where the turn that is best for the one is not for the
+  /// other. With a = |R r − p| and D the witness's depth, for any a₀ in (0, D]
+  ///   (D − a)² ≥ D² − D a₀ − (D/a₀ − 1) a²,   equal at a = a₀,
+  /// so that with the cost it is a ratio of quadratic forms. The deepest witness at the middle is
+  /// looked at, for two a₀: one that suits the cell's size, and that of where the first was least.
+  double least_sum(const Node& n, const CellSpread& spread) const {
+    const Witness& w = witnesses_[n.near[0].witness];
+    const Eigen::Matrix4d G = distance_form(w.r, w.p);
+    double away = std::max(n.near[0].away, 0.3 * spread.reach(w.r)), most = -infinity;
+    Eigen::Vector4d at = n.cell.middle();
+    for (int i = 0; i < 2 && away < w.depth; ++i) {
+      Eigen::Matrix4d S = (1 - w.depth / away) * G;
+      S.diagonal().tail<3>() += 4 * inertia_;
+      const RotationCell::Least least = n.cell.least_quotient(S, at);
+      most = std::max(most, w.depth * ((1 - 1e-14) * w.depth - away) + least.bound);
+      at = least.at;
+      away = std::max(std::sqrt(at.dot(G * at) / at.squaredNorm()), 1e-3 * w.depth);
+    }
+    return most;
   }
 
   /// Takes in the witnesses found since, of many the last: those from afar matter least.
@@ -149,7 +181,7 @@ class TurnSearch {
     Node& n = nodes_[i];
     const CellSpread spread(n.cell);
     // A witness from afar has lost what it was moved by; one from here may be much better.
-    if (!n.queried && n.near[n.best].away > 2 * n.reach) {
+    if (!n.queried && n.near[n.best].away > 1.4 * n.reach) {
       n.queried = true;
       find_witness(n, spread);
       queue_.push({n.bound, i});
@@ -185,7 +217,7 @@ class TurnSearch {
     if (!depth_.probe().solid) x = R * w.r;
     if (!depth_.fixed().solid) x = w.p;
     const CommonPoint here = depth_.at(R, x);
-    const CommonPoint best = depth_.ascend(R, here, 0.3 * std::abs(here.depth()), 1);
+    const CommonPoint best = depth_.ascend(R, here, 0.3 * std::abs(here.depth()), 2);
     if (best.depth() > 0) witnesses_.push_back(best.witness());
   }
 

@@ -42,6 +42,35 @@ double RotationCell::least_cost(const Vec3& inertia) const {
   return 4 * least;
 }
 
+RotationCell::Least RotationCell::least_quotient(const Eigen::Matrix4d& S,
+                                                 const Eigen::Vector4d& guess) const {
+  // With l the quotient at the guess, qᵀSq / qᵀq = l + qᵀQq / qᵀq, Q = S − l: nearly 0 where it is
+  // least. From the middle m to m + e the form is mᵀQm + 2 (Qm)·e + eᵀQe, and with
+  // 2 |eᵢ eⱼ| ≤ eᵢ² hⱼ/hᵢ + eⱼ² hᵢ/hⱼ the least of each component can be found by itself.
+  const Eigen::Vector4d m = middle();
+  const double quotient = guess.dot(S * guess) / guess.squaredNorm();
+  const Eigen::Matrix4d Q = S - quotient * Eigen::Matrix4d::Identity();
+  const Eigen::Vector4d slope = Q * m;
+  Eigen::Vector4d at = m, most = m.cwiseAbs();
+  double form = m.dot(slope), shortest = 1, longest = 1;  // of qᵀQq; squared lengths of q
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const int a = component_of(face, i);
+    double bend = Q(a, a);
+    for (int j = 0; j < 3; ++j)
+      if (j != i)
+        bend -= std::abs(Q(a, component_of(face, j))) * half[static_cast<std::size_t>(j)] / half[k];
+    const double side = slope[a] > 0 ? -half[k] : half[k];
+    const double e = bend > 0 ? std::clamp(-slope[a] / bend, -half[k], half[k]) : side;
+    form += e * (2 * slope[a] + bend * e);
+    at[a] += e, most[a] += half[k];
+    const double near = std::max(0.0, std::abs(this->at[k]) - half[k]);
+    shortest += near * near, longest += most[a] * most[a];
+  }
+  form -= 1e-14 * most.dot(Q.cwiseAbs() * most);
+  return {quotient + form / (form > 0 ? longest : shortest), at};
+}
+
 double RotationCell::cost_along(int component, const Vec3& inertia) const {
   const Eigen::Vector4d q = middle();
   const Eigen::Vector4d J(0, inertia[0], inertia[1], inertia[2]);
@@ -56,6 +85,18 @@ std::array<RotationCell, 2> RotationCell::halves(int component) const {
   low.half[k] = high.half[k] = half[k] / 2;
   low.at[k] -= half[k] / 2, high.at[k] += half[k] / 2;
   return {low, high};
+}
+
+Eigen::Matrix4d distance_form(const Vec3& r, const Vec3& p) {
+  // For quaternion products, |q r − p q| = |R r − p| |q|, and that is linear in q = (w, v):
+  // (−v·(r − p), w (r − p) + v×(r + p)).
+  const Vec3 d = r - p, s = r + p, across = s.cross(d);
+  Eigen::Matrix4d G;
+  G(0, 0) = d.squaredNorm();
+  G.block<1, 3>(0, 1) = across.transpose();
+  G.block<3, 1>(1, 0) = across;
+  G.block<3, 3>(1, 1) = d * d.transpose() - s * s.transpose() + s.squaredNorm() * Mat3::Identity();
+  return G;
 }
 
 CellSpread::CellSpread(const RotationCell& cell) {

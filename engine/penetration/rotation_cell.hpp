@@ -12,6 +12,12 @@ namespace sonde {
 /// dimensions). Turns by 180° are as regular there as any, and what a box of them can do to a point
 /// is bounded exactly.
 struct RotationCell {
+  /// A lower bound, and a quaternion of the cell (not of unit length) that comes near to it.
+  struct Least {
+    double bound;
+    Eigen::Vector4d at;
+  };
+
   int face = 0;                               ///< which component is 1
   std::array<double, 3> at{}, half{1, 1, 1};  ///< of the other three, in the order w, x, y, z
 
@@ -20,11 +26,18 @@ struct RotationCell {
   /// The least 4 vᵀÎv of the cell, v the vector part of its unit quaternions; m², for an inertia Î
   /// (principal, ascending) in m².
   double least_cost(const Vec3& inertia) const;
+  /// A lower bound of qᵀSq / qᵀq over the cell's quaternions q, for a symmetric S; what it gives
+  /// away falls with the square of the cell's size. `guess`, a quaternion near the least, makes it
+  /// tighter. Rounded down.
+  Least least_quotient(const Eigen::Matrix4d& S, const Eigen::Vector4d& guess) const;
   /// About how much 4 vᵀÎv changes from the middle to the side across one component.
   double cost_along(int component, const Vec3& inertia) const;
   /// The two halves across one of the three components.
   std::array<RotationCell, 2> halves(int component) const;
 };
+
+/// G with |R r − p|² = qᵀGq / qᵀq for the turn R of a quaternion q = (w, x, y, z); m² for m.
+Eigen::Matrix4d distance_form(const Vec3& r, const Vec3& p);
 
 /// How far the turns of a cell take points from where its middle takes them.
 class CellSpread {

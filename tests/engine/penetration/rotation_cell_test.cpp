@@ -115,6 +115,51 @@ TEST(RotationCell, no_turn_takes_a_point_further_than_said) {
   }
 }
 
+// Reference: the definition, by rotating a point.
+TEST(RotationCell, the_form_of_the_distance_between_two_points) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 r = test::random_in_ball(random, 2), p = test::random_in_ball(random, 2);
+    const Quat q = test::random_rotation(random);
+    const Eigen::Vector4d c =
+        test::uniform(random, 0.5, 2) * Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+    EXPECT_NEAR(c.dot(distance_form(r, p) * c) / c.squaredNorm(), (q * r - p).squaredNorm(), 1e-13);
+  }
+}
+
+// Reference: quaternions of the cell, at random and at its corners. What small cells give away is
+// of second order in their size.
+TEST(RotationCell, no_quotient_of_a_cell_is_less_than_said) {
+  std::mt19937_64 random(6);
+  int small = 0, tight = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const int halvings = static_cast<int>(random() % 20);
+    const RotationCell cell = random_cell(random, halvings);
+    Eigen::Matrix4d S =
+        -test::uniform(random, 0, 3) *
+        distance_form(test::random_in_ball(random, 1), test::random_in_ball(random, 1));
+    S.diagonal().tail<3>() += 4 * inertia;
+    const auto guessed = cell.least_quotient(S, cell.middle());
+    const auto least = cell.least_quotient(S, guessed.at);
+    double found = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 300; ++k) {
+      Vec3 where = in_cube(random);
+      if (random() % 2) where = where.cwiseSign();
+      const Quat q = quaternion(cell, where);
+      const Eigen::Vector4d c(q.w(), q.x(), q.y(), q.z());
+      found = std::min(found, c.dot(S * c));
+    }
+    EXPECT_LE(guessed.bound, found);
+    EXPECT_LE(least.bound, found);
+    const double size = *std::max_element(cell.half.begin(), cell.half.end());
+    if (halvings < 9) continue;
+    ++small;
+    tight += found - least.bound < 5 * S.norm() * size * size;
+  }
+  EXPECT_GT(small, 400);
+  EXPECT_EQ(tight, small);
+}
+
 // A component's share in the cost is the difference to the side, to first order.
 TEST(RotationCell, the_change_of_the_cost_across_a_small_cell) {
   std::mt19937_64 random(4);
