@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/contact_path.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -15,46 +14,24 @@ namespace {
 
 constexpr double dt = 1e-3;
 
-struct Pair {
-  const char* name;
-  std::shared_ptr<const Body> probe, fixed;
-  double bottom;  ///< where the test's motion turns round: deep in contact, m
-};
-
-std::vector<Pair> pairs() {
-  std::mt19937_64 random(11);
-  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
-  return {
-      {"box on block", test::body(test::box({0.02, 0.03, 0.05})), block, 0.065},
-      {"tetrahedron on block", test::body(test::tetrahedron(0.05)), block, 0.065},
-      {"torus on torus", test::body(test::torus(0.04, 0.015, 16, 10)),
-       test::body(test::torus(0.06, 0.02, 16, 10)), 0.025},
-      {"soup on block", test::body(test::random_soup(random, 10, 0.05)), block, 0.065},
-  };
-}
-
-/// Comes down from above, wanders about in contact while it turns, and leaves again; x in 0..1.
-Pose path(const Pair& pair, double x) {
-  const double turn = 2 * std::numbers::pi * x;
-  const double height = pair.bottom + 0.06 * (0.5 + 0.5 * std::cos(turn));
-  const Quat q(Eigen::AngleAxisd(0.7 * std::sin(turn), Vec3(1, 2, 3).normalized()));
-  return {q, Vec3(0.01 * std::sin(3 * turn), 0.01 * std::cos(2 * turn), height)};
-}
+using test::contact_pairs;
+using test::contact_path;
+using Pair = test::ContactPair;
 
 TEST(HapticLoop, a_tick_neither_allocates_nor_frees_on_a_path_through_contact) {
   for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic})
     for (const Method method : {Method::pdg, Method::pdt})
-      for (const Pair& pair : pairs()) {
+      for (const Pair& pair : contact_pairs()) {
         Coupling coupling;
         coupling.mode = mode;
         coupling.b_t = coupling.b_r = 0.01;
         HapticLoop loop(pair.probe, pair.fixed, method, coupling);
-        loop.reset(path(pair, 0), {});
+        loop.reset(contact_path(pair, 0), {});
         constexpr int ticks = 300;
         int in_contact = 0;
         test::AllocationCounter counter;
         for (int i = 0; i <= ticks; ++i) {
-          loop.tick(path(pair, double(i) / ticks), dt, {});
+          loop.tick(contact_path(pair, double(i) / ticks), dt, {});
           in_contact += loop.separation().status == Status::penetrating;
         }
         counter.stop();
@@ -66,16 +43,16 @@ TEST(HapticLoop, a_tick_neither_allocates_nor_frees_on_a_path_through_contact) {
 }
 
 TEST(HapticLoop, the_wrench_is_the_coupling_of_the_separation_within_the_limits) {
-  for (const Pair& pair : pairs()) {
+  for (const Pair& pair : contact_pairs()) {
     Coupling coupling;
     coupling.k = 2000;
     coupling.max_force = 3;
     coupling.max_torque = 0.02;
     HapticLoop loop(pair.probe, pair.fixed, Method::pdg, coupling);
-    loop.reset(path(pair, 0), {});
+    loop.reset(contact_path(pair, 0), {});
     int saturated = 0;
     for (int i = 0; i <= 300; ++i) {
-      loop.tick(path(pair, i / 300.0), dt, {});
+      loop.tick(contact_path(pair, i / 300.0), dt, {});
       const Separation& s = loop.separation();
       ASSERT_NE(s.status, Status::failed) << pair.name << ": " << s.reason;
       const Wrench want =
@@ -110,14 +87,14 @@ Coupling damped() {
 }
 
 TEST(HapticLoop, classic_damping_acts_on_the_backward_difference_of_the_separation) {
-  for (const Pair& pair : pairs()) {
+  for (const Pair& pair : contact_pairs()) {
     const Coupling c = damped();
     HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
-    loop.reset(path(pair, 0), {});
+    loop.reset(contact_path(pair, 0), {});
     SeparationMotion before;
     int damped_ticks = 0;
     for (int i = 1; i <= 300; ++i) {
-      loop.tick(path(pair, i / 300.0), dt, {});
+      loop.tick(contact_path(pair, i / 300.0), dt, {});
       const SeparationMotion now = motion(pair, loop.separation());
       // After the first tick the wrench follows from the poses alone; out of contact both are zero.
       if (i > 1 && !loop.separation().jumped) {
@@ -143,7 +120,7 @@ Pose sliding(double depth, double x = 0) {
 }
 
 TEST(HapticLoop, nothing_is_damped_out_of_contact) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   Coupling c = damped();
   c.b_t = 1e6;
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
@@ -159,7 +136,7 @@ TEST(HapticLoop, nothing_is_damped_out_of_contact) {
 }
 
 TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   const Coupling c = damped();
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
   loop.reset(sliding(-0.001), {});
@@ -170,7 +147,7 @@ TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
 }
 
 TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damped) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   const Coupling c = damped();
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
   const auto is_spring_alone = [&] {
@@ -192,7 +169,7 @@ TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damp
 }
 
 TEST(HapticLoop, a_pose_that_is_no_pose_gives_no_wrench_and_does_no_harm) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   const Coupling c = damped();
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
   loop.reset(sliding(0.002), {});
@@ -213,7 +190,7 @@ TEST(HapticLoop, a_pose_that_is_no_pose_gives_no_wrench_and_does_no_harm) {
 }
 
 TEST(HapticLoop, before_a_reset_there_is_no_wrench) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, {});
   loop.tick(sliding(0.002), dt, {});
   EXPECT_EQ(loop.separation().status, Status::failed);
@@ -221,7 +198,7 @@ TEST(HapticLoop, before_a_reset_there_is_no_wrench) {
 }
 
 TEST(HapticLoop, a_coupling_change_acts_on_the_next_tick) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   Coupling c;
   c.k = 100;
   HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);

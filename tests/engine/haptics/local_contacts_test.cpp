@@ -6,41 +6,19 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/proximity/motion.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/contact_path.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-struct Pair {
-  const char* name;
-  std::shared_ptr<const Body> probe, fixed;
-  double bottom;  ///< where the test's motion turns round: deep in contact, m
-};
-
-std::vector<Pair> pairs() {
-  std::mt19937_64 random(11);
-  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
-  return {
-      {"box on block", test::body(test::box({0.02, 0.03, 0.05})), block, 0.065},
-      {"tetrahedron on block", test::body(test::tetrahedron(0.05)), block, 0.065},
-      {"torus on torus", test::body(test::torus(0.04, 0.015, 16, 10)),
-       test::body(test::torus(0.06, 0.02, 16, 10)), 0.025},
-      {"soup on block", test::body(test::random_soup(random, 10, 0.05)), block, 0.065},
-  };
-}
-
-/// Comes down from above, wanders about in contact while it turns, and leaves again; x in 0..1.
-Pose path(const Pair& pair, double x) {
-  const double turn = 2 * std::numbers::pi * x;
-  const double height = pair.bottom + 0.06 * (0.5 + 0.5 * std::cos(turn));
-  const Quat q(Eigen::AngleAxisd(0.7 * std::sin(turn), Vec3(1, 2, 3).normalized()));
-  return {q, Vec3(0.01 * std::sin(3 * turn), 0.01 * std::cos(2 * turn), height)};
-}
+using test::contact_pairs;
+using test::contact_path;
+using Pair = test::ContactPair;
 
 double distance(const Pair& pair, const Pose& from, const Pose& to) {
   return Chart(pair.probe->mass, from).coordinates(to).norm();
@@ -54,12 +32,12 @@ double farthest(const Pair& pair, const Pose& from, const Pose& to) {
 
 TEST(LocalContacts, at_the_pose_of_the_rows_the_answer_is_that_of_the_geometry) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : pairs()) {
+    for (const Pair& pair : contact_pairs()) {
       ContactFeed feed(pair.probe, pair.fixed, method);
-      feed.reset(path(pair, 0), {});
+      feed.reset(contact_path(pair, 0), {});
       int in_contact = 0;
       for (int i = 0; i <= 300; ++i) {
-        const LocalContacts& contacts = feed.refresh(path(pair, i / 300.0), 0, 0, {});
+        const LocalContacts& contacts = feed.refresh(contact_path(pair, i / 300.0), 0, 0, {});
         const LocalAnswer answer =
             separate_locally(pair.probe->mass, method, contacts, contacts.separation.device);
         ASSERT_NE(answer.separation.status, Status::failed);
@@ -76,13 +54,13 @@ TEST(LocalContacts, at_the_pose_of_the_rows_the_answer_is_that_of_the_geometry) 
 
 TEST(LocalContacts, depths_are_wrong_by_twice_the_motion_of_the_device_at_most) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : pairs()) {
+    for (const Pair& pair : contact_pairs()) {
       ContactFeed feed(pair.probe, pair.fixed, method);
-      feed.reset(path(pair, 0), {});
+      feed.reset(contact_path(pair, 0), {});
       LocalContacts old = feed.contacts();
       int compared = 0;
       for (int i = 1; i <= 600; ++i) {
-        const Pose device = path(pair, i / 600.0);
+        const Pose device = contact_path(pair, i / 600.0);
         const LocalAnswer answer = separate_locally(pair.probe->mass, method, old, device);
         const LocalContacts now = feed.refresh(device, 0, 0, {});
         const double moved = distance(pair, old.separation.device, device);
@@ -105,7 +83,7 @@ TEST(LocalContacts, depths_are_wrong_by_twice_the_motion_of_the_device_at_most) 
 
 // A box that comes down flat on a block: the rows are exact however old they are.
 TEST(LocalContacts, a_fast_poke_is_met_between_two_refreshes) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   const auto at = [](double depth) { return Pose{Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; };
   ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
   const LocalContacts& free = feed.reset(at(-0.003), {});
@@ -127,7 +105,7 @@ TEST(LocalContacts, a_fast_poke_is_met_between_two_refreshes) {
 
 TEST(LocalContacts, a_turn_is_followed_exactly_where_a_corner_touches_a_plane) {
   // A tetrahedron that stands on a corner: its row holds at any turn about it.
-  const Pair pair = pairs()[1];
+  const Pair pair = contact_pairs()[1];
   const auto tilted = [](double angle) {
     return Pose{Quat(Eigen::AngleAxisd(0.4 + angle, Vec3(1, 0.3, 0).normalized())),
                 Vec3(0, 0, 0.068)};
@@ -144,15 +122,15 @@ TEST(LocalContacts, a_turn_is_followed_exactly_where_a_corner_touches_a_plane) {
 }
 
 TEST(LocalContacts, the_separated_pose_goes_no_farther_than_is_trusted) {
-  for (const Pair& pair : pairs()) {
+  for (const Pair& pair : contact_pairs()) {
     ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
-    feed.reset(path(pair, 0), {});
-    LocalContacts old = feed.refresh(path(pair, 0.4), 0, 0, {});
+    feed.reset(contact_path(pair, 0), {});
+    LocalContacts old = feed.refresh(contact_path(pair, 0.4), 0, 0, {});
     old.reach = 1e-3;
     int held_back = 0;
     for (int i = 0; i <= 20; ++i) {
       const LocalAnswer answer =
-          separate_locally(pair.probe->mass, Method::pdg, old, path(pair, 0.4 + 0.02 * i));
+          separate_locally(pair.probe->mass, Method::pdg, old, contact_path(pair, 0.4 + 0.02 * i));
       ASSERT_NE(answer.separation.status, Status::failed);
       EXPECT_LE(farthest(pair, old.separation.separated, answer.separation.separated),
                 1.2 * 0.1 * pair.probe->mass.radius)  // a bound of it, in two charts
@@ -164,12 +142,12 @@ TEST(LocalContacts, the_separated_pose_goes_no_farther_than_is_trusted) {
 }
 
 TEST(LocalContacts, what_is_no_pose_or_has_no_rows_fails) {
-  const Pair pair = pairs()[0];
+  const Pair pair = contact_pairs()[0];
   ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
-  Pose bad = path(pair, 0);
+  Pose bad = contact_path(pair, 0);
   EXPECT_EQ(separate_locally(pair.probe->mass, Method::pdg, feed.contacts(), bad).separation.status,
             Status::failed);  // never reset
-  const LocalContacts& contacts = feed.reset(path(pair, 0), {});
+  const LocalContacts& contacts = feed.reset(contact_path(pair, 0), {});
   bad.p.z() = std::numeric_limits<double>::infinity();
   const LocalAnswer answer = separate_locally(pair.probe->mass, Method::pdg, contacts, bad);
   EXPECT_EQ(answer.separation.status, Status::failed);
@@ -178,15 +156,15 @@ TEST(LocalContacts, what_is_no_pose_or_has_no_rows_fails) {
 
 TEST(LocalContacts, neither_refreshing_nor_using_them_allocates) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : pairs()) {
+    for (const Pair& pair : contact_pairs()) {
       ContactFeed feed(pair.probe, pair.fixed, method);
-      feed.reset(path(pair, 0), {});
+      feed.reset(contact_path(pair, 0), {});
       int in_contact = 0;
       test::AllocationCounter counter;
       for (int i = 0; i <= 300; ++i) {
-        const LocalContacts& contacts = feed.refresh(path(pair, i / 300.0), 0, 0, {});
-        const LocalAnswer answer =
-            separate_locally(pair.probe->mass, method, contacts, path(pair, (i + 1) / 300.0));
+        const LocalContacts& contacts = feed.refresh(contact_path(pair, i / 300.0), 0, 0, {});
+        const LocalAnswer answer = separate_locally(pair.probe->mass, method, contacts,
+                                                    contact_path(pair, (i + 1) / 300.0));
         in_contact += answer.separation.status == Status::penetrating;
       }
       counter.stop();

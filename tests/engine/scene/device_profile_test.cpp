@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/error.hpp"
+#include "tests/support/complaint.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
@@ -114,16 +115,7 @@ TEST(DeviceProfile, TheSimulatedDeviceIsThatOfTheProfile) {
 
 /// The complaint about a profile of this text, from the line on; empty where there is none.
 std::string complaint(const std::string& text) {
-  const TempFolder folder;
-  const auto file = folder.write("bad.json", text);
-  try {
-    read_device_profile(file);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_THAT(what, StartsWith(file.string() + ":"));
-    return what.substr(file.string().size() + 1);
-  }
-  return {};
+  return test::complaint_of(text, "bad.json", read_device_profile);
 }
 /// The complaint where the value of `key` is this JSON text.
 std::string complaint_about(const char* key, const std::string& value) {

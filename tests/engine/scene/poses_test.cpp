@@ -6,7 +6,7 @@
 #include <clocale>
 
 #include "engine/error.hpp"
-#include "tests/support/temp_folder.hpp"
+#include "tests/support/complaint.hpp"
 
 namespace sonde {
 namespace {
@@ -24,21 +24,12 @@ std::vector<Pose> poses_of(const std::string& text) {
   return read_poses(folder.write("p.csv", text));
 }
 
-template <class Read>
-std::string complaint_of(const std::string& text, const Read& read) {
-  const TempFolder folder;
-  const auto file = folder.write("p.csv", text);
-  try {
-    read(file);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_THAT(what, StartsWith(file.string() + ":"));
-    return what.substr(file.string().size() + 1);
-  }
-  return {};
+std::string complaint(const std::string& text) {
+  return test::complaint_of(text, "p.csv", read_poses);
 }
-std::string complaint(const std::string& text) { return complaint_of(text, read_poses); }
-std::string timed_complaint(const std::string& text) { return complaint_of(text, read_trajectory); }
+std::string timed_complaint(const std::string& text) {
+  return test::complaint_of(text, "p.csv", read_trajectory);
+}
 
 TEST(Poses, rows_are_read_to_the_bit) {
   const auto poses = poses_of(header + "0.1,-2e-3,3,1,0,0,0\n+1,.5,1e300,0,0,0,-1\n");

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/scene/settings.hpp"
+#include "tests/support/complaint.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
@@ -18,16 +19,7 @@ using testing::StartsWith;
 
 /// The complaint about a scene of this text; empty where there is none.
 std::string complaint(const std::string& text) {
-  const TempFolder folder;
-  const auto file = folder.write("a.sonde.json", text);
-  try {
-    read_scene(file);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_THAT(what, StartsWith(file.string() + ":"));
-    return what.substr(file.string().size() + 1);
-  }
-  return {};
+  return test::complaint_of(text, "a.sonde.json", read_scene);
 }
 
 constexpr const char* smallest = R"({"probe": {"mesh": "a.off"}, "fixed": {"mesh": "b.off"}})";
