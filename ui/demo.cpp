@@ -142,6 +142,8 @@ int Demo::finish() {
   std::printf("|F| %.3g N, |tau| %.3g N·m, tick %.0f us, servo %.0f Hz, %.0f frames/s\n",
               s.wrench.force.norm(), s.wrench.torque.norm(), s.tick_us, s.rate_hz,
               frames_per_second_);
+  if (const auto& c = window_.companion())
+    if (const char* way = words(way_out(s.separation, *c)); *way != 0) std::printf("%s\n", way);
   std::fflush(stdout);
   return 0;
 }

@@ -323,6 +323,8 @@ void MainWindow::show_status() {
     happens = QStringLiteral("Free.");
   else
     happens = QStringLiteral("In contact.");
+  if (const char* way = companion_ ? words(way_out(s.separation, *companion_)) : ""; *way != 0)
+    happens += QLatin1Char(' ') + QString::fromUtf8(way);
   if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
   what_happens_->setText(QStringLiteral("%1   %2   %3")

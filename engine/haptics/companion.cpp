@@ -41,6 +41,30 @@ CompanionResult compute(const Body& probe, const Body& fixed, const Pose& X_FM) 
 
 }  // namespace
 
+WayOut way_out(const Separation& followed, const CompanionResult& search) {
+  const bool same_pose = search.device.p == followed.device.p &&
+                         search.device.q.coeffs() == followed.device.q.coeffs();
+  if (!same_pose || !search.pdt_valid || followed.status == Status::failed) return WayOut::unknown;
+  // Both are iterated: what differs by less is no other way.
+  constexpr double clearly = 0.98;
+  if (followed.status == Status::separated || search.pdt >= clearly * followed.depth)
+    return WayOut::nearest;
+  return search.pdt > 0 ? WayOut::nearer_blocked : WayOut::free_blocked;
+}
+
+const char* words(WayOut way) {
+  switch (way) {
+    case WayOut::unknown:
+    case WayOut::nearest:
+      return "";
+    case WayOut::nearer_blocked:
+      return "There is a nearer way out, but it is blocked from where the probe came.";
+    case WayOut::free_blocked:
+      return "The probe would be free where the hand is, but the way there is blocked.";
+  }
+  return "";
+}
+
 struct Companion::State {
   std::shared_ptr<const Body> probe, fixed;
   std::mutex mutex;  ///< guards the three below

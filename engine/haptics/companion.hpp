@@ -19,6 +19,17 @@ struct CompanionResult {
   double time_us = 0;
 };
 
+/// What the global search says of a separated pose that was followed to, from the same device pose.
+enum class WayOut {
+  unknown,         ///< it answered for another pose, or not at all
+  nearest,         ///< it knows of no nearer one
+  nearer_blocked,  ///< there is a nearer one, but not from where the probe came
+  free_blocked,    ///< the device pose itself is free, and the way to it is blocked
+};
+WayOut way_out(const Separation& followed, const CompanionResult& search);
+/// In a sentence, for the window; "" where there is nothing to say.
+const char* words(WayOut way);
+
 /// A thread that computes PD_t and the lower bound for the newest pose asked about.
 class Companion {
  public:

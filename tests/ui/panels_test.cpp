@@ -11,6 +11,7 @@
 
 #include "engine/scene/settings.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/panels/readout_panel.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
@@ -110,6 +111,24 @@ TEST_F(PanelTest, every_number_is_there_with_its_unit) {
   EXPECT_FALSE(text("depth_value").contains(','));
   EXPECT_TRUE(text("what_happens").contains("closed"));
   EXPECT_TRUE(text("rates").contains("Hz"));
+}
+
+TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_nothing) {
+  ASSERT_TRUE(wait_until([this] { return find<QLabel>("pdt_value")->text().contains("mm"); }));
+  window->set_paused(true);
+  ASSERT_TRUE(wait_until([this] { return shown().paused; }));
+  Snapshot snapshot = shown();
+  snapshot.separation.depth = 0.0118;
+  snapshot.separation.status = Status::penetrating;
+  CompanionResult free{.device = snapshot.separation.device, .pdt_valid = true, .lower_bound = 0.0};
+  auto* readout = find<ReadoutPanel>("readout_panel");
+  readout->show_numbers(snapshot, free);
+  EXPECT_EQ(find<QLabel>("pdt_value")->text(), "free, way blocked");
+  EXPECT_EQ(find<QLabel>("bound_value")->text(), "–");
+  EXPECT_TRUE(find<QLabel>("depth_value")->text().contains("mm"));
+  free.device.p.x() += 1e-3;  // of a pose before: no judgement
+  readout->show_numbers(snapshot, free);
+  EXPECT_TRUE(find<QLabel>("pdt_value")->text().contains("mm"));
 }
 
 TEST_F(PanelTest, slow_numbers_are_computed_only_while_shown) {

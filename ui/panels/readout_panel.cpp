@@ -86,7 +86,8 @@ void ReadoutPanel::build_depth(QVBoxLayout& layout) {
   pdt_ = value(*form, QStringLiteral("PD_t (global search)"), "pdt_value",
                QStringLiteral("The depth if the probe may not turn, and its ratio to √σ. It knows "
                               "nothing of the way the probe came, and may be the shorter way "
-                              "through a thin wall. Grey while computed for the newest pose."));
+                              "through a thin wall, or none at all where the hand is free beyond "
+                              "it. Grey while computed for the newest pose."));
   bound_ =
       value(*form, QStringLiteral("lower bound"), "bound_value",
             QStringLiteral("No motion shorter than this separates the two; and its ratio to √σ."));
@@ -185,6 +186,11 @@ void ReadoutPanel::show_companion(const Separation& separation,
                                                                       percent(length / depth))
                                       : unit_.text(length));
   };
+  if (way_out(separation, *companion) == WayOut::free_blocked) {
+    pdt_->setText(QStringLiteral("free, way blocked"));
+    bound_->setText(QStringLiteral("–"));
+    return;
+  }
   pdt_->setText(companion->pdt_valid ? beside(companion->pdt)
                                      : in_colour(shade, QStringLiteral("not found")));
   bound_->setText(companion->lower_bound ? beside(*companion->lower_bound)

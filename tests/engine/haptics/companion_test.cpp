@@ -6,7 +6,9 @@
 #include <chrono>
 #include <limits>
 #include <thread>
+#include <utility>
 
+#include "engine/penetration/coherent.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -75,6 +77,43 @@ TEST_F(CompanionTest, a_pose_that_is_no_pose_has_no_answer) {
   EXPECT_FALSE(r->lower_bound);
   companion.request(at_depth(0.002));
   EXPECT_TRUE(answer(at_depth(0.002)));
+}
+
+/// A slab thinner than the probe: whoever goes down through it is free again below. The followed
+/// pose stays above, by construction as far as the device is below the slab's upper face.
+class ThroughAWall : public CompanionTest {
+ protected:
+  std::shared_ptr<const Body> slab = test::body(test::box({0.3, 0.3, 0.01}));
+  CoherentSolver follower{probe, slab, Method::pdg};
+  Companion search{probe, slab};
+
+  /// The device goes straight down to this height of the probe's centre.
+  std::pair<Separation, CompanionResult> down_to(double z) {
+    Separation followed = follower.reset({Quat::Identity(), Vec3(0, 0, 0.04)}, {});
+    for (double at = 0.04; at > z; at -= 5e-4)
+      followed = follower.tick({Quat::Identity(), Vec3(0, 0, at)}, Budget{});
+    followed = follower.tick({Quat::Identity(), Vec3(0, 0, z)}, Budget{});
+    search.request(followed.device);
+    for (;; std::this_thread::sleep_for(1ms))
+      if (const auto r = search.latest(); r && r->device.p == followed.device.p)
+        return {followed, *r};
+  }
+};
+
+TEST_F(ThroughAWall, what_is_followed_and_what_is_found_are_told_apart) {
+  const auto [shallow, near] = down_to(0.028);
+  EXPECT_NEAR(shallow.depth, 0.002, 1e-5);
+  EXPECT_EQ(way_out(shallow, near), WayOut::nearest);
+  EXPECT_STREQ(words(WayOut::nearest), "");
+  const auto [deep, beyond] = down_to(-0.02);
+  EXPECT_NEAR(beyond.pdt, 0.01, 1e-5) << "down";
+  ASSERT_GT(deep.depth, 0.02) << "held back above";
+  EXPECT_EQ(way_out(deep, beyond), WayOut::nearer_blocked);
+  const auto [through, free] = down_to(-0.035);
+  EXPECT_EQ(free.pdt, 0) << "free there";
+  ASSERT_GT(through.depth, 0.02);
+  EXPECT_EQ(way_out(through, free), WayOut::free_blocked);
+  EXPECT_EQ(way_out(through, beyond), WayOut::unknown) << "an answer for another pose";
 }
 
 TEST_F(CompanionTest, ends_with_requests_waiting) {
