@@ -36,6 +36,9 @@ class Session {
   /// Every tick in its order; false where there is none left. See Servo::next_tick.
   bool next_tick(Snapshot& out) { return servo_.next_tick(out); }
 
+  /// Of those, how many were dropped because they were fetched too late.
+  std::uint64_t ticks_dropped() const { return servo_.ticks_dropped(); }
+
   /// What holds the probe from now on; it takes over where the probe is, so that nothing jumps.
   void hold_by_mouse();
   /// A simulated device, in a hand that goes where the mouse wants the probe. Throws

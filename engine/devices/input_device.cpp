@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/input_device.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "engine/devices/connection.hpp"
 #include "engine/error.hpp"
+#include "engine/haptics/real_time.hpp"
 #include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
@@ -54,6 +58,9 @@ struct InputDevice::State {
   }
 
   void run();
+  std::vector<HidInfo> fitting() const;
+  void know_others();
+  bool is_chosen(const HidInfo& info, const std::vector<HidInfo>& all) const;
   std::optional<Connection> find();
   void serve(Connection& connection);
   bool hear(Connection& connection, std::chrono::milliseconds wait);
@@ -64,9 +71,9 @@ struct InputDevice::State {
   bool should_stop() const;
   void rest();
 
-  const DeviceChoice choice;
-
   // The device thread's own.
+  DeviceChoice choice;              ///< its path is the node last opened, where one was asked for
+  std::vector<std::string> others;  ///< nodes that fit and are not the one asked for
   DeviceSample sample;
   std::array<std::uint8_t, longest_report> buffer{};
   std::string complaint;
@@ -108,10 +115,37 @@ void InputDevice::State::publish(DeviceState state, const std::string& reason) {
   if (status.reason != reason) status.reason = reason;
 }
 
+std::vector<HidInfo> InputDevice::State::fitting() const {
+  std::vector<HidInfo> all = list_hid();
+  std::erase_if(all, [&](const HidInfo& info) { return !kind_of(info) || !fits(choice, info); });
+  return all;
+}
+
+/// To be called while the one asked for is there, or has just gone.
+void InputDevice::State::know_others() {
+  others.clear();
+  if (choice.path.empty()) return;
+  for (const HidInfo& info : fitting())
+    if (info.path != choice.path) others.push_back(info.path);
+}
+
+bool InputDevice::State::is_chosen(const HidInfo& info, const std::vector<HidInfo>& all) const {
+  if (choice.path.empty() || info.path == choice.path) return true;
+  const bool there =
+      std::ranges::any_of(all, [&](const HidInfo& one) { return one.path == choice.path; });
+  return !there && std::ranges::find(others, info.path) == others.end();
+}
+
 void InputDevice::State::run() {
+  name_thread("sonde-device");
+  bool looked = false;
   while (!should_stop()) {
     try {
-      if (auto connection = find()) serve(*connection);
+      if (!std::exchange(looked, true)) know_others();
+      if (auto connection = find()) {
+        serve(*connection);
+        know_others();
+      }
     } catch (const std::exception& error) {
       publish(DeviceState::refused, error.what());
     }
@@ -121,14 +155,17 @@ void InputDevice::State::run() {
 
 std::optional<Connection> InputDevice::State::find() {
   std::string reasons;
-  for (const HidInfo& info : list_hid()) {
-    if (!kind_of(info) || !fits(choice, info)) continue;
+  const std::vector<HidInfo> all = fitting();
+  for (const HidInfo& info : all) {
+    if (!is_chosen(info, all)) continue;
     try {
       Connection connection = connect(info);
+      if (!choice.path.empty()) choice.path = info.path;
       const std::lock_guard lock(mutex);
       status.name = name_of(info);
       status.path = info.path;
       status.capabilities = connection.capabilities();
+      status.scheduling = "";
       ++status.connections;
       return connection;
     } catch (const InputError& error) {
@@ -138,7 +175,8 @@ std::optional<Connection> InputDevice::State::find() {
   if (!reasons.empty())
     publish(DeviceState::refused, reasons);
   else if (sample.state != DeviceState::absent || status.reason.empty())
-    publish(DeviceState::absent, "no 6-DoF device is connected that fits");
+    publish(DeviceState::absent, choice.path.empty() ? "no 6-DoF device is connected that fits"
+                                                     : "it is no longer at " + choice.path);
   return {};
 }
 
@@ -153,7 +191,14 @@ void InputDevice::State::serve(Connection& connection) {
   // A puck at rest says nothing; a force device is not ready before it has told its pose.
   sample.state = position ? DeviceState::silent : DeviceState::ready;
   publish(sample.state, position ? "open, and nothing heard yet" : "");
-  const auto wait = connection.capabilities().force ? force_wait : puck_wait;
+  const bool in_the_loop = connection.capabilities().force;
+  const auto wait = in_the_loop ? force_wait : puck_wait;
+  // Looking for devices has no end that is known, and is left to ordinary times.
+  const Promptness prompt(in_the_loop);
+  {
+    const std::lock_guard lock(mutex);
+    status.scheduling = prompt.words();
+  }
   bool there = true;
   while (there && !should_stop())
     there = switch_led(connection) && hear(connection, wait) && answer(connection);

@@ -13,6 +13,9 @@ namespace sonde {
 struct DeviceChoice {
   std::uint16_t vendor = 0, product = 0;
   std::string serial;
+  /// Its node, /dev/hidraw3: that very one, though others are like it. Where it has gone, the first
+  /// that fits and was not there then is it, plugged in again.
+  std::string path;
 };
 
 /// How a device is doing, for people to read.
@@ -25,6 +28,9 @@ struct DeviceStatus {
   std::uint64_t refused = 0;      ///< of these, could not be true
   std::uint64_t lost = 0;         ///< missing by the device's own count, in this connection
   std::uint32_t connections = 0;  ///< how often it was opened
+  /// Static text: why the thread that reads it runs no sooner than ordinary ones, though it is in
+  /// the loop of forces; "" where it does, or need not.
+  const char* scheduling = "";
 };
 
 /// A 6-DoF device of whatever kind: pose or deflections in, wrench out. A thread of its own looks

@@ -42,6 +42,7 @@ const LocalContacts& GeometryThread::newest() noexcept {
 }
 
 void GeometryThread::run() noexcept {
+  name_thread("sonde-geometry");
   if (real_time_) request_precedence();
   std::int32_t seen = 0;
   for (;;) {

@@ -12,6 +12,9 @@ struct RealTime {
   const char* memory = "";
 };
 
+/// The calling thread's name in the system's tools (top -H); up to 15 letters.
+void name_thread(const char* name) noexcept;
+
 /// Asks for both, for the calling thread and for the process. May wait; not to be called in a tick.
 RealTime request_real_time() noexcept;
 
@@ -19,5 +22,24 @@ RealTime request_real_time() noexcept;
 /// request_real_time(). For work that may have no end: where there is a single processor, only a
 /// greater share of it is asked for. False where that is not permitted.
 bool request_precedence() noexcept;
+
+/// While it lives the calling thread runs before all ordinary ones and those of
+/// request_precedence(), but behind the servo's: for one that waits for a device most of the time,
+/// and whose delay the hand feels. Not for a single processor, which a device that floods would
+/// take.
+class Promptness {
+ public:
+  explicit Promptness(bool wanted) noexcept;
+  ~Promptness();  ///< an ordinary thread again
+  Promptness(const Promptness&) = delete;
+  Promptness& operator=(const Promptness&) = delete;
+
+  /// Static text: why not, and what would allow it; "" where it was granted or not wanted.
+  const char* words() const noexcept { return words_; }
+
+ private:
+  bool granted_ = false;
+  const char* words_ = "";
+};
 
 }  // namespace sonde

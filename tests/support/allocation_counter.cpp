@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/allocation_counter.hpp"
 
+#include <sys/prctl.h>
+
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 
 namespace {
 
@@ -18,13 +21,28 @@ thread_local Counts counts{};
 std::atomic<bool> all_on{false};
 std::atomic<std::uint64_t> all_allocations{0}, all_frees{0};
 
+std::atomic<bool> named_on{false};
+std::span<const char* const> wanted_names;
+std::atomic<std::uint64_t> named_allocations{0}, named_frees{0};
+
+/// Asks the system each time: a thread may be named after its first allocation.
+bool has_wanted_name() noexcept {
+  char name[16] = "";
+  prctl(PR_GET_NAME, name);
+  for (const char* wanted : wanted_names)
+    if (std::strcmp(name, wanted) == 0) return true;
+  return false;
+}
+
 void count_allocation() noexcept {
   if (counts.on) ++counts.allocations;
+  if (named_on.load(std::memory_order_acquire) && has_wanted_name()) ++named_allocations;
   if (all_on.load(std::memory_order_relaxed)) ++all_allocations;
 }
 void count_free(const volatile void* block) noexcept {
   if (block == nullptr) return;
   if (counts.on) ++counts.frees;
+  if (named_on.load(std::memory_order_acquire) && has_wanted_name()) ++named_frees;
   if (all_on.load(std::memory_order_relaxed)) ++all_frees;
 }
 
@@ -97,6 +115,15 @@ void AllocationCounter::stop() {
   allocations_ = counts.allocations;
   frees_ = counts.frees;
 }
+
+NamedAllocationCounter::NamedAllocationCounter(std::span<const char* const> names) {
+  wanted_names = names;
+  named_allocations = named_frees = 0;
+  named_on.store(true, std::memory_order_release);
+}
+void NamedAllocationCounter::stop() { named_on = false; }
+std::uint64_t NamedAllocationCounter::allocations() const { return named_allocations; }
+std::uint64_t NamedAllocationCounter::frees() const { return named_frees; }
 
 ProcessAllocationCounter::ProcessAllocationCounter() {
   all_allocations = all_frees = 0;

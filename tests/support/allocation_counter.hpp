@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 namespace sonde::test {
 
@@ -22,6 +23,19 @@ class AllocationCounter {
   bool running_ = true;
   std::uint64_t allocations_ = 0;
   std::uint64_t frees_ = 0;
+};
+
+/// The same for the threads that have one of these names (see name_thread), from construction until
+/// stop(). The names must live as long. One at a time.
+class NamedAllocationCounter {
+ public:
+  explicit NamedAllocationCounter(std::span<const char* const> names);
+  ~NamedAllocationCounter() { stop(); }
+  NamedAllocationCounter(const NamedAllocationCounter&) = delete;
+  NamedAllocationCounter& operator=(const NamedAllocationCounter&) = delete;
+  void stop();
+  std::uint64_t allocations() const;
+  std::uint64_t frees() const;
 };
 
 /// The same for all threads of the process, from construction until stop(). One at a time.

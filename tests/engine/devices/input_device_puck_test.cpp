@@ -135,6 +135,42 @@ TEST_F(SpaceMouseOverHid, of_two_the_chosen_one_is_opened) {
   EXPECT_EQ(device.status().path, puck.path());
 }
 
+TEST_F(SpaceMouseOverHid, of_two_alike_the_node_asked_for_is_opened_and_never_the_other) {
+  puck.descriptor = joint_descriptor();
+  puck.serial = "";
+  plug();
+  const int first = puck.number;
+  plug();
+  const int second = puck.number;
+  for (const int number : {first, second}) {
+    const std::string node = "/dev/hidraw" + std::to_string(number);
+    InputDevice device({.vendor = 0x256f, .product = 0xc635, .path = node});
+    ASSERT_TRUE(reaches(device, DeviceState::ready));
+    EXPECT_EQ(device.status().path, node);
+  }
+  InputDevice device({.path = "/dev/hidraw" + std::to_string(second)});
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  unplug();  // the second
+  ASSERT_TRUE(reaches(device, DeviceState::absent));
+  plug();  // under a number of its own, as the system may give it
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  EXPECT_EQ(device.status().path, puck.path()) << "not the first, which was there before";
+  send(device, words(1, {350, 0, 0, 0, 0, 0}));
+  system.send(first, words(1, {0, 350, 0, 0, 0, 0}));
+  ASSERT_TRUE(comes_true([&] { return device.latest().count >= 1; }));
+  EXPECT_EQ(device.status().reports, 1u);
+  system.unplug(first);
+}
+
+TEST_F(SpaceMouseOverHid, a_node_that_is_not_there_is_not_made_up_for_by_another) {
+  puck.serial = "";
+  plug();
+  InputDevice device({.path = "/dev/hidraw99"});
+  ASSERT_TRUE(comes_true([&] { return !device.status().reason.empty(); }));
+  EXPECT_EQ(device.status().state, DeviceState::absent);
+  EXPECT_THAT(device.status().reason, HasSubstr("/dev/hidraw99"));
+}
+
 TEST_F(SpaceMouseOverHid, one_that_does_not_open_is_told_and_tried_again) {
   puck.descriptor_in_sysfs = false;
   plug();

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/haptics/real_time.hpp"
+
 namespace sonde::test {
 namespace {
 
@@ -139,6 +141,28 @@ TEST(AllocationCounter, of_the_process_sees_every_thread) {
   const std::uint64_t seen = counter.allocations();
   after.reset(new int(2));
   look_at(after.get());
+  EXPECT_EQ(counter.allocations(), seen);
+}
+
+TEST(AllocationCounter, of_named_threads_sees_those_and_no_others) {
+  constexpr const char* names[] = {"sonde-one", "sonde-other"};
+  const auto allocate_as = [](const char* name) {
+    std::thread([name] {
+      if (name) name_thread(name);
+      auto block = std::make_unique<int>(1);
+      look_at(block.get());
+    }).join();
+  };
+  NamedAllocationCounter counter(names);
+  allocate_as(nullptr);
+  allocate_as("sonde-third");
+  EXPECT_EQ(counter.allocations(), 0u);
+  allocate_as("sonde-other");
+  const std::uint64_t seen = counter.allocations();
+  EXPECT_GE(seen, 1u);
+  EXPECT_GE(counter.frees(), 1u);
+  counter.stop();
+  allocate_as("sonde-one");
   EXPECT_EQ(counter.allocations(), seen);
 }
 

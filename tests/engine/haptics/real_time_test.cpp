@@ -37,6 +37,39 @@ TEST(RealTime, nothing_is_said_where_nothing_was_asked) {
   EXPECT_STREQ(none.memory, "");
 }
 
+TEST(RealTime, promptness_is_between_precedence_and_deadlines_and_ends) {
+  int policy = -1, after = -1, precedence = 0, prompt = 0, servo = 0;
+  std::string words;
+  bool all = true;
+  const auto now = [&policy] {
+    sched_param parameters{};
+    pthread_getschedparam(pthread_self(), &policy, &parameters);
+    return parameters.sched_priority;
+  };
+  std::thread([&] {
+    {
+      const Promptness wanted(true);
+      prompt = now();
+      words = wanted.words();
+    }
+    EXPECT_EQ(policy == SCHED_FIFO, words.empty()) << words;
+    now();
+    after = policy;
+    const Promptness not_wanted(false);
+    EXPECT_STREQ(not_wanted.words(), "");
+    EXPECT_EQ(now(), 0);
+    all = request_precedence();
+    precedence = now();
+    all = all && request_real_time().scheduled;
+    servo = now();
+  }).join();
+  munlockall();
+  EXPECT_EQ(after, SCHED_OTHER);
+  if (!words.empty() || !all) return;  // not permitted here: nothing to compare
+  EXPECT_LT(precedence, prompt);
+  EXPECT_LT(prompt, servo);
+}
+
 TEST(RealTime, precedence_is_of_the_thread_alone_and_behind_what_has_deadlines) {
   const int before = getpriority(PRIO_PROCESS, 0);
   bool granted = false;
