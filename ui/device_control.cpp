@@ -100,7 +100,8 @@ std::filesystem::path DeviceControl::settings_file() const {
 /// The scene's, where it sets any; else those kept; else the defaults.
 void DeviceControl::load_settings() {
   settings_ = {};
-  if (session_ && session_->opened().device_settings) {
+  from_scene_ = session_ && session_->opened().device_settings;
+  if (from_scene_) {
     settings_ = *session_->opened().device_settings;
     return;
   }
@@ -117,7 +118,7 @@ void DeviceControl::load_settings() {
 void DeviceControl::set_settings(const DeviceSettings& settings) {
   settings_ = settings;
   if (session_) session_->set_device_settings(settings_);
-  if (!settings_file().empty()) keep_timer_.start(keep_after_ms);
+  if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
   if (changed) changed();
 }
 
@@ -143,6 +144,22 @@ void DeviceControl::frame(const Quat& q_FV) {
   session_->sweep();
 }
 
+namespace {
+
+/// Two that are called the same are told apart by their nodes.
+std::vector<Holder> told_apart(std::vector<Holder> holders) {
+  const std::vector<Holder> before = holders;
+  for (Holder& holder : holders) {
+    auto* device = std::get_if<ConnectedHolder>(&holder);
+    const auto called_so = [&](const Holder& h) { return name_of(h) == device->name; };
+    if (device && std::ranges::count_if(before, called_so) > 1)
+      device->name += " (" + device->choice.path + ")";
+  }
+  return holders;
+}
+
+}  // namespace
+
 std::vector<Holder> DeviceControl::choices() const {
   std::vector<Holder> all{MouseHolder{}};
   if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathHolder{});
@@ -150,12 +167,15 @@ std::vector<Holder> DeviceControl::choices() const {
   for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(holder_of(device.info));
   if (std::ranges::none_of(all, [this](const Holder& h) { return same(h, holder_); }))
     all.push_back(holder_);
-  return all;
+  return told_apart(std::move(all));
 }
 
 HolderReport DeviceControl::report() {
   HolderReport report;
   if (input_) report.device = input_->status();
+  // Plugged in again it may have another node.
+  if (auto* connected = std::get_if<ConnectedHolder>(&holder_))
+    if (!report.device.path.empty()) connected->choice.path = report.device.path;
   const qint64 since = clock_.elapsed() - counted_at_;
   if (since >= count_ms) {
     reports_per_s_ = double(report.device.reports - counted_) * 1000 / double(since);

@@ -43,7 +43,10 @@ class DeviceControl : public QObject {
   void attach(Session* session);
 
   const DeviceSettings& settings() const { return settings_; }
-  /// Acts at once; kept for the device a moment later.
+  /// The scene brings them: they and all changes to them last until another is opened, and what is
+  /// kept for the device stays as it is.
+  bool settings_from_scene() const { return from_scene_; }
+  /// Acts at once; kept for the device a moment later, unless the scene brings its own.
   void set_settings(const DeviceSettings& settings);
   void set_led(bool on);
 
@@ -74,6 +77,7 @@ class DeviceControl : public QObject {
   Holder holder_;
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
   DeviceSettings settings_;
+  bool from_scene_ = false;
   QTimer keep_timer_;
   bool keeping_failed_ = false;
   QElapsedTimer clock_;

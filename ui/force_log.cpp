@@ -35,6 +35,14 @@ void ForceLog::add(const Snapshot& tick) {
                                       QString::fromUtf8(words(why));
 }
 
+void ForceLog::end() {
+  if (time_ > 0)
+    qCWarning(force).noquote() << QString::number(time_, 'f', 3) +
+                                      QStringLiteral(" s: no force: ") +
+                                      QString::fromUtf8(words(Withheld::shut_down));
+  *this = ForceLog{};
+}
+
 QString ForceLog::recent(double time) const {
   if (fault_ == Withheld::nothing || time < fault_time_ || time - fault_time_ > readable) return {};
   return QStringLiteral("No force %1 s ago: %2.")

@@ -13,6 +13,8 @@ class ForceLog {
  public:
   /// Each tick, in its order. One that is earlier than the last is the first of another run.
   void add(const Snapshot& tick);
+  /// The loop has ended, with its program or for another scene; the next tick is of another run.
+  void end();
   /// The fault of the last seconds before `time` (s since the start); empty where there was none.
   QString recent(double time) const;
 

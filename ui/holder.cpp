@@ -88,11 +88,17 @@ std::string settings_name_of(const Holder& holder) {
 }
 
 bool same(const Holder& a, const Holder& b) {
-  return a.index() == b.index() && settings_name_of(a) == settings_name_of(b);
+  if (a.index() != b.index() || settings_name_of(a) != settings_name_of(b)) return false;
+  const auto* one = std::get_if<ConnectedHolder>(&a);
+  const auto* other = std::get_if<ConnectedHolder>(&b);
+  return !one || !one->choice.serial.empty() || one->choice.path == other->choice.path;
 }
 
 ConnectedHolder holder_of(const HidInfo& info) {
-  return {.choice = {.vendor = info.vendor, .product = info.product, .serial = info.serial},
+  return {.choice = {.vendor = info.vendor,
+                     .product = info.product,
+                     .serial = info.serial,
+                     .path = info.path},
           .name = name_of(info)};
 }
 

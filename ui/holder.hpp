@@ -35,7 +35,7 @@ using Holder = std::variant<MouseHolder, PathHolder, SimulatedHolder, ConnectedH
 std::string name_of(const Holder& holder);
 /// The file its settings are kept in; empty where it has none.
 std::string settings_name_of(const Holder& holder);
-/// The same device, by its ids.
+/// The same device, by its ids and its serial number; where it tells none, by its node.
 bool same(const Holder& a, const Holder& b);
 
 ConnectedHolder holder_of(const HidInfo& info);

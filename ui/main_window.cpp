@@ -125,7 +125,7 @@ MainWindow::MainWindow(QWidget* parent)
   viewport_->canvas()->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() { force_log_.end(); }  // the session ends with the window
 
 void MainWindow::connect_devices() {
   devices_->changed = [this] { show_holder(); };
@@ -173,6 +173,7 @@ void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
   const bool force = !session() || session()->force_on();
   stage_ = std::move(stage);
+  force_log_.end();
   Session& now = *stage_.session;
   now.set_force(force);  // what Esc took away stays away
   shown_.reset();
@@ -199,7 +200,8 @@ void MainWindow::show_device_dock() {
 void MainWindow::show_holder() {
   if (session()) mouse_->take(session()->probe().mass, session()->device_pose());
   device_panel_->show_choices(devices_->choices(), devices_->holder());
-  device_panel_->show_settings(devices_->holder(), devices_->settings());
+  device_panel_->show_settings(devices_->holder(), devices_->settings(),
+                               devices_->settings_from_scene());
   const auto* simulating = std::get_if<SimulatedHolder>(&devices_->holder());
   stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
   show_device();

@@ -21,6 +21,9 @@ Mat3 matrix_of(const AxisMap& map, int first) {
   return matrix;
 }
 
+/// rad: no turn from the anchor is larger.
+constexpr double farthest = std::numbers::pi / 2;
+
 /// ω = J θ̇ for the rotation exp(θ), ω in the frame that the rotation is seen from.
 Mat3 left_jacobian(const Vec3& theta) {
   const double a = theta.norm();
@@ -52,8 +55,14 @@ Pose WorkspaceMap::follow(const Pose& X_BH) noexcept {
   const Quat turn = q_FB_ * rotation_by(mapped) * q_FB_.conjugate();
   Pose X_FC{(turn * X_FC0_.q).normalized(), X_FC0_.p + q_FB_ * (A_ * (X_BH.p - X_BH0_.p))};
   spin_ = left_jacobian(mapped) * M_ * left_jacobian(theta).inverse();
-  if (theta.norm() > std::numbers::pi / 2) anchor(X_BH, X_FC);
+  if (const double angle = theta.norm(); angle > farthest) drag(theta / angle, X_BH, X_FC);
   return X_FC;
+}
+
+void WorkspaceMap::drag(const Vec3& axis, const Pose& X_BH, const Pose& X_FC) noexcept {
+  const Quat back = rotation_by(-farthest * (M_ * axis));
+  X_BH0_ = {(rotation_by(-farthest * axis) * X_BH.q).normalized(), X_BH.p};
+  X_FC0_ = {(q_FB_ * back * q_FB_.conjugate() * X_FC.q).normalized(), X_FC.p};
 }
 
 DeviceWrench WorkspaceMap::on_handle(const Wrench& wrench) const noexcept {

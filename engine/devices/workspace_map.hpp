@@ -29,14 +29,18 @@ class WorkspaceMap {
   void configure(const AxisMap& axes, double scaling, const Quat& q_FB) noexcept;
   /// From now on this pose of the handle stands for this one of the probe.
   void anchor(const Pose& X_BH, const Pose& X_FC) noexcept;
-  /// X_FC. Anchors anew after each quarter of a turn, so that no rotation is too large: with gains
-  /// of 1 that changes nothing, with others the turn of the probe depends on the hand's way.
+  /// X_FC. More than a quarter of a turn from it, the handle drags the anchor along, so that no
+  /// rotation is too large: with gains of 1 that changes nothing, with others the turn of the probe
+  /// depends on the hand's way. Neither the pose nor the wrench jumps there.
   Pose follow(const Pose& X_BH) noexcept;
   /// On the handle, about its origin, in B, at the pose last followed; from the wrench about the
   /// probe's centre of mass, in F.
   DeviceWrench on_handle(const Wrench& wrench) const noexcept;
 
  private:
+  /// To a quarter of a turn about the axis (in B, unit) before where the handle and the probe are.
+  void drag(const Vec3& axis, const Pose& X_BH, const Pose& X_FC) noexcept;
+
   Mat3 A_ = Mat3::Identity(), M_ = Mat3::Identity();
   Quat q_FB_ = Quat::Identity();
   Pose X_BH0_, X_FC0_;

@@ -15,18 +15,28 @@ Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {
   SeparationMotion now;
   if (separation.status == Status::penetrating) {
     now = separation_motion(mass_, separation.device, separation.separated);
-    const Wrench free =
-        coupling_.mode == Coupling::Mode::object
-            ? object_norm_wrench(mass_, separation.device, separation.separated, coupling_.k)
-            : classic(now, separation.jumped ? 0 : dt);
-    out = limit(free, coupling_.max_force, coupling_.max_torque);
+    Wrench free = unlimited(blend_.now, separation, now, dt);
+    if (blend_.share < 1) {
+      const Wrench before = unlimited(blend_.before, separation, now, dt);
+      free.force = before.force + blend_.share * (free.force - before.force);
+      free.torque = before.torque + blend_.share * (free.torque - before.torque);
+    }
+    out = limit(free, blend_.now.max_force, blend_.now.max_torque);
   }
   motion_ = now;
   has_motion_ = true;
   return out;
 }
 
-Wrench Coupler::classic(const SeparationMotion& now, double dt) const noexcept {
+Wrench Coupler::unlimited(const Coupling& coupling, const Separation& separation,
+                          const SeparationMotion& now, double dt) const noexcept {
+  if (coupling.mode == Coupling::Mode::object)
+    return object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
+  return classic(coupling, now, separation.jumped ? 0 : dt);
+}
+
+Wrench Coupler::classic(const Coupling& coupling, const SeparationMotion& now,
+                        double dt) const noexcept {
   Vec3 t_rate = Vec3::Zero(), theta_rate = Vec3::Zero();
   if (has_motion_ && dt > 0 && std::isfinite(dt)) {
     t_rate = (now.t - motion_.t) / dt;
@@ -34,7 +44,7 @@ Wrench Coupler::classic(const SeparationMotion& now, double dt) const noexcept {
     const Vec3 turn = now.theta - motion_.theta;
     if (turn.norm() <= std::numbers::pi) theta_rate = turn / dt;
   }
-  return classic_wrench(now, t_rate, theta_rate, coupling_);
+  return classic_wrench(now, t_rate, theta_rate, coupling);
 }
 
 }  // namespace sonde

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/haptics/coupling.hpp"
+#include "engine/haptics/gain_glide.hpp"
 #include "engine/penetration/separation.hpp"
 
 namespace sonde {
@@ -12,10 +13,14 @@ namespace sonde {
 class Coupler {
  public:
   Coupler(const MassProperties& mass, const Coupling& coupling)
-      : mass_(mass), coupling_(coupling) {}
+      : mass_(mass), blend_{.now = coupling, .before = coupling} {}
 
-  void set_coupling(const Coupling& coupling) noexcept { coupling_ = coupling; }
-  const Coupling& coupling() const noexcept { return coupling_; }
+  void set_coupling(const Coupling& coupling) noexcept {
+    blend_ = {.now = coupling, .before = coupling};
+  }
+  /// On the way from one mode to another.
+  void set_coupling(const GainGlide::Blend& blend) noexcept { blend_ = blend; }
+  const Coupling& coupling() const noexcept { return blend_.now; }
   /// The next separation has nothing to do with the one before.
   void forget() noexcept { has_motion_ = false; }
   /// The wrench of the next separation, within the limits of the coupling; zero where it failed.
@@ -23,10 +28,12 @@ class Coupler {
   Wrench wrench(const Separation& separation, double dt) noexcept;
 
  private:
-  Wrench classic(const SeparationMotion& now, double dt) const noexcept;
+  Wrench unlimited(const Coupling& coupling, const Separation& separation,
+                   const SeparationMotion& now, double dt) const noexcept;
+  Wrench classic(const Coupling& coupling, const SeparationMotion& now, double dt) const noexcept;
 
   MassProperties mass_;
-  Coupling coupling_;
+  GainGlide::Blend blend_;
   SeparationMotion motion_;  ///< of the last tick
   bool has_motion_ = false;  ///< the next separation may be compared with `motion_`
 };

@@ -1,32 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/gain_glide.hpp"
 
+#include <algorithm>
+
 namespace sonde {
+namespace {
+
+constexpr double Coupling::*gains[] = {&Coupling::k, &Coupling::k_t, &Coupling::k_r, &Coupling::b_t,
+                                       &Coupling::b_r};
+constexpr double Coupling::*limits[] = {&Coupling::max_force, &Coupling::max_torque};
+
+}  // namespace
 
 void GainGlide::restart(const Coupling& coupling) noexcept {
-  from_ = to_ = now_ = coupling;
+  from_ = to_ = coupling;
+  blend_ = {.now = coupling, .before = coupling};
   there_ = true;
 }
 
 void GainGlide::set(const Coupling& wanted) noexcept {
-  if (wanted.mode != now_.mode) return restart(wanted);
-  from_ = now_;
+  from_ = blend_.now;
   to_ = wanted;
   since_ = 0;
   there_ = false;
 }
 
-const Coupling& GainGlide::next(double dt) noexcept {
-  if (there_) return now_;
+const GainGlide::Blend& GainGlide::next(double dt) noexcept {
+  if (there_) return blend_;
   since_ += dt > 0 ? dt : 0;
   there_ = since_ >= time_;
-  now_ = to_;
-  if (there_) return now_;
+  blend_ = {.now = to_, .before = to_};
+  if (there_) return blend_;
   const double share = since_ / time_;
-  for (double Coupling::*gain :
-       {&Coupling::k, &Coupling::k_t, &Coupling::k_r, &Coupling::b_t, &Coupling::b_r})
-    now_.*gain = from_.*gain + share * (to_.*gain - from_.*gain);
-  return now_;
+  const auto on_the_way = [&](double Coupling::*value) {
+    return from_.*value + share * (to_.*value - from_.*value);
+  };
+  for (double Coupling::*limit : limits)
+    blend_.now.*limit = std::min(to_.*limit, on_the_way(limit));
+  if (from_.mode == to_.mode) {
+    for (double Coupling::*gain : gains) blend_.now.*gain = on_the_way(gain);
+  } else {
+    blend_.before = from_;
+    blend_.share = share;
+  }
+  return blend_;
 }
 
 }  // namespace sonde

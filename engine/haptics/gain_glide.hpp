@@ -6,27 +6,35 @@
 namespace sonde {
 
 /// Gains on their way to those that were asked for: at one contact the force is a multiple of the
-/// gains, so gains that jump would knock at the hand. Stiffness and damping go in a straight line
-/// over `time`; mode and limits are at once what was asked for, and with another mode, whose gains
-/// mean something else, all of it is.
+/// gains, so gains that jump would knock at the hand. Stiffness, damping, and limits that rise go
+/// in a straight line over `time`; limits that fall do so at once. The gains of another mode mean
+/// something else: there the wrench is to go, in the same time, from that of the mode before to
+/// that of the new one.
 class GainGlide {
  public:
+  struct Blend {
+    Coupling now;      ///< limits included
+    Coupling before;   ///< of the mode before; to be had where share < 1
+    double share = 1;  ///< of `now` in the wrench
+  };
+
   /// `time` in s; zero: no glide.
   explicit GainGlide(const Coupling& coupling, double time = 0.1)
-      : time_(time), from_(coupling), to_(coupling), now_(coupling) {}
+      : time_(time), from_(coupling), to_(coupling), blend_{.now = coupling, .before = coupling} {}
 
   /// Without a glide.
   void restart(const Coupling& coupling) noexcept;
   /// From the gains of now on.
   void set(const Coupling& wanted) noexcept;
   /// The gains dt (s) later.
-  const Coupling& next(double dt) noexcept;
+  const Blend& next(double dt) noexcept;
 
  private:
   double time_;
   double since_ = 0;  ///< s, of the glide
   bool there_ = true;
-  Coupling from_, to_, now_;
+  Coupling from_, to_;
+  Blend blend_;
 };
 
 }  // namespace sonde

@@ -13,6 +13,9 @@ namespace sonde {
 struct DeviceTraits {
   double damping = 0;  ///< N·s/m, of the mechanism
   double delay = 0;    ///< s, from command to motors
+  // The most virtual damping that its driver bears; 0: not known.
+  double max_damping = 0;             ///< N·s/m
+  double max_rotational_damping = 0;  ///< N·m·s/rad
 };
 
 /// What a hand wants of the probe at one tick.

@@ -55,7 +55,7 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
 const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
                                const Clock& clock, Withheld why) noexcept {
   if (sample.trusted && is_finite(sample.X_FM)) X_FM_ = sample.X_FM;
-  if (sample.device) passivity_.set_device(*sample.device);
+  passivity_.set_device(sample.device);
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);
   Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;

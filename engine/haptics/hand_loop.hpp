@@ -54,6 +54,7 @@ class HandLoop {
   /// Begins at X_FM: the force comes in from zero.
   void restart(const Pose& X_FM) noexcept;
   void set_coupling(const Coupling& coupling) noexcept { coupler_.set_coupling(coupling); }
+  void set_coupling(const GainGlide::Blend& blend) noexcept { coupler_.set_coupling(blend); }
 
   struct Clock {
     std::uint64_t tick = 0;

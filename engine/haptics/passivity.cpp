@@ -17,19 +17,26 @@ std::size_t whole_ticks(double delay, double period, std::size_t most) {
 }  // namespace
 
 Passivity::Passivity(const MassProperties& mass, const PassivitySettings& settings, double period)
-    : mass_(mass),
-      settings_(settings),
-      period_(period),
-      ticks_late_(whole_ticks(settings.delay, period, most_ticks_late)) {}
+    : mass_(mass), settings_(settings), period_(period) {
+  set_device({});
+}
 
 const Wrench& Passivity::acting() const noexcept {
   return wrenches_[(newest_ + wrenches_.size() - ticks_late_) % wrenches_.size()];
 }
 
-void Passivity::set_device(const DeviceTraits& device) noexcept {
-  settings_.device_damping = device.damping;
-  settings_.delay = device.delay;
-  ticks_late_ = whole_ticks(device.delay, period_, most_ticks_late);
+void Passivity::set_device(const std::optional<DeviceTraits>& device) noexcept {
+  device_ =
+      device.value_or(DeviceTraits{.damping = settings_.device_damping, .delay = settings_.delay});
+  ticks_late_ = whole_ticks(device_.delay, period_, most_ticks_late);
+}
+
+/// N·s/m of α: the damping of turns is α Î.
+double Passivity::most_damping() const noexcept {
+  const double most = device_.max_damping > 0 ? device_.max_damping : settings_.max_damping;
+  const double largest = mass_.inertia.maxCoeff();
+  if (!(device_.max_rotational_damping > 0) || !(largest > 0)) return most;
+  return std::min(most, device_.max_rotational_damping / largest);
 }
 
 void Passivity::restart(const Pose& X_FM) noexcept {
@@ -51,7 +58,7 @@ void Passivity::observe(const Pose& X_FM, double dt) noexcept {
   const double work = wrench.force.dot(step_) + wrench.torque.dot(turn_);
   energy_.given += work;
   const bool pushed = pushes(wrench);
-  const double lost = pushed && dt_ > 0 ? settings_.device_damping * step_.squaredNorm() / dt_ : 0;
+  const double lost = pushed && dt_ > 0 ? device_.damping * step_.squaredNorm() / dt_ : 0;
   energy_.excess += work - lost;
 }
 
@@ -65,7 +72,7 @@ Wrench Passivity::control(const Wrench& wanted) noexcept {
   const Vec3 velocity = step_ / dt_;
   const double square = velocity.dot(step_) + spin.dot(turn_);  // (|v|² + ωᵀÎω) dt
   if (!(square > 0)) return wanted;
-  energy_.damping = std::min(energy_.excess / square, settings_.max_damping);
+  energy_.damping = std::min(energy_.excess / square, most_damping());
   energy_.dissipated += energy_.damping * square;
   Wrench out = wanted;
   out.force -= energy_.damping * velocity;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
@@ -13,7 +14,7 @@ namespace sonde {
 
 struct PassivitySettings {
   bool control = false;       ///< take out of the hand's motion what the loop has put in
-  double max_damping = 5;     ///< N·s/m, the most the controller may damp with; see Devices
+  double max_damping = 5;     ///< N·s/m, the most the controller may damp with
   double device_damping = 0;  ///< N·s/m, of the mechanism: what it takes out by itself, at least
   double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most
 };
@@ -41,8 +42,8 @@ class Passivity {
  public:
   Passivity(const MassProperties& mass, const PassivitySettings& settings, double period);
 
-  /// What is known of the device, from the next pose on. Instead of the settings'.
-  void set_device(const DeviceTraits& device) noexcept;
+  /// What is known of the device, from the next pose on: instead of the settings'. None: those.
+  void set_device(const std::optional<DeviceTraits>& device) noexcept;
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick: what the last wrench did. dt in s since the last one.
   void observe(const Pose& X_FM, double dt) noexcept;
@@ -55,11 +56,13 @@ class Passivity {
  private:
   static constexpr std::size_t most_ticks_late = 64;
   const Wrench& acting() const noexcept;
+  double most_damping() const noexcept;
 
   MassProperties mass_;
   PassivitySettings settings_;
   double period_;  ///< s
-  std::size_t ticks_late_;
+  DeviceTraits device_;
+  std::size_t ticks_late_ = 0;
   Pose X_FM_;
   Vec3 step_ = Vec3::Zero();  ///< of the centre of mass, m
   Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame

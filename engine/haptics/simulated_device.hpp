@@ -19,6 +19,9 @@ struct HandleMotion {
   double limit = 10;          ///< N | N·m, the most the motors give
   double hand_stiffness = 0;  ///< N/m | N·m/rad, from the handle to where the hand wants it
   double hand_damping = 0;    ///< N·s/m | N·m·s/rad, against the hand's own motion
+  /// N·s/m | N·m·s/rad, virtual, that the driver bears; 0: not known. For those who choose gains:
+  /// the motion does not depend on it.
+  double most_virtual_damping = 0;
 };
 
 struct SimulatedDeviceParameters {

@@ -14,7 +14,10 @@ constexpr double hand_lag = 0.025;  // s
 SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double period,
                              double scaling, const Vec3& com, const Pose& X_FM)
     : scaling_(scaling),
-      traits_{.damping = parameters.translation.damping, .delay = parameters.delay},
+      traits_{.damping = parameters.translation.damping,
+              .delay = parameters.delay,
+              .max_damping = parameters.translation.most_virtual_damping,
+              .max_rotational_damping = parameters.rotation.most_virtual_damping},
       com_(com),
       share_(1 - std::exp(-period / hand_lag)),
       device_(parameters, period, to_device(X_FM)),
@@ -53,8 +56,9 @@ HandSample SimulatedHand::sample() noexcept {
   }
   begun_ = true;
   // The power is the same at both ends: b v² with velocities `scaling` times greater at the probe.
-  const DeviceTraits at_probe{.damping = traits_.damping / (scaling_ * scaling_),
-                              .delay = traits_.delay};
+  DeviceTraits at_probe = traits_;
+  at_probe.damping /= scaling_ * scaling_;
+  at_probe.max_damping /= scaling_ * scaling_;
   return {.X_FM = to_probe(device_.measured()), .device = at_probe};
 }
 

@@ -145,6 +145,8 @@ SimulatedDeviceParameters simulated(const DeviceProfile& profile) {
   p.rotation.friction = profile.rotational_friction.value;
   p.rotation.resolution = profile.rotational_resolution.value;
   p.rotation.limit = profile.max_torque.value;
+  p.translation.most_virtual_damping = profile.max_damping.value;
+  p.rotation.most_virtual_damping = profile.max_rotational_damping.value;
   p.delay = profile.delay.value;
   return p;
 }

@@ -99,6 +99,29 @@ TEST_F(ConnectedDevice, what_is_plugged_in_shows_in_the_dock_and_can_be_chosen) 
   EXPECT_EQ(probe(), before);
 }
 
+TEST_F(ConnectedDevice,
+       of_two_alike_the_node_asked_for_moves_the_probe_and_the_dock_tells_them_apart) {
+  puck.serial = "";
+  plug();
+  const std::string first = puck.path();
+  plug();
+  const std::string second = puck.path();
+  window->devices().choose(find_holder(second, {}));
+  ASSERT_TRUE(wait_until([&] { return device().state == DeviceState::ready; }));
+  EXPECT_EQ(device().path, second);
+  const Vec3 start = probe();
+  EXPECT_TRUE(push_until({350, 0, 0, 0, 0, 0}, [&] { return (probe() - start).norm() > 0.01; }));
+  auto* list = window->findChild<QComboBox*>("holder");
+  const auto entry = [&](const std::string& path) {
+    return list->findText("SpaceMouse Compact (" + QString::fromStdString(path) + ")");
+  };
+  ASSERT_TRUE(wait_until([&] { return entry(first) >= 0 && entry(second) >= 0; }));
+  EXPECT_EQ(list->currentIndex(), entry(second));
+  emit list->activated(entry(first));
+  ASSERT_TRUE(wait_until([&] { return device().path == first; }));
+  EXPECT_TRUE(wait_until([&] { return list->currentIndex() == entry(first); }));
+}
+
 TEST_F(ConnectedDevice, one_that_does_not_open_says_why_and_the_mouse_can_go_on) {
   puck.descriptor_in_sysfs = false;
   plug();

@@ -213,6 +213,29 @@ TEST_F(SimulatedDeviceTest, a_scene_names_its_device_and_a_choice_stays) {
   EXPECT_TRUE(complaints.back().contains("omega.7")) << complaints.back().toStdString();
 }
 
+TEST_F(SimulatedDeviceTest, what_a_scene_sets_never_reaches_the_file_of_the_device) {
+  choose("omega.7 (simulated)");
+  window->findChild<TypedValue*>("scaling_value")->setValue(3);
+  const auto file = folder / "sonde/devices/omega.7.json";
+  auto* note = window->findChild<QLabel*>("settings_from_scene");
+  EXPECT_TRUE(note->isHidden());
+  folder.write("own.sonde.json", R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}, "device": {"profile": "omega.7", "scaling": 4}})");
+  open({path("own.sonde.json")});
+  EXPECT_EQ(read_device_settings(file).scaling, 3) << "kept before the scene came";
+  EXPECT_EQ(window->devices().settings().scaling, 4);
+  EXPECT_FALSE(note->isHidden());
+  window->findChild<TypedValue*>("scaling_value")->setValue(5);
+  EXPECT_EQ(window->devices().settings().scaling, 5) << "holds while the scene is open";
+  open_cubes();
+  EXPECT_EQ(window->devices().settings().scaling, 3);
+  EXPECT_TRUE(note->isHidden());
+  open({path("own.sonde.json")});
+  window->findChild<TypedValue*>("scaling_value")->setValue(6);
+  window.reset();  // keeps whatever is still to be kept
+  EXPECT_EQ(read_device_settings(file).scaling, 3);
+}
+
 TEST_F(SimulatedDeviceTest, a_recorded_path_is_played) {
   folder.write("path.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n0.2,0.4,0,0,1,0,0,0\n");
   folder.write("path.sonde.json",

@@ -46,6 +46,25 @@ TEST_F(ForceLogTest, what_was_asked_for_is_logged_once_and_is_no_fault) {
   EXPECT_TRUE(log.recent(0.1).isEmpty());
 }
 
+TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
+  const Withheld reasons[] = {Withheld::stopped,   Withheld::paused, Withheld::let_go,
+                              Withheld::untrusted, Withheld::failed, Withheld::stalled,
+                              Withheld::not_finite};
+  double time = 0;
+  for (const Withheld why : reasons) {
+    logged.clear();
+    add(time += 1, why);
+    ASSERT_EQ(logged.size(), 1);
+    EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(why)))) << logged[0].toStdString();
+  }
+  logged.clear();
+  log.end();
+  ASSERT_EQ(logged.size(), 1);
+  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::shut_down))));
+  log.end();
+  EXPECT_EQ(logged.size(), 1) << "nothing has run since";
+}
+
 TEST_F(ForceLogTest, another_run_begins_afresh) {
   add(5, Withheld::failed);
   add(0.001, Withheld::nothing);

@@ -61,6 +61,8 @@ TEST_F(HolderTest, a_connected_device_is_known_by_its_ids) {
   EXPECT_EQ(settings_name_of(one), "256f-c635-A1.json");
   EXPECT_TRUE(same(one, puck("/dev/hidraw9", "A1"))) << "plugged in again";
   EXPECT_FALSE(same(one, puck("/dev/hidraw3", "B2")));
+  EXPECT_FALSE(same(puck("/dev/hidraw3", ""), puck("/dev/hidraw9", ""))) << "two alike";
+  EXPECT_EQ(std::get<ConnectedHolder>(one).choice.path, "/dev/hidraw3");
 }
 
 }  // namespace

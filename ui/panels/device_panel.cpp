@@ -63,6 +63,7 @@ QString words_of(const DeviceStatus& status) {
   QStringList lines;
   if (!status.path.empty()) lines << text(status.path) + ": " + capabilities(status.capabilities);
   if (!status.reason.empty()) lines << text(status.reason);
+  if (*status.scheduling != 0) lines << "Its thread has " + text(status.scheduling);
   return lines.join(QStringLiteral("\n"));
 }
 
@@ -140,6 +141,12 @@ void DevicePanel::build_motion(QVBoxLayout& layout) {
   motion_box_ = new QGroupBox(QStringLiteral("Motion"), this);
   auto* box = new QVBoxLayout(motion_box_);
   box->setContentsMargins(0, 4, 0, 0);
+  from_scene_ = new QLabel(QStringLiteral("From the scene: changes last until another is opened, "
+                                          "and are not kept for the device."),
+                           motion_box_);
+  from_scene_->setObjectName(QStringLiteral("settings_from_scene"));
+  from_scene_->setWordWrap(true);
+  box->addWidget(from_scene_);
   choices_row_ = new QWidget(motion_box_);
   auto* form = new QFormLayout(choices_row_);
   form->setContentsMargins(0, 0, 0, 0);
@@ -223,10 +230,12 @@ void DevicePanel::show_choices(const std::vector<Holder>& choices, const Holder&
   holders_->setCurrentIndex(static_cast<int>(now - choices_.begin()));
 }
 
-void DevicePanel::show_settings(const Holder& holder, const DeviceSettings& settings) {
+void DevicePanel::show_settings(const Holder& holder, const DeviceSettings& settings,
+                                bool from_scene) {
   connected_ = std::holds_alternative<ConnectedHolder>(holder);
   adjustable_ = connected_ || std::holds_alternative<SimulatedHolder>(holder);
   settings_ = settings;
+  from_scene_->setVisible(adjustable_ && from_scene);
   show_rows();
 }
 

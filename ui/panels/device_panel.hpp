@@ -28,7 +28,8 @@ class DevicePanel : public QDockWidget {
 
   /// What the probe can be held by; the list is built anew only where it is another.
   void show_choices(const std::vector<Holder>& choices, const Holder& current);
-  void show_settings(const Holder& holder, const DeviceSettings& settings);
+  /// `from_scene`: the scene brings them, and no change is kept.
+  void show_settings(const Holder& holder, const DeviceSettings& settings, bool from_scene = false);
   void show_report(const Holder& holder, const HolderReport& report);
 
   std::function<void(const Holder&)> chosen;
@@ -51,7 +52,7 @@ class DevicePanel : public QDockWidget {
   bool connected_ = false;
   bool deflections_ = true;  ///< a connected device that tells no positions
   QComboBox *holders_, *controls_, *frames_;
-  QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_;
+  QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *from_scene_;
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;
   QCheckBox* led_;

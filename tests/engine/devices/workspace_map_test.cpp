@@ -65,6 +65,33 @@ TEST_F(WorkspaceMapTest, with_gains_of_one_many_turns_are_as_exact_as_one) {
   EXPECT_LT((X_FC.q.toRotationMatrix() - turn(20, Vec3::UnitY()).toRotationMatrix()).norm(), 1e-12);
 }
 
+/// The reference is the step of the turn: what is smooth changes by no more than some times that.
+TEST_F(WorkspaceMapTest, neither_the_probe_nor_the_torque_jumps_over_many_turns) {
+  AxisMap axes;
+  for (std::size_t a = 3; a < 6; ++a) axes.axes[a].gain = 2;
+  axes.axes[4].inverted = true;
+  WorkspaceMap map;
+  map.configure(axes, 1, turn(0.4, Vec3(1, 0, 1).normalized()));
+  map.anchor({}, {});
+  constexpr double step = 1e-3;
+  const Wrench wrench{.torque = Vec3(0.1, -0.2, 0.15)};
+  Quat handle = Quat::Identity();
+  Quat probe = map.follow({handle, Vec3::Zero()}).q;
+  Vec3 felt = map.on_handle(wrench).torque;
+  for (int i = 0; i < 12'000; ++i) {
+    // About an axis that sways.
+    const Vec3 axis = Vec3(std::sin(1e-3 * i), 1, std::cos(7e-4 * i)).normalized();
+    handle = (turn(step, axis) * handle).normalized();
+    const Quat now = map.follow({handle, Vec3::Zero()}).q;
+    const Vec3 torque = map.on_handle(wrench).torque;
+    // A gain of 2, and what the Jacobians of a quarter of a turn make of it.
+    ASSERT_LT(now.angularDistance(probe), 8 * step) << i;
+    ASSERT_LT((torque - felt).norm(), 8 * step * wrench.torque.norm()) << i;
+    probe = now;
+    felt = torque;
+  }
+}
+
 /// The velocities of a frame by central differences of its pose, in the frame it is seen from.
 struct Twist {
   Vec3 v, w;

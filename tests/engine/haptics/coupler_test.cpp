@@ -51,6 +51,18 @@ TEST(Coupler, does_not_damp_across_a_jump_a_failure_or_a_gap) {
   EXPECT_NEAR(force(coupler, pushed_out(0.002), 0), 0.2, 1e-12);
 }
 
+TEST(Coupler, from_one_mode_to_another_the_wrench_is_of_both) {
+  Coupling object;
+  object.k = 500;
+  object.max_force = 1e9;
+  Coupler coupler(MassProperties{}, object);
+  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 1, 1e-12);
+  coupler.set_coupling({.now = damped(), .before = object, .share = 0.25});
+  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.75 * 1 + 0.25 * 0.2, 1e-12);
+  coupler.set_coupling(damped());
+  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.2, 1e-12);
+}
+
 TEST(Coupler, keeps_within_the_limits_of_the_coupling) {
   Coupling c = damped();
   c.max_force = 0.05;

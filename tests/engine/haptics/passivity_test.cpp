@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/haptics/simulated_device.hpp"
 #include "engine/study/sampled_stability.hpp"
@@ -195,6 +196,51 @@ TEST(Passivity, the_controller_only_ever_brakes_and_within_its_damping) {
     braked += power < 0;
   }
   EXPECT_GT(braked, 100);
+}
+
+// The reference is the force that was taken off, over the speed; and the torque, over the spin.
+TEST(Passivity, no_more_damping_is_taken_than_the_device_bears) {
+  const MassProperties m = mass();
+  const auto damped = [&](const std::optional<DeviceTraits>& device) {
+    Passivity passivity(m, {.control = true, .max_damping = 3}, sample_time);
+    passivity.set_device(device);
+    passivity.restart({});
+    Wrench push;
+    push.force.z() = 1e6;  // far more energy than any damping takes back
+    passivity.rendered(push);
+    const double turn = 1e-3;
+    passivity.observe({Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())), Vec3(0, 0, 1e-4)},
+                      sample_time);
+    const Wrench got = passivity.control(push);
+    return std::pair((push.force.z() - got.force.z()) / (1e-4 / sample_time),
+                     -got.torque.z() / (turn / sample_time));
+  };
+  EXPECT_NEAR(damped({}).first, 3, 1e-6) << "nothing known: the settings'";
+  EXPECT_NEAR(damped(DeviceTraits{}).first, 3, 1e-6);
+  EXPECT_NEAR(damped(DeviceTraits{.max_damping = 30}).first, 30, 1e-6);
+  // Turns: α Î, along the axis of the largest Î.
+  const double most = 0.25 * 30 * m.inertia.z();
+  const auto [force, torque] =
+      damped(DeviceTraits{.max_damping = 30, .max_rotational_damping = most});
+  EXPECT_NEAR(torque, most, 1e-9);
+  EXPECT_NEAR(force, 30 * 0.25, 1e-6);
+}
+
+TEST(Passivity, a_device_that_is_put_away_is_forgotten) {
+  Passivity passivity(mass(), {.control = true, .max_damping = 3}, sample_time);
+  const auto largest = [&] {
+    passivity.restart({});
+    Wrench push;
+    push.force.z() = 1e6;
+    passivity.rendered(push);
+    passivity.observe({Quat::Identity(), Vec3(0, 0, 1e-4)}, sample_time);
+    passivity.control(push);
+    return passivity.energy().damping;
+  };
+  passivity.set_device(DeviceTraits{.max_damping = 30});
+  EXPECT_NEAR(largest(), 30, 1e-9);
+  passivity.set_device({});
+  EXPECT_NEAR(largest(), 3, 1e-9);
 }
 
 TEST(Passivity, allocates_nothing) {
