@@ -12,10 +12,10 @@ namespace sonde {
 /// Which device to open: what is zero or empty does not matter.
 struct DeviceChoice {
   std::uint16_t vendor = 0, product = 0;
-  std::string serial;
+  std::string serial{};
   /// Its node, /dev/hidraw3: that very one, though others are like it. Where it has gone, the first
   /// that fits and was not there then is it, plugged in again.
-  std::string path;
+  std::string path{};
 };
 
 /// How a device is doing, for people to read.

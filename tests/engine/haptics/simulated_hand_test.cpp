@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "tests/support/allocation_counter.hpp"
@@ -101,6 +102,22 @@ TEST(SimulatedHand, a_gain_too_high_buzzes_and_one_below_the_limit_comes_to_rest
   EXPECT_LT(below.later, 0.2 * below.soon);
   EXPECT_GT(above.later, 0.5 * above.soon);
   EXPECT_GT(above.later, 10 * below.later);
+}
+
+// The power is the same at both ends: b v² with a v that is `scaling` times greater at the probe.
+TEST(SimulatedHand, tells_what_the_device_is_like_as_felt_at_the_probe) {
+  SimulatedDeviceParameters device;
+  device.translation.damping = 2;
+  device.translation.most_virtual_damping = 30;
+  device.rotation.most_virtual_damping = 0.07;
+  device.delay = 0.001;
+  SimulatedHand simulated(device, period, 2, com, start);
+  const std::optional<DeviceTraits> traits = simulated.hand().sample(period).device;
+  ASSERT_TRUE(traits);
+  EXPECT_EQ(traits->damping, 0.5);
+  EXPECT_EQ(traits->max_damping, 7.5);
+  EXPECT_EQ(traits->max_rotational_damping, 0.07);
+  EXPECT_EQ(traits->delay, 0.001);
 }
 
 TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {

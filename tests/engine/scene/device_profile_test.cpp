@@ -106,6 +106,8 @@ TEST(DeviceProfile, TheSimulatedDeviceIsThatOfTheProfile) {
   EXPECT_EQ(s.translation.limit, p.max_force.value);
   EXPECT_EQ(s.rotation.inertia, p.inertia.value);
   EXPECT_EQ(s.rotation.damping, p.rotational_damping.value);
+  EXPECT_EQ(s.translation.most_virtual_damping, p.max_damping.value);
+  EXPECT_EQ(s.rotation.most_virtual_damping, p.max_rotational_damping.value);
   EXPECT_EQ(s.rotation.friction, p.rotational_friction.value);
   EXPECT_EQ(s.rotation.resolution, p.rotational_resolution.value);
   EXPECT_EQ(s.rotation.limit, p.max_torque.value);
