@@ -38,6 +38,14 @@ QString where(const GainLimit& limit) {
   return QStringLiteral(" (%1 contact%2)").arg(text(limit.kind), hand);
 }
 
+/// Of all gains together the rotational ones, which follow.
+QString rotational_values(const AxisGains& gains, const JointGains& joint) {
+  if (gains.axis != GainAxis::together) return {};
+  return QStringLiteral(", k_r = %1, b_r = %2")
+      .arg(with_unit(gains.stiffness * joint.stiffness, stiffness_unit(GainAxis::rotation)),
+           with_unit(gains.damping * joint.damping, damping_unit(GainAxis::rotation)));
+}
+
 QString values(const AxisGains& gains) {
   QString line =
       QStringLiteral("%1 = %2").arg(QLatin1String(stiffness_key(gains.axis)),
@@ -131,9 +139,13 @@ QString rests_on(const TuningResults& results, GainAxis axis) {
 QString recommendation_text(const TuningResults& results, GainAxis axis) {
   const auto gains = recommend(results, axis);
   if (!gains) return QStringLiteral("The study has no gains to recommend.");
+  const auto recommended = recommended_axes(results);
+  const bool alone = std::ranges::find(recommended, axis) == recommended.end();
   QStringList lines;
   if (gains->stiffness > 0)
-    lines << values(*gains) << margin(*gains);
+    lines << (alone ? QStringLiteral("Alone, with the rest soft: ") : QStringLiteral("Recommended: ")) +
+                 values(*gains) + rotational_values(*gains, results.joint)
+          << margin(*gains);
   else
     lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
                  .arg(words_of(gains->limit.reason), where(gains->limit));

@@ -135,12 +135,12 @@ QString damping_unit(GainAxis axis) {
 }
 
 const char* stiffness_key(GainAxis axis) {
-  constexpr std::array keys{"k", "k_t", "k_r"};
+  constexpr std::array keys{"k", "k_t", "k_t", "k_r"};
   return keys.at(static_cast<std::size_t>(axis));
 }
 
 const char* damping_key(GainAxis axis) {
-  constexpr std::array keys{"", "b_t", "b_r"};
+  constexpr std::array keys{"", "b_t", "b_t", "b_r"};
   return keys.at(static_cast<std::size_t>(axis));
 }
 

@@ -20,6 +20,9 @@ enum class ContactKind {
   corner,      ///< several clusters, no two of whose normals are 120° apart or more
   jammed,      ///< several clusters, two of which press against each other: 120° or more
 };
+constexpr ContactKind all_contact_kinds[] = {ContactKind::flat, ContactKind::edge,
+                                             ContactKind::conforming, ContactKind::corner,
+                                             ContactKind::jammed};
 const char* name_of(ContactKind kind);
 /// Of a penetrating separation; its contacts must not be empty.
 ContactKind contact_kind(const Separation& separation);

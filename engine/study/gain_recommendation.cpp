@@ -29,17 +29,6 @@ const TuningColumn* column_at(const TuningLine& line, double damping) {
   return found == line.columns.end() ? nullptr : &*found;
 }
 
-/// The dampings that every line has.
-std::vector<double> common_dampings(const Lines& lines) {
-  std::vector<double> out;
-  for (const TuningColumn& column : lines.front()->columns)
-    if (std::ranges::all_of(lines, [&](const TuningLine* line) {
-          return column_at(*line, column.damping) != nullptr;
-        }))
-      out.push_back(column.damping);
-  return out;
-}
-
 /// The largest stiffness whose force changes, at one step of the encoder, by no more than friction
 /// takes out (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of what the device gives
 /// where it has less friction than that. The damping's own step counts too.
@@ -55,9 +44,11 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
   const double T = results.sample_time;
   // As the felt stiffness was measured, whatever value is varied here.
   const double per = results.device.at("inertia") / results.device.at("mass");
+  const bool joint = axis == GainAxis::together;
+  const double turning_damping = joint ? damping * results.joint.damping : damping;
   for (const TuningLine* line : lines) {
     TuningResults::Felt felt = results.felt[line->situation];
-    if (axis == GainAxis::rotation) felt.rotation /= per;  // at 1 N·m/rad
+    if (axis != GainAxis::object) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
     const auto add = [&](const char* reason, double allowed, double felt_at_one) {
       if (felt_at_one > 0) limits.push_back({reason, allowed / felt_at_one, line->kind, ""});
     };
@@ -73,7 +64,7 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
         add("driver", device.at("max_rotational_stiffness"), felt.rotation);
       add("resolution",
           resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
-                             device.at("rotational_resolution"), damping, T),
+                             device.at("rotational_resolution"), turning_damping, T),
           felt.rotation);
     }
   }
@@ -126,19 +117,20 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
   return out;
 }
 
-/// The damping that allows the largest stiffness; of equal ones the least.
+/// The damping that allows the largest stiffness; of equal ones the least. Every line of an axis is
+/// swept at the same dampings.
 std::optional<AxisGains> best(const TuningResults& results, const Lines& lines,
                               const Profile& device, GainAxis axis) {
   std::optional<AxisGains> out;
   if (lines.empty()) return out;
-  for (const double damping : common_dampings(lines)) {
-    const AxisGains gains = gains_at(results, lines, device, axis, damping);
+  for (const TuningColumn& column : lines.front()->columns) {
+    const AxisGains gains = gains_at(results, lines, device, axis, column.damping);
     if (!out || gains.stiffness > out->stiffness) out = gains;
   }
   return out;
 }
 
-/// The line that the assumed values are varied beside.
+/// A line of those that vary an assumed value; all are of one situation, hand and damping.
 const TuningLine* varied(const TuningResults& results, GainAxis axis) {
   for (const TuningLine& line : results.lines)
     if (line.axis == axis && !line.assumed.empty()) return &line;
@@ -164,7 +156,8 @@ std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainA
     return line.axis == axis && line.assumed.empty() && line.situation == beside->situation &&
            line.hand == beside->hand;
   });
-  return best(results, lines, results.device, axis);
+  if (lines.empty()) return std::nullopt;
+  return gains_at(results, lines, results.device, axis, beside->columns.front().damping);
 }
 
 std::vector<GainAxis> axes_of(const TuningResults& results) {
@@ -174,25 +167,28 @@ std::vector<GainAxis> axes_of(const TuningResults& results) {
   return out;
 }
 
+std::vector<GainAxis> recommended_axes(const TuningResults& results) {
+  const std::vector<GainAxis> axes = axes_of(results);
+  if (std::ranges::find(axes, GainAxis::together) != axes.end()) return {GainAxis::together};
+  return axes;
+}
+
 bool has_recommendation(const TuningResults& results) {
-  return std::ranges::all_of(axes_of(results), [&](GainAxis axis) {
+  return std::ranges::all_of(recommended_axes(results), [&](GainAxis axis) {
     const auto gains = recommend(results, axis);
     return gains && gains->stiffness > 0;
   });
 }
 
 Coupling recommended_coupling(const TuningResults& results) {
-  Coupling out;
+  Coupling wanted, out;
   out.mode = results.mode;
-  set(out, "max_force", results.max_force);
-  set(out, "max_torque", results.max_torque);
-  for (const GainAxis axis : axes_of(results)) {
-    const auto gains = recommend(results, axis);
-    if (!gains) continue;
-    const bool turns = axis == GainAxis::rotation;
-    set(out, axis == GainAxis::object ? "k" : turns ? "k_r" : "k_t", gains->stiffness);
-    if (axis != GainAxis::object) set(out, turns ? "b_r" : "b_t", gains->damping);
-  }
+  for (const GainAxis axis : recommended_axes(results))
+    if (const auto gains = recommend(results, axis))
+      set_gains(wanted, axis, gains->stiffness, gains->damping, results.joint);
+  wanted.max_force = results.max_force;
+  wanted.max_torque = results.max_torque;
+  for (const Setting& setting : coupling_settings()) set(out, setting.key, get(wanted, setting.key));
   return out;
 }
 

@@ -41,14 +41,16 @@ struct AxisGains {
 /// alone, which are of one situation; no value where there is none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
-/// The same from the situation and hand alone that the assumed values are varied in: what those are
-/// to be compared with.
+/// The same from the situation and hand alone that the assumed values are varied in, at the damping
+/// that they are: what those are to be compared with.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);
 
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);
+/// Of them those whose gains are recommended: all gains together, where they were swept so.
+std::vector<GainAxis> recommended_axes(const TuningResults& results);
 
-/// True where some stiffness is good on each axis.
+/// True where some stiffness is good on each axis that is recommended.
 bool has_recommendation(const TuningResults& results);
 /// The gains as a coupling of a scene, within what its settings allow.
 Coupling recommended_coupling(const TuningResults& results);

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/study/contact_situations.hpp"
 #include "engine/study/press_and_hold.hpp"
 #include "engine/study/stiffness_sweep.hpp"
 
 namespace sonde {
-
-/// The gains that a sweep changes: the one k of the object norm, or k_t with b_t, or k_r with b_r.
-enum class GainAxis { object, translation, rotation };
-const char* name_of(GainAxis axis);
 
 /// A contact with the hand that presses into it.
 struct TuningSituation {
@@ -20,6 +17,17 @@ struct TuningSituation {
   double theory = 0;  ///< stiffness up to which the linear contact is stable in a light hand, N/m
 };
 
+/// What the classic coupling's rotational gains are to its translational ones where all are swept
+/// together: k_r/k_t and b_r/b_t, m².
+struct JointGains {
+  double stiffness = 0;
+  double damping = 0;
+};
+
+/// Sets the gains of an axis; all four by the translational ones.
+void set_gains(Coupling& coupling, GainAxis axis, double stiffness, double damping,
+               const JointGains& joint);
+
 /// One situation of a study, with one device and one hand.
 struct TuningSetup {
   ClosedLoopSetup loop;
@@ -27,8 +35,9 @@ struct TuningSetup {
   double low = 1, high = 1e5;  ///< stiffness, N/m
   double ratio = 1.02;
   double rotation_per_translation =
-      1;                    ///< m²: what makes a rotational range of a translational one
-  double most_damping = 0;  ///< virtual, N·s/m
+      1;                ///< m²: what makes a rotational range of a translational one
+  JointGains joint;
+  double most_damping = 0;             ///< virtual, N·s/m
   double most_rotational_damping = 0;  ///< N·m·s/rad
 };
 
@@ -38,9 +47,20 @@ Press press_of(const TuningSituation& situation);
 /// stays there.
 void set_base_gains(TuningSetup& setup);
 
-/// Sweeps one axis of the gains; with `whole` over dampings and their neighbourhoods, for the map,
-/// else at the damping that theory likes best. JSON: {"columns": [{damping, theory_stable,
-/// theory_passive, stable, good, ..., "runs": [...]}, ...]}.
-std::string sweep_gains(const TuningSetup& setup, GainAxis axis, bool whole, const Stop& stop);
+/// Up to where theory has the linear contact stable and passive as the stiffness of one axis grows
+/// at `share` of the largest damping: N/m | N·m/rad.
+struct TheoryLimits {
+  double stable = 0, passive = 0;  ///< infinite where theory sees no end
+};
+TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share);
+
+/// The shares of the largest damping at which an axis is swept; nothing but none where it has none.
+std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);
+
+/// Sweeps the stiffness of one axis at each share of the largest damping; with `beyond` a little
+/// above the limits too, for the map. JSON: {"columns": [{damping, theory_stable, theory_passive,
+/// stable, good, ..., "runs": [...]}, ...]}.
+std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,
+                        bool beyond, const Stop& stop);
 
 }  // namespace sonde

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/proximity/motion.hpp"
 #include "engine/study/chatter.hpp"
+#include "engine/study/discontinuities.hpp"
 
 namespace sonde {
 namespace {
@@ -57,11 +59,12 @@ class Observer {
     const Separation& s = loop_.haptic_loop().separation();
     const Wrench& motors = loop_.device().motors();
     if (s.status == Status::failed) ++out_.failures;
-    if (s.jumped) ++out_.pop_throughs;
+    const ClosedLoopSetup& setup = loop_.setup();
+    const MassProperties& mass = setup.probe->mass;
+    const Wrench hooke = spring_wrench(mass, s, setup.coupling);
+    count_breaks(mass, s, hooke);
     touched_ |= s.status == Status::penetrating;
     if (touched_) {
-      const ClosedLoopSetup& setup = loop_.setup();
-      const Wrench hooke = spring_wrench(setup.probe->mass, s, setup.coupling);
       force_.add(motors.force, hooke.force);
       torque_.add(motors.torque, hooke.torque);
     }
@@ -90,6 +93,18 @@ class Observer {
   }
 
  private:
+  void count_breaks(const MassProperties& mass, const Separation& s, const Wrench& hooke) {
+    RenderedTick now;
+    now.moved = Chart(mass, device_).coordinates(s.device).norm();
+    now.force = hooke.force;
+    now.depth = s.status == Status::penetrating ? s.depth : 0;
+    now.failed = s.status == Status::failed;
+    if (s.jumped) ++out_.jumps;
+    if (popped_through(last_, now, mass.radius)) ++out_.pop_throughs;
+    last_ = now;
+    device_ = s.device;
+  }
+
   void look_at_hold(std::int64_t tick, const HandleState& before, const Separation& s,
                     const Wrench& motors) {
     const HandleState& now = loop_.device().state();
@@ -113,6 +128,8 @@ class Observer {
   Error force_, torque_;
   std::vector<Vec6> hold_;
   double energy_[2] = {0, 0};
+  RenderedTick last_;
+  Pose device_;
   bool touched_ = false;
 };
 

@@ -39,7 +39,8 @@ struct HoldReport {
   double contact = 0;       ///< share of the ticks at the hold that are in contact
   double force = 0;         ///< N, mean size of the motors' force at the hold
   double torque = 0;        ///< N·m
-  int pop_throughs = 0;     ///< ticks that jumped to another place
+  int jumps = 0;            ///< ticks that jumped to another place, as the engine reports it
+  int pop_throughs = 0;     ///< those at which the probe came out on another side (popped_through)
   int failures = 0;         ///< ticks without an answer
   bool stable = false;      ///< still, or swinging less and less; in contact; no failures
   bool chattering = false;  ///< chatter above chatter_limit

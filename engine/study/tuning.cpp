@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "engine/error.hpp"
 #include "engine/scene/settings.hpp"
@@ -65,7 +66,8 @@ Wrench push_into(const TuningRequest& request, const Separation& s) {
 /// All that parts share.
 struct Plan {
   TuningRequest request;
-  std::vector<TuningSituation> situations;
+  TuningContacts contacts;
+  JointGains joint;
 };
 
 double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
@@ -75,7 +77,8 @@ double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
 }
 
 TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
-                     const TuningSituation& situation, const HandGrip& grip) {
+                     const TuningSituation& situation, const HandGrip& grip,
+                     const JointGains& joint = {}) {
   TuningSetup out;
   out.loop = {request.probe,         request.fixed,       request.method, request.coupling,
               held_by(device, grip), request.sample_time, request.budget};
@@ -93,38 +96,80 @@ TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
   out.high = request.high;
   out.ratio = request.ratio;
   out.rotation_per_translation = inertia_per_mass(request.device);
-  out.most_damping = device.max_damping.value;
-  out.most_rotational_damping = device.max_rotational_damping.value;
+  out.joint = joint;
+  // At the profile's own dampings, whatever is assumed: like is compared with like.
+  out.most_damping = request.device.max_damping.value;
+  out.most_rotational_damping = request.device.max_rotational_damping.value;
   set_base_gains(out);
   return out;
 }
 
-/// True where a light hand presses the probe into the contact at half of the stiffness that theory
-/// allows, and it stays there.
-bool holds_still(const TuningRequest& request, const TuningSituation& situation) {
+/// Why a light hand that presses the probe into the contact, at half of the stiffness that theory
+/// allows, cannot hold it there; empty where it can.
+std::string why_not_held(const TuningRequest& request, const TuningSituation& situation) {
   ClosedLoop loop(setup_of(request, request.device, situation, hand_grips[0]).loop);
   const HoldReport report = press_and_hold(loop, press_of(situation));
-  return report.stable && report.contact > 0.95 && report.pop_throughs == 0;
+  if (report.failures > 0) return "the solver gave no answer";
+  if (report.jumps > 0) return "the contact jumped to another place";
+  if (report.contact <= 0.95) return "the probe left the contact";
+  return report.stable ? "" : "the probe did not come to rest";
 }
 
 /// The hardest situation of each kind that holds still.
-std::vector<TuningSituation> choose(const TuningRequest& request,
-                                    const std::vector<ContactSituation>& found, const Stop& stop) {
-  std::vector<TuningSituation> out;
+TuningContacts choose(const TuningRequest& request, const std::vector<ContactSituation>& found,
+                      const Stop& stop) {
+  TuningContacts out;
   for (const ContactSituation& each : found) {
-    if (!out.empty() && out.back().contact.kind == each.kind) continue;
+    auto& chosen = out.situations;
+    if (!chosen.empty() && chosen.back().contact.kind == each.kind) continue;
     if (stop()) throw Cancelled();
     const TuningSituation situation{each, push_into(request, each.separation),
                                     theory_factor(request, each.stiffness)};
-    if (holds_still(request, situation)) out.push_back(situation);
+    const std::string reason = why_not_held(request, situation);
+    if (reason.empty())
+      chosen.push_back(situation);
+    else
+      out.skipped.push_back({each.kind, reason});
   }
+  for (const ContactKind kind : all_contact_kinds)
+    if (std::ranges::find(found, kind, &ContactSituation::kind) == found.end())
+      out.skipped.push_back({kind, "no such contact was found"});
   return out;
 }
 
 std::vector<GainAxis> axes_of(const TuningRequest& request) {
   if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
-  if (request.device.max_torque.value > 0) return {GainAxis::translation, GainAxis::rotation};
+  if (request.device.max_torque.value > 0)
+    return {GainAxis::together, GainAxis::translation, GainAxis::rotation};
   return {GainAxis::translation};
+}
+
+/// The least stiffness, over the contacts in a light hand, up to which theory has one axis stable
+/// or the driver goes. No damping; the other axis at half of what theory allows.
+double allowed_alone(const TuningRequest& request, const std::vector<TuningSituation>& situations,
+                     GainAxis axis) {
+  const bool turns = axis == GainAxis::rotation;
+  double least = INFINITY;
+  for (const TuningSituation& each : situations) {
+    const TuningSetup setup = setup_of(request, request.device, each, hand_grips[0]);
+    least = std::min(least, theory_limits(setup, axis, 0).stable);
+    const double felt = largest_block(each.contact.stiffness.classic, turns ? 3 : 0);
+    const double driver = turns ? request.device.max_rotational_stiffness.value
+                                : request.device.max_stiffness.value;
+    if (felt > 0 && driver > 0) least = std::min(least, driver / felt);
+  }
+  return least;
+}
+
+/// In the ratio of what each is allowed alone, and of the driver's largest dampings.
+JointGains joint_gains(const TuningRequest& request,
+                       const std::vector<TuningSituation>& situations) {
+  const DeviceProfile& device = request.device;
+  const double ratio = allowed_alone(request, situations, GainAxis::rotation) /
+                       allowed_alone(request, situations, GainAxis::translation);
+  const double most = device.max_damping.value;
+  return {std::isfinite(ratio) && ratio > 0 ? ratio : inertia_per_mass(device),
+          most > 0 ? device.max_rotational_damping.value / most : 0};
 }
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -167,8 +212,10 @@ Json about(const DeviceProfile& device) {
 
 Json about(const Plan& plan) {
   const TuningRequest& r = plan.request;
-  Json situations = Json::array();
-  for (const TuningSituation& each : plan.situations) situations.push_back(about(r, each));
+  Json situations = Json::array(), skipped = Json::array();
+  for (const TuningSituation& each : plan.contacts.situations) situations.push_back(about(r, each));
+  for (const SkippedContact& each : plan.contacts.skipped)
+    skipped.push_back({{"kind", name_of(each.kind)}, {"reason", each.reason}});
   return {{"inputs", Json::parse(r.inputs)},
           {"mode", name_of(r.coupling.mode)},
           {"method", r.method == Method::pdt ? "pdt" : "pdg"},
@@ -184,7 +231,10 @@ Json about(const Plan& plan) {
           {"high", r.high},
           {"trajectory", !r.path.empty()},
           {"device", about(r.device)},
-          {"situations", situations}};
+          {"rotational_stiffness_per_translational", plan.joint.stiffness},
+          {"rotational_damping_per_translational", plan.joint.damping},
+          {"situations", situations},
+          {"skipped", skipped}};
 }
 
 /// A part of the study, as its file names it.
@@ -192,12 +242,13 @@ struct PartOf {
   std::size_t situation;
   const HandGrip* grip;
   GainAxis axis;
+  std::vector<double> shares;     ///< of the largest damping
   const char* assumed = nullptr;  ///< a key of the profile that is not as it says
   double times = 1;
 };
 
 std::string part_name(const Plan& plan, const PartOf& part) {
-  std::string name = name_of(plan.situations[part.situation].contact.kind);
+  std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
   name += std::string(".") + part.grip->name + "." + name_of(part.axis);
   if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
   return name;
@@ -213,44 +264,65 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
 StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part) {
   return {part_name(*plan, part), [plan, part](const Stop& stop) {
             const DeviceProfile device = changed(plan->request.device, part);
-            const TuningSituation& situation = plan->situations[part.situation];
+            const TuningSituation& situation = plan->contacts.situations[part.situation];
             const bool nominal = part.assumed == nullptr;
-            const TuningSetup setup = setup_of(plan->request, device, situation, *part.grip);
+            const TuningSetup setup =
+                setup_of(plan->request, device, situation, *part.grip, plan->joint);
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},
                       {"hand", part.grip->name},
                       {"axis", name_of(part.axis)},
                       {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
                       {"times", part.times}};
-            json.update(Json::parse(sweep_gains(setup, part.axis, nominal, stop)));
+            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, nominal, stop)));
             return json.dump(1) + "\n";
           }};
 }
 
 std::size_t hardest(const Plan& plan) {
-  const auto least = std::ranges::min_element(plan.situations, {}, &TuningSituation::theory);
-  return static_cast<std::size_t>(least - plan.situations.begin());
+  const auto& situations = plan.contacts.situations;
+  const auto least = std::ranges::min_element(situations, {}, &TuningSituation::theory);
+  return static_cast<std::size_t>(least - situations.begin());
+}
+
+TuningSetup setup_of(const Plan& plan, std::size_t situation, const HandGrip& grip) {
+  return setup_of(plan.request, plan.request.device, plan.contacts.situations[situation], grip,
+                  plan.joint);
+}
+
+/// The share of the largest damping that theory likes best; of equal ones the least.
+double share_of_theory(const TuningSetup& setup, GainAxis axis) {
+  double best = 0, most = -1;
+  for (const double share : damping_shares(setup, axis))
+    if (const double stable = theory_limits(setup, axis, share).stable; stable > most) {
+      most = stable;
+      best = share;
+    }
+  return best;
 }
 
 std::vector<PartOf> parts_of(const Plan& plan) {
   std::vector<PartOf> parts;
   const std::vector<GainAxis> axes = axes_of(plan.request);
   for (const GainAxis axis : axes)
-    for (std::size_t i = 0; i < plan.situations.size(); ++i)
-      for (const HandGrip& grip : hand_grips) parts.push_back({i, &grip, axis});
+    for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+      for (const HandGrip& grip : hand_grips)
+        parts.push_back({i, &grip, axis, damping_shares(setup_of(plan, i, grip), axis)});
+  // What is recommended is varied, not what each axis could do alone.
+  const std::size_t where = hardest(plan);
+  const double share = share_of_theory(setup_of(plan, where, hand_grips[0]), axes.front());
   for (const ProfileKey& key : profile_keys()) {
-    if (!(plan.request.device.*key.value).assumed || (plan.request.device.*key.value).value == 0)
-      continue;
-    for (const GainAxis axis : axes)
-      for (const double times : {0.5, 2.0})
-        parts.push_back({hardest(plan), &hand_grips[0], axis, key.key, times});
+    const ProfileValue& value = plan.request.device.*key.value;
+    if (!value.assumed || value.value == 0) continue;
+    for (const double times : {0.5, 2.0})
+      parts.push_back({where, &hand_grips[0], axes.front(), {share}, key.key, times});
   }
   return parts;
 }
 
 }  // namespace
 
-std::vector<TuningSituation> tuning_situations(const TuningRequest& request, const Stop& stop) {
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop) {
   SituationOptions options{.method = request.method, .seed = request.seed};
   options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
   const auto found = request.path.empty()
@@ -262,8 +334,10 @@ std::vector<TuningSituation> tuning_situations(const TuningRequest& request, con
     throw InputError(request.path.empty() ? "no contact of the two bodies was found"
                                           : "the probe is in contact at no pose of the trajectory");
   auto chosen = choose(request, found, stop);
-  if (chosen.empty())
-    throw InputError("no contact was found in which a hand could hold the probe still");
+  if (chosen.situations.empty())
+    throw InputError(
+        "no contact was found in which a hand could hold the probe still; in the hardest one, " +
+        chosen.skipped.front().reason);
   return chosen;
 }
 
@@ -273,7 +347,9 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
 }
 
 Study plan_tuning(const TuningRequest& request, const Stop& stop) {
-  const auto plan = std::make_shared<Plan>(Plan{request, tuning_situations(request, stop)});
+  TuningContacts contacts = tuning_contacts(request, stop);
+  const JointGains joint = joint_gains(request, contacts.situations);
+  const auto plan = std::make_shared<Plan>(Plan{request, std::move(contacts), joint});
   Study study{"tune", about(*plan).dump(), {}};
   for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
   return study;

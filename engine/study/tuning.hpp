@@ -41,9 +41,19 @@ struct HandGrip {
 /// (Hogan, 1989; Hajian and Howe, 1997), without their mass, which would help.
 constexpr HandGrip hand_grips[] = {{"light", 200, 1}, {"firm", 1000, 10}};
 
+/// A contact, or a kind of them, that is not studied.
+struct SkippedContact {
+  ContactKind kind;
+  std::string reason;  ///< in words
+};
+struct TuningContacts {
+  std::vector<TuningSituation> situations;
+  std::vector<SkippedContact> skipped;  ///< harder ones than those studied, and kinds without any
+};
+
 /// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
 /// Takes seconds. Throws InputError where there is none, Cancelled.
-std::vector<TuningSituation> tuning_situations(const TuningRequest& request, const Stop& stop);
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop);
 
 /// A situation with a hand and the request's device, at gains well within what theory allows.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
@@ -51,7 +61,7 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
 
 /// Looks for the situations and makes the study: a part for each of them, hand and axis, and in the
 /// situation that theory calls the hardest one for half and twice each assumed value of the
-/// profile. Errors as tuning_situations.
+/// profile. Errors as tuning_contacts.
 Study plan_tuning(const TuningRequest& request, const Stop& stop);
 
 }  // namespace sonde

@@ -68,7 +68,7 @@ std::vector<const TuningLine*> nominal_lines(const TuningResults& results, GainA
 
 const char* unit_of(GainAxis axis) { return axis == GainAxis::rotation ? "N·m/rad" : "N/m"; }
 std::string stiffness_label(GainAxis axis) {
-  constexpr std::array symbols{"k", "k_t", "k_r"};
+  constexpr std::array symbols{"k", "k_t", "k_t", "k_r"};
   return std::string("stiffness ") + symbols[static_cast<std::size_t>(axis)] + ", " + unit_of(axis);
 }
 
@@ -120,11 +120,20 @@ ChartPanel object_panel(const TuningResults& results) {
   return panel;
 }
 
-/// The edges between neighbouring values, and the outer ones.
-std::vector<double> edges(const std::vector<double>& values) {
+/// The edges between neighbouring dampings, and the outer ones: halfway on an even scale.
+std::vector<double> damping_edges(const std::vector<double>& values) {
   std::vector<double> out{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i) out.push_back((values[i - 1] + values[i]) / 2);
   out.push_back(values.size() > 1 ? values.back() : values.back() + 1);
+  return out;
+}
+
+/// The same of stiffnesses: halfway on a logarithmic scale.
+std::vector<double> stiffness_edges(const std::vector<double>& values) {
+  std::vector<double> out{values.front()};
+  for (std::size_t i = 1; i < values.size(); ++i)
+    out.push_back(std::sqrt(values[i - 1] * values[i]));
+  out.push_back(values.back());
   return out;
 }
 
@@ -156,7 +165,7 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
     for (const SweepPoint& run : column->runs) values.push_back(run.stiffness);
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  const std::vector<double> sides = edges(values);
+  const std::vector<double> sides = stiffness_edges(values);
   for (std::size_t i = 0; i < values.size(); ++i) {
     MapClass worst = MapClass::passive;
     for (const TuningColumn* column : columns)
@@ -169,13 +178,20 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
   }
 }
 
+std::string title_of(const TuningResults& results, GainAxis axis) {
+  if (axis == GainAxis::translation) return "Translation alone, worst of all situations";
+  if (axis == GainAxis::rotation) return "Rotation alone, worst of all situations";
+  return "All gains together, worst of all situations; k_r = " +
+         number_text(results.joint.stiffness, 3) + " m² k_t, b_r = " +
+         number_text(results.joint.damping, 3) + " m² b_t";
+}
+
 /// Stiffness by damping, the worst of all situations.
 ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   const auto lines = nominal_lines(results, axis);
   const bool turns = axis == GainAxis::rotation;
   ChartPanel panel;
-  panel.title =
-      turns ? "Rotation, worst of all situations" : "Translation, worst of all situations";
+  panel.title = title_of(results, axis);
   panel.x = {stiffness_label(axis), true};
   panel.y = {turns ? "damping b_r, N·m·s/rad" : "damping b_t, N·s/m"};
   panel.kinds = class_colors;
@@ -183,7 +199,7 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
   ChartSeries passive = step("passive in theory", 2, ChartSeries::Form::dashed);
   const std::vector<double> dampings = dampings_of(lines);
-  const std::vector<double> sides = edges(dampings);
+  const std::vector<double> sides = damping_edges(dampings);
   for (std::size_t i = 0; i < dampings.size(); ++i) {
     const auto columns = columns_at(lines, dampings[i]);
     add_cells(panel, columns, sides[i], sides[i + 1]);
@@ -201,15 +217,18 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
     add(passive, least([](const TuningColumn& c) { return c.theory_passive; }));
   }
   panel.series = {measured, theory, passive};
-  if (const auto gains = recommend(results, axis); gains && gains->stiffness > 0)
-    panel.series.push_back(
-        {"recommended", {gains->stiffness}, {gains->damping}, ChartSeries::Form::points, 0});
+  const Coupling gains = recommended_coupling(results);
+  if (has_recommendation(results))
+    panel.series.push_back({"recommended",
+                            {turns ? gains.k_r : gains.k_t},
+                            {turns ? gains.b_r : gains.b_t},
+                            ChartSeries::Form::points,
+                            0});
   return panel;
 }
 
-/// The error of the force in every situation, without damping.
-ChartPanel fidelity_panel(const TuningResults& results, GainAxis axis) {
-  const bool turns = axis == GainAxis::rotation;
+/// The error of the wrench in every situation, without damping.
+ChartPanel fidelity_panel(const TuningResults& results, GainAxis axis, bool turns) {
   ChartPanel panel;
   panel.title = turns ? "Torque against Hooke's law" : "Force against Hooke's law";
   panel.x = {stiffness_label(axis), true};
@@ -240,7 +259,7 @@ std::string map_csv(const TuningResults& results) {
   std::string out =
       "situation,kind,hand,axis,assumed,times,damping,stiffness,class,stable,passive,chattering,"
       "saturated,growth,chatter,saturation,work,force_error,torque_error,depth,contact,force,"
-      "torque,pop_throughs,theory_stable,theory_passive\n";
+      "torque,jumps,pop_throughs,theory_stable,theory_passive\n";
   for (const TuningLine& line : results.lines)
     for (const TuningColumn& column : line.columns)
       for (const SweepPoint& run : column.runs) {
@@ -259,6 +278,7 @@ std::string map_csv(const TuningResults& results) {
         for (const double x : {r.growth, r.chatter, r.saturation, r.work, r.force_error,
                                r.torque_error, r.depth, r.contact, r.force, r.torque})
           add(x);
+        add(r.jumps);
         add(r.pop_throughs);
         add(column.theory_stable);
         add(column.theory_passive);
@@ -273,7 +293,8 @@ std::string map_svg(const TuningResults& results) {
   for (const GainAxis axis : axes_of(results)) {
     chart.panels.push_back(axis == GainAxis::object ? object_panel(results)
                                                     : classic_panel(results, axis));
-    chart.panels.push_back(fidelity_panel(results, axis));
+    if (axis != GainAxis::rotation) chart.panels.push_back(fidelity_panel(results, axis, false));
+    if (axis != GainAxis::translation) chart.panels.push_back(fidelity_panel(results, axis, true));
   }
   return to_svg(chart);
 }

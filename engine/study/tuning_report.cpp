@@ -58,6 +58,7 @@ Json fidelity(const TuningResults& results, const AxisGains& gains) {
                    {"depth", r.depth},
                    {"force", r.force},
                    {"torque", r.torque},
+                   {"jumps", r.jumps},
                    {"pop_throughs", r.pop_throughs}});
   }
   return out;
@@ -86,9 +87,16 @@ Json assumed_values(const TuningResults& results, GainAxis axis) {
 
 Json json_of(const TuningResults& results, GainAxis axis) {
   const auto gains = recommend(results, axis);
-  Json out{{"axis", name_of(axis)}, {"unit", axis == GainAxis::rotation ? "N·m/rad" : "N/m"}};
+  const auto recommended = recommended_axes(results);
+  Json out{{"axis", name_of(axis)},
+           {"unit", axis == GainAxis::rotation ? "N·m/rad" : "N/m"},
+           {"recommended", std::ranges::find(recommended, axis) != recommended.end()}};
   if (!gains) return out;
   out.update(json_of(*gains));
+  if (axis == GainAxis::together) {
+    out["rotational_stiffness"] = gains->stiffness * results.joint.stiffness;
+    out["rotational_damping"] = gains->damping * results.joint.damping;
+  }
   out["fidelity"] = fidelity(results, *gains);
   if (const auto beside = recommend_as_varied(results, axis)) {
     for (const TuningLine& line : results.lines)
@@ -108,7 +116,9 @@ std::string recommendation(const TuningResults& results) {
   const Json about = Json::parse(results.about);
   const Json out{{"device", results.device_id},          {"mode", name_of(results.mode)},
                  {"stability_margin", stability_margin}, {"axes", axes},
-                 {"situations", about.at("situations")}, {"study", about}};
+                 {"situations", about.at("situations")},
+                 {"skipped", about.value("skipped", Json::array())},
+                 {"study", about}};
   return out.dump(2) + "\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/tuning_results.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -59,6 +60,7 @@ SweepPoint point_of(const Json& json) {
   r.contact = number(json.at("contact"));
   r.force = number(json.at("force"));
   r.torque = number(json.at("torque"));
+  r.jumps = json.at("jumps").get<int>();
   r.pop_throughs = json.at("pop_throughs").get<int>();
   r.failures = json.at("failures").get<int>();
   return point;
@@ -82,12 +84,24 @@ TuningLine line_of(const Json& json) {
   line.kind = json.at("kind").get<std::string>();
   line.hand = json.at("hand").get<std::string>();
   line.axis = named(json.at("axis").get<std::string>(),
-                    {GainAxis::object, GainAxis::translation, GainAxis::rotation});
+                    {GainAxis::object, GainAxis::together, GainAxis::translation, GainAxis::rotation});
   if (!json.at("assumed").is_null()) line.assumed = json.at("assumed").get<std::string>();
   line.times = json.at("times").get<double>();
   for (const Json& column : json.at("columns")) line.columns.push_back(column_of(column));
   if (line.columns.empty()) throw std::out_of_range("no columns");
   return line;
+}
+
+/// Lines of one axis are compared damping by damping: none may lack one of another's. Those that
+/// vary an assumed value are at some of the dampings of the others.
+void check_dampings(const std::vector<TuningLine>& lines) {
+  for (const TuningLine& line : lines)
+    for (const TuningColumn& column : line.columns)
+      for (const TuningLine& other : lines)
+        if (other.axis == line.axis && other.assumed.empty() &&
+            std::ranges::find(other.columns, column.damping, &TuningColumn::damping) ==
+                other.columns.end())
+          throw std::out_of_range("damping");
 }
 
 void read_about(const Json& json, TuningResults& out) {
@@ -100,6 +114,8 @@ void read_about(const Json& json, TuningResults& out) {
   for (const char* needed : profile_values)
     if (!out.device.contains(needed)) throw std::out_of_range(needed);
   out.device_id = json.at("device").at("id").get<std::string>();
+  out.joint = {json.at("rotational_stiffness_per_translational").get<double>(),
+               json.at("rotational_damping_per_translational").get<double>()};
   for (const Json& situation : json.at("situations"))
     out.felt.push_back({situation.at("largest_translational_stiffness").get<double>(),
                         situation.at("largest_rotational_stiffness").get<double>()});
@@ -121,6 +137,7 @@ TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
       reading = "part " + study.names[i];
       out.lines.push_back(line_of(Json::parse(*study.results[i])));
       if (out.lines.back().situation >= out.felt.size()) throw std::out_of_range("situation");
+      check_dampings(out.lines);
     }
   } catch (const std::exception& error) {  // what the parser, the names and the optional throw
     throw InputError::in(folder, reading + " is not what a study writes: " + error.what());

@@ -39,6 +39,7 @@ struct TuningResults {
   std::string device_id;
   double sample_time = 1e-3;
   double max_force = 0, max_torque = 0;  ///< of the coupling, N and N·m
+  JointGains joint;                      ///< where all gains were swept together
   /// Largest stiffness felt in each situation at gains of 1 N/m (and inertia/mass of that, N·m/rad,
   /// where rotations have their own).
   struct Felt {

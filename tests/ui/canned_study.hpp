@@ -16,7 +16,7 @@ inline std::string run_json(double stiffness, bool stable) {
   return R"({"stiffness": )" + std::to_string(stiffness) + R"(, "stable": )" +
          (stable ? "true" : "false") + R"(, "chattering": false, "saturated": false, "growth": 0,
       "work": 0, "chatter": 0, "saturation": 0, "force_error": 0.01, "torque_error": 0.01,
-      "depth": 0.001, "contact": 1, "force": 3, "torque": 0.1, "pop_throughs": 0, "failures": 0})";
+      "depth": 0.001, "contact": 1, "force": 3, "torque": 0.1, "jumps": 0, "pop_throughs": 0, "failures": 0})";
 }
 
 inline StudyPart canned_part(int situation, double stable, const std::string& assumed = "null",
@@ -53,6 +53,7 @@ inline void write_canned_study(const std::filesystem::path& folder,
       "max_torque": {"value": 0.2}, "max_rotational_stiffness": {"value": 100},
       "friction": {"value": 0.4}, "rotational_friction": {"value": 0.005},
       "resolution": {"value": 0}, "rotational_resolution": {"value": 0}},
+      "rotational_stiffness_per_translational": 0, "rotational_damping_per_translational": 0,
       "situations": [{"largest_translational_stiffness": 1, "largest_rotational_stiffness": 1e-3},
       {"largest_translational_stiffness": 1, "largest_rotational_stiffness": 1e-3}]})";
   study.parts = {canned_part(0, 1500), canned_part(1, 900), canned_part(1, 450, "\"mass\"", 0.5),

@@ -36,7 +36,8 @@ MapPoint point_of(const Coupling& gains, GainAxis axis) {
 
 QString words_of(GainAxis axis) {
   if (axis == GainAxis::object) return QStringLiteral("object norm");
-  return QLatin1String(name_of(axis));
+  if (axis == GainAxis::together) return QStringLiteral("all gains together");
+  return QLatin1String(name_of(axis)) + QStringLiteral(" alone");
 }
 
 QString words_of(const Coupling& gains) {
@@ -242,12 +243,10 @@ void StiffnessPanel::show_map() {
   const std::string kind =
       shown_kinds_->currentIndex() > 0 ? shown_kinds_->currentText().toStdString() : std::string();
   plot_->set_map(stability_map(tuning_->results, axis(), kind));
-  const auto gains = recommend(tuning_->results, axis());
-  const bool any = gains && gains->stiffness > 0;
-  plot_->set_recommended(any ? std::optional(MapPoint{gains->stiffness, gains->damping})
-                             : std::nullopt);
-  words_->setText(QStringLiteral("Recommended: ") + recommendation_text(tuning_->results, axis()));
-  apply_->setEnabled(any);
+  const bool any = has_recommendation(tuning_->results);
+  plot_->set_recommended(
+      any ? std::optional(point_of(recommended_coupling(tuning_->results), axis())) : std::nullopt);
+  words_->setText(recommendation_text(tuning_->results, axis()));
   show_point();
 }
 

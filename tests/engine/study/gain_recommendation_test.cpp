@@ -94,24 +94,46 @@ TEST(GainRecommendation, EachReasonIsNamedWhereItHolds) {
             "range 3000");
 }
 
-TEST(GainRecommendation, TheDampingThatAllowsMostIsTaken) {
+/// All gains together, and each axis alone, which goes further.
+TuningResults classic() {
   TuningResults r = results();
   r.mode = Coupling::Mode::classic;
-  r.lines = {line(0, GainAxis::translation,
-                  {column(0, 300, 300, unstable), column(5, 900, 900, unstable),
-                   column(7, 9000, 9000, unstable), column(10, 600, 600, unstable)}),
-             line(1, GainAxis::translation,  // 7 was not measured here
-                  {column(0, 300, 300, unstable), column(5, 1200, 1200, unstable),
-                   column(10, 600, 600, unstable)}),
-             line(0, GainAxis::rotation, {column(0, 1.5, 1.5, unstable)})};
-  const auto gains = recommend(r, GainAxis::translation);
+  r.joint = {2e-4, 1e-3};
+  for (const std::size_t at : {0u, 1u})
+    r.lines.push_back(line(at, GainAxis::together,
+                           {column(0, 300, 300, unstable), column(5, at ? 1200 : 900, 1500, unstable),
+                            column(10, 600, 600, unstable)}));
+  r.lines.push_back(line(0, GainAxis::translation, {column(0, 30000, 30000, unstable)}));
+  r.lines.push_back(line(0, GainAxis::rotation, {column(0, 15, 15, unstable)}));
+  return r;
+}
+
+TEST(GainRecommendation, TheDampingThatAllowsMostIsTaken) {
+  const auto gains = recommend(classic(), GainAxis::together);
   EXPECT_DOUBLE_EQ(gains->stiffness, 600);
   EXPECT_DOUBLE_EQ(gains->damping, 5);
+}
+
+TEST(GainRecommendation, OfTheClassicCouplingItIsWhatWasHeldTogether) {
+  const TuningResults r = classic();
+  EXPECT_EQ(recommended_axes(r), std::vector{GainAxis::together});
   const Coupling c = recommended_coupling(r);
   EXPECT_EQ(c.mode, Coupling::Mode::classic);
   EXPECT_DOUBLE_EQ(c.k_t, 600);
   EXPECT_DOUBLE_EQ(c.b_t, 5);
-  EXPECT_DOUBLE_EQ(c.k_r, 1);
+  EXPECT_DOUBLE_EQ(c.k_r, 600 * 2e-4);
+  EXPECT_DOUBLE_EQ(c.b_r, 5 * 1e-3);
+  EXPECT_GT(recommend(r, GainAxis::translation)->stiffness, c.k_t);
+}
+
+TEST(GainRecommendation, OfTheClassicCouplingTheDriversLimitsAreThoseOfBothParts) {
+  TuningResults r = classic();
+  // 1e-3 N·m/rad are felt of k_r = inertia/mass = 1e-3 N·m/rad: 1 of 1, so 0.05 at k_t = 250 N/m.
+  r.device["max_rotational_stiffness"] = 0.05;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 250);
+  EXPECT_EQ(recommend(r, GainAxis::together)->limit.reason, "driver");
+  r.device["max_stiffness"] = 100;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 100);
 }
 
 TEST(GainRecommendation, AssumedValuesAreComparedInTheirOwnSituation) {
@@ -125,6 +147,18 @@ TEST(GainRecommendation, AssumedValuesAreComparedInTheirOwnSituation) {
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object, "mass", 2)->stiffness, 3000);
   EXPECT_FALSE(recommend(r, GainAxis::object, "mass", 0.5));
   EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::object)->stiffness, 2000);
+}
+
+TEST(GainRecommendation, AssumedValuesAreComparedAtLikeDampings) {
+  TuningResults r = classic();
+  TuningLine varied = line(0, GainAxis::together, {column(10, 300, 300, unstable)});
+  varied.assumed = "mass";
+  varied.times = 2;
+  r.lines.push_back(varied);
+  // 5 N·s/m would allow 600 N/m: but what is varied is at 10.
+  EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::together)->damping, 10);
+  EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::together)->stiffness, 400);
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together, "mass", 2)->stiffness, 200);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST(PressAndHold, AQuietHoldIsDescribedAsItIs) {
   EXPECT_EQ(r.contact, 1);
   EXPECT_EQ(r.growth, 0);
   EXPECT_LT(r.force_error, 0.02);
+  EXPECT_EQ(r.jumps, 0);
   EXPECT_EQ(r.pop_throughs, 0);
   EXPECT_EQ(r.failures, 0);
 }

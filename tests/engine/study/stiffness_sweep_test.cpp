@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "engine/error.hpp"
@@ -42,8 +43,64 @@ TEST(StiffnessSweep, FindsBothLimitsToTheRatioFromAnyStart) {
       EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
       EXPECT_EQ(std::size_t(made.runs), sweep.points.size());  // none twice
       EXPECT_TRUE(std::ranges::is_sorted(sweep.points, {}, &SweepPoint::stiffness));
-      EXPECT_LT(made.runs, 60);
+      EXPECT_LT(made.runs, 100);
     }
+}
+
+/// Unstable between two stiffnesses and above a third; slow to die down near the first two.
+struct WithIsland {
+  double from, to, end;
+
+  HoldReport operator()(double k) const {
+    HoldReport report;
+    report.stable = (k < from || k > to) && k < end;
+    report.growth = k > from / 1.5 && k < to * 1.5 ? 0.5 : 0;
+    return report;
+  }
+};
+
+TEST(StiffnessSweep, AStableIslandAboveAnUnstableStiffnessIsNotTakenForStable) {
+  // The second is narrower than a step of the walk: the swing on its shore gives it away.
+  for (const WithIsland island : {WithIsland{300, 600, 5000}, WithIsland{300, 330, 5000}})
+    for (const double start : {500.0, 1000.0}) {
+      const StiffnessSweep sweep = sweep_stiffness(island, {.start = start}, never);
+      EXPECT_LE(sweep.stable.stiffness, island.from);
+      EXPECT_GT(sweep.stable.stiffness * 1.02, island.from) << start;
+      EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
+      EXPECT_LE(sweep.good.stiffness, sweep.stable.stiffness);
+      // Well above it holds again, as the map shows.
+      EXPECT_TRUE(std::ranges::any_of(
+          sweep.points, [](const SweepPoint& p) { return p.stiffness > 700 && p.report.stable; }));
+    }
+}
+
+TEST(StiffnessSweep, NoLimitLiesAboveAFaultThatWasSeen) {
+  // Holds and fails by turns, as wide as it likes.
+  const auto patches = [](double k) {
+    HoldReport report;
+    report.stable = std::sin(7 * std::log(k)) > -0.5;
+    report.saturated = std::sin(17 * std::log(k)) > 0.5;
+    return report;
+  };
+  for (const double start : {40.0, 200.0, 900.0, 4000.0}) {
+    const StiffnessSweep sweep = sweep_stiffness(patches, {.start = start}, never);
+    for (const SweepPoint& p : sweep.points) {
+      EXPECT_TRUE(p.report.stable || p.stiffness > sweep.stable.stiffness) << start;
+    }
+    EXPECT_LE(sweep.good.stiffness, sweep.stable.stiffness);
+  }
+}
+
+TEST(StiffnessSweep, WhatIsTooSoftToBeGoodIsNoLimit) {
+  const auto slips = [](double k) {
+    HoldReport report;
+    report.stable = k < 2000;
+    report.force_error = k < 200 ? 0.2 : 0.01;
+    return report;
+  };
+  const StiffnessSweep sweep = sweep_stiffness(slips, {.start = 500}, never);
+  EXPECT_GT(sweep.good.stiffness * 1.02, 2000);
+  EXPECT_EQ(sweep.good.fault, HoldFault::unstable);
 }
 
 TEST(StiffnessSweep, ALimitOutsideOfTheRangeIsSaid) {
@@ -64,17 +121,31 @@ TEST(StiffnessSweep, StopsWhenAsked) {
 }
 
 TEST(StiffnessSweep, TheWorstFaultIsNamed) {
+  const auto fault = [](const HoldReport& r) { return name_of(fault_of(r, GainAxis::object)); };
   HoldReport report;
-  EXPECT_STREQ(name_of(fault_of(report)), "stability");
+  EXPECT_STREQ(fault(report), "stability");
   report.stable = report.chattering = report.saturated = true;
-  EXPECT_STREQ(name_of(fault_of(report)), "saturation");
+  EXPECT_STREQ(fault(report), "saturation");
   report.saturated = false;
-  EXPECT_STREQ(name_of(fault_of(report)), "chatter");
+  EXPECT_STREQ(fault(report), "chatter");
   report.chattering = false;
   report.force_error = 0.11;
-  EXPECT_STREQ(name_of(fault_of(report)), "fidelity");
+  EXPECT_STREQ(fault(report), "fidelity");
   report.force_error = 0.09;
-  EXPECT_STREQ(name_of(fault_of(report)), "none");
+  EXPECT_STREQ(fault(report), "none");
+}
+
+TEST(StiffnessSweep, EachAxisIsJudgedByItsOwnError) {
+  HoldReport force, torque;
+  force.stable = torque.stable = true;
+  force.force_error = torque.torque_error = 0.11;
+  using enum GainAxis;
+  for (const GainAxis axis : {object, translation, together})
+    EXPECT_EQ(fault_of(force, axis), HoldFault::unfaithful) << name_of(axis);
+  for (const GainAxis axis : {rotation, together})
+    EXPECT_EQ(fault_of(torque, axis), HoldFault::unfaithful) << name_of(axis);
+  EXPECT_EQ(fault_of(force, rotation), HoldFault::none);
+  EXPECT_EQ(fault_of(torque, translation), HoldFault::none);
 }
 
 }  // namespace

@@ -75,6 +75,9 @@ void expect_coupling(Coupling::Mode mode) {
   EXPECT_EQ(c.max_force, 10);
   EXPECT_EQ(c.max_torque, 0.2);
   EXPECT_GT(mode == Coupling::Mode::object ? c.k : c.k_t, 50);
+  if (mode == Coupling::Mode::classic) {
+    EXPECT_GT(c.k_r, 1e-3);
+  }
   EXPECT_THAT(test::text_of(folder / "recommendation.json"), HasSubstr("limited_by"));
 }
 
@@ -90,7 +93,41 @@ TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("contact at no pose of the trajectory"));
   }
-  EXPECT_THROW(tuning_situations(boxes(), [] { return true; }), Cancelled);
+  EXPECT_THROW(tuning_contacts(boxes(), [] { return true; }), Cancelled);
+}
+
+TEST(Tuning, WhatIsNotStudiedIsSaid) {
+  // Boxes flat on each other: no corner, and nothing that jams.
+  TuningRequest request = boxes();
+  const TuningContacts contacts = tuning_contacts(request, never);
+  EXPECT_FALSE(contacts.situations.empty());
+  for (const ContactKind kind : all_contact_kinds) {
+    const auto is = [&](const SkippedContact& s) { return s.kind == kind; };
+    const auto found = std::ranges::find_if(contacts.skipped, is);
+    const bool studied = std::ranges::any_of(contacts.situations, [&](const TuningSituation& s) {
+      return s.contact.kind == kind;
+    });
+    EXPECT_TRUE(studied || found != contacts.skipped.end()) << name_of(kind);
+    if (kind == ContactKind::jammed) {
+      ASSERT_NE(found, contacts.skipped.end());
+      EXPECT_EQ(found->reason, "no such contact was found");
+    }
+  }
+  const std::string about = plan_tuning(request, never).about;
+  EXPECT_THAT(about, HasSubstr(R"({"kind":"jammed","reason":"no such contact was found"})"));
+}
+
+TEST(Tuning, AContactThatCannotBeHeldIsLeftOutWithTheReason) {
+  // The hand pushes with a quarter of what the device gives: here right through the box.
+  TuningRequest request = boxes();
+  request.device.max_force.value = 1e5;
+  try {
+    plan_tuning(request, never);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("could hold the probe still"));
+    EXPECT_THAT(error.what(), testing::ContainsRegex("left the contact|jumped"));
+  }
 }
 
 TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
@@ -104,7 +141,7 @@ TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
   const TuningResults results = read_tuning("", read_study(folder.path()));
   for (const TuningLine& line : results.lines)
     for (const SweepPoint& run : line.columns.front().runs) {
-      EXPECT_NE(fault_of(run.report), HoldFault::none) << run.stiffness;
+      EXPECT_NE(fault_of(run.report, line.axis), HoldFault::none) << run.stiffness;
     }
   EXPECT_EQ(recommend(results, GainAxis::object)->stiffness, 0);
 }
@@ -141,11 +178,11 @@ TEST(Tuning, Full_within_five_percent_of_a_ten_times_finer_sweep) {
   RecordProperty("boundary", std::to_string(coarse.boundary) + " " + std::to_string(fine.boundary));
 }
 
-HoldReport hold_again(const TuningRequest& request, const TuningSituation& situation,
-                      const TuningLine& line, double stiffness, double seconds) {
-  const auto grip = std::ranges::find(hand_grips, line.hand, &HandGrip::name);
+HoldReport hold(const TuningRequest& request, const TuningSituation& situation,
+                const std::string& hand, const Coupling& gains, double seconds) {
+  const auto grip = std::ranges::find(hand_grips, hand, &HandGrip::name);
   TuningSetup setup = tuning_setup(request, situation, *grip);
-  setup.loop.coupling.k = stiffness;
+  setup.loop.coupling = gains;
   Press press = press_of(situation);
   press.window_time = seconds / 2;
   ClosedLoop loop(setup.loop);
@@ -156,14 +193,20 @@ HoldReport hold_again(const TuningRequest& request, const TuningSituation& situa
 /// own boundary (there friction may end in many seconds what does not die down in a fraction).
 void expect_recommendation_holds(const TuningRequest& request, double seconds) {
   const TuningResults results = tuned(request);
-  const AxisGains gains = *recommend(results, GainAxis::object);
-  const auto situations = tuning_situations(request, never);
+  const GainAxis axis = recommended_axes(results).front();
+  const Coupling gains = recommended_coupling(results);
+  const double damping = recommend(results, axis)->damping;
+  const auto situations = tuning_contacts(request, never).situations;
   for (const TuningLine& line : results.lines) {
+    if (line.axis != axis) continue;
     const TuningSituation& at = situations[line.situation];
     SCOPED_TRACE(line.kind + " " + line.hand);
-    const double boundary = line.columns.front().stable.stiffness;
-    EXPECT_TRUE(hold_again(request, at, line, gains.stiffness, seconds).stable);
-    EXPECT_FALSE(hold_again(request, at, line, 1.3 * boundary, 0.6).stable);
+    EXPECT_TRUE(hold(request, at, line.hand, gains, seconds).stable);
+    const auto column = std::ranges::find(line.columns, damping, &TuningColumn::damping);
+    if (column->stable.fault == HoldFault::none) continue;
+    Coupling beyond = gains;
+    set_gains(beyond, axis, 1.3 * column->stable.stiffness, damping, results.joint);
+    EXPECT_FALSE(hold(request, at, line.hand, beyond, 0.6).stable);
   }
 }
 
@@ -175,6 +218,11 @@ TEST(Tuning, TheRecommendedGainsHoldAndBeyondTheBoundaryTheyDoNot) {
 }
 TEST(Tuning, Full_the_recommended_gains_hold_for_a_minute_in_every_situation) {
   expect_recommendation_holds(spoon_in_cup(), 60);
+}
+TEST(Tuning, Full_so_do_those_of_the_classic_coupling_together) {
+  TuningRequest request = spoon_in_cup();
+  request.coupling.mode = Coupling::Mode::classic;
+  expect_recommendation_holds(request, 60);
 }
 
 }  // namespace
