@@ -68,7 +68,7 @@ void run(const CompareOptions& options) {
   check_output(options.study);
   const Scene scene = scene_for(options);
   CompareSetup setup;
-  setup.path = read_trajectory(*scene.trajectory);
+  setup.path = path_to_study(*scene.trajectory);
   setup.scene = scene.name;
   std::optional<DeviceProfile> device;
   if (!options.device.empty()) device = device_named(options.device);

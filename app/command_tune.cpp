@@ -56,13 +56,20 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const B
   request.sample_time = 1 / scene.servo.rate_hz;
   if (scene.servo.budget.steps > 0) request.budget.steps = scene.servo.budget.steps;
   request.device = device;
-  if (!options.trajectory.empty()) request.path = read_trajectory(options.trajectory);
+  if (!options.trajectory.empty()) request.path = path_to_study(options.trajectory);
   request.seed = options.seed;
   request.ratio = options.ratio;
   request.low = options.low;
   request.high = options.high;
   request.inputs = inputs_json(scene, options, bodies);
   return request;
+}
+
+/// The contacts that the study is not about.
+void note_skipped(const Study& study) {
+  for (const Json& each : Json::parse(study.about).at("skipped"))
+    std::cerr << "sonde: left out: " << each.at("kind").get<std::string>()
+              << " contact: " << each.at("reason").get<std::string>() << "\n";
 }
 
 void run(const TuneOptions& options) {
@@ -75,6 +82,7 @@ void run(const TuneOptions& options) {
   progress.show("tune, looking for contacts", 0, 1);
   const Study study = plan_tuning(request_of(scene, options, bodies, device), stop_on_interrupt());
   progress.clear();
+  if (!options.study.quiet) note_skipped(study);
   run_study(study, options.study, tuning_files);
 }
 

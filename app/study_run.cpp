@@ -8,6 +8,7 @@
 
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
+#include "engine/error.hpp"
 #include "engine/scene/output_file.hpp"
 
 namespace sonde::app {
@@ -26,6 +27,13 @@ void check_output(const StudyOptions& options) {
   if (std::filesystem::exists(options.out, error) &&
       !std::filesystem::is_directory(options.out, error))
     throw UsageError("--out " + options.out + " is a file; a study needs a folder");
+}
+
+std::vector<TimedPose> path_to_study(const std::filesystem::path& file) {
+  std::vector<TimedPose> path = read_trajectory(file);
+  if (path.empty())
+    throw InputError::in(file.string(), "holds no poses: there is nothing to study");
+  return path;
 }
 
 void add_flags(CLI::App& parser, StudyOptions& options) {

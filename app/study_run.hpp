@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/options.hpp"
+#include "engine/scene/poses.hpp"
 #include "engine/study/study_parts.hpp"
 
 namespace sonde::app {
@@ -19,6 +22,10 @@ void add_flags(CLI::App& parser, StudyOptions& options);
 
 /// Refuses, before any work, an --out that is a file.
 void check_output(const StudyOptions& options);
+
+/// A trajectory that is there to be studied: throws InputError where it holds no pose, and as
+/// read_trajectory.
+std::vector<TimedPose> path_to_study(const std::filesystem::path& file);
 
 /// What a finished folder is joined into.
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);

@@ -143,7 +143,8 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   const bool alone = std::ranges::find(recommended, axis) == recommended.end();
   QStringList lines;
   if (gains->stiffness > 0)
-    lines << (alone ? QStringLiteral("Alone, with the rest soft: ") : QStringLiteral("Recommended: ")) +
+    lines << (alone ? QStringLiteral("Alone, with the rest soft: ")
+                    : QStringLiteral("Recommended: ")) +
                  values(*gains) + rotational_values(*gains, results.joint)
           << margin(*gains);
   else

@@ -188,7 +188,8 @@ Coupling recommended_coupling(const TuningResults& results) {
       set_gains(wanted, axis, gains->stiffness, gains->damping, results.joint);
   wanted.max_force = results.max_force;
   wanted.max_torque = results.max_torque;
-  for (const Setting& setting : coupling_settings()) set(out, setting.key, get(wanted, setting.key));
+  for (const Setting& setting : coupling_settings())
+    set(out, setting.key, get(wanted, setting.key));
   return out;
 }
 

@@ -92,9 +92,8 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, bool beyond, 
   const TheoryLimits theory = theory_limits(setup, axis, share);
   const bool known = std::isfinite(theory.stable) && theory.stable > 0;
   const double start = known ? theory.stable : std::sqrt(range.low * range.high);
-  const SweepOptions options{axis,       std::clamp(start, range.low, range.high),
-                             range.low,  range.high,
-                             setup.ratio, beyond};
+  const SweepOptions options{
+      axis, std::clamp(start, range.low, range.high), range.low, range.high, setup.ratio, beyond};
   const auto run = [&](double stiffness) {
     ClosedLoopSetup loop = setup.loop;
     set_gains(loop.coupling, axis, stiffness, damping, setup.joint);

@@ -53,8 +53,9 @@ struct SweepOptions {
 
 /// Looks for the limits of one gain by walking upwards, from a quarter of the start (from further
 /// below, where that fails) to the first that is unstable: in steps of ratio¹⁶ (1.1 to 2), in a
-/// quarter of them where the last hold was slow to die down; then by bisection. A limit lies below every fault that was seen,
-/// whatever holds above it. `run` is called once for each stiffness. Throws Cancelled.
+/// quarter of them where the last hold was slow to die down; then by bisection. A limit lies below
+/// every fault that was seen, whatever holds above it. `run` is called once for each stiffness.
+/// Throws Cancelled.
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
 

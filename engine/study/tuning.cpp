@@ -154,8 +154,8 @@ double allowed_alone(const TuningRequest& request, const std::vector<TuningSitua
     const TuningSetup setup = setup_of(request, request.device, each, hand_grips[0]);
     least = std::min(least, theory_limits(setup, axis, 0).stable);
     const double felt = largest_block(each.contact.stiffness.classic, turns ? 3 : 0);
-    const double driver = turns ? request.device.max_rotational_stiffness.value
-                                : request.device.max_stiffness.value;
+    const double driver =
+        turns ? request.device.max_rotational_stiffness.value : request.device.max_stiffness.value;
     if (felt > 0 && driver > 0) least = std::min(least, driver / felt);
   }
   return least;

@@ -182,8 +182,8 @@ std::string title_of(const TuningResults& results, GainAxis axis) {
   if (axis == GainAxis::translation) return "Translation alone, worst of all situations";
   if (axis == GainAxis::rotation) return "Rotation alone, worst of all situations";
   return "All gains together, worst of all situations; k_r = " +
-         number_text(results.joint.stiffness, 3) + " m² k_t, b_r = " +
-         number_text(results.joint.damping, 3) + " m² b_t";
+         number_text(results.joint.stiffness, 3) +
+         " m² k_t, b_r = " + number_text(results.joint.damping, 3) + " m² b_t";
 }
 
 /// Stiffness by damping, the worst of all situations.

@@ -18,8 +18,8 @@ std::string map_csv(const TuningResults& results);
 
 /// The map as a picture. For the object norm a row for each situation and hand over the stiffness;
 /// for the classic coupling a panel for all gains together and for each axis alone, stiffness by
-/// damping, with the worst of all situations. The limits that were measured and those of theory are drawn in. Below it: how far
-/// the wrench is from Hooke's law.
+/// damping, with the worst of all situations. The limits that were measured and those of theory are
+/// drawn in. Below it: how far the wrench is from Hooke's law.
 std::string map_svg(const TuningResults& results);
 
 }  // namespace sonde

@@ -114,8 +114,10 @@ std::string recommendation(const TuningResults& results) {
   Json axes = Json::array();
   for (const GainAxis axis : axes_of(results)) axes.push_back(json_of(results, axis));
   const Json about = Json::parse(results.about);
-  const Json out{{"device", results.device_id},          {"mode", name_of(results.mode)},
-                 {"stability_margin", stability_margin}, {"axes", axes},
+  const Json out{{"device", results.device_id},
+                 {"mode", name_of(results.mode)},
+                 {"stability_margin", stability_margin},
+                 {"axes", axes},
                  {"situations", about.at("situations")},
                  {"skipped", about.value("skipped", Json::array())},
                  {"study", about}};

@@ -62,6 +62,14 @@ class Compare : public AppTest {
   const std::string boxes = "compare boxes.sonde.json ";
 };
 
+TEST_F(Compare, a_path_without_poses_is_refused) {
+  folder.write("empty.csv", "t,px,py,pz,qw,qx,qy,qz\n");
+  folder.write("nothing.csv", "");
+  for (const char* file : {"empty.csv", "nothing.csv"})
+    expect_refused(boxes + "--out none --trajectory " + file, 3, "holds no poses");
+  EXPECT_FALSE(fs::exists(folder / "none"));
+}
+
 TEST_F(Compare, writes_pictures_tables_and_a_summary) {
   const Outcome run = sonde(boxes + "--out c");
   EXPECT_EQ(run.exit_code, 0) << run.err;

@@ -39,6 +39,7 @@ TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
   const Outcome run = sonde(std::string(quick) + "--out out --threads 2");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("left out: jammed contact: no such contact was found"));
   EXPECT_THAT(text_of(folder / "out/map.svg"), HasSubstr("<svg"));
   EXPECT_THAT(text_of(folder / "out/recommendation.json"), HasSubstr("\"limited_by\""));
   const Csv map(text_of(folder / "out/map.csv"));
@@ -96,6 +97,10 @@ TEST_F(Tune, no_contact_on_the_trajectory_is_an_error) {
   folder.write("far.csv", "t,px,py,pz,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n1,1,0,0.1,1,0,0,0\n");
   expect_refused("tune boxes.sonde.json --device sigma.7 --out out --trajectory far.csv", 3,
                  "in contact at no pose of the trajectory");
+  // Nor are contacts looked for elsewhere where the path was said but is empty.
+  folder.write("empty.csv", "t,px,py,pz,qw,qx,qy,qz\n");
+  expect_refused("tune boxes.sonde.json --device sigma.7 --out out --trajectory empty.csv", 3,
+                 "holds no poses");
 }
 
 TEST_F(Tune, stiffness_beyond_all_reason_ends_in_an_honest_map) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/proximity/intersect.hpp"
+#include "engine/scene/device_profile.hpp"
 #include "engine/scene/number_text.hpp"
 #include "resources/generate/path.hpp"
 #include "tests/reference/meshes.hpp"
@@ -19,6 +20,12 @@ constexpr double rate_hz = 1000;
 /// A servo has no time for more: what a tick leaves open, the next goes on with.
 constexpr int steps_of_a_tick = 10;
 
+/// Whom the largest stable stiffness is of.
+void put_on_a_device(CompareSetup& setup) {
+  setup.device = simulated(read_device_profile(std::string(SONDE_DEVICES) + "/sigma.7.json"));
+  setup.sample_time = 1 / rate_hz;
+}
+
 CompareSetup of_scene(const std::string& name) {
   const std::filesystem::path folder(SONDE_SCENES);
   const Scene scene = read_scene(folder / (name + ".sonde.json"));
@@ -29,6 +36,7 @@ CompareSetup of_scene(const std::string& name) {
   out.render.coupling = scene.coupling;
   out.render.budget.steps = steps_of_a_tick;
   out.path = read_trajectory(*scene.trajectory);
+  put_on_a_device(out);
   return out;
 }
 
@@ -84,6 +92,7 @@ ComparedPair made(const std::string& name, const MakeBody& probe, const MakeBody
             out.render.fixed = fixed();
             out.render.budget.steps = steps_of_a_tick;
             out.path = press_and_slide(*out.render.probe, *out.render.fixed, seed, side);
+            put_on_a_device(out);
             return out;
           }};
 }
@@ -145,9 +154,10 @@ std::string parts_in_10000(const std::optional<double>& share) {
 
 std::string table_head() {
   return "| pair | contact, s | ∑\\|ΔF\\|, N | >50 Hz of F, ‱ | ∑\\|Δτ\\|, mN·m | >50 Hz of τ, ‱ | "
-         "steps of F | steps of τ | jumps | pop-throughs | error of τ, % | smoother F | smoother τ "
+         "steps of F | steps of τ | jumps | pop-throughs | error of τ, % | stable k, N/m | "
+         "smoother F | smoother τ "
          "| fewer steps | better τ | fewer pop-throughs |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 std::string table_row(const std::string& name, const Comparison& c) {
@@ -166,6 +176,9 @@ std::string table_row(const std::string& name, const Comparison& c) {
   cell(pair_of(c, [&](M m) { return whole(m.discontinuities.pop_throughs); }));
   cell(c.of_pdg.realism.ticks == 0 ? "none" : pair_of(c, [](M m) {
     return short_number(100 * m.realism.torque_error);
+  }));
+  cell(pair_of(c, [](M m) {
+    return m.stiffness.stable ? short_number(*m.stiffness.stable) : std::string("none");
   }));
   for (const Verdict verdict : {smoother_force(c), smoother_torque(c), fewer_steps(c),
                                 better_torque(c), fewer_pop_throughs(c)})

@@ -100,9 +100,10 @@ TuningResults classic() {
   r.mode = Coupling::Mode::classic;
   r.joint = {2e-4, 1e-3};
   for (const std::size_t at : {0u, 1u})
-    r.lines.push_back(line(at, GainAxis::together,
-                           {column(0, 300, 300, unstable), column(5, at ? 1200 : 900, 1500, unstable),
-                            column(10, 600, 600, unstable)}));
+    r.lines.push_back(
+        line(at, GainAxis::together,
+             {column(0, 300, 300, unstable), column(5, at ? 1200 : 900, 1500, unstable),
+              column(10, 600, 600, unstable)}));
   r.lines.push_back(line(0, GainAxis::translation, {column(0, 30000, 30000, unstable)}));
   r.lines.push_back(line(0, GainAxis::rotation, {column(0, 15, 15, unstable)}));
   return r;

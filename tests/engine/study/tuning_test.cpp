@@ -104,9 +104,8 @@ TEST(Tuning, WhatIsNotStudiedIsSaid) {
   for (const ContactKind kind : all_contact_kinds) {
     const auto is = [&](const SkippedContact& s) { return s.kind == kind; };
     const auto found = std::ranges::find_if(contacts.skipped, is);
-    const bool studied = std::ranges::any_of(contacts.situations, [&](const TuningSituation& s) {
-      return s.contact.kind == kind;
-    });
+    const bool studied = std::ranges::any_of(
+        contacts.situations, [&](const TuningSituation& s) { return s.contact.kind == kind; });
     EXPECT_TRUE(studied || found != contacts.skipped.end()) << name_of(kind);
     if (kind == ContactKind::jammed) {
       ASSERT_NE(found, contacts.skipped.end());
@@ -115,19 +114,6 @@ TEST(Tuning, WhatIsNotStudiedIsSaid) {
   }
   const std::string about = plan_tuning(request, never).about;
   EXPECT_THAT(about, HasSubstr(R"({"kind":"jammed","reason":"no such contact was found"})"));
-}
-
-TEST(Tuning, AContactThatCannotBeHeldIsLeftOutWithTheReason) {
-  // The hand pushes with a quarter of what the device gives: here right through the box.
-  TuningRequest request = boxes();
-  request.device.max_force.value = 1e5;
-  try {
-    plan_tuning(request, never);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("could hold the probe still"));
-    EXPECT_THAT(error.what(), testing::ContainsRegex("left the contact|jumped"));
-  }
 }
 
 TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
@@ -158,6 +144,18 @@ TuningRequest spoon_in_cup() {
   request.device = profile();
   for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
   return request;
+}
+
+TEST(Tuning, Full_a_contact_that_cannot_be_held_is_left_out_with_the_reason) {
+  // On the rim of the cup the spoon slips off where theory has it hardest.
+  const TuningContacts contacts = tuning_contacts(spoon_in_cup(), never);
+  std::size_t harder = 0;
+  for (const SkippedContact& each : contacts.skipped) {
+    EXPECT_NE(each.reason, "");
+    harder += std::ranges::any_of(
+        contacts.situations, [&](const TuningSituation& s) { return s.contact.kind == each.kind; });
+  }
+  EXPECT_GT(harder, 0u);
 }
 
 TuningResults tuned(const TuningRequest& request) {
