@@ -33,6 +33,7 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
 
 void ContactRows::forget() noexcept {
   list_.clear();
+  gathered_ = false;
   crowded_ = list_limit_ = list_reach_ = probe_.mass.radius;
 }
 
@@ -68,19 +69,22 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner);
 }
 
-NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
+bool ContactRows::listed(const Transform& X, double reach, Effort& effort) noexcept {
+  if (list_.reach_at(X) >= reach) return true;
   // A list pays where the steps are short beside its reach; long steps walk the trees.
-  const bool short_steps = list_.capacity() > 0 && reach < 0.02 * probe_.mass.radius;
-  if (short_steps && list_.reach_at(X) < reach) {
-    const double ample = std::max(1.5 * reach, std::min({32 * reach, list_limit_, list_reach_}));
-    const bool fits = list_.build(X, ample, effort);
-    // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
-    list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
-    const bool few = list_.size() < good_list;
-    const bool many = list_.size() > 2 * good_list;
-    list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
-  }
-  const NearPairs near = list_.reach_at(X) >= reach
+  if (list_.capacity() == 0 || reach >= 0.02 * probe_.mass.radius) return false;
+  const double ample = std::max(1.5 * reach, std::min({32 * reach, list_limit_, list_reach_}));
+  const bool fits = list_.build(X, ample, effort);
+  // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
+  list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
+  const bool few = list_.size() < good_list;
+  const bool many = list_.size() > 2 * good_list;
+  list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
+  return list_.reach_at(X) >= reach;
+}
+
+NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
+  const NearPairs near = listed(X, reach, effort)
                              ? list_.near(X, reach, pairs_, effort)
                              : near_pairs(probe_, fixed_, X, reach, pairs_, effort);
   if (near.reach < 0) return near;
@@ -95,7 +99,9 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   const NearPairs near = find_pairs(X, asked_, effort);
   count_ = 0;
   smallest_gap_ = reach_ = std::max(near.reach, 0.0);
-  if (near.reach < 0 || effort.is_spent()) return false;
+  gathered_ = near.reach >= 0 && !effort.is_spent();
+  if (!gathered_) return false;
+  X_ = X;
   turn_ = 2 * reach_ / probe_.mass.radius;
   const std::span<NearPair> pairs(pairs_.data(), near.count);
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
@@ -107,12 +113,26 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
     effort.spend(work_to_take);
     take(p, X, flat);
   }
+  linearise(chart, y);
+  return true;
+}
+
+bool ContactRows::again(const Chart& chart, const Vec6& y) noexcept {
+  if (!gathered_) return false;
+  const Transform X(chart.pose(y));
+  const Vec3& com = probe_.mass.com;
+  const double moved = (X * com - X_ * com).norm() + (X.R - X_.R).norm() * probe_.mass.radius;
+  if (moved > rounding_guard(extent(probe_), extent(fixed_), X.p)) return false;
+  linearise(chart, y);
+  return true;
+}
+
+void ContactRows::linearise(const Chart& chart, const Vec6& y) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
     at_[i] = rows_[i].normal.dot(y);
   }
-  return true;
 }
 
 double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept {
@@ -125,7 +145,8 @@ Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Ve
                               double clearance, Effort& effort) noexcept {
   const double path = motion.farthest(probe_.mass.radius);
   const Transform X(chart.pose(y));
-  if (list_.reach_at(X) > path + clearance) return list_.sweep_along(motion, clearance, effort);
+  if (listed(X, 1.01 * (path + clearance), effort))
+    return list_.sweep_along(motion, clearance, effort);
   return sweep(probe_, fixed_, motion, clearance, effort);
 }
 

@@ -41,6 +41,10 @@ class ContactRows {
     gather(chart, y, reach, flat, unlimited);
   }
 
+  /// The contacts of the last gather as rows in another chart, in which the probe stands at y.
+  /// False where that is not where they were gathered, or there was none.
+  bool again(const Chart& chart, const Vec6& y) noexcept;
+
   /// The last gather was too much work: the next ones have half of its reach, and then more again.
   void look_less_far() noexcept { crowded_ = 0.5 * asked_; }
 
@@ -67,10 +71,15 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
+  /// Does the list hold all pairs within reach at X? It is made anew where it does not and the
+  /// reach is short.
+  bool listed(const Transform& X, double reach, Effort& effort) noexcept;
   NearPairs find_pairs(const Transform& X, double reach, Effort& effort) noexcept;
   void accept(const Contact& contact) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   void take(const NearPair& pair, const Transform& X, double flat) noexcept;
+  /// Makes the rows of the contacts, at y.
+  void linearise(const Chart& chart, const Vec6& y) noexcept;
 
   const Body& probe_;
   const Body& fixed_;
@@ -88,7 +97,9 @@ class ContactRows {
   double asked_ = 0;   // reach of the last gather
   double smallest_gap_ = 0;
   double reach_ = 0;
-  double turn_ = 0;  // rad, that a step of the size of the reach may make
+  Transform X_;            // of the last gather
+  bool gathered_ = false;  // false: it ran out of effort, or there was none
+  double turn_ = 0;        // rad, that a step of the size of the reach may make
 };
 
 }  // namespace sonde

@@ -145,16 +145,20 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   Pace pace{.scale = expected_step > 0 ? expected_step : 0.05 * radius, .bending = 0.5 / radius};
   // A long path is dear to sweep where surfaces slide along each other: it is worked up to.
   if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
+  // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
+  bool known = rows_.again(chart, y);
   for (;;) {
     const double length = y.norm();
     const double margin = this->margin(chart, length);
     const double widest = std::max(0.03 * radius, 16 * margin);
     out.move_to(y);
-    const double reach = std::clamp(2 * pace.scale, 16 * margin, widest);
-    if (!rows_.gather(chart, y, reach, 4 * margin, effort)) {
+    const double reach =
+        std::clamp((out.iterations == 0 ? 2 : 0.5) * pace.scale, 16 * margin, widest);
+    if (!known && !rows_.gather(chart, y, reach, 4 * margin, effort)) {
       if (out.iterations == 0) rows_.look_less_far();
       return out;
     }
+    known = false;
     const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
     report(out, y, nearest);
     const double size = (nearest.y - y).norm();
