@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t most_rows = 40;
 constexpr double largest_turn = 0.35;
 constexpr double largest_v = 0.95;
+/// Of |y|: shorter steps end a descent, by few points or by all of them.
+constexpr double rough_tolerance = 0.05, tolerance = 0.01;
 
 }  // namespace
 
@@ -41,23 +43,30 @@ SketchDescent::SketchDescent(const Sketch& probe, const Sketch& fixed,
       of_probe_(probe.more.size()),
       of_fixed_(fixed.more.size()) {}
 
-bool SketchDescent::is_free(const Chart& chart, const Vec6& y) const {
+bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
   const Frame frame(chart, y, R_FB_, com_B_);
   const auto all_out = [](const PointGroup& group, const DistanceField& field, const auto& place) {
     const Quad center = place(group.center);
     if (static_cast<double>(field.at_least(center)) > group.radius) return true;
     if (static_cast<double>(field.at(center)[3]) > group.radius) return true;
-    return std::ranges::all_of(group.points,
-                               [&](const Quad& x) { return field.at(place(x))[3] >= 0; });
+    return std::ranges::all_of(group.points, [&](const Quad& x) {
+      const Quad placed = place(x);
+      return field.at_least(placed) >= 0 || field.at(placed)[3] >= 0;
+    });
   };
-  return std::ranges::all_of(probe_.few,
-                             [&](const PointGroup& group) {
-                               return all_out(group, fixed_.field,
-                                              [&](const Quad& x) { return frame.to_fixed(x); });
-                             }) &&
-         std::ranges::all_of(fixed_.few, [&](const PointGroup& group) {
-           return all_out(group, probe_.field, [&](const Quad& x) { return frame.to_probe(x); });
-         });
+  const auto probe_is_out = [&](const PointGroup& group) {
+    return all_out(group, fixed_.field, [&](const Quad& x) { return frame.to_fixed(x); });
+  };
+  const auto fixed_is_out = [&](const PointGroup& group) {
+    return all_out(group, probe_.field, [&](const Quad& x) { return frame.to_probe(x); });
+  };
+  if (!probe_is_out(probe_.few[deep_of_probe_]) || !fixed_is_out(fixed_.few[deep_of_fixed_]))
+    return false;
+  for (std::size_t i = 0; i < probe_.few.size(); ++i)
+    if (!probe_is_out(probe_.few[i])) return deep_of_probe_ = i, false;
+  for (std::size_t i = 0; i < fixed_.few.size(); ++i)
+    if (!fixed_is_out(fixed_.few[i])) return deep_of_fixed_ = i, false;
+  return true;
 }
 
 /// The least gap of a group, or more than the reach; add(point, what is there) for all within.
@@ -144,7 +153,7 @@ LeastDistance SketchDescent::solve(double margin, bool open) {
 }
 
 SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, const Goal& goal) {
-  const double margin = goal.margin;
+  const double margin = goal.margin, shortest = goal.rough ? rough_tolerance : tolerance;
   for (auto* groups : {&of_probe_, &of_fixed_})
     for (Known& k : *groups) k = {-std::numeric_limits<double>::infinity(), 0};
   travelled_ = 0;
@@ -172,12 +181,12 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
     if (!nearest.feasible) nearest = solve(margin, false);
     Vec6 step = nearest.y - out.y;
     double length = step.norm();
-    if (length < std::max(0.01 * out.y.norm(), 0.02 * spacing_)) {
+    if (length < std::max(shortest * out.y.norm(), 0.02 * spacing_)) {
       out.arrived = out.gap > margin - 0.25 * spacing_;
       return out;
     }
     if (out.steps >= goal.steps) return out;
-    if (out.steps >= 3 && out.y.norm() > 1.1 * goal.beat && nearest.y.norm() > goal.beat)
+    if (out.steps >= 2 && out.y.norm() > 1.1 * goal.beat && nearest.y.norm() > goal.beat)
       return out;
     const double turn = chart.v(step).norm();
     step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / length});

@@ -18,8 +18,8 @@ class SketchDescent {
  public:
   SketchDescent(const Sketch& probe, const Sketch& fixed, const MassProperties& fixed_mass);
 
-  /// By few points.
-  bool is_free(const Chart& chart, const Vec6& y) const;
+  /// By few points. Those that lay too deep when last asked are looked at first.
+  bool is_free(const Chart& chart, const Vec6& y);
 
   struct End {
     Vec6 y;
@@ -66,6 +66,7 @@ class SketchDescent {
   double spacing_;
   double travelled_ = 0;
   std::vector<Known> of_probe_, of_fixed_;
+  std::size_t deep_of_probe_ = 0, deep_of_fixed_ = 0;  // groups of few points
   std::vector<Near> near_;
   std::vector<HalfSpace> rows_;
   std::vector<double> at_;

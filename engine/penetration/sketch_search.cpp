@@ -91,7 +91,7 @@ class Search {
   /// By few points, and where that is promising by more.
   std::optional<SketchEnd> descend(const Vec6& y, SketchDescent& descent) const {
     const auto rough =
-        descent.run(chart_, y, {.method = search_.method, .rough = true, .beat = 1.15 * best()});
+        descent.run(chart_, y, {.method = search_.method, .rough = true, .beat = 0.95 * best()});
     if (rough.y.norm() > 1.15 * best()) return std::nullopt;
     const auto end = descent.run(chart_, rough.y, {.method = search_.method, .beat = 1.1 * best()});
     if (!end.arrived) return std::nullopt;
