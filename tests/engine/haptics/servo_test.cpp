@@ -137,9 +137,8 @@ TEST_F(ServoTest, a_coupling_change_in_contact_does_not_knock) {
   for (const auto& [from, to] : changes) {
     servo.set_coupling(from);
     servo.start(at_depth(0.002));
-    ASSERT_TRUE(wait_for(servo, [](const Snapshot& s) {
-      return s.wrench.force.z() > 0.99 && s.hand.share >= 1;
-    }));
+    ASSERT_TRUE(wait_for(
+        servo, [](const Snapshot& s) { return s.wrench.force.z() > 0.99 && s.hand.share >= 1; }));
     Snapshot before;
     while (servo.next_tick(before)) continue;
     servo.set_coupling(to);
