@@ -30,8 +30,14 @@ class LocalProblem {
   Solution solve() noexcept {
     Solution out{.y = start_, .nearest = {}, .held_back = false};
     const double radius = chart_.mass().radius;
+    // First those that hold the probe by the geometry's word, then those of the round before.
+    std::array<int, 6> likely{0, 1, 2, 3, 4, 5};
+    int likely_count = std::min({contacts_.separation.contacts.size, contacts_.size, 6});
     for (int round = 0; round < most_rounds; ++round) {
-      out.nearest = least_distance(linearise(out.y), 1e-9 * radius);
+      const std::span start(likely.data(), static_cast<std::size_t>(likely_count));
+      out.nearest = least_distance(linearise(out.y), 1e-9 * radius, start);
+      likely = out.nearest.active;
+      likely_count = out.nearest.active_count;
       if (!out.nearest.feasible) {
         out.held_back = true;
         break;

@@ -53,6 +53,33 @@ class ActiveSet {
   int size_ = 0;
 };
 
+/// Holds the point nearest to the origin on the flat of these rows, if that is what pushes it there
+/// alone: the pair of a set and its optimum that the dual method goes on from. Else none of them.
+void begin_with(ActiveSet& active, std::span<const int> start, std::span<const HalfSpace> rows) {
+  const auto size = static_cast<Eigen::Index>(start.size());
+  if (size == 0 || size > 6) return;
+  Normals N(6, size);
+  Coefficients bound(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const HalfSpace& row = rows[static_cast<std::size_t>(start[static_cast<std::size_t>(i)])];
+    N.col(i) = row.normal;
+    bound[i] = row.bound;
+  }
+  using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+  const Gram G = N.transpose() * N;
+  const Eigen::LLT<Gram> factor(G);
+  if (factor.info() != Eigen::Success) return;
+  const auto pivots = factor.matrixLLT().diagonal();
+  constexpr double dependent = 1e-3;  // its square is what the multipliers would suffer from
+  if (!(pivots.minCoeff() > dependent * pivots.maxCoeff())) return;
+  Coefficients multipliers = factor.solve(bound);
+  const Coefficients rest = bound - N.transpose() * (N * multipliers);
+  multipliers += factor.solve(rest);
+  if (!(multipliers.minCoeff() > 0)) return;
+  for (Eigen::Index i = 0; i < size; ++i)
+    active.add(start[static_cast<std::size_t>(i)], N.col(i), multipliers[i]);
+}
+
 /// Brings in row p, dropping rows whose multipliers would turn negative. False: infeasible.
 bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
   double multiplier = 0;
@@ -88,10 +115,12 @@ bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
 
 }  // namespace
 
-LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance) {
+LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
+                             std::span<const int> start) {
   LeastDistance out;
   ActiveSet active;
-  Vec6 y = Vec6::Zero();
+  begin_with(active, start, rows);
+  Vec6 y = active.point();
   for (int round = 0; round < 200; ++round) {
     int worst = -1;
     double violation = tolerance;

@@ -28,6 +28,11 @@ struct LeastDistance {
 /// for the identity as Hessian starts at the origin and adds the row most violated. At most six
 /// rows are active. Violations below `tolerance` (in the unit of bound) are let stand. Never
 /// allocates.
-LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance);
+///
+/// `start`: rows that are thought to hold the answer, as they did that of a problem much like this
+/// one. Where they are independent and all push, the search begins there instead of at the origin;
+/// the answer is the same to rounding, and the sooner found the fewer of them were wrong.
+LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
+                             std::span<const int> start = {});
 
 }  // namespace sonde

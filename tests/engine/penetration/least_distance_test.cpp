@@ -193,6 +193,40 @@ TEST(LeastDistance, tiny_and_huge_numbers) {
     }
 }
 
+// The reference is the search from the origin; the optimum is one, so where it began must not show.
+TEST(LeastDistance, any_start_leads_to_the_same_answer) {
+  std::mt19937_64 random(11);
+  int feasible = 0, from_the_answer = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    Rows rows;
+    const int count = 1 + trial % 60;
+    for (int i = 0; i < count; ++i)
+      rows.push_back({random_direction(random, 6), test::uniform(random, -0.5, 1)});
+    if (trial % 3 == 0) rows.push_back(rows[0]);  // twice
+    const LeastDistance cold = least_distance(rows, 1e-12);
+    std::vector<int> start(static_cast<std::size_t>(random() % 7));
+    for (int& row : start) row = static_cast<int>(random() % rows.size());
+    const std::span known(cold.active.data(), static_cast<std::size_t>(cold.active_count));
+    for (const std::span<const int> begin : {std::span<const int>(start), known}) {
+      const LeastDistance warm = least_distance(rows, 1e-12, begin);
+      ASSERT_EQ(warm.feasible, cold.feasible) << trial;
+      if (!cold.feasible) continue;
+      ++feasible;
+      EXPECT_LT((warm.y - cold.y).norm(), 1e-9 * (1 + cold.y.norm())) << trial;
+      Vec6 y = Vec6::Zero();
+      for (int i = 0; i < warm.active_count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        EXPECT_GT(warm.multiplier[at], 0);
+        y += warm.multiplier[at] * rows[static_cast<std::size_t>(warm.active[at])].normal;
+      }
+      EXPECT_LT((warm.y - y).norm(), 1e-9 * (1 + y.norm())) << trial;
+    }
+    from_the_answer += cold.feasible && cold.active_count > 0;
+  }
+  EXPECT_GT(feasible, 1000);
+  EXPECT_GT(from_the_answer, 300);
+}
+
 TEST(LeastDistance, does_not_allocate) {
   std::mt19937_64 random(5);
   const Rows rows = random_rows(random, 40, 6, true);
