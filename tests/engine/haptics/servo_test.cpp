@@ -127,13 +127,14 @@ TEST_F(ServoTest, a_coupling_change_acts) {
 }
 
 TEST_F(ServoTest, a_coupling_change_in_contact_does_not_knock) {
-  Coupling limited = stiffness(1500);
+  Coupling limited = stiffness(1500), raised = limited;
   limited.max_force = 1;
+  raised.max_force = 3;
   Coupling classic = stiffness(500);
   classic.mode = Coupling::Mode::classic;
   classic.k_t = 1500;
   const std::pair<Coupling, Coupling> changes[] = {
-      {stiffness(500), stiffness(1500)}, {stiffness(500), classic}, {limited, stiffness(1500)}};
+      {stiffness(500), stiffness(1500)}, {stiffness(500), classic}, {limited, raised}};
   for (const auto& [from, to] : changes) {
     servo.set_coupling(from);
     servo.start(at_depth(0.002));
