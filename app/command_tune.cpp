@@ -8,15 +8,14 @@
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
 #include "engine/scene/number_text.hpp"
-#include "engine/scene/text_file.hpp"
 #include "engine/study/tuning.hpp"
+#include "engine/study/tuning_inputs.hpp"
 #include "engine/study/tuning_report.hpp"
 
 namespace sonde::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 struct TuneOptions {
   BodyOptions bodies;
@@ -29,20 +28,6 @@ struct TuneOptions {
   double low = 1, high = 1e5;
   std::uint64_t seed = 1;
 };
-
-/// What tells the inputs of two studies apart, beside the settings.
-std::string inputs_json(const Scene& scene, const TuneOptions& options, const BodyPair& bodies) {
-  constexpr std::size_t most_bytes = std::size_t{4} << 30;
-  const auto file = [&](const fs::path& path) {
-    return Json{{"file", path.filename().string()},
-                {"fingerprint", fingerprint(read_text(path, most_bytes))}};
-  };
-  Json out{{"version", SONDE_VERSION},           {"scene", file(scene.file)},
-           {"probe", file(scene.probe.mesh)},    {"fixed", file(scene.fixed.mesh)},
-           {"probe_solid", bodies.probe->solid}, {"fixed_solid", bodies.fixed->solid}};
-  if (!options.trajectory.empty()) out["trajectory"] = file(options.trajectory);
-  return out.dump();
-}
 
 TuningRequest request_of(const Scene& scene, const TuneOptions& options, const BodyPair& bodies,
                          const DeviceProfile& device) {
@@ -61,7 +46,9 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const B
   request.ratio = options.ratio;
   request.low = options.low;
   request.high = options.high;
-  request.inputs = inputs_json(scene, options, bodies);
+  request.inputs =
+      tuning_inputs(SONDE_VERSION, {scene.probe.mesh, scene.fixed.mesh, options.trajectory},
+                    *bodies.probe, *bodies.fixed);
   return request;
 }
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "engine/scene/output_file.hpp"
-#include "engine/scene/text_file.hpp"
 #include "engine/study/tuning.hpp"
+#include "engine/study/tuning_inputs.hpp"
 #include "engine/study/tuning_report.hpp"
 
 namespace sonde::ui {
@@ -17,30 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = std::size_t{4} << 30;
 constexpr double looking = 0.1;  // of the time, for contacts
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-QJsonObject about_file(const fs::path& file) {
-  return {{"file", text(file.filename().string())},
-          {"fingerprint", text(fingerprint(read_text(file, most_bytes)))}};
+std::string inputs_of(const Opened& opened) {
+  return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}}, *opened.probe,
+                       *opened.fixed);
 }
 
-/// As `sonde tune` names them, but for the scene: a pair need not have one.
-QJsonObject inputs_of(const Opened& opened) {
-  return {{"probe", about_file(opened.probe_file)},
-          {"fixed", about_file(opened.fixed_file)},
-          {"probe_solid", opened.probe->solid},
-          {"fixed_solid", opened.fixed->solid}};
+QJsonObject json_of(const std::string& text) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
 }
 
 QString doubt_of(const TuningResults& results, const Opened& opened) {
-  const QJsonObject inputs = QJsonDocument::fromJson(QByteArray::fromStdString(results.about))
-                                 .object()
-                                 .value(QStringLiteral("inputs"))
-                                 .toObject();
-  const QJsonObject ours = inputs_of(opened);
+  const QJsonObject inputs = json_of(results.about).value(QStringLiteral("inputs")).toObject();
+  const QJsonObject ours = json_of(inputs_of(opened));
   for (const char* role : {"probe", "fixed"}) {
     const QJsonObject theirs = inputs.value(QLatin1String(role)).toObject();
     const QJsonObject own = ours.value(QLatin1String(role)).toObject();
@@ -67,7 +59,7 @@ TuningRequest request_of(const TuningOrder& order, const Opened& opened) {
   request.sample_time = 1 / opened.servo.rate_hz;
   if (opened.servo.budget.steps > 0) request.budget.steps = opened.servo.budget.steps;
   request.device = order.device;
-  request.inputs = QJsonDocument(inputs_of(opened)).toJson(QJsonDocument::Compact).toStdString();
+  request.inputs = inputs_of(opened);
   return request;
 }
 

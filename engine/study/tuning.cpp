@@ -266,8 +266,10 @@ StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part
             const DeviceProfile device = changed(plan->request.device, part);
             const TuningSituation& situation = plan->contacts.situations[part.situation];
             const bool nominal = part.assumed == nullptr;
-            const TuningSetup setup =
-                setup_of(plan->request, device, situation, *part.grip, plan->joint);
+            TuningSetup setup = setup_of(plan->request, device, situation, *part.grip, plan->joint);
+            // What an axis could do alone is for the map, and nothing is recommended by it.
+            if (part.axis != axes_of(plan->request).front())
+              setup.ratio = std::min(2.0, std::pow(setup.ratio, 4));
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},
                       {"hand", part.grip->name},
