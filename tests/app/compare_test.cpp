@@ -65,8 +65,8 @@ class Compare : public AppTest {
 TEST_F(Compare, a_path_without_poses_is_refused) {
   folder.write("empty.csv", "t,px,py,pz,qw,qx,qy,qz\n");
   folder.write("nothing.csv", "");
-  for (const char* file : {"empty.csv", "nothing.csv"})
-    expect_refused(boxes + "--out none --trajectory " + file, 3, "holds no poses");
+  expect_refused(boxes + "--out none --trajectory empty.csv", 3, "empty.csv: holds no poses");
+  expect_refused(boxes + "--out none --trajectory nothing.csv", 3, "the file is empty");
   EXPECT_FALSE(fs::exists(folder / "none"));
 }
 

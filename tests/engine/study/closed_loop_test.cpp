@@ -3,7 +3,11 @@
 #include "engine/study/closed_loop.hpp"
 
 #include <gtest/gtest.h>
+#include <time.h>
 
+#include "engine/scene/device_profile.hpp"
+#include "engine/scene/poses.hpp"
+#include "engine/scene/scene.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -79,6 +83,36 @@ TEST(ClosedLoop, SameInputSameBitsAndNoAllocationInAStep) {
   const Pose a = run(), b = run();
   EXPECT_EQ(a.p, b.p);
   EXPECT_EQ(a.q.coeffs(), b.q.coeffs());
+}
+
+/// Processor time of this thread, s.
+double thread_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+TEST(ClosedLoop, Full_along_the_spoons_path_every_tick_has_an_answer) {
+  const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
+  ClosedLoopSetup setup;
+  setup.probe = load(scene.probe, scene.unit);
+  setup.fixed = load(scene.fixed, scene.unit);
+  setup.coupling = scene.coupling;
+  setup.device = simulated(read_device_profile(SONDE_RESOURCES "/devices/sigma.7.json"));
+  setup.budget.steps = 60;
+  const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
+  ClosedLoop loop(setup);
+  loop.reset(path.front().pose);
+  const double begin = thread_time();
+  int touching = 0;
+  for (const TimedPose& at : path) {
+    loop.step(at.pose);
+    ASSERT_NE(loop.haptic_loop().separation().status, Status::failed) << at.t;
+    touching += loop.haptic_loop().separation().status == Status::penetrating;
+  }
+  EXPECT_GT(touching, 3000);
+  const double simulated_time = double(path.size()) * setup.sample_time;
+  RecordProperty("times_real_time", std::to_string(simulated_time / (thread_time() - begin)));
 }
 
 }  // namespace
