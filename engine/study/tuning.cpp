@@ -161,9 +161,11 @@ double allowed_alone(const TuningRequest& request, const std::vector<TuningSitua
   return least;
 }
 
-/// In the ratio of what each is allowed alone, and of the driver's largest dampings.
+/// In the ratio of what each is allowed alone, and of the driver's largest dampings; none where the
+/// gains are not swept together.
 JointGains joint_gains(const TuningRequest& request,
                        const std::vector<TuningSituation>& situations) {
+  if (axes_of(request).front() != GainAxis::together) return {};
   const DeviceProfile& device = request.device;
   const double ratio = allowed_alone(request, situations, GainAxis::rotation) /
                        allowed_alone(request, situations, GainAxis::translation);
