@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr double looking = 0.1;  // of the time, for contacts
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 std::string inputs_of(const Opened& opened) {
   return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}}, *opened.probe,
                        *opened.fixed);
