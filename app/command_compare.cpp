@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
-#include "engine/scene/text_file.hpp"
 #include "engine/study/compare_report.hpp"
 
 namespace sonde::app {
@@ -34,34 +31,13 @@ Scene scene_for(const CompareOptions& options) {
   return scene;
 }
 
-std::string fingerprint_of(const std::filesystem::path& file) {
-  return fingerprint(read_text(file, std::numeric_limits<std::size_t>::max()));
-}
-
-/// What the results depend on beside the settings. Names, not paths: a shard may run elsewhere.
 std::string inputs_text(const Scene& scene, const BodyPair& bodies, const DeviceProfile* device) {
-  const auto body = [&](const SceneBody& described, const Body& loaded) {
-    return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
-                                  {"fingerprint", fingerprint_of(described.mesh)},
-                                  {"scale", scene.unit * described.scale},
-                                  {"solid", loaded.solid}};
-  };
-  nlohmann::ordered_json json{{"version", SONDE_VERSION},
-                              {"probe", body(scene.probe, *bodies.probe)},
-                              {"fixed", body(scene.fixed, *bodies.fixed)},
-                              {"trajectory", fingerprint_of(*scene.trajectory)}};
+  nlohmann::ordered_json json = study_inputs(scene, bodies);
   if (device) json["device"] = {{"id", device->id}, {"rate_hz", scene.servo.rate_hz}};
   if (device)
     for (const ProfileKey& key : profile_keys())
       json["device"][key.key] = (device->*key.value).value;
   return json.dump();
-}
-
-/// The shards of a study have none, whichever ends last.
-void print_summary(const CompareOptions& options) {
-  const char* name = options.json ? "summary.json" : "summary.md";
-  const auto file = std::filesystem::path(options.study.out) / name;
-  write_result({}, read_text(file, std::size_t{1} << 20));
 }
 
 void run(const CompareOptions& options) {
@@ -86,7 +62,7 @@ void run(const CompareOptions& options) {
       options.budget_steps > 0 ? options.budget_steps : scene.servo.budget.steps;
   setup.render.search.seed = options.seed;
   run_study(compare_study(setup), options.study, compare_files);
-  if (options.study.shard.empty()) print_summary(options);
+  print_summary(options.study, options.json);
 }
 
 }  // namespace

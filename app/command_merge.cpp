@@ -6,6 +6,7 @@
 #include "engine/error.hpp"
 #include "engine/study/compare_report.hpp"
 #include "engine/study/merge_study.hpp"
+#include "engine/study/trade_report.hpp"
 #include "engine/study/tuning_report.hpp"
 
 namespace sonde::app {
@@ -19,6 +20,7 @@ struct MergeOptions {
 StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
   if (study.kind == "compare") return compare_files;
   if (study.kind == "tune") return tuning_files;
+  if (study.kind == "trade") return trade_files;
   throw InputError::in(folder, "holds a study of an unknown kind: " + study.kind);
 }
 

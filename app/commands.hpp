@@ -12,6 +12,7 @@ Command add_info_command(CLI::App& program);
 Command add_merge_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);
+Command add_trade_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);
 
 }  // namespace sonde::app

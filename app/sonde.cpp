@@ -50,10 +50,10 @@ int run(int argc, char** argv) {
   program.footer(
       "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 a fault of ours, 130 interrupted.");
   const sonde::app::Command commands[] = {
-      sonde::app::add_info_command(program),    sonde::app::add_query_command(program),
-      sonde::app::add_replay_command(program),  sonde::app::add_tune_command(program),
-      sonde::app::add_compare_command(program), sonde::app::add_merge_command(program),
-      sonde::app::add_devices_command(program),
+      sonde::app::add_info_command(program),   sonde::app::add_query_command(program),
+      sonde::app::add_replay_command(program), sonde::app::add_trade_command(program),
+      sonde::app::add_tune_command(program),   sonde::app::add_compare_command(program),
+      sonde::app::add_merge_command(program),  sonde::app::add_devices_command(program),
   };
   try {
     program.parse(argc, argv);

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
 #include "engine/error.hpp"
 #include "engine/scene/output_file.hpp"
+#include "engine/scene/text_file.hpp"
 
 namespace sonde::app {
 namespace {
@@ -73,6 +75,31 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join)
 void join_study(const std::string& folder, StudyFiles join) {
   for (const StudyFile& file : join(folder, read_study(folder)))
     write_whole(std::filesystem::path(folder) / file.name, file.text);
+}
+
+void print_summary(const StudyOptions& options, bool json) {
+  if (!options.shard.empty()) return;
+  const char* name = json ? "summary.json" : "summary.md";
+  const auto file = std::filesystem::path(options.out) / name;
+  write_result({}, read_text(file, std::size_t{1} << 20));
+}
+
+std::string fingerprint_of(const std::filesystem::path& file) {
+  return fingerprint(read_text(file, std::numeric_limits<std::size_t>::max()));
+}
+
+nlohmann::ordered_json study_inputs(const Scene& scene, const BodyPair& bodies) {
+  const auto body = [&](const SceneBody& described, const Body& loaded) {
+    return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
+                                  {"fingerprint", fingerprint_of(described.mesh)},
+                                  {"scale", scene.unit * described.scale},
+                                  {"solid", loaded.solid}};
+  };
+  nlohmann::ordered_json json{{"version", SONDE_VERSION},
+                              {"probe", body(scene.probe, *bodies.probe)},
+                              {"fixed", body(scene.fixed, *bodies.fixed)}};
+  if (scene.trajectory) json["trajectory"] = fingerprint_of(*scene.trajectory);
+  return json;
 }
 
 }  // namespace sonde::app

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/bodies.hpp"
 #include "app/options.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/study_parts.hpp"
@@ -37,6 +39,16 @@ void run_study(const Study& study, const StudyOptions& options, StudyFiles join)
 /// Reads a complete study and writes what it is joined into beside its parts. Throws InputError
 /// naming the parts that are missing.
 void join_study(const std::string& folder, StudyFiles join);
+
+/// Prints the summary of a finished study. Where only a share of it was asked for there is none to
+/// print, whichever ends last.
+void print_summary(const StudyOptions& options, bool json);
+
+/// What the results of a study depend on beside its settings: the program, the meshes and the
+/// trajectory. Names, not paths: a shard may run elsewhere.
+nlohmann::ordered_json study_inputs(const Scene& scene, const BodyPair& bodies);
+/// Tells files of one name apart. Throws InputError where the file cannot be read.
+std::string fingerprint_of(const std::filesystem::path& file);
 
 /// True once an interrupt has asked long work to stop.
 Stop stop_on_interrupt();

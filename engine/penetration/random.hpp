@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "engine/proximity/motion.hpp"
 
@@ -29,6 +31,13 @@ class Random {
       for (int i = 0; i < 6; ++i) y[i] = uniform(-1, 1);
       if (y.squaredNorm() <= 1) return radius * y;
     }
+  }
+  /// Uniform over all rotations (Shoemake, 1992).
+  Quat rotation() {
+    const double u = uniform(0, 1), turn = 2 * std::numbers::pi;
+    const double a = turn * uniform(0, 1), b = turn * uniform(0, 1);
+    return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
+            std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
   }
 
  private:

@@ -28,8 +28,6 @@ constexpr ContactRows::Finding unlisted{.most_listed = 0};
 constexpr double share_for_the_search = 0.55;
 /// Of which so much may go into the sketches.
 constexpr double share_for_sketches = 0.3;
-/// So many starts that ended at the best depth, to within the tolerance, are enough.
-constexpr int enough_agreement = 6;
 
 class Search {
  public:
@@ -84,7 +82,7 @@ class Search {
   bool rotates() const { return options_.method == Method::pdg; }
 
   bool out_of_budget() const { return searching_.passed() || steps_left() == 0; }
-  bool done() const { return out_of_budget() || agreeing_ >= enough_agreement; }
+  bool done() const { return out_of_budget() || agreeing_ >= options_.agreement; }
   int steps_left() const {
     return options_.budget.steps > 0 ? std::max(0, options_.budget.steps - reserved_ - iterations_)
                                      : std::numeric_limits<int>::max();

@@ -47,14 +47,6 @@ Vec3 direction(Random& random) {
   }
 }
 
-/// Uniform over all rotations (Shoemake, 1992).
-Quat any_rotation(Random& random) {
-  const double u = random.uniform(0, 1), turn = 2 * std::numbers::pi;
-  const double a = turn * random.uniform(0, 1), b = turn * random.uniform(0, 1);
-  return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
-          std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
-}
-
 Quat near_rotation(Random& random, const Quat& q) {
   const double angle = random.uniform(0, std::numbers::pi / 6);
   return Quat(Eigen::AngleAxisd(angle, direction(random))) * q;
@@ -110,7 +102,7 @@ struct Walk {
 Walk random_walk(Random& random, const Body& probe, const Body& fixed, const Box& box,
                  const Pose& X_FM) {
   const bool anyhow = random.next() % 2 == 0;
-  const Quat q = anyhow ? any_rotation(random) : near_rotation(random, X_FM.q);
+  const Quat q = anyhow ? random.rotation() : near_rotation(random, X_FM.q);
   const double away = fixed.mass.radius + (box.high - box.low).norm() + 1.01 * probe.mass.radius;
   const Vec3 to = in_box(random, box);
   return {q.normalized(), to + away * direction(random), to};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/merge_study.hpp"
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace sonde {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 std::string listed(const std::vector<std::string>& names) {
   std::string out;
@@ -18,15 +20,32 @@ std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
-/// Takes over the results that `other` has; throws where both have one and they differ.
+/// Leaves out what differs from run to run: members named time_us.
+void leave_out_times(Json& json) {
+  if (json.is_object()) json.erase("time_us");
+  for (Json& each : json)
+    if (each.is_structured()) leave_out_times(each);
+}
+
+bool same_but_for_times(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  Json one = Json::parse(a, nullptr, false), other = Json::parse(b, nullptr, false);
+  if (one.is_discarded() || other.is_discarded()) return false;
+  leave_out_times(one);
+  leave_out_times(other);
+  return one == other;
+}
+
+/// Takes over the results that are not there yet; throws where both have one and they differ.
 void take(StudyFolder& into, std::vector<fs::path>& from, const StudyFolder& other,
           const fs::path& folder) {
   for (std::size_t i = 0; i < into.names.size(); ++i) {
     const auto& result = other.results[i];
     if (!result) continue;
-    if (into.results[i] && *into.results[i] != *result)
+    if (into.results[i] && !same_but_for_times(*into.results[i], *result))
       throw InputError::in(folder.string(), "has another result than " + from[i].string() +
                                                 " for the part " + into.names[i]);
+    if (into.results[i]) continue;
     into.results[i] = result;
     from[i] = folder;
   }

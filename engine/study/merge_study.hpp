@@ -10,7 +10,8 @@ namespace sonde {
 
 /// The parts of several folders of one study, together: what an unsplit run would have left. Throws
 /// InputError where the folders hold different studies, where a part is in none of them, or where
-/// two have different results for it; the parts are named.
+/// two have different results for it; the parts are named. Times (members named time_us) may
+/// differ: those of the first folder are kept.
 StudyFolder merge_studies(std::span<const std::filesystem::path> folders);
 
 /// Writes a complete study into a folder, which is made where there is none, as compute_parts

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/row_age.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +8,8 @@
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/haptics/local_contacts.hpp"
 #include "engine/proximity/motion.hpp"
+#include "engine/study/processor_time.hpp"
+#include "engine/study/quantile.hpp"
 
 namespace sonde {
 namespace {
@@ -17,11 +17,7 @@ namespace {
 Spread spread(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    const auto rank = static_cast<std::size_t>(std::ceil(share * double(values.size())));
-    return values[std::max<std::size_t>(rank, 1) - 1];
-  };
-  return {at(0.5), at(0.99), values.back()};
+  return {quantile(values, 0.5), quantile(values, 0.99), values.back()};
 }
 
 /// The path at a time of its own, between its poses by a straight line and one turn.
@@ -44,13 +40,6 @@ double path_length(const MassProperties& mass, const Pose& from, const Pose& to)
 Wrench wrench_of(const MassProperties& mass, const Separation& s, double k) {
   if (s.status != Status::penetrating) return {};
   return object_norm_wrench(mass, s.device, s.separated, k);
-}
-
-/// µs of processor time that this thread has had: what others do does not count.
-double cpu_us() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
 }
 
 struct Samples {
@@ -80,18 +69,18 @@ std::vector<RowAge> measure_row_age(std::shared_ptr<const Body> probe,
     const Pose device = pose_at(path, t);
     speeds.push_back(path_length(mass, before, device) * options.rate_hz);
     before = device;
-    const double refresh_begin = cpu_us();
+    const double refresh_begin = processor_time_us();
     const LocalContacts& now = kept[i % kept.size()] = feed.refresh(device, i, t, options.budget);
-    refresh_us.push_back(cpu_us() - refresh_begin);
+    refresh_us.push_back(processor_time_us() - refresh_begin);
     const Wrench in_step = wrench_of(mass, now.separation, options.k);
     largest_force = std::max(largest_force, in_step.force.norm());
     for (std::size_t a = 0; a < options.ages.size(); ++a) {
       const auto age = static_cast<std::size_t>(options.ages[a]);
       if (i <= age) continue;
       const LocalContacts& old = kept[(i - age) % kept.size()];
-      const double begin = cpu_us();
+      const double begin = processor_time_us();
       const LocalAnswer answer = separate_locally(mass, options.method, old, device);
-      samples[a].solve_us.push_back(cpu_us() - begin);
+      samples[a].solve_us.push_back(processor_time_us() - begin);
       const bool contact = now.separation.status == Status::penetrating ||
                            answer.separation.status == Status::penetrating;
       if (!contact || old.jumps != now.jumps) continue;

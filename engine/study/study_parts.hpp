@@ -17,7 +17,8 @@ using Stop = std::function<bool()>;
 /// A piece of a study that needs nothing of any other piece.
 struct StudyPart {
   std::string name;  ///< of its file: letters, digits, '-', '_' and '.'
-  /// Its result as JSON text: the same bits wherever and whenever it is computed.
+  /// Its result as JSON text: the same bits wherever and whenever it is computed, but for members
+  /// named time_us.
   std::function<std::string(const Stop& stop)> compute;
 };
 

@@ -85,6 +85,26 @@ TEST(MergeStudy, PartsThatDifferAreNamedWithTheirFolders) {
     EXPECT_THAT(reason, HasSubstr(word));
 }
 
+/// One part, with a time in it.
+Study timed(const std::string& time, const std::string& depth) {
+  return {"numbers", "{}", {{"part-0", [=](const Stop&) {
+                               return "{\"runs\":[{\"time_us\":" + time + ",\"depth\":" + depth +
+                                      "}],\"time_us\":[1," + time + "]}";
+                             }}}};
+}
+
+TEST(MergeStudy, TimesMayDifferAndThoseOfTheFirstFolderAreKept) {
+  const TempFolder folder;
+  compute_parts(folder / "a", timed("10.5", "0.25"), {}, 1, never);
+  compute_parts(folder / "b", timed("11", "0.25"), {}, 1, never);
+  compute_parts(folder / "c", timed("10.5", "0.26"), {}, 1, never);
+  EXPECT_EQ(merge_studies(std::vector<fs::path>{folder / "a", folder / "b"}).results,
+            read_study(folder / "a").results);
+  EXPECT_EQ(merge_studies(std::vector<fs::path>{folder / "b", folder / "a"}).results,
+            read_study(folder / "b").results);
+  EXPECT_THAT(reason_of({folder / "a", folder / "b", folder / "c"}), HasSubstr("another result"));
+}
+
 TEST(MergeStudy, DifferentStudiesAreNotJoined) {
   const TempFolder folder;
   compute_parts(folder / "a", study(3), {}, 1, never);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/error.hpp"
+#include "engine/study/overlapping_poses.hpp"
+#include "engine/study/trade.hpp"
+#include "engine/study/trade_report.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct TradeOptions {
+  BodyOptions bodies;
+  StudyOptions study;
+  bool json = false;
+  std::string poses;
+  std::string trajectory;
+  std::optional<std::size_t> count;
+  std::uint64_t seed = 1;
+};
+
+/// Where neither a file of poses nor the flag says how many.
+constexpr std::size_t default_count = 24;
+
+/// Poses in contact: of the file, of the path, or random ones.
+std::vector<Pose> choose_poses(const TradeOptions& options, const TradeSetup& setup,
+                               const std::string& trajectory) {
+  const Stop stop = stop_on_interrupt();
+  const bool from_file = !options.poses.empty();
+  const std::size_t count = options.count.value_or(from_file ? 0 : default_count);
+  if (!from_file && setup.path.empty())
+    return random_overlapping_poses(*setup.probe, *setup.fixed, count, options.seed, stop);
+  std::vector<Pose> all;
+  if (from_file) all = read_poses(options.poses);
+  if (!from_file)
+    for (const TimedPose& at : setup.path) all.push_back(at.pose);
+  const std::vector<Pose> chosen = overlapping_poses(*setup.probe, *setup.fixed, all, count, stop);
+  if (chosen.empty())
+    throw InputError::in(from_file ? options.poses : trajectory,
+                         "the probe overlaps the fixed body at no pose of it");
+  return chosen;
+}
+
+void run(const TradeOptions& options) {
+  check_output(options.study);
+  Scene scene = scene_of(options.bodies);
+  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  TradeSetup setup;
+  setup.scene = scene.name.empty()
+                    ? scene.probe.mesh.stem().string() + " on " + scene.fixed.mesh.stem().string()
+                    : scene.name;
+  setup.seed = options.seed;
+  if (scene.trajectory) setup.path = read_trajectory(*scene.trajectory);
+  ProgressLine progress(options.study.quiet);
+  const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
+  setup.probe = bodies.probe;
+  setup.fixed = bodies.fixed;
+  nlohmann::ordered_json inputs = study_inputs(scene, bodies);
+  if (!options.poses.empty()) inputs["poses"] = fingerprint_of(options.poses);
+  setup.inputs = inputs.dump();
+  progress.show("trade, looking for poses in contact", 0, 1);
+  setup.poses = choose_poses(options, setup, scene.trajectory.value_or("").string());
+  const Study study = trade_study(setup);
+  progress.clear();
+  run_study(study, options.study, trade_files);
+  print_summary(options.study, options.json);
+}
+
+std::string check_count(const std::string& text) {
+  return text == "0" ? "there must be one pose at least" : check_whole(text);
+}
+
+}  // namespace
+
+Command add_trade_command(CLI::App& program) {
+  const auto options = std::make_shared<TradeOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "trade", "What accuracy less time costs: searches, bounds and ticks with budgets");
+  add_scene_or_meshes(*parser, options->bodies);
+  parser->add_option("--poses", options->poses,
+                     "search at these (CSV px,py,pz,qw,qx,qy,qz), as far as they overlap; without "
+                     "it at poses of the trajectory, or at random ones");
+  parser->add_option("--trajectory", options->trajectory,
+                     "follow this path (CSV t,px,py,pz,qw,qx,qy,qz) instead of the scene's");
+  parser
+      ->add_option("--count", options->count,
+                   "poses to search at, evenly chosen; without it 24, or all of --poses")
+      ->check(check_count);
+  add_flags(*parser, options->study);
+  parser->add_flag("--json", options->json, "the summary on standard output as JSON");
+  parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")
+      ->check(check_whole)
+      ->capture_default_str();
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app
