@@ -21,7 +21,7 @@ constexpr int long_searches = 4;
 constexpr int long_starts = 128;
 
 constexpr int search_steps[] = {8, 16, 32, 64, 128, 256, 512, 1024, 0};
-constexpr int bound_work[] = {312, 1250, 5000, 20'000, 80'000};
+constexpr int bound_work[] = {1250, 5000, 20'000, 80'000};
 /// 10 ns each, so from about 20 µs on.
 constexpr int tick_work[] = {2000, 5000, 10'000, 20'000, 50'000, 100'000, 0};
 constexpr Method methods[] = {Method::pdg, Method::pdt};

@@ -125,10 +125,12 @@ std::string trade_picture(const TradeResults& results, const std::vector<TradeFi
                                      TradeKind::search, &TradeFigures::time_median, typical,
                                      "depth / best known − 1, %"));
   add_repeatability(chart.panels.back(), results);
-  if (!figures_of(all, TradeKind::bound, Method::pdg).empty())
+  if (!figures_of(all, TradeKind::bound, Method::pdg).empty()) {
     chart.panels.push_back(error_panel("Lower bound: below the best known depth", all,
                                        TradeKind::bound, &TradeFigures::time_median, typical,
                                        "1 − bound / best known, %"));
+    chart.panels.back().y = {chart.panels.back().y.label, false, 0.0, 100.0};
+  }
   if (!results.paths.empty()) {
     chart.panels.push_back(error_panel(
         "Coherent: off the depth without a budget", all, TradeKind::tick, &TradeFigures::time_p99,

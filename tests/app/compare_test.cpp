@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <signal.h>
-
-#include <chrono>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "tests/app/app_test.hpp"
+#include "tests/app/study_test.hpp"
 #include "tests/support/xml.hpp"
 
 namespace sonde::test {
@@ -15,50 +10,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-class Compare : public AppTest {
+class Compare : public StudyTest {
  protected:
-  /// Every file below a folder, with what it holds.
-  std::map<std::string, std::string> files(const std::string& name) const {
-    std::map<std::string, std::string> out;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / name))
-      if (entry.is_regular_file())
-        out[fs::relative(entry.path(), folder / name).string()] = text_of(entry.path());
-    return out;
-  }
-  void expect_done(const std::string& arguments) const {
-    const Outcome run = sonde(arguments);
-    EXPECT_EQ(run.exit_code, 0) << arguments << ": " << run.err;
-  }
-  /// A path of so many ticks to and fro in contact.
-  void write_long_path(int ticks) const {
-    std::string path = "t,px,py,pz,qw,qx,qy,qz\n";
-    for (int i = 0; i < ticks; ++i)
-      path += std::to_string(0.001 * i) + "," + std::to_string(0.14 + 1e-5 * (i % 700)) + "," +
-              std::to_string(1e-5 * (i % 1100)) + ",0,1,0,0,0\n";
-    folder.write("long.csv", path);
-  }
-  /// Starts the program in the folder; its id.
-  pid_t start(const std::vector<std::string>& arguments) const {
-    const pid_t child = ::fork();
-    if (child != 0) return child;
-    std::vector<char*> pointers{const_cast<char*>(SONDE_PROGRAM)};
-    for (const std::string& argument : arguments)
-      pointers.push_back(const_cast<char*>(argument.c_str()));
-    pointers.push_back(nullptr);
-    if (::chdir(folder.path().c_str()) == 0 && std::freopen("/dev/null", "w", stdout))
-      ::execv(SONDE_PROGRAM, pointers.data());
-    ::_exit(99);
-  }
-  /// Waits until a study has begun, and signals it.
-  int signal_once_begun(pid_t child, const std::string& out, int signal) const {
-    while (!fs::exists(folder / out / "study.json"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    ::kill(child, signal);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
   const std::string boxes = "compare boxes.sonde.json ";
 };
 
@@ -190,11 +143,7 @@ TEST_F(Compare, under_gnu_parallel_with_a_shard_killed_and_started_again) {
       "part2",   "--shard",          "2/3",          "--quiet"};
   EXPECT_EQ(signal_once_begun(start(second), "part2", SIGKILL), -1);
   EXPECT_FALSE(fs::exists(folder / "part2" / "parts" / "pdg.json"));
-  const std::string command = "cd '" + folder.path().string() + "' && parallel --will-cite -j2 '" +
-                              SONDE_PROGRAM +
-                              "' compare boxes.sonde.json --trajectory long.csv "
-                              "--shard {}/3 --out part{} --quiet ::: 1 2 3";
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  ASSERT_EQ(in_parallel("compare boxes.sonde.json --trajectory long.csv", 3), 0);
   expect_done("merge part1 part2 part3 --out joined");
   expect_done(boxes + "--trajectory long.csv --out whole");
   EXPECT_EQ(files("joined"), files("whole"));
