@@ -59,10 +59,11 @@ class StudyTest : public AppTest {
   }
   /// `sonde ARGUMENTS --shard {}/N --out part{}` under GNU parallel, as the manual shows it.
   int in_parallel(const std::string& arguments, int shards) const {
-    std::string command = "cd '" + folder.path().string() + "' && parallel --will-cite -j2 '" +
-                          SONDE_PROGRAM + "' " + arguments + " --shard {}/" +
-                          std::to_string(shards) + " --out part{} --quiet :::";
-    for (int i = 1; i <= shards; ++i) command += " " + std::to_string(i);
+    std::string command = "cd '" + folder.path().string();
+    command.append("' && parallel --will-cite -j2 '").append(SONDE_PROGRAM).append("' ");
+    command.append(arguments).append(" --shard {}/").append(std::to_string(shards));
+    command.append(" --out part{} --quiet :::");
+    for (int i = 1; i <= shards; ++i) command.append(" ").append(std::to_string(i));
     return std::system(command.c_str());
   }
 };
