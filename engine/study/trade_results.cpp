@@ -212,8 +212,8 @@ TradeResults read_trade(const std::string& folder, const StudyFolder& study) {
     out.radius = about.at("radius").get<double>();
     for (const Json& setting : about.at("settings")) out.settings.push_back(setting_of(setting));
     for (std::size_t i = 0; i < study.names.size(); ++i) {
-      if (!study.results[i]) throw std::out_of_range("it is missing");
       reading = "part " + study.names[i];
+      if (!study.results[i]) throw std::out_of_range("it is missing");
       const Json part = Json::parse(*study.results[i]);
       if (part.contains("runs"))
         out.poses.push_back(pose_of(part));

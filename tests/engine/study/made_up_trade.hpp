@@ -28,7 +28,7 @@ inline TradeResults made_up_trade() {
     pose.runs = {{search, found[i], 8, 10.0 * (i + 1)}, {bound, 0.5 + 0.25 * (i % 2), 0, 3}};
     out.poses.push_back(pose);
   }
-  out.paths = {{tick, {0, 1, 1, 2.04, 5}, {1, 0, 1, 1, 1}, {1, 2, 3, 4, 5}},
+  out.paths = {{tick, {0, 1, 1, 2.03, 5}, {1, 0, 1, 1, 1}, {1, 2, 3, 4, 5}},
                {whole, {0, 0, 1, 2, 4}, {1, 1, 1, 1, 1}, {2, 4, 6, 8, 10}}};
   return out;
 }

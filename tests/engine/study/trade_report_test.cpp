@@ -4,12 +4,11 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/scene/poses.hpp"
-#include "tests/app/run_program.hpp"
 #include "tests/engine/study/made_up_trade.hpp"
+#include "tests/support/csv.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
