@@ -66,6 +66,19 @@ void add_repeatability(ChartPanel& panel, const TradeResults& results) {
   panel.series.push_back(line);
 }
 
+/// From one power of ten to another, so that there are numbers on the axis.
+void whole_decades(ChartAxis& axis, const std::vector<ChartSeries>& all) {
+  double least = INFINITY, largest = 0;
+  for (const ChartSeries& each : all)
+    for (const double x : each.x) {
+      least = std::fmin(least, x);
+      largest = std::fmax(largest, x);
+    }
+  if (!(least > 0) || !(least < largest)) return;
+  axis.from = std::pow(10, std::floor(std::log10(least)));
+  axis.to = std::pow(10, std::ceil(std::log10(largest)));
+}
+
 ChartPanel error_panel(const std::string& title, const Figures& all, TradeKind kind, Figure time,
                        const std::string& x, const std::string& y) {
   ChartPanel out;
@@ -74,6 +87,7 @@ ChartPanel error_panel(const std::string& title, const Figures& all, TradeKind k
   out.y = {y, true};
   out.height = 230;
   for (const Method method : methods) add_errors(out, figures_of(all, kind, method), method, time);
+  whole_decades(out.x, out.series);
   return out;
 }
 

@@ -63,6 +63,7 @@ struct Column {
   const char* unit;
   const char* doc;
   Figure figure;
+  bool of_ticks = false;  ///< says nothing of a few poses
 };
 constexpr Column columns[] = {
     {"median_error", "", "median error, %", &TradeFigures::median},
@@ -70,10 +71,10 @@ constexpr Column columns[] = {
     {"worst_error", "", "worst, %", &TradeFigures::worst},
     {"within_1_percent", "", "within 1 %, %", &TradeFigures::within_1},
     {"within_5_percent", "", "within 5 %, %", &TradeFigures::within_5},
-    {"unconverged", "", "not converged, %", &TradeFigures::unconverged},
+    {"unconverged", "", "not converged, %", &TradeFigures::unconverged, true},
     {"median_us", "us", "median µs", &TradeFigures::time_median},
     {"p99_us", "us", "p99 µs", &TradeFigures::time_p99},
-    {"p999_us", "us", "p99.9 µs", &TradeFigures::time_p999},
+    {"p999_us", "us", "p99.9 µs", &TradeFigures::time_p999, true},
 };
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -121,15 +122,18 @@ std::string summary_csv(const Figures& all) {
   return out;
 }
 
-std::string md_table(const Figures& figures) {
+std::string md_table(const Figures& figures, bool of_ticks) {
+  std::vector<Column> shown;
+  for (const Column& column : columns)
+    if (of_ticks || !column.of_ticks) shown.push_back(column);
   std::vector<std::string> names = {"budget", "count", "failed"};
-  for (const Column& column : columns) names.emplace_back(column.doc);
+  for (const Column& column : shown) names.emplace_back(column.doc);
   std::string out = md_line(names) + md_line(std::vector<std::string>(names.size(), "---"));
   for (const TradeFigures& f : figures) {
     std::vector<std::string> fields = {
         f.setting.budget > 0 ? std::to_string(f.setting.budget) : "none", std::to_string(f.count),
         std::to_string(f.failed)};
-    for (const Column& column : columns)  // a time as it is, a share in per cent
+    for (const Column& column : shown)  // a time as it is, a share in per cent
       fields.push_back(text_of((*column.unit != 0 ? 1 : 100) * (f.*column.figure), 3));
     out += md_line(fields);
   }
@@ -160,8 +164,8 @@ std::string summary_md(const TradeResults& results, const Figures& all) {
     for (const Method method : methods) {
       const Figures some = figures_of(all, kind, method);
       if (some.empty()) continue;
-      out +=
-          std::string("\n## ") + title_of(kind) + ": " + title_of(method) + "\n\n" + md_table(some);
+      out += std::string("\n## ") + title_of(kind) + ": " + title_of(method) + "\n\n" +
+             md_table(some, kind == TradeKind::tick);
     }
   return out;
 }

@@ -130,7 +130,7 @@ TEST_F(Trade, a_finished_study_is_not_computed_again_and_another_is_not_overwrit
 }
 
 TEST_F(Trade, interrupted_it_leaves_nothing_half_written_and_goes_on_later) {
-  write_long_path(20000);
+  write_long_path(4000);
   const std::vector<std::string> arguments{"trade",        "boxes.sonde.json", "--count", "3",
                                            "--trajectory", "long.csv",         "--out",   "t",
                                            "--quiet",      "--threads",        "1"};
