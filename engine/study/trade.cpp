@@ -9,6 +9,7 @@
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/random.hpp"
 #include "engine/study/processor_time.hpp"
+#include "engine/study/trade_extremes.hpp"
 #include "engine/study/trade_results.hpp"
 
 namespace sonde {
@@ -182,6 +183,11 @@ Study trade_study(const TradeSetup& setup) {
     study.parts.push_back({"pose-" + std::to_string(i), [shared, i](const Stop& stop) {
                              return to_json(PoseMeasurement(*shared, i).run(stop));
                            }});
+  study.parts.push_back({"extremes", [shared](const Stop& stop) {
+                           const TradeSetup& s = shared->setup;
+                           return to_json(
+                               measure_extremes(*s.probe, *s.fixed, s.poses, s.seed, stop));
+                         }});
   return study;
 }
 

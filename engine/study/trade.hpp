@@ -25,8 +25,9 @@ struct TradeSetup {
 
 /// The study. A part for each pose: what it takes as the reference, some long searches with seeds
 /// of their own, then the static search of both methods and the lower bound, each with budgets from
-/// small to none. A part for each method and budget of a tick that follows the path. All budgets
-/// are counted work: only the times differ from run to run. A part runs on one thread.
+/// small to none. A part for each method and budget of a tick that follows the path. One for the
+/// answers of bodies that are tiny, huge or far away. All budgets are counted work: only the times
+/// differ from run to run. A part runs on one thread.
 Study trade_study(const TradeSetup& setup);
 
 }  // namespace sonde

@@ -48,6 +48,15 @@ std::string trade_csv(const TradeResults& results) {
   return out;
 }
 
+std::string extremes_csv(const TradeResults& results) {
+  std::string out = "world,kind,method,pose,change\n";
+  for (const TradeExtreme& extreme : results.extremes)
+    for (std::size_t i = 0; i < extreme.change.size(); ++i)
+      out += csv_line({extreme.world, name_of(extreme.kind), name_of(extreme.method),
+                       std::to_string(i), text_of(extreme.change[i])});
+  return out;
+}
+
 std::string poses_csv(const TradeResults& results) {
   std::string out = "px,py,pz,qw,qx,qy,qz\n";
   for (const TradePose& pose : results.poses) {
@@ -86,7 +95,7 @@ Json json_of(const TradeReference& reference) {
 }
 
 std::string summary_json(const TradeResults& results, const Figures& all) {
-  Json units = Json::object(), settings = Json::array();
+  Json units = Json::object(), settings = Json::array(), extremes = Json::array();
   for (const Column& column : columns)
     if (*column.unit != 0) units[column.key] = column.unit;
   for (const TradeFigures& f : all) {
@@ -98,13 +107,23 @@ std::string summary_json(const TradeResults& results, const Figures& all) {
     for (const Column& column : columns) json[column.key] = number_or_null(f.*column.figure);
     settings.push_back(json);
   }
+  for (const TradeExtreme& extreme : results.extremes) {
+    const ExtremeFigures f = figures_of(extreme);
+    extremes.push_back({{"world", extreme.world},
+                        {"kind", name_of(extreme.kind)},
+                        {"method", name_of(extreme.method)},
+                        {"failed", f.failed},
+                        {"median_change", number_or_null(f.median)},
+                        {"worst_change", number_or_null(f.worst)}});
+  }
   const Json whole{{"scene", results.scene},
                    {"poses", results.poses.size()},
                    {"reference",
                     {{"pdg", json_of(trade_reference(results, Method::pdg))},
                      {"pdt", json_of(trade_reference(results, Method::pdt))}}},
                    {"units", units},
-                   {"settings", settings}};
+                   {"settings", settings},
+                   {"extremes", extremes}};
   return whole.dump(2) + "\n";
 }
 
@@ -140,6 +159,20 @@ std::string md_table(const Figures& figures, bool of_ticks) {
   return out;
 }
 
+std::string extremes_md(const TradeResults& results) {
+  std::string out =
+      "\n## The same answers from bodies 2^-20 and 2^20 times as large, and far away\n\n" +
+      md_line({"bodies", "what", "failed", "median change, %", "worst, %"}) +
+      md_line(std::vector<std::string>(5, "---"));
+  for (const TradeExtreme& extreme : results.extremes) {
+    const ExtremeFigures f = figures_of(extreme);
+    out +=
+        md_line({extreme.world, std::string(name_of(extreme.kind)) + " " + title_of(extreme.method),
+                 std::to_string(f.failed), text_of(100 * f.median, 3), text_of(100 * f.worst, 3)});
+  }
+  return out;
+}
+
 const char* title_of(TradeKind kind) {
   switch (kind) {
     case TradeKind::search:
@@ -167,16 +200,17 @@ std::string summary_md(const TradeResults& results, const Figures& all) {
       out += std::string("\n## ") + title_of(kind) + ": " + title_of(method) + "\n\n" +
              md_table(some, kind == TradeKind::tick);
     }
-  return out;
+  return results.extremes.empty() ? out : out + extremes_md(results);
 }
 
 }  // namespace
 
 std::vector<StudyFile> trade_files(const TradeResults& results) {
   const Figures all = trade_figures(results);
-  return {{"trade.svg", trade_picture(results, all)}, {"trade.csv", trade_csv(results)},
-          {"poses.csv", poses_csv(results)},          {"summary.json", summary_json(results, all)},
-          {"summary.csv", summary_csv(all)},          {"summary.md", summary_md(results, all)}};
+  return {{"trade.svg", trade_picture(results, all)},   {"trade.csv", trade_csv(results)},
+          {"extremes.csv", extremes_csv(results)},      {"poses.csv", poses_csv(results)},
+          {"summary.json", summary_json(results, all)}, {"summary.csv", summary_csv(all)},
+          {"summary.md", summary_md(results, all)}};
 }
 
 std::vector<StudyFile> trade_files(const std::string& folder, const StudyFolder& study) {

@@ -12,6 +12,7 @@ namespace sonde {
 ///
 ///     trade.svg      error against time of each kind; times of ticks by budget
 ///     trade.csv      each pose with each setting
+///     extremes.csv   each pose where the bodies are tiny, huge or far away
 ///     poses.csv      the poses, as sonde query reads them
 ///     summary.json, summary.csv, summary.md    each setting over all poses, or over the path
 ///

@@ -71,6 +71,12 @@ TradePath path_of(const Json& json) {
   return out;
 }
 
+TradeExtreme extreme_of(const Json& json) {
+  const TradeSetting setting = setting_of(json);
+  return {json.at("world").get<std::string>(), setting.kind, setting.method,
+          numbers(json.at("change"))};
+}
+
 // ---- what they come to ----
 
 bool deep_enough(const TradeResults& results, const TradePose& pose) {
@@ -203,6 +209,17 @@ std::string to_json(const TradePath& path) {
   return json.dump() + "\n";
 }
 
+std::string to_json(std::span<const TradeExtreme> extremes) {
+  Json all = Json::array();
+  for (const TradeExtreme& extreme : extremes) {
+    Json json = json_of(TradeSetting{extreme.kind, extreme.method, 0});
+    json["world"] = extreme.world;
+    json["change"] = extreme.change;
+    all.push_back(json);
+  }
+  return Json{{"extremes", all}}.dump(1) + "\n";
+}
+
 TradeResults read_trade(const std::string& folder, const StudyFolder& study) {
   TradeResults out;
   std::string reading = "study.json";
@@ -215,7 +232,9 @@ TradeResults read_trade(const std::string& folder, const StudyFolder& study) {
       reading = "part " + study.names[i];
       if (!study.results[i]) throw std::out_of_range("it is missing");
       const Json part = Json::parse(*study.results[i]);
-      if (part.contains("runs"))
+      if (part.contains("extremes"))
+        for (const Json& extreme : part.at("extremes")) out.extremes.push_back(extreme_of(extreme));
+      else if (part.contains("runs"))
         out.poses.push_back(pose_of(part));
       else
         out.paths.push_back(path_of(part));
@@ -244,6 +263,21 @@ std::vector<TradeFigures> figures_of(const std::vector<TradeFigures>& all, Trade
   std::vector<TradeFigures> out;
   for (const TradeFigures& f : all)
     if (f.setting.kind == kind && f.setting.method == method) out.push_back(f);
+  return out;
+}
+
+ExtremeFigures figures_of(const TradeExtreme& extreme) {
+  ExtremeFigures out;
+  std::vector<double> changes;
+  for (const double change : extreme.change) {
+    if (std::isfinite(change))
+      changes.push_back(std::abs(change));
+    else
+      ++out.failed;
+  }
+  std::ranges::sort(changes);
+  out.median = quantile(changes, 0.5);
+  out.worst = quantile(changes, 1);
   return out;
 }
 

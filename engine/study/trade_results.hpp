@@ -60,6 +60,14 @@ struct TradePath {
   std::vector<double> time_us;  ///< processor time
 };
 
+/// What becomes of the answers without a budget where the bodies are tiny, huge or far away.
+struct TradeExtreme {
+  std::string world;  ///< "tiny", "huge", "far"
+  TradeKind kind = TradeKind::search;
+  Method method = Method::pdg;
+  std::vector<double> change;  ///< of each pose: depth there / depth as given − 1; NaN: a failure
+};
+
 /// All that a study of the trade measured.
 struct TradeResults {
   std::string scene;
@@ -67,6 +75,7 @@ struct TradeResults {
   std::vector<TradeSetting> settings;
   std::vector<TradePose> poses;
   std::vector<TradePath> paths;
+  std::vector<TradeExtreme> extremes;
 };
 
 /// As a JSON array.
@@ -74,6 +83,7 @@ std::string to_json(std::span<const TradeSetting> settings);
 /// A part of the study as JSON text, its times in members named time_us; read back by read_trade.
 std::string to_json(const TradePose& pose);
 std::string to_json(const TradePath& path);
+std::string to_json(std::span<const TradeExtreme> extremes);
 
 /// What the parts of a complete folder hold; `folder` is for complaints. Throws InputError where a
 /// part is missing or is not what the study writes.
@@ -106,6 +116,13 @@ struct TradeReference {
   double median = 0, p90 = 0, worst = 0;  ///< of TradePose::spread; NaN where there is none
 };
 TradeReference trade_reference(const TradeResults& results, Method method);
+
+/// What one line of the extremes comes to.
+struct ExtremeFigures {
+  std::size_t failed = 0;
+  double median = 0, worst = 0;  ///< |change| of those that did not fail; NaN where all did
+};
+ExtremeFigures figures_of(const TradeExtreme& extreme);
 
 /// depth / reference − 1 of a search, 1 − bound / reference of a bound.
 double error_of(const TradePose& pose, const TradeRun& run);

@@ -24,7 +24,7 @@ class Trade : public StudyTest {
         out[file] = json(Csv(text).without({"time_us"})).dump();
       else if (file == "summary.csv")
         out[file] = json(Csv(text).without({"median_us", "p99_us", "p999_us"})).dump();
-      else if (file == "poses.csv")
+      else if (file == "poses.csv" || file == "extremes.csv")
         out[file] = text;
       else
         out[file];  // the picture and the printed tables are of times too

@@ -17,7 +17,7 @@ inline TradeResults made_up_trade() {
   const TradeSetting bound{TradeKind::bound, Method::pdg, 5000};
   const TradeSetting tick{TradeKind::tick, Method::pdg, 2000};
   const TradeSetting whole{TradeKind::tick, Method::pdg, 0};
-  TradeResults out{"made up", 0.5, {search, bound, tick, whole}, {}, {}};
+  TradeResults out{"made up", 0.5, {search, bound, tick, whole}, {}, {}, {}};
   const double failed = std::numeric_limits<double>::quiet_NaN();
   const double found[] = {1, 1.02, 1.1, failed};
   for (int i = 0; i < 4; ++i) {
@@ -30,6 +30,8 @@ inline TradeResults made_up_trade() {
   }
   out.paths = {{tick, {0, 1, 1, 2.03, 5}, {1, 0, 1, 1, 1}, {1, 2, 3, 4, 5}},
                {whole, {0, 0, 1, 2, 4}, {1, 1, 1, 1, 1}, {2, 4, 6, 8, 10}}};
+  out.extremes = {{"far", TradeKind::search, Method::pdg, {0.25, -0.5, failed, 0}},
+                  {"tiny", TradeKind::search, Method::pdg, {0, 0, 0, 0}}};
   return out;
 }
 
@@ -43,6 +45,7 @@ inline StudyFolder folder_of(const TradeResults& results) {
                   {}};
   for (const TradePath& path : results.paths) out.results.emplace_back(to_json(path));
   for (const TradePose& pose : results.poses) out.results.emplace_back(to_json(pose));
+  out.results.emplace_back(to_json(results.extremes));
   for (std::size_t i = 0; i < out.results.size(); ++i)
     out.names.push_back("part-" + std::to_string(i));
   return out;

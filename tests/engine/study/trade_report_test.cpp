@@ -27,6 +27,10 @@ TEST(TradeReport, TablesHaveARowForEachPoseAndSetting) {
   EXPECT_NEAR(trade.number(2, "error"), 0.02, 1e-12);
   EXPECT_EQ(trade.text(6, "depth"), "") << "a failure";
   EXPECT_EQ(trade.text(6, "error"), "");
+  const test::Csv extremes(file("extremes.csv", results));
+  ASSERT_EQ(extremes.rows.size(), 8u);
+  EXPECT_EQ(extremes.number(1, "change"), -0.5);
+  EXPECT_EQ(extremes.text(2, "change"), "") << "a failure";
   const test::Csv summary(file("summary.csv", results));
   ASSERT_EQ(summary.rows.size(), results.settings.size());
   EXPECT_EQ(summary.text(0, "failed"), "1");
@@ -50,8 +54,9 @@ TEST(TradeReport, TheSummarySaysWhatTheTablesSay) {
   EXPECT_TRUE(json.at("settings")[0].at("p90_error").is_null()) << "a failure is no number";
   EXPECT_EQ(json.at("units").at("median_us"), "us");
   EXPECT_NEAR(json.at("reference").at("pdg").at("worst_spread"), 0.1, 1e-12);
+  EXPECT_EQ(json.at("extremes")[0].at("worst_change"), 0.5);
   const std::string text = file("summary.md", test::made_up_trade());
-  for (const char* title : {"## Static search", "## Lower bound", "## Coherent"})
+  for (const char* title : {"## Static search", "## Lower bound", "## Coherent", "| far |"})
     EXPECT_THAT(text, testing::HasSubstr(title));
 }
 

@@ -82,6 +82,14 @@ TEST(TradeResults, TheSpreadOfTheReferenceIsOverPoses) {
   EXPECT_NEAR(reference.worst, 0.1, 1e-12);
 }
 
+TEST(TradeResults, FiguresOfExtremes) {
+  const ExtremeFigures far = figures_of(made_up_trade().extremes[0]);
+  EXPECT_EQ(far.failed, 1u);
+  EXPECT_EQ(far.median, 0.25);
+  EXPECT_EQ(far.worst, 0.5);
+  EXPECT_EQ(figures_of(made_up_trade().extremes[1]).worst, 0);
+}
+
 TEST(TradeResults, AreReadBackAsTheyWereWritten) {
   const TradeResults made = made_up_trade();
   const StudyFolder folder = test::folder_of(made);

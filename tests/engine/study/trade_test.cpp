@@ -49,6 +49,7 @@ std::vector<std::string> texts(TradeResults results) {
     std::ranges::fill(path.time_us, 0);
     out.push_back(to_json(path));
   }
+  out.push_back(to_json(results.extremes));
   return out;
 }
 
