@@ -54,7 +54,7 @@ void run(const TradeOptions& options) {
                     ? scene.probe.mesh.stem().string() + " on " + scene.fixed.mesh.stem().string()
                     : scene.name;
   setup.seed = options.seed;
-  if (scene.trajectory) setup.path = read_trajectory(*scene.trajectory);
+  if (scene.trajectory) setup.path = path_to_study(*scene.trajectory);
   ProgressLine progress(options.study.quiet);
   const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
   setup.probe = bodies.probe;

@@ -110,6 +110,8 @@ TEST_F(Trade, refusals) {
   expect_refused("trade " + loose + "--poses none.csv --out t", 3, "none.csv: the probe overlaps");
   expect_refused("trade " + loose + "--poses apart.csv --out t", 3,
                  "apart.csv: the probe overlaps");
+  folder.write("empty.csv", "t,px,py,pz,qw,qx,qy,qz\n");
+  expect_refused("trade boxes.sonde.json --trajectory empty.csv --out t", 3, "empty.csv");
   expect_refused("trade boxes.sonde.json --trajectory far.csv --out t", 3, "far.csv: the probe");
   expect_refused("trade " + loose + "--poses missing.csv --out t", 3, "missing.csv");
   expect_refused("trade " + loose + "--poses path.csv --out t", 3, "path.csv");
