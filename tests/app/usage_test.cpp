@@ -8,8 +8,8 @@ using testing::HasSubstr;
 using Usage = AppTest;
 
 TEST_F(Usage, help_and_version) {
-  for (const char* arguments :
-       {"--help", "info --help", "query --help", "replay -h", "compare --help", "merge --help"}) {
+  for (const char* arguments : {"--help", "info --help", "query --help", "replay -h",
+                                "trade --help", "compare --help", "merge --help"}) {
     const Outcome run = sonde(arguments);
     EXPECT_EQ(run.exit_code, 0) << arguments;
     EXPECT_THAT(run.out, HasSubstr("Usage: sonde"));
