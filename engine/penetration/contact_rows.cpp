@@ -33,7 +33,9 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
 
 void ContactRows::forget() noexcept {
   list_.clear();
+  usual_ = {};
   gathered_ = false;
+  count_ = 0;
   crowded_ = list_limit_ = list_reach_ = probe_.mass.radius;
 }
 
@@ -69,22 +71,34 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner);
 }
 
-bool ContactRows::listed(const Transform& X, double reach, Effort& effort) noexcept {
-  if (list_.reach_at(X) >= reach) return true;
+Vec3 ContactRows::middle() const noexcept {
+  if (count_ == 0) return probe_.mass.com;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < count_; ++i) sum += contacts_[i].on_probe;
+  return X_.R.transpose() * (sum / static_cast<double>(count_) - X_.p);
+}
+
+void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centre,
+                             const PairList::Displacement& ahead, Effort& effort) noexcept {
+  const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
-  if (list_.capacity() == 0 || reach >= 0.02 * probe_.mass.radius) return false;
-  const double ample = std::max(1.5 * reach, std::min({32 * reach, list_limit_, list_reach_}));
-  const bool fits = list_.build(X, ample, effort);
+  if (list_.capacity() == 0 || wanted >= 0.02 * radius) return;
+  usual_ = {std::max(0.9 * usual_.linear, ahead.linear), std::max(0.9 * usual_.turn, ahead.turn)};
+  const double ample = std::max(1.5 * wanted, std::min({32 * wanted, list_limit_, list_reach_}));
+  const double share = usual_.linear > 0 ? usual_.linear / usual_.of(radius) : 0.5;
+  const PairList::Displacement room{std::max(share * ample, 1.5 * (reach + ahead.linear)),
+                                    std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
+  const bool fits = list_.build(X, centre, room, effort);
   // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
-  list_limit_ = fits ? std::min(1.5 * list_limit_, probe_.mass.radius) : 2 * reach;
+  list_limit_ = fits ? std::min(1.5 * list_limit_, radius) : 2 * wanted;
   const bool few = list_.size() < good_list;
   const bool many = list_.size() > 2 * good_list;
   list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
-  return list_.reach_at(X) >= reach;
 }
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
-  const NearPairs near = listed(X, reach, effort)
+  if (list_.reach_at(X) < reach) list_pairs(X, reach, middle(), {}, effort);
+  const NearPairs near = list_.reach_at(X) >= reach
                              ? list_.near(X, reach, pairs_, effort)
                              : near_pairs(probe_, fixed_, X, reach, pairs_, effort);
   if (near.reach < 0) return near;
@@ -141,12 +155,12 @@ double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept
   return std::max(2 * reach_, list_.reach_at(Transform(chart.pose(y))));
 }
 
-Sweep ContactRows::sweep_from(const Chart& chart, const Motion& motion, const Vec6& y,
-                              double clearance, Effort& effort) noexcept {
-  const double path = motion.farthest(probe_.mass.radius);
-  const Transform X(chart.pose(y));
-  if (listed(X, 1.01 * (path + clearance), effort))
-    return list_.sweep_along(motion, clearance, effort);
+Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
+  if (!list_.covers(motion, clearance)) {
+    const Vec3 centre = middle();
+    list_pairs(motion.at(0), clearance, centre, PairList::along(motion, centre), effort);
+  }
+  if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);
   return sweep(probe_, fixed_, motion, clearance, effort);
 }
 

@@ -54,9 +54,8 @@ class ContactRows {
   /// along the list.
   double quick_path(const Chart& chart, const Vec6& y) const noexcept;
 
-  /// Sweeps the probe along a motion from y; the pairs of the last gather serve where they suffice.
-  Sweep sweep_from(const Chart& chart, const Motion& motion, const Vec6& y, double clearance,
-                   Effort& effort) noexcept;
+  /// Sweeps the probe along a motion; a list of pairs serves where the path is short.
+  Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
   /// What becomes of a gap that is smaller than the margin already.
   enum class Narrow { keep, open };
@@ -71,9 +70,12 @@ class ContactRows {
   double reach() const { return reach_; }
 
  private:
-  /// Does the list hold all pairs within reach at X? It is made anew where it does not and the
-  /// reach is short.
-  bool listed(const Transform& X, double reach, Effort& effort) noexcept;
+  /// A point of the probe among the last contacts, or its centre of mass.
+  Vec3 middle() const noexcept;
+  /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
+  /// and the list would not pay.
+  void list_pairs(const Transform& X, double reach, const Vec3& centre,
+                  const PairList::Displacement& ahead, Effort& effort) noexcept;
   NearPairs find_pairs(const Transform& X, double reach, Effort& effort) noexcept;
   void accept(const Contact& contact) noexcept;
   bool is_news(const Contact& contact) const noexcept;
@@ -93,8 +95,9 @@ class ContactRows {
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
   double list_limit_;
-  double list_reach_;  // at which the list has a good size
-  double asked_ = 0;   // reach of the last gather
+  double list_reach_;             // at which the list has a good size
+  PairList::Displacement usual_;  // along the paths of late
+  double asked_ = 0;              // reach of the last gather
   double smallest_gap_ = 0;
   double reach_ = 0;
   Transform X_;            // of the last gather

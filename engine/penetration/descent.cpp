@@ -112,8 +112,7 @@ double Descent::margin(const Chart& chart, double depth) const noexcept {
 
 Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
                         Effort& effort) noexcept {
-  const Motion motion(chart, y, target);
-  return rows_.sweep_from(chart, motion, y, 0.5 * margin(chart, y.norm()), effort);
+  return rows_.sweep_along(Motion(chart, y, target), 0.5 * margin(chart, y.norm()), effort);
 }
 
 void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {

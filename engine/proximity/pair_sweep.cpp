@@ -53,12 +53,11 @@ double PairSweep::acceleration(const Corners& local) const {
   return motion_.acceleration_per_radius() * std::sqrt(radius2);
 }
 
-double PairSweep::free_along(std::uint32_t i, std::uint32_t j, const Vec3& normal,
-                             const Moment& now) const {
+PairSweep::Step PairSweep::step_along(std::uint32_t i, std::uint32_t j, const Vec3& normal,
+                                      const Moment& now) const {
   const Corners local = corners(a_.soup, i);
   return step_along(normal, now, place(now.X, local), corners(b_.soup, j), acceleration(local),
-                    clearance_ + guard_)
-      .length;
+                    clearance_ + guard_);
 }
 
 void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal) {

@@ -29,9 +29,14 @@ class PairSweep {
   /// none); holds the last one found on return.
   void advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
 
+  struct Step {
+    double gap;     ///< along the normal, m
+    double length;  ///< of s
+    bool closing;   ///< the corner that allows no more comes nearer
+  };
   /// How far from one moment on the pair is certain to keep the clearance along a normal; 0 where
-  /// it does not have it then. Units of s.
-  double free_along(std::uint32_t i, std::uint32_t j, const Vec3& normal, const Moment& now) const;
+  /// it does not have it then.
+  Step step_along(std::uint32_t i, std::uint32_t j, const Vec3& normal, const Moment& now) const;
 
   /// The path is followed no further: all that was not looked at is free up to `known`.
   void give_up(double known) {
@@ -47,11 +52,6 @@ class PairSweep {
   double clearance() const { return clearance_; }
 
  private:
-  struct Step {
-    double gap;     // along n, m
-    double length;  // of s
-    bool closing;   // the corner that allows no more comes nearer
-  };
   /// Along n the triangle is as far as its corners are: each is given the time that its own height
   /// over B and its own speed allow.
   Step step_along(const Vec3& n, const Moment& now, const Corners& ta, const Corners& tb,

@@ -214,7 +214,7 @@ class Sweeper {
       double from = w.from;
       if (points.gap[k] > 2 * pairs_.clearance()) {
         n = normal(points, k);
-        from = std::max(from, w.s + pairs_.free_along(w.i, w.j, n, w.moment));
+        from = std::max(from, w.s + pairs_.step_along(w.i, w.j, n, w.moment).length);
       }
       if (from < pairs_.free_until()) pairs_.advance(w.i, w.j, from, n);
     }

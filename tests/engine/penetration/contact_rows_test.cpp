@@ -145,7 +145,7 @@ TEST(ContactRows, sweeps_are_conservative) {
         if (g.chart.v(to).norm() > 0.95) continue;
         const Motion motion(g.chart, g.y, to);
         Effort unlimited;
-        const Sweep s = rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach, unlimited);
+        const Sweep s = rows.sweep_along(motion, 1e-6 * g.reach, unlimited);
         for (const double at : {0.3, 0.7, 0.95, 0.9999, 1.0})
           EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(at * s.free_until)))
               << pair.name;
@@ -190,7 +190,7 @@ TEST(ContactRows, do_not_allocate) {
     rows.gather(g.chart, g.y, g.reach, 0.1 * g.reach);
     rows.solve(0.01 * g.reach, ContactRows::Narrow::keep);
     Effort unlimited;
-    rows.sweep_from(g.chart, motion, g.y, 1e-6 * g.reach, unlimited);
+    rows.sweep_along(motion, 1e-6 * g.reach, unlimited);
     counter.stop();
     EXPECT_EQ(counter.allocations(), 0u) << pair.name;
   }
