@@ -13,6 +13,10 @@ struct Deadline {
   bool passed(double ahead = 0) const {
     return microseconds > 0 && now_us() - started + ahead > microseconds;
   }
+  /// For work that can be broken off anywhere.
+  Effort effort() const { return {0, microseconds > 0 ? started + microseconds : 0}; }
+  /// The same start, and a share of the time.
+  Deadline part(double share) const { return {share * microseconds, started}; }
 };
 
 }  // namespace sonde

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "engine/proximity/intersect.hpp"
 
@@ -100,11 +99,13 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   Descent::Outcome out;
   out.y = start;
   Pace pace{.trust = goal.reach * start.norm(), .bending = 0.5 / radius};
-  for (double began = now_us();;) {
+  Effort effort = deadline.effort();
+  for (;;) {
     const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
     const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
     const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
-    rows.gather(chart, out.y, reach, goal.guide == Guide::many ? 4 * margin : 0);
+    const double flat = goal.guide == Guide::many ? 4 * margin : 0;
+    if (!rows.gather(chart, out.y, reach, flat, effort)) return out;
     const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
     const double off = (nearest.y - out.y).norm();
     out.contacts = rows.holding(nearest);
@@ -113,9 +114,7 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
     if (out.converged || (hopeless && out.iterations >= 3)) return out;
     if (out.iterations >= goal.steps || pace.trust < 0.2 * margin) return out;
-    // The next step takes about as long as the last one did.
-    const double took = now_us() - std::exchange(began, now_us());
-    if (deadline.passed(took)) return out;
+    if (deadline.passed()) return out;
     ++out.iterations;
     leap(chart, nearest, margin, rows, pace, out.y);
   }

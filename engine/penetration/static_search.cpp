@@ -10,11 +10,13 @@
 #include "engine/penetration/crew.hpp"
 #include "engine/penetration/leap_descent.hpp"
 #include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/places.hpp"
+#include "engine/penetration/polish.hpp"
 #include "engine/penetration/random.hpp"
 #include "engine/penetration/result.hpp"
 #include "engine/penetration/sketch_search.hpp"
+#include "engine/penetration/without_search.hpp"
 #include "engine/proximity/intersect.hpp"
-#include "engine/proximity/placement.hpp"
 
 namespace sonde {
 namespace {
@@ -22,24 +24,25 @@ namespace {
 /// Starts that are descended side by side; what they find counts from the next round on, so that it
 /// does not matter how many threads there are.
 constexpr std::size_t per_round = 8;
-/// A list of pairs pays for many short steps, of which there are few here.
-constexpr ContactRows::Finding unlisted{.most_listed = 0};
-/// The rest of the time is for making what was found fit to be returned.
-constexpr double share_for_the_search = 0.55;
-/// Of which so much may go into the sketches.
-constexpr double share_for_sketches = 0.3;
+/// Of the time: so much for all of the search, and of that for the sketches. The rest is for making
+/// what was found fit to be returned, and for the exact test at the end.
+constexpr double share_for_sketches = 0.3, share_for_the_search = 0.6, share_for_polish = 0.95;
+/// Starts on sketches, for the depth asked for and for translations on the way.
+constexpr int sketch_starts = 64, sketch_starts_of_translations = 8;
 
 class Search {
  public:
-  Search(const Body& probe, const Body& fixed, const Pose& device, const StaticOptions& options)
+  Search(const Body& probe, const Body& fixed, const Pose& device, const StaticOptions& options,
+         const Deadline& deadline)
       : probe_(probe),
         fixed_(fixed),
         chart_(probe.mass, device),
         options_(options),
-        deadline_{options.budget.microseconds, now_us()},
-        searching_{share_for_the_search * options.budget.microseconds, deadline_.started},
+        deadline_(deadline.part(share_for_polish)),
+        searching_(deadline.part(share_for_the_search)),
+        sketching_(deadline.part(share_for_sketches)),
         lanes_{lane(probe, fixed), lane(probe, fixed)},
-        descent_(probe, fixed, options.method, unlisted),
+        polish_(probe, fixed, options.method),
         crew_(options.two_threads) {
     if (!options.sketches) return;
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane)
@@ -51,8 +54,8 @@ class Search {
     reserved_ = rotates() ? options_.budget.steps / 3 : 0;
     if (rotates()) first_starts(Method::pdg, 2000);
     reserved_ = 0;
-    if (!rotates() || found_.empty() || options_.budget.steps > 0) translations();
-    if (found_.empty()) return failed(chart_.device(), "no free pose was found");
+    if (!rotates() || places_.empty() || options_.budget.steps > 0) translations();
+    if (places_.empty()) return failed(chart_.device(), "no free pose was found");
     for (int start = 0; start < options_.starts && !done(); start += int{per_round})
       random_starts(start);
     if (rotates() && !std::isfinite(translated_.depth) && !out_of_budget()) translations();
@@ -60,13 +63,7 @@ class Search {
   }
 
  private:
-  struct Found {
-    Vec6 y = Vec6::Zero();
-    double depth = std::numeric_limits<double>::infinity();
-    int iterations = 0;
-    int starts = 1;  ///< that led there independently of what was found before: they confirm it
-  };
-  using Round = std::array<Found, per_round>;
+  using Round = std::array<Place, per_round>;
   /// Every other start of a round, one after the other, and what they work with.
   struct Lane {
     LeapDescent pdg, pdt;
@@ -82,7 +79,7 @@ class Search {
   bool rotates() const { return options_.method == Method::pdg; }
 
   bool out_of_budget() const { return searching_.passed() || steps_left() == 0; }
-  bool done() const { return out_of_budget() || agreeing_ >= options_.agreement; }
+  bool done() const { return out_of_budget() || places_.agreeing() >= options_.agreement; }
   int steps_left() const {
     return options_.budget.steps > 0 ? std::max(0, options_.budget.steps - reserved_ - iterations_)
                                      : std::numeric_limits<int>::max();
@@ -92,7 +89,7 @@ class Search {
   /// Runs start(k, lane) for each of a round, and takes down what they found.
   template <class Start>
   void round(const Start& start, std::size_t most = per_round) {
-    if (out_of_budget() && best_ < std::numeric_limits<double>::infinity()) return;
+    if (out_of_budget() && !places_.empty()) return;
     Round found;
     // Each has an equal share of the steps left, and some are not made where it is small.
     const std::size_t count =
@@ -102,21 +99,17 @@ class Search {
     for (std::size_t k = 0; k < count; ++k) note(found[k]);
   }
 
-  void note(const Found& f) {
-    iterations_ += f.iterations;
-    if (!std::isfinite(f.depth)) return;
-    if (f.depth < 0.98 * best_) agreeing_ = 0;
-    if (f.depth < 1.02 * std::min(best_, f.depth)) agreeing_ += f.starts;
-    best_ = std::min(best_, f.depth);
-    if (f.y.head<3>().isZero(0) && f.depth < translated_.depth) translated_ = f;
-    found_.push_back(f);
+  void note(const Place& place) {
+    iterations_ += place.iterations;
+    places_.note(place);
+    if (place.y.head<3>().isZero(0) && place.depth < translated_.depth) translated_ = place;
   }
 
   /// Down by leaps, roughly and where that is promising by the true contacts.
-  Found descend(LeapDescent& leaps, const Vec6& y, double beat) const {
+  Place descend(LeapDescent& leaps, const Vec6& y, double beat) const {
     const auto rough = leaps.run(
         chart_, y, {.steps = std::min(15, share_), .reach = 0.3, .beat = 1.1 * beat}, searching_);
-    Found out{rough.y, rough.y.norm(), rough.iterations};
+    Place out{rough.y, rough.y.norm(), rough.iterations};
     const int left = share_ - out.iterations;
     if (left <= 0 || (beat > 0 && out.depth > 1.2 * beat)) return out;
     const auto exact = leaps.run(chart_, rough.y,
@@ -129,7 +122,7 @@ class Search {
     return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
   }
 
-  Found descend_exactly(LeapDescent& leaps, const Vec6& y, double beat) const {
+  Place descend_exactly(LeapDescent& leaps, const Vec6& y, double beat) const {
     const auto exact = leaps.run(chart_, y,
                                  {.guide = Guide::few,
                                   .tolerance = 0.01,
@@ -153,7 +146,7 @@ class Search {
           lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
           return descend(leaps, *y, y->norm());
         }
-      return Found{};
+      return Place{};
     });
   }
 
@@ -164,13 +157,13 @@ class Search {
     const std::vector<SketchEnd> ends = search_sketches(
         chart_,
         {.method = method,
-         .fewest = method == options_.method ? 48 : 16,
+         .fewest = method == options_.method ? sketch_starts : sketch_starts_of_translations,
          .seed = options_.seed,
-         .deadline = {share_for_sketches * deadline_.microseconds, deadline_.started}},
+         .deadline = sketching_},
         sketched_, crew_);
     from_sketches(method, ends);
-    if (method == options_.method && found_.empty()) return near_starts(method, streams);
-    if (!out_of_budget()) pockets(method, streams);
+    if (method == options_.method && places_.empty()) return near_starts(method, streams);
+    if (!out_of_budget() && method == options_.method) pockets(streams);
   }
 
   /// On from the ends found there, as long as they may be better than what has been found.
@@ -178,13 +171,13 @@ class Search {
     const double off = 0.3 * sketched_[0].spacing();
     for (std::size_t first = 0; first < std::min<std::size_t>(ends.size(), 8) && !out_of_budget();
          first += 2) {
-      const double beat = method == options_.method ? best_ : translated_.depth;
+      const double beat = method == options_.method ? places_.best() : translated_.depth;
       if (ends[first].depth - off > 1.02 * beat) break;
       round(
           [&](std::size_t k, Lane& lane) {
             const SketchEnd& end = ends[first + k];
             const auto y = freed(end.y, method, lane);
-            Found out = y ? descend_exactly(descent_of(lane, method), *y, beat) : Found{};
+            Place out = y ? descend_exactly(descent_of(lane, method), *y, beat) : Place{};
             out.starts = method == options_.method ? end.starts : 0;
             return out;
           },
@@ -209,15 +202,15 @@ class Search {
 
   /// From free poses nearer than the best so far: there must be none, but where there is a way out
   /// too narrow for the sketches to show it.
-  void pockets(Method method, std::uint64_t streams) {
+  void pockets(std::uint64_t streams) {
     round([&](std::size_t k, Lane& lane) {
       Random random = stream(streams + k);
-      const double best = method == options_.method ? best_ : translated_.depth;
+      LeapDescent& leaps = descent_of(lane, options_.method);
+      const double best = places_.best();
       for (double radius = 0.1 * best; radius < best; radius *= 1.5)
-        if (const auto y =
-                free_sample(descent_of(lane, method), random, Vec6::Zero(), radius, 2, method))
-          return descend(descent_of(lane, method), *y, best);
-      return Found{};
+        if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, 2, options_.method))
+          return descend(leaps, *y, best);
+      return Place{};
     });
   }
 
@@ -235,18 +228,17 @@ class Search {
       Vec6 y = Vec6::Zero();
       y.tail<3>() = away * way.normalized();
       y = lane.pdt.pull_in(chart_, y);
-      return descend(lane.pdt, y, best_);
+      return descend(lane.pdt, y, places_.best());
     });
   }
 
   /// By translation alone; and on from there by all six.
   void translations() {
-    const std::size_t before = found_.size();
     first_starts(Method::pdt, 1000);
-    if (!rotates() || found_.size() == before) starts_outside();
+    if (!rotates() || !std::isfinite(translated_.depth)) starts_outside();
     if (!rotates() || out_of_budget() || !std::isfinite(translated_.depth)) return;
     share_ = steps_left();
-    note(descend(lanes_[0].pdg, translated_.y, best_));
+    note(descend(lanes_[0].pdg, translated_.y, places_.best()));
   }
 
   /// Random poses of a ball about y: a free one, if there is one among so many.
@@ -269,49 +261,39 @@ class Search {
   /// From random free poses of balls somewhat larger than the best depth so far; and near the best
   /// that were found, since where there are many places to end in the better ones lie together.
   void random_starts(int first) {
-    const double best = best_;
-    const std::vector<Vec6> ends = best_ends(3);
+    const double best = places_.best();
+    const std::vector<Vec6> ends = places_.nearest(3);
     round([&](std::size_t k, Lane& lane) {
       Random random = stream(static_cast<std::uint64_t>(first) + k);
-      if (k >= 3) return start_near(ends[(k - 3) % ends.size()], best, random, lane);
+      if (k >= 3) {
+        const std::size_t turn = static_cast<std::size_t>(first) / per_round * (per_round - 3) + k;
+        return start_near(ends[turn % ends.size()], best, random, lane);
+      }
       constexpr double widths[] = {0.75, 1.15, 1.5};
       const double widest = widths[k];
       std::optional<Vec6> y;
       for (double grown = 1; !y && grown < 4 && !searching_.passed(); grown *= 1.2)
         y = free_sample(descent_of(lane, options_.method), random, Vec6::Zero(),
                         grown * widest * best, 50, options_.method);
-      return y ? descend(descent_of(lane, options_.method), *y, best) : Found{};
+      return y ? descend(descent_of(lane, options_.method), *y, best) : Place{};
     });
   }
 
-  Found start_near(const Vec6& end, double best, Random& random, Lane& lane) {
+  Place start_near(const Vec6& end, double best, Random& random, Lane& lane) {
     const double radius = best * random.uniform(0.03, 0.5);
     const auto y =
         free_sample(descent_of(lane, options_.method), random, end, radius, 50, options_.method);
-    Found out = y ? descend(descent_of(lane, options_.method), *y, best) : Found{};
+    Place out = y ? descend(descent_of(lane, options_.method), *y, best) : Place{};
     out.starts = 0;
     return out;
-  }
-
-  /// The nearest of all ends, no two of them close together.
-  std::vector<Vec6> best_ends(std::size_t count) {
-    std::stable_sort(found_.begin(), found_.end(), nearer);
-    std::vector<Vec6> ends;
-    for (const Found& f : found_) {
-      if (ends.size() == count) break;
-      const bool known = std::ranges::any_of(
-          ends, [&](const Vec6& y) { return (y - f.y).norm() < 0.02 * f.depth; });
-      if (!known) ends.push_back(f.y);
-    }
-    return ends;
   }
 
   /// The best few to the last digit; the best of them that stands the exact test.
   Separation finish() {
     std::vector<Separation> answers;
-    for (const Vec6& y : best_ends(3)) {
-      if (y.norm() > 1.03 * best_ || (late() && !answers.empty())) break;
-      answers.push_back(polish(descent_of(lanes_[0], options_.method), descent_, y));
+    for (const Vec6& y : places_.nearest(3)) {
+      if (y.norm() > 1.03 * places_.best() || (late() && !answers.empty())) break;
+      answers.push_back(polished(polish_, descent_of(lanes_[0], options_.method), y));
     }
     std::optional<double> pdt;
     if (rotates() && (!deadline_.passed() || answers.empty())) pdt = add_translation(answers);
@@ -327,96 +309,52 @@ class Search {
     return failed(chart_.device(), "no separated pose stood the exact test");
   }
 
-  /// To the last digit. What leaps do not bring to an end is swept there.
-  Separation polish(LeapDescent& leaps, Descent& descent, const Vec6& from) {
-    if (late()) {
-      // Free it is: all that is left to do is to let it touch.
-      iterations_ += 1;
-      return make_separation(
-          chart_, descent.run(chart_, from, {.steps = 0}, 1e-3 * from.norm(), deadline_));
-    }
-    const LeapGoal near{
-        .guide = Guide::few, .tolerance = 1e-3, .steps = std::min(20, steps_left()), .reach = 0.05};
-    auto o = leaps.run(chart_, from, near, deadline_);
-    int taken = o.iterations;
-    const LeapGoal fine{.guide = Guide::many,
-                        .tolerance = 1e-4,
-                        .steps = std::min(30, steps_left() - taken),
-                        .reach = 0.005};
-    o = leaps.run(chart_, o.y, fine, deadline_);
-    taken += o.iterations;
-    if (!o.converged) {
-      const DescentGoal swept{.steps = std::clamp(steps_left() - taken, 0, 60)};
-      o = descent.run(chart_, o.y, swept, 1e-3 * o.y.norm(), deadline_);
-      taken += o.iterations;
-    }
-    iterations_ += taken;
-    return make_separation(chart_, o);
+  Separation polished(Polish& polish, LeapDescent& leaps, const Vec6& from) {
+    const Descent::Outcome out = polish.run(chart_, from, leaps, steps_left(), deadline_);
+    iterations_ += out.iterations;
+    return make_separation(chart_, out);
   }
 
   /// The translational depth to the last digit. Where it competes with all six degrees, they go on
   /// from there: what holds the probe against a turn as well makes it an answer of theirs.
   std::optional<double> add_translation(std::vector<Separation>& answers) {
     if (!std::isfinite(translated_.depth)) return std::nullopt;
-    Descent descent(probe_, fixed_, Method::pdt, unlisted);
-    const Separation out = polish(lanes_[0].pdt, descent, translated_.y);
+    Polish polish(probe_, fixed_, Method::pdt);
+    const Separation out = polished(polish, lanes_[0].pdt, translated_.y);
     if (overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return std::nullopt;
     const bool competes = std::ranges::all_of(
         answers, [&](const Separation& a) { return out.depth < 1.001 * a.depth; });
     answers.push_back(out);
     if (!competes || late()) return out.depth;
-    const Separation on = polish(lanes_[0].pdg, descent_, chart_.coordinates(out.separated));
+    const Separation on = polished(polish_, lanes_[0].pdg, chart_.coordinates(out.separated));
     if (!overlap(probe_, fixed_, Transform(on.separated), Doubt::exact)) answers.back() = on;
     return std::max(out.depth, on.depth);  // the same, but for rounding, where no turn helps
   }
-
-  static bool nearer(const Found& a, const Found& b) { return a.depth < b.depth; }
 
   const Body& probe_;
   const Body& fixed_;
   Chart chart_;
   StaticOptions options_;
-  Deadline deadline_, searching_;
+  Deadline deadline_, searching_, sketching_;
   std::array<Lane, 2> lanes_;
-  Descent descent_;
+  Polish polish_;
   std::vector<SketchDescent> sketched_;  // one for each lane, or none
   Crew crew_;
-  std::vector<Found> found_;
-  Found translated_;
-  double best_ = std::numeric_limits<double>::infinity();  // m
-  int agreeing_ = 0;
+  Places places_;
+  Place translated_;
   int share_ = 0;     // of the steps, for each start of a round
   int reserved_ = 0;  // of the steps, for later
   int iterations_ = 0;
 };
 
-/// Of the probe's radius: where coordinates are rounded by more, contacts mean nothing.
-constexpr double largest_rounding = 0.01;
-
-/// Is the probe's ball about its centre of mass clear of the box around the fixed body?
-bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, double rounding) {
-  const Vec3 com = X * probe.mass.com;
-  const Vec3 nearest = com.cwiseMax(fixed.tree.low).cwiseMin(fixed.tree.high);
-  return (com - nearest).stableNorm() > probe.mass.radius + rounding;
-}
-
 }  // namespace
 
 Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
                            const StaticOptions& options) {
-  if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
-  const Pose device{X_FM.q.normalized(), X_FM.p};
-  // Without a look at the trees: rounding that is as large as a body makes all boxes overlap.
-  const double rounding = rounding_guard(extent(probe), extent(fixed), device.p);
-  if (ball_is_clear(probe, fixed, Transform(device), rounding)) return separated_at(device);
-  if (rounding > largest_rounding * probe.mass.radius)
-    return failed(device, "too far from the origin for the size of the probe");
   const Deadline deadline{options.budget.microseconds, now_us()};
-  Separation out;
-  if (!overlap(probe, fixed, Transform(device), Doubt::exact))
-    out = separated_at(device);
-  else
-    out = Search(probe, fixed, device, options).run();
+  const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
+  if (const auto settled = without_search(probe, fixed, device)) return *settled;
+  Separation out = Search(probe, fixed, device, options, deadline).run();
   if (options.want_lower_bound && out.status == Status::penetrating)
     out.lower_bound = depth_lower_bound(probe, fixed, device, deadline);
   return out;

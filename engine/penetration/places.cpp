@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+/// Of the depth: depths that differ by less are the same one, and ends are at one place.
+constexpr double same = 0.02;
+
+}  // namespace
+
+void Places::note(const Place& place) {
+  if (!std::isfinite(place.depth)) return;
+  if (place.depth < (1 - same) * best_) agreeing_ = 0;
+  best_ = std::min(best_, place.depth);
+  if (place.depth < (1 + same) * best_) agreeing_ += place.starts;
+  const auto later = std::ranges::upper_bound(places_, place.depth, {}, &Place::depth);
+  places_.insert(later, place);
+}
+
+std::vector<Vec6> Places::nearest(std::size_t count) const {
+  std::vector<Vec6> out;
+  for (const Place& place : places_) {
+    if (out.size() == count) break;
+    const auto is_here = [&](const Vec6& y) { return (y - place.y).norm() < same * place.depth; };
+    if (std::ranges::none_of(out, is_here)) out.push_back(place.y);
+  }
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "engine/proximity/motion.hpp"
+
+namespace sonde {
+
+/// Where descents of a search ended.
+struct Place {
+  Vec6 y = Vec6::Zero();
+  double depth = std::numeric_limits<double>::infinity();  ///< |y|, m; infinite: nowhere
+  int iterations = 0;                                      ///< what it took
+  int starts = 1;  ///< that led there independently of what was found before: they confirm it
+};
+
+/// The places found so far, and how many starts agree on the best of them.
+class Places {
+ public:
+  void note(const Place& place);
+
+  bool empty() const { return places_.empty(); }
+  double best() const { return best_; }  ///< m; infinite where there is none
+  /// Independent starts that ended at the best depth, to 2 %.
+  int agreeing() const { return agreeing_; }
+  /// The nearest so many, the best first, no two of them close together.
+  std::vector<Vec6> nearest(std::size_t count) const;
+
+ private:
+  std::vector<Place> places_;  // the nearest first
+  double best_ = std::numeric_limits<double>::infinity();
+  int agreeing_ = 0;
+};
+
+}  // namespace sonde
