@@ -100,6 +100,7 @@ class Search {
 
   Vec6 sample(Random& random, double ball) const {
     Vec6 y = random.in_ball(ball);
+    y.tail<3>() = search_.axes * y.tail<3>();
     for (int k = 0; k < 3; ++k)
       if (search_.method == Method::pdt || !(chart_.mass().inertia[k] > 0)) y[k] = 0;
     return y;

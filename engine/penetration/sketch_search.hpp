@@ -25,6 +25,9 @@ struct SketchSearch {
   int most = 96;    ///< until as many as a quarter of the fewest have ended at the same depth
   std::uint64_t seed = 1;
   Deadline deadline = {};
+  /// Along which random displacements are drawn: those of the fixed body, where the search is not
+  /// to depend on how the world is turned.
+  Mat3 axes = Mat3::Identity();
 };
 
 /// Looks for the places nearest to the origin at which the sketches are apart, from random starts,

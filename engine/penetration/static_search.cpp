@@ -26,9 +26,9 @@ namespace {
 constexpr std::size_t per_round = 8;
 /// Of the time: so much for all of the search, and of that for the sketches. The rest is for making
 /// what was found fit to be returned, and for the exact test at the end.
-constexpr double share_for_sketches = 0.3, share_for_the_search = 0.6, share_for_polish = 0.95;
+constexpr double share_for_sketches = 0.3, share_for_the_search = 0.8, share_for_polish = 0.97;
 /// Starts on sketches, for the depth asked for and for translations on the way.
-constexpr int sketch_starts = 64, sketch_starts_of_translations = 8;
+constexpr int sketch_starts = 48, sketch_starts_of_translations = 8;
 
 class Search {
  public:
@@ -159,7 +159,8 @@ class Search {
         {.method = method,
          .fewest = method == options_.method ? sketch_starts : sketch_starts_of_translations,
          .seed = options_.seed,
-         .deadline = sketching_},
+         .deadline = sketching_,
+         .axes = fixed_.mass.R_MP},
         sketched_, crew_);
     from_sketches(method, ends);
     if (method == options_.method && places_.empty()) return near_starts(method, streams);
@@ -214,7 +215,7 @@ class Search {
     });
   }
 
-  /// From outside to contact along the axes, and along the line of the middles.
+  /// From outside to contact along the fixed body's axes, and along the line of the middles.
   void starts_outside() {
     const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
     const Vec3 offset = chart_.com() - center;
@@ -222,7 +223,7 @@ class Search {
     const double away = 1.01 * (offset.norm() + half + probe_.mass.radius);
     round([&](std::size_t k, Lane& lane) {
       const auto axis = static_cast<int>(k / 2) % 3;
-      Vec3 way = k < 6 ? Vec3(Vec3::Unit(axis)) : offset;
+      Vec3 way = k < 6 ? Vec3(fixed_.mass.R_MP.col(axis)) : offset;
       if (k % 2 == 1) way = -way;
       if (!(way.norm() > 0)) way = Vec3::Ones();
       Vec6 y = Vec6::Zero();
@@ -245,7 +246,9 @@ class Search {
   std::optional<Vec6> free_sample(const LeapDescent& leaps, Random& random, const Vec6& center,
                                   double radius, int tries, Method method) const {
     for (int i = 0; i < tries && !searching_.passed(); ++i) {
-      Vec6 y = center + random.in_ball(radius);
+      Vec6 y = random.in_ball(radius);
+      y.tail<3>() = fixed_.mass.R_MP * y.tail<3>();  // not to depend on how the world is turned
+      y += center;
       if (method == Method::pdt) y.head<3>().setZero();
       for (int k = 0; k < 3; ++k)
         if (!(probe_.mass.inertia[k] > 0)) y[k] = 0;
@@ -262,7 +265,7 @@ class Search {
   /// that were found, since where there are many places to end in the better ones lie together.
   void random_starts(int first) {
     const double best = places_.best();
-    const std::vector<Vec6> ends = places_.nearest(3);
+    const std::vector<Vec6> ends = places_.nearest(6);
     round([&](std::size_t k, Lane& lane) {
       Random random = stream(static_cast<std::uint64_t>(first) + k);
       if (k >= 3) {
@@ -280,7 +283,7 @@ class Search {
   }
 
   Place start_near(const Vec6& end, double best, Random& random, Lane& lane) {
-    const double radius = best * random.uniform(0.03, 0.5);
+    const double part = random.uniform(0, 1), radius = best * (0.03 + 0.47 * part * part);
     const auto y =
         free_sample(descent_of(lane, options_.method), random, end, radius, 50, options_.method);
     Place out = y ? descend(descent_of(lane, options_.method), *y, best) : Place{};

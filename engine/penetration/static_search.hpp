@@ -13,7 +13,7 @@ struct StaticOptions {
   Method method = Method::pdg;
   Budget budget;
   std::uint64_t seed = 1;
-  int starts = 256;  ///< random free starts at most; fewer where the same depth is found repeatedly
+  int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
   int agreement = 6;  ///< so many starts that ended at the best depth (to 2 %) are enough
   bool want_lower_bound = true;
   bool two_threads = false;  ///< the same bits

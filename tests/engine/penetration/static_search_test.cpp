@@ -359,33 +359,5 @@ TEST(StaticSearch, probes_without_thickness) {
     }
 }
 
-TEST(StaticSearch, what_is_not_finite_is_refused) {
-  const auto cube = test::body(test::box({1, 1, 1}));
-  Pose bad;
-  bad.p.x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(separate_static(*cube, *cube, bad).status, Status::failed);
-  bad = {};
-  bad.q.w() = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(separate_static(*cube, *cube, bad).status, Status::failed);
-  bad.q.coeffs().setZero();
-  EXPECT_EQ(separate_static(*cube, *cube, bad).status, Status::failed);
-}
-
-// Reference: the bodies themselves. Where coordinates are rounded by more than a body is large,
-// only what is plain can be said.
-TEST(StaticSearch, far_poses_are_separated_or_refused) {
-  const auto cube = test::body(test::box({1, 1, 1}));
-  Pose away;
-  for (const double distance : {1e9, 1e13, 1e100, 1e300}) {
-    away.p = Vec3(distance, -distance, 0.5 * distance);
-    EXPECT_EQ(separate_static(*cube, *cube, away).status, Status::separated) << distance;
-  }
-  const auto far = test::body(test::scaled_and_moved(test::box({1, 1, 1}), 1, Vec3(1e14, 0, 0)));
-  away.p = Vec3(1e14, 0, 0);
-  const Separation refused = separate_static(*cube, *far, away);
-  EXPECT_EQ(refused.status, Status::failed);
-  EXPECT_STRNE(refused.reason, "");
-}
-
 }  // namespace
 }  // namespace sonde
