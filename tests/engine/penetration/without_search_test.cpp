@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "tests/support/pairs.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
