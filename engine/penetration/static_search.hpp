@@ -14,7 +14,7 @@ struct StaticOptions {
   Budget budget;
   std::uint64_t seed = 1;
   int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
-  int agreement = 6;  ///< so many starts that ended at the best depth (to 2 %) are enough
+  int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
   bool want_lower_bound = true;
   bool two_threads = false;  ///< the same bits
   /// Of the same two bodies (make_sketches): the search is quicker, and better where time is short.
