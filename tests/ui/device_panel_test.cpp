@@ -77,6 +77,9 @@ TEST_F(DevicePanelTest, a_connected_device_shows_its_numbers_with_units) {
   panel->show_report(puck, now);
   EXPECT_TRUE(find<QLabel>("device_state")->text().contains("faulty"));
   EXPECT_TRUE(find<QLabel>("device_reason")->text().contains("jumped 200 mm"));
+  now.device.scheduling = "no real-time scheduling: not permitted";
+  panel->show_report(puck, now);
+  EXPECT_TRUE(find<QLabel>("device_reason")->text().contains("no real-time scheduling"));
 }
 
 TEST_F(DevicePanelTest, it_shows_what_means_something_to_the_device_and_no_more) {
