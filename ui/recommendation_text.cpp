@@ -150,7 +150,8 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   else
     lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
                  .arg(words_of(gains->limit.reason), where(gains->limit));
-  if (const QString assumed = rests_on(results, axis); !assumed.isEmpty()) lines << assumed;
+  const QString assumed = alone ? QString() : rests_on(results, axis);
+  if (!assumed.isEmpty()) lines << assumed;
   return lines.join('\n');
 }
 

@@ -49,5 +49,18 @@ TEST(RecommendationText, another_reason_and_none_at_all) {
   EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("no gains to recommend"));
 }
 
+TEST(RecommendationText, of_the_classic_coupling_all_four_gains_are_named_and_what_is_no_advice) {
+  TuningResults r = sonde::test::results();
+  r.mode = Coupling::Mode::classic;
+  r.joint = {2e-4, 1e-3};
+  r.lines = {line(0, GainAxis::together, {column(5, 900, 900, HoldFault::unstable)}),
+             line(0, GainAxis::translation, {column(0, 3000, 3000, HoldFault::unstable)})};
+  const QString text = recommendation_text(r, GainAxis::together);
+  for (const char* words : {"Recommended: k_t = 600 N/m, b_t = 5.00 N·s/m", "k_r = 0.120 N·m/rad",
+                            "b_r = 0.00500 N·m·s/rad"})
+    EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << "\n" << text.toStdString();
+  EXPECT_TRUE(recommendation_text(r, GainAxis::translation).startsWith("Alone"));
+}
+
 }  // namespace
 }  // namespace sonde::ui
