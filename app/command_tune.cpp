@@ -54,7 +54,8 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const B
 
 /// The contacts that the study is not about.
 void note_skipped(const Study& study) {
-  for (const Json& each : Json::parse(study.about).at("skipped"))
+  const Json about = Json::parse(study.about);
+  for (const Json& each : about.at("skipped"))
     std::cerr << "sonde: left out: " << each.at("kind").get<std::string>()
               << " contact: " << each.at("reason").get<std::string>() << "\n";
 }
