@@ -40,28 +40,44 @@ struct CoherentSolver::State {
     last.separated = chart.pose(Vec6::Zero());
   }
 
+  /// How far the device has come, m, by which the depth may well have fallen: √σ; and where only
+  /// translations count, the way of any point of the probe.
+  double device_motion(const Pose& to) const noexcept {
+    const Chart from(probe->mass, device);
+    const Vec6 y = from.coordinates(to);
+    if (method == Method::pdg) return y.norm();
+    return y.tail<3>().norm() + 2 * from.v(y).norm() * probe->mass.radius;
+  }
+
   bool within_reach(const Pose& X) const {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(*probe) + extent(*fixed));
   }
 
-  /// Translation only: the separated probe has to turn with the device first. It turns and is
-  /// lifted off its contacts by as much as the turn can move a point of it, in one motion that is
-  /// swept; the descent lets it down again. False where that is blocked: then it has turned as far
-  /// as it could.
+  /// Translation only: the separated probe has to turn with the device first, in one motion that is
+  /// swept: to where the rows of the last tick let it rest, or lifted off its contacts by as much
+  /// as the turn can move a point of it; the descent lets it down again. False where that is
+  /// blocked: then it has turned as far as it could.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
     const double reach = 2 * chart.v(y).norm() * probe->mass.radius;
     Vec6 furthest = y;
+    const auto turns_to = [&](const Vec6& turned) {
+      const Sweep swept = descent.sweep_to(chart, y, turned, effort);
+      const Vec6 reached = swept.hit ? Vec6(y + 0.9 * swept.free_until * (turned - y)) : turned;
+      if (reached.head<3>().norm() < furthest.head<3>().norm()) furthest = reached;
+      return !swept.hit;
+    };
+    const std::optional<Vec6> rest = descent.turned_by_rows(chart, y);
+    bool followed = rest && turns_to(*rest);
     for (const double lift : {0, 1, 2, 4}) {
+      if (followed) break;
       Vec6 turned = Vec6::Zero();
       turned.tail<3>() = y.tail<3>() * (depth > 0 ? 1 + lift * reach / depth : 1);
-      const Sweep swept = descent.sweep_to(chart, y, turned, effort);
-      if (!swept.hit) return y = turned, true;
-      const Vec6 reached = y + 0.9 * swept.free_until * (turned - y);
-      if (reached.head<3>().norm() < furthest.head<3>().norm()) furthest = reached;
+      followed = turns_to(turned);
     }
-    return y = furthest, false;
+    y = furthest;
+    return followed;
   }
 };
 
@@ -110,7 +126,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
-  const double moved = Chart(s.probe->mass, s.device).coordinates(device).norm();
+  const double moved = s.device_motion(device);
   const Descent::Outcome found =
       s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), effort);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;

@@ -111,10 +111,10 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   const Transform X(chart.pose(y));
   asked_ = std::min(reach, crowded_);
   const NearPairs near = find_pairs(X, asked_, effort);
-  count_ = 0;
-  smallest_gap_ = reach_ = std::max(near.reach, 0.0);
   gathered_ = near.reach >= 0 && !effort.is_spent();
   if (!gathered_) return false;
+  count_ = 0;
+  smallest_gap_ = reach_ = near.reach;
   X_ = X;
   turn_ = 2 * reach_ / probe_.mass.radius;
   const std::span<NearPair> pairs(pairs_.data(), near.count);
@@ -141,11 +141,23 @@ bool ContactRows::again(const Chart& chart, const Vec6& y) noexcept {
   return true;
 }
 
+void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
+  const Transform X(chart.pose(y));
+  for (std::size_t i = 0; i < count_; ++i) {
+    Contact& c = contacts_[i];
+    c.on_probe = X * (X_.R.transpose() * (c.on_probe - X_.p));
+    c.gap = c.normal.dot(c.on_probe - c.on_fixed);
+  }
+  X_ = X;
+  gathered_ = false;
+  linearise(chart, y);
+}
+
 void ContactRows::linearise(const Chart& chart, const Vec6& y) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
-    if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
     at_[i] = rows_[i].normal.dot(y);
+    if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
   }
 }
 

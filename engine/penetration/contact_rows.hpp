@@ -33,7 +33,8 @@ class ContactRows {
 
   /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
   /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one
-  /// point alone. False, and no rows, where the effort ran out.
+  /// point alone. False, and nothing new, where the effort ran
+  /// out.
   bool gather(const Chart& chart, const Vec6& y, double reach, double flat,
               Effort& effort) noexcept;
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
@@ -44,6 +45,10 @@ class ContactRows {
   /// The contacts of the last gather as rows in another chart, in which the probe stands at y.
   /// False where that is not where they were gathered, or there was none.
   bool again(const Chart& chart, const Vec6& y) noexcept;
+
+  /// The contacts of the last gather that was not cut short, moved with the probe to y: all there
+  /// is where there was no effort to look.
+  void carry(const Chart& chart, const Vec6& y) noexcept;
 
   /// The last gather was too much work: the next ones have half of its reach, and then more again.
   void look_less_far() noexcept { crowded_ = 0.5 * asked_; }

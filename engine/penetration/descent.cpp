@@ -115,6 +115,14 @@ Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
   return rows_.sweep_along(Motion(chart, y, target), 0.5 * margin(chart, y.norm()), effort);
 }
 
+std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) noexcept {
+  if (!rows_.again(chart, y)) return std::nullopt;
+  // A little above the contacts, since they bend.
+  const LeastDistance rest = rows_.solve(1.2 * margin(chart, y.norm()), ContactRows::Narrow::open);
+  if (!rest.feasible) return std::nullopt;
+  return rest.y;
+}
+
 void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
   const Vec6 y = out.y;
   const Sweep swept = sweep_to(chart, y, Vec6::Zero(), effort);
@@ -154,7 +162,10 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const double reach =
         std::clamp((out.iterations == 0 ? 2 : 0.5) * pace.scale, 16 * margin, widest);
     if (!known && !rows_.gather(chart, y, reach, 4 * margin, effort)) {
-      if (out.iterations == 0) rows_.look_less_far();
+      if (out.iterations > 0) return out;
+      rows_.look_less_far();
+      rows_.carry(chart, y);
+      report(out, y, rows_.solve(margin, ContactRows::Narrow::keep));
       return out;
     }
     known = false;

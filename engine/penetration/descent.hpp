@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/geometry/body.hpp"
 #include "engine/penetration/contact_rows.hpp"
 #include "engine/penetration/deadline.hpp"
@@ -47,9 +49,14 @@ class Descent {
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline) noexcept;
   /// The effort may end anywhere, also within the first step. The path is free up to where the run
-  /// stopped; it may be away from any contact, and the contacts are those last found on the way.
+  /// stopped; it may be away from any contact, and the contacts are those last found: on the way,
+  /// or where there was no effort to look at all, those of the run before, moved with the probe.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               Effort& effort) noexcept;
+
+  /// Translation only: where the probe, turned as the device is, comes to rest by the rows of where
+  /// the last run ended. None where y is not there.
+  std::optional<Vec6> turned_by_rows(const Chart& chart, const Vec6& y) noexcept;
 
   /// Sweeps the probe from y straight to another point, with half of the gap that a run leaves.
   Sweep sweep_to(const Chart& chart, const Vec6& y, const Vec6& target, Effort& effort) noexcept;

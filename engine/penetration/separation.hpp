@@ -76,8 +76,8 @@ struct Separation {
   int iterations = 0;        ///< linearise-solve-advance steps taken
   bool converged = false;    ///< false: the budget ran out first
   /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
-  /// free led over an edge to another place, the depth fell by more than the device moved (force is
-  /// not continuous there).
+  /// free led over an edge to another place, the depth fell by more than the device moved (by
+  /// translation only: than any point of it did); force is not continuous there.
   bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
   /// Static only: the translational depth found on the way, m; none where the time ran out before.

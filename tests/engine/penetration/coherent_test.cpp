@@ -177,6 +177,69 @@ TEST(Coherent, a_descent_cut_short_goes_on_in_the_next_ticks) {
   }
 }
 
+// By hand: what holds the probe goes on holding it. One unit of work is spent before the first
+// look.
+TEST(Coherent, a_starved_tick_keeps_its_contacts) {
+  std::mt19937_64 random(11);
+  for (const auto& pair : pairs())
+    for (const Method method : {Method::pdg, Method::pdt}) {
+      CoherentSolver solver(pair.a, pair.b, method);
+      const auto path = walk(random, pair, 120, 0.1);
+      solver.reset(path[0]);
+      for (const Pose& X : path) solver.tick(X);
+      const Separation known = solver.last();
+      ASSERT_EQ(known.status, Status::penetrating) << pair.name;
+      ASSERT_GT(known.clusters.size, 0) << pair.name;
+      Budget budget;
+      budget.work = 1;
+      const Vec3 onward =
+          1e-4 * pair.a->mass.radius * (path.back().p - path.front().p).normalized();
+      Pose X = path.back();
+      for (int i = 0; i < 5; ++i) {
+        X.p += onward;
+        const Separation& s = solver.tick(X, budget);
+        ASSERT_EQ(s.status, Status::penetrating) << pair.name;
+        EXPECT_GT(s.contacts.size, 0) << pair.name << i;
+        ASSERT_GT(s.clusters.size, 0) << pair.name << i;
+        bool is_known = false;
+        for (const ContactCluster& c : s.clusters)
+          for (const ContactCluster& k : known.clusters) is_known |= c.id == k.id;
+        EXPECT_TRUE(is_known) << pair.name << i;
+      }
+    }
+}
+
+// Reference: exact predicates; and with as much work as it takes the translation is at rest.
+TEST(Coherent, translation_only_holds_wherever_the_work_runs_out) {
+  std::mt19937_64 random(12);
+  for (const auto& pair : pairs())
+    for (const std::int64_t work : {1, 1000, 3000}) {
+      CoherentSolver solver(pair.a, pair.b, Method::pdt), twin(pair.a, pair.b, Method::pdt);
+      const auto path = walk(random, pair, 120, 0.1);
+      ASSERT_EQ(solver.reset(path[0]).status, Status::separated);
+      twin.reset(path[0]);
+      Budget budget;
+      budget.work = work;
+      int contacts = 0, converged = 0;
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        const Separation s = solver.tick(path[i], budget);
+        ASSERT_NE(s.status, Status::failed);
+        EXPECT_EQ(s.separated.p, twin.tick(path[i], budget).separated.p)
+            << "the same work, the same bits";
+        contacts += s.status == Status::penetrating;
+        converged += s.status == Status::penetrating && s.converged;
+        if (s.converged) {
+          EXPECT_LT(s.separated.q.angularDistance(path[i].q), 1e-7) << pair.name;
+        }
+        if (i % 12 == 0) {
+          EXPECT_TRUE(test::is_free(*pair.a, *pair.b, Transform(s.separated))) << pair.name << i;
+        }
+      }
+      EXPECT_GT(contacts, 10) << pair.name;
+      EXPECT_LT(converged, contacts) << pair.name << work;  // or it was no limit
+    }
+}
+
 TEST(Coherent, Full_rules_of_every_tick) {
   for (int seed = 100; seed < 140; ++seed) {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
