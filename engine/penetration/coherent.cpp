@@ -122,7 +122,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const Pose device{X_FM.q.normalized(), X_FM.p};
   Chart chart(s.probe->mass, device);
   chart.absorb_free_spin(s.separated);
-  Vec6 y = chart.coordinates(s.separated);
+  const Vec6 from = chart.coordinates(s.separated);
+  Vec6 y = from;
   const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
@@ -131,6 +132,9 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
       s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), effort);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
+  // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by
+  // more the nearer the turn is to a half one, and nothing has swept that.
+  if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
   // The depth that the last tick found was the best near by; it can only have fallen further than
   // the device moved by leaving that place for another.

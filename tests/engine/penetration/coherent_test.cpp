@@ -209,6 +209,26 @@ TEST(Coherent, a_starved_tick_keeps_its_contacts) {
     }
 }
 
+// A tick that cannot move the probe must not move it by rounding either, which no sweep would see.
+TEST(Coherent, a_probe_at_rest_stays_to_the_bit) {
+  std::mt19937_64 random(13);
+  for (const auto& pair : pairs()) {
+    CoherentSolver solver(pair.a, pair.b);
+    const auto path = walk(random, pair, 60, 0.1);
+    solver.reset(path[0]);
+    for (const Pose& X : path) solver.tick(X);
+    for (int i = 0; i < 50 && !solver.last().converged; ++i) solver.tick(path.back());
+    const Separation rest = solver.last();
+    ASSERT_EQ(rest.status, Status::penetrating) << pair.name;
+    ASSERT_TRUE(rest.converged) << pair.name;
+    for (int i = 0; i < 50; ++i) {
+      const Separation& s = solver.tick(path.back());
+      EXPECT_EQ(s.separated.p, rest.separated.p) << pair.name << i;
+      EXPECT_EQ(s.separated.q.coeffs(), rest.separated.q.coeffs()) << pair.name << i;
+    }
+  }
+}
+
 // Reference: exact predicates; and with as much work as it takes the translation is at rest.
 TEST(Coherent, translation_only_holds_wherever_the_work_runs_out) {
   std::mt19937_64 random(12);
