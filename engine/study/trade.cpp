@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 /// The reference: so many searches that do not stop before so many starts.
 constexpr int long_searches = 4;
-constexpr int long_starts = 128;
+constexpr int long_starts = 512;
 
 constexpr int search_steps[] = {8, 16, 32, 64, 128, 256, 512, 1024, 0};
 constexpr int bound_work[] = {1250, 5000, 20'000, 80'000};
