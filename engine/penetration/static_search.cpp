@@ -24,8 +24,8 @@ namespace {
 /// Starts that are descended side by side; what they find counts from the next round on, so that it
 /// does not matter how many threads there are.
 constexpr std::size_t per_round = 8;
-/// Of the time: so much for all of the search, and of that for the sketches. The rest is for making
-/// what was found fit to be returned, and for the exact test at the end.
+/// Of the time: until when sketches are searched, until when anything is, and until when what was
+/// found is polished. The rest is for the exact test.
 constexpr double share_for_sketches = 0.3, share_for_the_search = 0.8, share_for_polish = 0.97;
 /// Starts on sketches, for the depth asked for and for translations on the way.
 constexpr int sketch_starts = 48, sketch_starts_of_translations = 8;
