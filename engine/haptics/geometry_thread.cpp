@@ -6,6 +6,12 @@
 #include "engine/haptics/real_time.hpp"
 
 namespace sonde {
+namespace {
+
+/// For a start in overlap, which somebody waits for: a place to follow from, not the last per cent.
+StaticOptions quick_search() { return {.starts = 64, .agreement = 6}; }
+
+}  // namespace
 
 GeometryThread::GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
                                Method method, const Budget& budget, bool real_time)
@@ -15,7 +21,7 @@ GeometryThread::~GeometryThread() { stop(); }
 
 void GeometryThread::start(const Pose& X_FM) {
   stop();
-  contacts_.fill(feed_.reset(X_FM, StaticOptions{}));
+  contacts_.fill(feed_.reset(X_FM, quick_search()));
   requests_.fill({.X_FM = X_FM, .tick = 0, .time = 0});
   asked_.store(0, std::memory_order_relaxed);
   stopping_.store(false, std::memory_order_relaxed);
