@@ -9,7 +9,12 @@ namespace sonde {
 namespace {
 
 /// For a start in overlap, which somebody waits for: a place to follow from, not the last per cent.
-StaticOptions quick_search() { return {.starts = 64, .agreement = 6}; }
+StaticOptions quick_search() {
+  StaticOptions options;
+  options.starts = 64;
+  options.agreement = 6;
+  return options;
+}
 
 }  // namespace
 
