@@ -38,7 +38,7 @@ std::vector<Pose> choose_poses(const TradeOptions& options, const TradeSetup& se
   if (from_file) all = read_poses(options.poses);
   if (!from_file)
     for (const TimedPose& at : setup.path) all.push_back(at.pose);
-  const std::vector<Pose> chosen = overlapping_poses(*setup.probe, *setup.fixed, all, count, stop);
+  std::vector<Pose> chosen = overlapping_poses(*setup.probe, *setup.fixed, all, count, stop);
   if (chosen.empty())
     throw InputError::in(from_file ? options.poses : trajectory,
                          "the probe overlaps the fixed body at no pose of it");

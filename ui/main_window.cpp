@@ -179,9 +179,10 @@ void MainWindow::show_stage(Stage stage) {
   shown_.reset();
   companion_.reset();
   viewport_->show_stage(stage_);
-  devices_->attach(session());
   coupling_panel_->take(now.coupling());
   stiffness_->attach(session());
+  // Last: it may have something to report, and a frame be drawn meanwhile.
+  devices_->attach(session());
   readout_->set_coupling(now.coupling());
   readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
   setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));

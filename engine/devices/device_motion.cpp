@@ -108,8 +108,9 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
   position_ = sample.position;
   const bool turned = std::exchange(remapped_, false) && sample.position;
   return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_},
-          .held = !clutch_open_ && !turned,
-          .trusted = trusted};
+          .held = !clutch_open_,
+          .trusted = trusted,
+          .changed = turned};
 }
 
 DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {

@@ -20,9 +20,10 @@ struct DeviceTraits {
 
 /// What a hand wants of the probe at one tick.
 struct HandSample {
-  Pose X_FM;            ///< the probe's mesh frame in the fixed body's
-  bool held = true;     ///< false: the clutch is open; the probe stays, and there is no force
-  bool trusted = true;  ///< false: the pose is old or cannot be true; there is no force
+  Pose X_FM;             ///< the probe's mesh frame in the fixed body's
+  bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
+  bool trusted = true;   ///< false: the pose is old or cannot be true; there is no force
+  bool changed = false;  ///< another hand, or other axes of it: no force in this tick
   std::optional<DeviceTraits> device = {};  ///< none: nothing is known of it
 };
 

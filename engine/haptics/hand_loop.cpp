@@ -32,6 +32,7 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
   if (!sample.trusted) return Withheld::untrusted;
   if (!is_finite(sample.X_FM)) return Withheld::not_finite;
   if (!sample.held) return Withheld::let_go;
+  if (sample.changed) return Withheld::changed;
   if (!(clock.now - contacts.time <= stalled_after_)) return Withheld::stalled;
   return Withheld::nothing;
 }

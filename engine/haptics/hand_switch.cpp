@@ -12,6 +12,7 @@ HandSwitch::HandSwitch(std::shared_ptr<const Hand> first)
 HandSample HandSwitch::sample(double dt) noexcept {
   const Hand* next = wanted_.load(std::memory_order_acquire);
   const bool first = next != held_;
+  const bool handed_over = first && held_ != nullptr;
   if (first) {
     if (held_ && held_->render) held_->render({});
     held_ = next;
@@ -19,6 +20,7 @@ HandSample HandSwitch::sample(double dt) noexcept {
   }
   const bool resumed = std::exchange(resting_, paused_.load(std::memory_order_relaxed));
   if (first || !resting_) last_ = held_->sample(first || resumed ? 0 : dt);
+  last_.changed = last_.changed || handed_over;
   return last_;
 }
 

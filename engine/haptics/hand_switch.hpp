@@ -18,8 +18,8 @@ class HandSwitch {
   HandSwitch(const HandSwitch&) = delete;
   HandSwitch& operator=(const HandSwitch&) = delete;
 
-  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, its last wrench is
-  /// zero. This object must outlive the servo.
+  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, and is `changed`
+  /// where another held before; its last wrench is zero. This object must outlive the servo.
   Hand hand();
 
   // From one other thread.

@@ -31,6 +31,8 @@ const char* words(Withheld why) {
       return "paused";
     case Withheld::let_go:
       return "clutch open";
+    case Withheld::changed:
+      return "another hand, or other axes";
     case Withheld::untrusted:
       return "the device is gone, or its pose cannot be true";
     case Withheld::not_finite:

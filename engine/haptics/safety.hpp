@@ -11,6 +11,7 @@ enum class Withheld {
   stopped,     ///< asked for, by Esc
   paused,      ///< the loop computes nothing
   let_go,      ///< the clutch is open
+  changed,     ///< what holds the probe, or how, is another than before
   untrusted,   ///< the device is gone, or says what cannot be true
   not_finite,  ///< the device pose, or a force, is no number
   failed,      ///< no separated pose was found

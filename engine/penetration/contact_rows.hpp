@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -50,8 +51,9 @@ class ContactRows {
   /// is where there was no effort to look.
   void carry(const Chart& chart, const Vec6& y) noexcept;
 
-  /// The last gather was too much work: the next ones have half of its reach, and then more again.
-  void look_less_far() noexcept { crowded_ = 0.5 * asked_; }
+  /// The last gather was too much work: the next ones have half of its reach, but no less than that
+  /// (m), and then more again.
+  void look_less_far(double least) noexcept { crowded_ = std::max(0.5 * asked_, least); }
 
   /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit
   /// where surfaces are near each other here and there; where they lie along each other over a wide

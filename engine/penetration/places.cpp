@@ -14,11 +14,16 @@ constexpr double same = 0.02;
 
 void Places::note(const Place& place) {
   if (!std::isfinite(place.depth)) return;
-  if (place.depth < (1 - same) * best_) agreeing_ = 0;
   best_ = std::min(best_, place.depth);
-  if (place.depth < (1 + same) * best_) agreeing_ += place.starts;
   const auto later = std::ranges::upper_bound(places_, place.depth, {}, &Place::depth);
   places_.insert(later, place);
+}
+
+int Places::agreeing() const {
+  int starts = 0;
+  for (const Place& place : places_)
+    if (place.depth < (1 + same) * best_) starts += place.starts;
+  return starts;
 }
 
 std::vector<Vec6> Places::nearest(std::size_t count) const {

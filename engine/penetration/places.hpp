@@ -25,14 +25,13 @@ class Places {
   bool empty() const { return places_.empty(); }
   double best() const { return best_; }  ///< m; infinite where there is none
   /// Independent starts that ended at the best depth, to 2 %.
-  int agreeing() const { return agreeing_; }
+  int agreeing() const;
   /// The nearest so many, the best first, no two of them close together.
   std::vector<Vec6> nearest(std::size_t count) const;
 
  private:
   std::vector<Place> places_;  // the nearest first
   double best_ = std::numeric_limits<double>::infinity();
-  int agreeing_ = 0;
 };
 
 }  // namespace sonde

@@ -35,6 +35,7 @@ Descent::Outcome Polish::run(const Chart& chart, const Vec6& y, LeapDescent& lea
   if (!out.converged) {
     const int left = leaping.passed() ? 0 : std::clamp(steps - taken, 0, most_swept);
     Effort effort = deadline.effort();
+    descent_.forget();  // the last place was another
     out = descent_.run(chart, out.y, {.steps = left}, 1e-3 * out.y.norm(), effort);
     taken += out.iterations;
   }

@@ -168,7 +168,7 @@ std::vector<GainAxis> axes_of(const TuningResults& results) {
 }
 
 std::vector<GainAxis> recommended_axes(const TuningResults& results) {
-  const std::vector<GainAxis> axes = axes_of(results);
+  std::vector<GainAxis> axes = axes_of(results);
   if (std::ranges::find(axes, GainAxis::together) != axes.end()) return {GainAxis::together};
   return axes;
 }

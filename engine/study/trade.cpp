@@ -173,7 +173,7 @@ std::string part_name(const TradeSetting& setting) {
 
 Study trade_study(const TradeSetup& setup) {
   const auto shared =
-      std::make_shared<const Shared>(setup, make_sketches(*setup.probe, *setup.fixed));
+      std::make_shared<const Shared>(Shared{setup, make_sketches(*setup.probe, *setup.fixed)});
   Study study{"trade", about(setup).dump(), {}};
   for (const TradeSetting& setting : path_settings(setup))
     study.parts.push_back({part_name(setting), [shared, setting](const Stop& stop) {

@@ -36,7 +36,8 @@ CompareSetup of_scene(const std::string& name) {
   out.render.coupling = scene.coupling;
   out.render.budget.steps = steps_of_a_tick;
   out.path = read_trajectory(*scene.trajectory);
-  put_on_a_device(out);
+  // Some 200 contacts over a wide area, each felt in many directions: that would take an hour.
+  if (name != "nut-on-bolt") put_on_a_device(out);
   return out;
 }
 

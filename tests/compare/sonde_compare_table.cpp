@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sonde-compare-table [--pictures FOLDER]: the table of resources/docs/compare.md on standard
-// output; with a folder, the pictures of every pair as well.
+// sonde-compare-table [--pictures FOLDER] [PAIR...]: the table of resources/docs/compare.md on
+// standard output, or the lines of some pairs; with a folder, their pictures as well.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/scene/output_file.hpp"
 #include "engine/study/compare_report.hpp"
@@ -18,9 +20,10 @@ std::string file_name(std::string pair) {
   return pair + ".svg";
 }
 
-int run(const std::filesystem::path& pictures) {
-  std::fputs(sonde::test::table_head().c_str(), stdout);
+int run(const std::filesystem::path& pictures, const std::vector<std::string>& only) {
+  if (only.empty()) std::fputs(sonde::test::table_head().c_str(), stdout);
   for (const sonde::test::ComparedPair& pair : sonde::test::compared_pairs()) {
+    if (!only.empty() && std::ranges::find(only, pair.name) == only.end()) continue;
     const sonde::Comparison comparison = sonde::test::compare_pair(pair);
     std::fputs(sonde::test::table_row(pair.name, comparison).c_str(), stdout);
     std::fflush(stdout);
@@ -34,13 +37,18 @@ int run(const std::filesystem::path& pictures) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool with_pictures = argc == 3 && std::string(argv[1]) == "--pictures";
-  if (argc != 1 && !with_pictures) {
-    std::fputs("usage: sonde-compare-table [--pictures FOLDER]\n", stderr);
+  std::vector<std::string> only(argv + 1, argv + argc);
+  std::filesystem::path pictures;
+  if (only.size() >= 2 && only[0] == "--pictures") {
+    pictures = only[1];
+    only.erase(only.begin(), only.begin() + 2);
+  }
+  if (!only.empty() && only[0].starts_with('-')) {
+    std::fputs("usage: sonde-compare-table [--pictures FOLDER] [PAIR...]\n", stderr);
     return 2;
   }
   try {
-    return run(with_pictures ? argv[2] : "");
+    return run(pictures, only);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sonde-compare-table: %s\n", error.what());
     return 4;

@@ -47,9 +47,9 @@ TEST_F(ForceLogTest, what_was_asked_for_is_logged_once_and_is_no_fault) {
 }
 
 TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
-  const Withheld reasons[] = {Withheld::stopped,   Withheld::paused, Withheld::let_go,
-                              Withheld::untrusted, Withheld::failed, Withheld::stalled,
-                              Withheld::not_finite};
+  const Withheld reasons[] = {Withheld::stopped,    Withheld::paused, Withheld::let_go,
+                              Withheld::untrusted,  Withheld::failed, Withheld::stalled,
+                              Withheld::not_finite, Withheld::changed};
   double time = 0;
   for (const Withheld why : reasons) {
     logged.clear();

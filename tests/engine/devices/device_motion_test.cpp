@@ -211,14 +211,14 @@ TEST(DeviceMotion, right_away_and_up_lie_where_the_frame_says) {
 TEST(DeviceMotion, what_turns_the_force_lets_go_for_a_tick) {
   DeviceSettings settings = in_scene();
   DeviceMotion motion(settings, com, start);
-  const auto held = [&] { return motion.move(handle_at({0, 0, 0}), 0.001).held; };
+  const auto held = [&] { return !motion.move(handle_at({0, 0, 0}), 0.001).changed; };
   EXPECT_TRUE(held());
   settings.axes.axes[0].inverted = true;
   motion.set_settings(settings);
   EXPECT_FALSE(held());
   EXPECT_TRUE(held());
   motion.set_settings(settings);
-  EXPECT_TRUE(motion.move(pushed(SixAxes::Zero()), 0.001).held) << "a puck has no force";
+  EXPECT_FALSE(motion.move(pushed(SixAxes::Zero()), 0.001).changed) << "a puck has no force";
 }
 
 TEST(DeviceMotion, a_late_tick_does_not_fling_the_probe) {

@@ -123,6 +123,10 @@ const Fault faults[] = {
      }},
     {"clutch", Withheld::let_go,
      [](Bench& b) -> const HandTick& { return b.tick({.X_FM = at_depth(0.002), .held = false}); }},
+    {"another hand", Withheld::changed,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002), .changed = true});
+     }},
     {"not a number", Withheld::not_finite,
      [](Bench& b) -> const HandTick& {
        Pose X = at_depth(0.002);

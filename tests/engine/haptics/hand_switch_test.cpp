@@ -30,17 +30,20 @@ TEST(HandSwitch, the_newest_hand_holds_and_the_one_before_ends_without_force) {
   Recorded first(1), second(2);
   HandSwitch hands(first.hand);
   const Hand hand = hands.hand();
-  EXPECT_EQ(hand.sample(0).X_FM.p.x(), 1);
+  EXPECT_FALSE(hand.sample(0).changed) << "nobody held before";
   EXPECT_EQ(hand.sample(0.001).X_FM.p.x(), 1);
   EXPECT_EQ(first.last_dt, 0.001);
   hand.render({.force = Vec3(1, 0, 0)});
   EXPECT_EQ(first.last_force, Vec3(1, 0, 0));
   hands.set(second.hand);
-  EXPECT_EQ(hand.sample(0.001).X_FM.p.x(), 2);
+  const HandSample handed_over = hand.sample(0.001);
+  EXPECT_EQ(handed_over.X_FM.p.x(), 2);
+  EXPECT_TRUE(handed_over.changed) << "the force comes in from zero";
   EXPECT_EQ(second.last_dt, 0) << "its first";
   EXPECT_EQ(first.last_force, Vec3(0, 0, 0));
   hand.render({.force = Vec3(0, 1, 0)});
   EXPECT_EQ(second.last_force, Vec3(0, 1, 0));
+  EXPECT_FALSE(hand.sample(0.001).changed);
   EXPECT_EQ(first.last_force, Vec3(0, 0, 0));
 }
 

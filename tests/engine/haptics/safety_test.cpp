@@ -31,9 +31,9 @@ double pass(SafetyGate& gate, double force, Withheld why = Withheld::nothing) {
   return gate.pass(push(force), why, 10, 1, dt).force.z();
 }
 
-constexpr std::array all{Withheld::stopped,   Withheld::paused,     Withheld::let_go,
-                         Withheld::untrusted, Withheld::not_finite, Withheld::failed,
-                         Withheld::stalled,   Withheld::shut_down};
+constexpr std::array all{Withheld::stopped, Withheld::paused,    Withheld::let_go,
+                         Withheld::changed, Withheld::untrusted, Withheld::not_finite,
+                         Withheld::failed,  Withheld::stalled,   Withheld::shut_down};
 
 TEST(SafetyGate, the_force_comes_in_from_zero_in_the_time_of_the_ramp) {
   SafetyGate gate = ramp_alone();

@@ -206,6 +206,11 @@ TEST(Coherent, a_starved_tick_keeps_its_contacts) {
           for (const ContactCluster& k : known.clusters) is_known |= c.id == k.id;
         EXPECT_TRUE(is_known) << pair.name << i;
       }
+      // However long it starves, and it recovers with the first tick that has all it needs.
+      for (int i = 0; i < 100; ++i) {
+        EXPECT_GT(solver.tick(X, budget).contacts.size, 0) << pair.name << i;
+      }
+      EXPECT_GT(solver.tick(X).contacts.size, 0) << pair.name;
     }
 }
 

@@ -40,6 +40,13 @@ TEST(Places, starts_agree_until_something_better_is_found) {
   EXPECT_EQ(places.agreeing(), 2);
 }
 
+TEST(Places, steps_to_something_better_do_not_agree_with_each_other) {
+  Places places;
+  double depth = 1;
+  for (int i = 0; i < 12; ++i, depth *= 0.985) places.note(place(depth, i % 6));
+  EXPECT_EQ(places.agreeing(), 2);  // the last two are within 2 %
+}
+
 TEST(Places, what_led_nowhere_does_not_count) {
   Places places;
   places.note(Place{});
