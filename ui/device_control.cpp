@@ -100,6 +100,7 @@ std::filesystem::path DeviceControl::settings_file() const {
 /// The scene's, where it sets any; else those kept; else the defaults.
 void DeviceControl::load_settings() {
   settings_ = {};
+  damaged_ = false;
   from_scene_ = session_ && session_->opened().device_settings;
   if (from_scene_) {
     settings_ = *session_->opened().device_settings;
@@ -111,6 +112,7 @@ void DeviceControl::load_settings() {
   try {
     settings_ = read_device_settings(file);
   } catch (const InputError& bad) {
+    damaged_ = true;
     if (report_error) report_error(QString::fromUtf8(bad.what()));
   }
 }
@@ -126,6 +128,9 @@ void DeviceControl::keep_settings() {
   keep_timer_.stop();
   try {
     std::filesystem::create_directories(folder_);
+    // Somebody's own work with a slip in it: put aside, not lost.
+    if (std::exchange(damaged_, false))
+      std::filesystem::rename(settings_file(), settings_file().string() + ".bad");
     write_whole(settings_file(), device_settings_text(settings_));
   } catch (const std::exception& why) {
     // Once: the next change of a slider would say the same.

@@ -78,6 +78,7 @@ class DeviceControl : public QObject {
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
   DeviceSettings settings_;
   bool from_scene_ = false;
+  bool damaged_ = false;  ///< there is a file of settings, which cannot be read
   QTimer keep_timer_;
   bool keeping_failed_ = false;
   QElapsedTimer clock_;

@@ -197,6 +197,11 @@ TEST_F(SimulatedDeviceTest, settings_are_kept_for_each_device) {
   choose("sigma.7 (simulated)");
   EXPECT_TRUE(complaint.contains("\"scalin\"")) << complaint.toStdString();
   EXPECT_EQ(window->devices().settings().scaling, 1);
+  // The next change does not overwrite it.
+  window->findChild<TypedValue*>("scaling_value")->setValue(2);
+  const auto aside = folder / "sonde/devices/sigma.7.json.bad";
+  ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(aside); }));
+  EXPECT_EQ(read_device_settings(file).scaling, 2);
 }
 
 TEST_F(SimulatedDeviceTest, a_scene_names_its_device_and_a_choice_stays) {
