@@ -314,8 +314,8 @@ TEST(Invariance, converged_depths_of_a_sample_hardly_depend_on_the_frame_or_the_
   EXPECT_GE(a.same, a.poses - 1);
 }
 
-// Asked for: 98 %. Measured: 71 of 73, on every third row of less than 30 000 triangles; the other
-// two were soups of loose triangles, 0.5 % off.
+// Asked for: 98 %. Measured: 229 of 237 (96.6 %); five of the other eight are soups of loose
+// triangles deep in each other.
 TEST(Invariance, Full_converged_depths_hardly_depend_on_the_frame_or_the_order) {
   const auto rows = reference::read_rows(SONDE_DEPTHS);
   const Agreement a = compare(rows);
