@@ -14,9 +14,8 @@ namespace sonde {
 /// The probe stays where it is, to the bit, while the clutch button is held and while the device
 /// cannot be trusted; afterwards, as after a change of settings, view or connection, the pose of
 /// the device at that moment stands for the pose of the probe at that moment. So no pose ever
-/// jumps. A change of settings or view turns the force that the handle gets: the probe is let go
-/// for a tick, after which the force comes in from zero. No device, no clock; no allocation, lock,
-/// throw.
+/// jumps. A change of settings or view turns the force that the handle gets: there is no force
+/// for a tick, after which it comes in from zero. No device, no clock; no allocation, lock, throw.
 class DeviceMotion {
  public:
   /// com: the probe's centre of mass in its mesh frame M, about which it turns.

@@ -34,8 +34,7 @@ class ContactRows {
 
   /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
   /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one
-  /// point alone. False, and nothing new, where the effort ran
-  /// out.
+  /// point alone. False, and nothing new, where the effort ran out.
   bool gather(const Chart& chart, const Vec6& y, double reach, double flat,
               Effort& effort) noexcept;
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {

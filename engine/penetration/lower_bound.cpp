@@ -140,7 +140,9 @@ class TurnSearch {
   double least_sum(const Node& n, const CellSpread& spread) const {
     const Witness& w = witnesses_[n.near[0].witness];
     const Eigen::Matrix4d G = distance_form(w.r, w.p);
-    double away = std::max(n.near[0].away, 0.3 * spread.reach(w.r)), most = -infinity;
+    const double least_away = 1e-3 * w.depth;
+    double away = std::max({n.near[0].away, 0.3 * spread.reach(w.r), least_away});
+    double most = -infinity;
     Eigen::Vector4d at = n.cell.middle();
     for (int i = 0; i < 2 && away < w.depth; ++i) {
       Eigen::Matrix4d S = (1 - w.depth / away) * G;
@@ -148,7 +150,7 @@ class TurnSearch {
       const RotationCell::Least least = n.cell.least_quotient(S, at);
       most = std::max(most, w.depth * ((1 - 1e-14) * w.depth - away) + least.bound);
       at = least.at;
-      away = std::max(std::sqrt(at.dot(G * at) / at.squaredNorm()), 1e-3 * w.depth);
+      away = std::max(std::sqrt(at.dot(G * at) / at.squaredNorm()), least_away);
     }
     return most;
   }

@@ -28,7 +28,8 @@ constexpr const char* servo_threads[] = {"sonde-servo", "sonde-geometry"};
 /// What came of every tick, as the window has read them.
 struct Ticks {
   std::uint64_t seen = 0, contact = 0, failed = 0, last = 0, late = 0;
-  std::array<std::uint64_t, 9> withheld{};
+  /// By reason.
+  std::array<std::uint64_t, static_cast<std::size_t>(Withheld::shut_down) + 1> withheld{};
   double largest_force = 0;
 
   void take(const Snapshot& tick) {
