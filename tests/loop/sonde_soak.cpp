@@ -62,7 +62,8 @@ class PathThereAndBack {
 /// What a reader of every tick has seen.
 struct Seen {
   std::uint64_t ticks = 0, contact = 0, held_back = 0, failed = 0;
-  std::array<std::uint64_t, 9> withheld{};
+  std::array<std::uint64_t, static_cast<std::size_t>(Withheld::shut_down) + 1>
+      withheld{};  // by reason
   double largest_force = 0;
   void take(const Snapshot& s) {
     ++ticks;
