@@ -152,6 +152,102 @@ TEST(PairList, sweep_along_agrees_with_sweep) {
   }
 }
 
+/// A small motion of X: a turn of at most `turn` about the point of the probe at `centre` (mesh
+/// frame), and that point moved by at most `by`.
+Pose rolled(std::mt19937_64& random, const Pose& X, const Vec3& centre, double by, double turn) {
+  const Vec3 about = test::random_in_ball(random, turn);
+  const Quat q = (Quat(Eigen::AngleAxisd(about.norm(), about.normalized())) * X.q).normalized();
+  return {q, X * centre + test::random_in_ball(random, by) - q * centre};
+}
+
+// Reference: where the points of the probe are at any part of the way, by the motion itself.
+TEST(PairList, no_point_goes_further_than_is_reckoned_from_the_centre) {
+  std::mt19937_64 random(5);
+  for (const auto& pair : test::body_pairs(55))
+    for (int i = 0; i < 50; ++i) {
+      const double radius = pair.a->mass.radius;
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 1);
+      const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, 2 * radius);
+      const double size = std::pow(10, test::uniform(random, -4, -0.3));
+      Chart chart(pair.a->mass, nudged(random, *pair.a, start, 0.1 * radius));
+      chart.absorb_free_spin(start);
+      const Vec6 from = chart.coordinates(start);
+      Vec6 to = from + chart.coordinates(
+                           rolled(random, chart.device(), centre, 0.1 * size * radius, size));
+      const Motion motion(chart, from, to);
+      const PairList::Displacement most = PairList::along(motion, centre);
+      double furthest = 0;  // of what is allowed
+      for (int k = 0; k < 20; ++k) {
+        const Vec3 x = centre + test::random_in_ball(random, radius);
+        const double s = test::uniform(random, 0, 1);
+        const double gone = (motion.at(s) * x - motion.at(0) * x).norm();
+        const double allowed = s * most.of((x - centre).norm());
+        EXPECT_LE(gone, allowed + rounding_at(pair, start)) << pair.name << " " << s;
+        furthest = std::max(furthest, gone / allowed);
+      }
+      EXPECT_GT(furthest, 0.2) << pair.name;  // the bound is of use
+    }
+}
+
+// Reference: distances of all pairs, and exact predicates on all pairs for what a sweep calls free.
+// The list is laid out for a probe that turns about one of its corners, which is asked and swept on
+// and on until it has used up its room.
+TEST(PairList, laid_out_for_turns_about_a_corner_it_misses_nothing) {
+  Effort unlimited;
+  std::mt19937_64 random(6);
+  std::vector<NearPair> out(1 << 15);
+  int looks = 0, found = 0, sweeps = 0, far_turns = 0;
+  for (int round = 0; round < 6; ++round)
+    for (const auto& pair : test::body_pairs(56)) {
+      const Body &a = *pair.a, &b = *pair.b;
+      const double radius = a.mass.radius;
+      const Pose start = test::random_pose(random, a, b, 1);
+      if (test::any_pair_meets(a, b, Transform(start))) continue;
+      const auto corner = static_cast<std::size_t>(test::uniform(random, 0, 0.999) *
+                                                   static_cast<double>(a.soup.vertices.size()));
+      const Vec3 centre = a.soup.vertices[corner];
+      const double size = std::pow(10, test::uniform(random, -3, -0.3));
+      const PairList::Displacement room{size * radius * test::uniform(random, 0.01, 1),
+                                        size * test::uniform(random, 0.3, 1)};
+      PairList list(a, b);
+      if (!list.build(Transform(start), centre, room, unlimited)) continue;
+      Pose at = start;
+      for (int step = 0; step < 15; ++step) {
+        const Pose to = rolled(random, at, centre, 0.15 * room.linear, 0.15 * room.turn);
+        Chart chart(a.mass, start);
+        chart.absorb_free_spin(at);
+        const Motion motion(chart, chart.coordinates(at), chart.coordinates(to));
+        if (!list.covers(motion, 1e-6 * radius)) break;
+        const double free_until = list.sweep_along(motion, 1e-6 * radius, unlimited).free_until;
+        for (const double part : {0.3, 0.7, 1.0})
+          ASSERT_FALSE(test::any_pair_meets(a, b, motion.at(part * free_until))) << pair.name;
+        ++sweeps;
+        const Vec6 from = chart.coordinates(at);
+        at = chart.pose(from + 0.999 * free_until * (chart.coordinates(to) - from));
+        const double reach = test::uniform(random, 0.2, 1) * list.reach_at(Transform(at));
+        if (reach <= 0) break;
+        // A turn about the centre of mass alone would have used up more than the room by now.
+        far_turns += room.linear < room.turn * (centre - a.mass.com).norm();
+        const auto got = gaps({out.data(), list.near(Transform(at), reach, out, unlimited).count});
+        const auto ta = test::placed_triangles(a, Transform(at)),
+                   tb = test::placed_triangles(b, {});
+        const double rounding = rounding_at(pair, at);
+        for (std::uint32_t i = 0; i < ta.size(); ++i)
+          for (std::uint32_t k = 0; k < tb.size(); ++k) {
+            const double distance = closest_points(ta[i], tb[k]).distance;
+            if (distance <= rounding || distance >= reach - rounding) continue;
+            EXPECT_EQ(got.count({i, k}), 1u) << pair.name << " " << distance << " of " << reach;
+            ++found;
+          }
+        ++looks;
+      }
+    }
+  EXPECT_GT(looks, 100);
+  EXPECT_GT(sweeps, 100);
+  EXPECT_GT(found, 100);
+  EXPECT_GT(far_turns, 20);
+}
+
 TEST(PairList, says_so_when_there_are_too_many_and_before_it_is_built) {
   Effort unlimited;
   const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 100, 8));
