@@ -5,9 +5,8 @@ namespace sonde {
 
 Crew::~Crew() {
   if (!other_.joinable()) return;
-  over_ = true;
-  ++asked_;
-  asked_.notify_one();
+  other_lane_ = Lane::over;
+  other_lane_.notify_one();
   other_.join();
 }
 
@@ -19,20 +18,24 @@ void Crew::each(std::size_t count, const Work& work) {
     return take_part(1);
   }
   if (!other_.joinable()) other_ = std::thread([this] { help(); });
-  const int call = ++asked_;
-  asked_.notify_one();
+  other_lane_ = Lane::offered;
+  other_lane_.notify_one();
   take_part(0);
-  for (int done = answered_; done != call; done = answered_) answered_.wait(done);
+  Lane lane = Lane::offered;
+  if (other_lane_.compare_exchange_strong(lane, Lane::idle)) return take_part(1);
+  other_lane_.wait(Lane::taken);
 }
 
 void Crew::help() {
-  for (int done = 0;;) {
-    asked_.wait(done);
-    done = asked_;
-    if (over_) return;
-    take_part(1);
-    answered_ = done;
-    answered_.notify_one();
+  for (Lane lane = other_lane_; lane != Lane::over; lane = other_lane_) {
+    Lane offered = Lane::offered;
+    if (other_lane_.compare_exchange_strong(offered, Lane::taken)) {
+      take_part(1);
+      other_lane_ = Lane::done;
+      other_lane_.notify_one();
+    } else {
+      other_lane_.wait(lane);
+    }
   }
 }
 

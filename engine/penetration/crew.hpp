@@ -21,7 +21,8 @@ class Crew {
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /// All of k < count, each once. Returns when all are done. Work must not throw.
+  /// All of k < count, each once. Returns when all are done. Work must not throw. Where the other
+  /// thread has not come by the time this one is done with its lane, it does both.
   void each(std::size_t count, const Work& work);
 
  private:
@@ -32,8 +33,8 @@ class Crew {
   std::thread other_;  // started when first needed
   const Work* work_ = nullptr;
   std::size_t count_ = 0;
-  std::atomic<int> asked_ = 0, answered_ = 0;
-  std::atomic<bool> over_ = false;
+  enum class Lane : int { idle, offered, taken, done, over };
+  std::atomic<Lane> other_lane_ = Lane::idle;
 };
 
 }  // namespace sonde

@@ -105,11 +105,14 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
     const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
     const double flat = goal.guide == Guide::many ? 4 * margin : 0;
-    if (!rows.gather(chart, out.y, reach, flat, effort)) return out;
+    const bool looked = rows.gather(chart, out.y, reach, flat, effort);
+    if (!looked && out.iterations == 0) return out;
+    if (!looked) rows.carry(chart, out.y);
     const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
     const double off = (nearest.y - out.y).norm();
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;
+    if (!looked) return out;
     out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 1.9 * margin;
     const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
     if (out.converged || (hopeless && out.iterations >= 3)) return out;

@@ -23,11 +23,16 @@ Descent::Outcome Polish::run(const Chart& chart, const Vec6& y, LeapDescent& lea
   Descent::Outcome out;
   out.y = y;
   int taken = 0;
+  // Where there was no time even to look, the contacts of before still hold.
+  const auto go_on = [&](const Descent::Outcome& next) {
+    if (next.contacts.size > 0 || next.y != out.y) out = next;
+  };
   const auto leap = [&](LeapGoal goal) {
     goal.steps = std::min(goal.steps, steps - taken);
     if (goal.steps <= 0 || leaping.passed()) return;
-    out = leaps.run(chart, out.y, goal, leaping);
-    taken += out.iterations;
+    const Descent::Outcome next = leaps.run(chart, out.y, goal, leaping);
+    taken += next.iterations;
+    go_on(next);
   };
   leap({.guide = Guide::few, .tolerance = 1e-3, .steps = 20, .reach = 0.05});
   out.converged = false;
@@ -36,8 +41,10 @@ Descent::Outcome Polish::run(const Chart& chart, const Vec6& y, LeapDescent& lea
     const int left = leaping.passed() ? 0 : std::clamp(steps - taken, 0, most_swept);
     Effort effort = deadline.effort();
     descent_.forget();  // the last place was another
-    out = descent_.run(chart, out.y, {.steps = left}, 1e-3 * out.y.norm(), effort);
-    taken += out.iterations;
+    const Descent::Outcome next =
+        descent_.run(chart, out.y, {.steps = left}, 1e-3 * out.y.norm(), effort);
+    taken += next.iterations;
+    go_on(next);
   }
   out.iterations = std::max(taken, 1);
   return out;
