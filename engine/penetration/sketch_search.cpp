@@ -80,7 +80,7 @@ class Search {
   std::optional<SketchEnd> start_about(const Vec6& center, double ball, const Balls& balls,
                                        Random& random, SketchDescent& descent) const {
     for (; ball < 4 * chart_.mass().radius; ball *= balls.growth)
-      for (int tries = 0; tries < balls.tries; ++tries) {
+      for (int tries = 0; tries < balls.tries && !search_.deadline.passed(); ++tries) {
         const Vec6 y = center + sample(random, ball);
         if (chart_.v(y).norm() > 0.9 || !descent.is_free(chart_, y)) continue;
         return descend(y, descent);

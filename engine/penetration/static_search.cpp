@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t per_round = 8;
 /// Of the time: until when sketches are searched, until when anything is, and until when what was
 /// found is polished. The rest is for the exact test.
-constexpr double share_for_sketches = 0.3, share_for_the_search = 0.8, share_for_polish = 0.97;
+constexpr double share_for_sketches = 0.45, share_for_the_search = 0.8, share_for_polish = 0.97;
 /// Starts on sketches, for the depth asked for and for translations on the way.
 constexpr int sketch_starts = 48, sketch_starts_of_translations = 8;
 
@@ -215,27 +215,29 @@ class Search {
     });
   }
 
-  /// From outside to contact along the fixed body's axes, and along the line of the middles.
+  /// From outside to contact along the line of the middles, and along the fixed body's axes: there
+  /// is always a free pose. Only along the first where time is over.
   void starts_outside() {
     const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
     const Vec3 offset = chart_.com() - center;
     const double half = (fixed_.tree.high - center).norm();
     const double away = 1.01 * (offset.norm() + half + probe_.mass.radius);
-    round([&](std::size_t k, Lane& lane) {
-      const auto axis = static_cast<int>(k / 2) % 3;
-      Vec3 way = k < 6 ? Vec3(fixed_.mass.R_MP.col(axis)) : offset;
+    const auto start = [&](std::size_t k, Lane& lane) {
+      const auto axis = static_cast<int>(k / 2) - 1;
+      Vec3 way = axis < 0 ? offset : Vec3(fixed_.mass.R_MP.col(axis));
       if (k % 2 == 1) way = -way;
       if (!(way.norm() > 0)) way = Vec3::Ones();
       Vec6 y = Vec6::Zero();
       y.tail<3>() = away * way.normalized();
       y = lane.pdt.pull_in(chart_, y);
       return descend(lane.pdt, y, places_.best());
-    });
+    };
+    round(start, searching_.passed() ? 2 : per_round);
   }
 
   /// By translation alone; and on from there by all six.
   void translations() {
-    first_starts(Method::pdt, 1000);
+    if (!searching_.passed()) first_starts(Method::pdt, 1000);
     if (!rotates() || !std::isfinite(translated_.depth)) starts_outside();
     if (!rotates() || out_of_budget() || !std::isfinite(translated_.depth)) return;
     share_ = steps_left();
