@@ -11,7 +11,7 @@
 
 namespace sonde {
 
-/// The descent of a search on the sketches of two solids: some points of each keep out of the
+/// The descent of a search on the sketches of two bodies: some points of each keep out of the
 /// distance field of the other. A whole descent costs about as much as one gather of the bodies'
 /// contacts, so many can be made; where they end is where the true ones are worth making.
 class SketchDescent {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/proximity/inside.hpp"
 #include "engine/proximity/point_distance.hpp"
@@ -17,6 +18,9 @@ constexpr double cells = 28;
 constexpr double pad = 1.5;
 
 }  // namespace
+
+DistanceField::DistanceField()
+    : low_(quad(Vec3::Constant(std::numeric_limits<float>::infinity()))), high_(low_) {}
 
 DistanceField::DistanceField(const Body& solid) {
   Eigen::AlignedBox3d box;

@@ -25,9 +25,11 @@ inline Vec3 vec3(const Quad& x) { return Vec3(x[0], x[1], x[2]); }
 class DistanceField {
  public:
   explicit DistanceField(const Body& solid);
+  /// Of nothing, from which every point is far.
+  DistanceField();
 
   /// The gradient (about a unit vector, away from the solid), and in the fourth the distance, m, of
-  /// a point, whose own fourth does not matter.
+  /// a point, whose own fourth does not matter. There must be a solid.
   Quad at(const Quad& x) const;
 
   /// A point is no nearer to the solid than this, m: quickly said of points far outside.

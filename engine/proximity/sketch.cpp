@@ -95,8 +95,8 @@ std::vector<Vec3> spread_points(const Body& body, std::size_t count) {
 }
 
 std::shared_ptr<const Sketch> make_sketch(const Body& body) {
-  if (!body.solid) return nullptr;
-  auto out = std::make_shared<Sketch>(Sketch{{}, {}, DistanceField(body)});
+  auto out =
+      std::make_shared<Sketch>(Sketch{{}, {}, body.solid ? DistanceField(body) : DistanceField()});
   std::vector<Vec3> points = spread_points(body, more_points);
   for (Vec3& x : points) x = body.mass.R_MP.transpose() * (x - body.mass.com);
   std::vector<Vec3> few(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(
@@ -111,7 +111,7 @@ Sketches make_sketches(const Body& probe, const Body& fixed) {
   const auto in_range = [](const Body& body) {
     return body.mass.radius > smallest_radius && body.mass.radius < largest_radius;
   };
-  if (!probe.solid || !fixed.solid || !in_range(probe) || !in_range(fixed)) return out;
+  if (!(probe.solid || fixed.solid) || !in_range(probe) || !in_range(fixed)) return out;
   at_once(
       true, {}, [&](const Progress&) { out.probe = make_sketch(probe); },
       [&](const Progress&) { out.fixed = make_sketch(fixed); });

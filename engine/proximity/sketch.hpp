@@ -15,14 +15,15 @@ struct PointGroup {
   std::vector<Quad> points;
 };
 
-/// What a quick search knows of a solid: some points of its surface, few or more of them, and how
-/// far any point is from it. Both in its principal axes, the origin at its centre of mass.
+/// What a quick search knows of a body: some points of its surface, few or more of them, and where
+/// it is solid how far any point is from it (from a surface, which has no inside, all are far).
+/// Both in its principal axes, the origin at its centre of mass.
 struct Sketch {
   std::vector<PointGroup> few, more;
   DistanceField field;
 };
 
-/// Takes some tens of milliseconds. None for a surface, which has no inside.
+/// Takes some tens of milliseconds.
 std::shared_ptr<const Sketch> make_sketch(const Body& body);
 
 /// Of a pair of bodies; of use where both are there.
@@ -30,8 +31,8 @@ struct Sketches {
   std::shared_ptr<const Sketch> probe, fixed;
   explicit operator bool() const { return probe && fixed; }
 };
-/// Made once for a pair, on two threads. None where either is a surface, or not between 1e-12 m
-/// and 1e12 m in size.
+/// Made once for a pair, on two threads. None where both are surfaces, or either is not between
+/// 1e-12 m and 1e12 m in size.
 Sketches make_sketches(const Body& probe, const Body& fixed);
 
 /// So many points spread over the surface of a body, the corners before what is between, in its

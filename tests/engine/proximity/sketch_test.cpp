@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/proximity/point_distance.hpp"
 #include "tests/support/pairs.hpp"
@@ -48,14 +49,24 @@ TEST(Sketch, groups_hold_their_points) {
   EXPECT_GT(points, 100U);
 }
 
-TEST(Sketch, a_surface_has_none) {
+// A surface keeps out of a solid by its points, and lets any point of the other through.
+TEST(Sketch, of_a_surface_is_its_points) {
   std::mt19937_64 random(2);
   const auto soup = test::body(test::random_soup(random, 30, 0.1));
   const auto cube = test::body(test::box({0.1, 0.1, 0.1}));
-  EXPECT_FALSE(make_sketch(*soup));
-  EXPECT_FALSE(make_sketches(*soup, *cube));
-  EXPECT_FALSE(make_sketches(*cube, *soup));
+  const auto sketch = make_sketch(*soup);
+  std::size_t points = 0;
+  for (const PointGroup& group : sketch->more) {
+    for (const Quad& x : group.points)
+      EXPECT_LT(point_distance(*soup, soup->mass.R_MP * vec3(x) + soup->mass.com), 1e-7);
+    points += group.points.size();
+  }
+  EXPECT_GE(points, 90U);  // all corners
+  EXPECT_EQ(sketch->field.at_least(quad(Vec3::Zero())), std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(make_sketches(*soup, *cube));
+  EXPECT_TRUE(make_sketches(*cube, *soup));
   EXPECT_TRUE(make_sketches(*cube, *cube));
+  EXPECT_FALSE(make_sketches(*soup, *soup));
 }
 
 }  // namespace
