@@ -2,6 +2,7 @@
 #include "engine/haptics/hand_loop.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/penetration/result.hpp"
 
@@ -24,6 +25,8 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   ids_.forget();
   X_FM_ = X_FM;
   jumps_ = 0;
+  resting_ = false;
+  resumed_ = 0;
   out_ = HandTick{};
 }
 
@@ -33,8 +36,14 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
   if (!is_finite(sample.X_FM)) return Withheld::not_finite;
   if (!sample.held) return Withheld::let_go;
   if (sample.changed) return Withheld::changed;
-  if (!(clock.now - contacts.time <= stalled_after_)) return Withheld::stalled;
-  return Withheld::nothing;
+  return overdue(contacts, clock);
+}
+
+Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {
+  if (clock.now - contacts.time <= stalled_after_) return Withheld::nothing;
+  const bool of_before = contacts.time < resumed_;
+  const bool in_time = clock.now - resumed_ <= stalled_after_;
+  return of_before && in_time ? rest_ : Withheld::stalled;
 }
 
 void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
@@ -55,6 +64,7 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
 
 const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
                                const Clock& clock, Withheld why) noexcept {
+  if (std::exchange(resting_, false)) resumed_ = clock.now;
   if (sample.trusted && is_finite(sample.X_FM)) X_FM_ = sample.X_FM;
   passivity_.set_device(sample.device);
   passivity_.observe(X_FM_, clock.dt);
@@ -79,6 +89,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 }
 
 const HandTick& HandLoop::rest(Withheld why) noexcept {
+  resting_ = true;
+  rest_ = why;
   coupler_.forget();
   gate_.pass(Wrench{}, why, 0, 0, 0);
   passivity_.rendered(Wrench{});

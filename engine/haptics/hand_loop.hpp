@@ -65,7 +65,8 @@ class HandLoop {
   const HandTick& tick(const HandSample& sample, const LocalContacts& contacts, const Clock& clock,
                        Withheld why) noexcept;
   /// A tick in which nothing is computed: the hand gets nothing, and the next force comes in from
-  /// zero.
+  /// zero. The rows have aged meanwhile, which is no fault of the geometry: until it has answered
+  /// since, within its time, the reason stays.
   const HandTick& rest(Withheld why) noexcept;
 
   const HandTick& last() const noexcept { return out_; }
@@ -75,6 +76,7 @@ class HandLoop {
  private:
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
                  const Clock& clock) const noexcept;
+  Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
   MassProperties mass_;
@@ -85,7 +87,10 @@ class HandLoop {
   SafetyGate gate_;
   ClusterIds ids_;
   Pose X_FM_;
-  std::uint64_t jumps_ = 0;  ///< of the rows before
+  std::uint64_t jumps_ = 0;            ///< of the rows before
+  bool resting_ = false;               ///< the last tick was one of rest
+  Withheld rest_ = Withheld::nothing;  ///< why it rested last
+  double resumed_ = 0;                 ///< s, the first tick after that
   HandTick out_;
 };
 

@@ -135,6 +135,7 @@ class Servo::State::Run {
       snapshot_.paused = true;
       snapshot_.hand.withheld = Withheld::paused;
       s_.snapshots.write(snapshot_);
+      s_.history.push(snapshot_);
     }
     meter_ = RateMeter{};
     last_begin_ = 0;

@@ -33,6 +33,7 @@ struct Ticks {
   double largest_force = 0;
 
   void take(const Snapshot& tick) {
+    if (tick.paused) return;  // the last one again
     ++seen;
     contact += tick.separation.status == Status::penetrating;
     failed += tick.separation.status == Status::failed;

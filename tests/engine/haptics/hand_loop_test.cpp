@@ -41,6 +41,11 @@ class Bench {
     if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
     return out;
   }
+  /// A tick's time in which nothing is computed.
+  void rest(Withheld why) {
+    ++ticks_;
+    loop.rest(why);
+  }
   const HandTick& tick(double depth) { return tick({.X_FM = at_depth(depth)}); }
   void settle(double depth, int ticks = 500) {
     for (int i = 0; i < ticks; ++i) tick(depth);
@@ -177,6 +182,27 @@ TEST(HandLoop, the_geometry_may_be_twenty_milliseconds_late_and_no_more) {
   for (int late = 1; late <= 19; ++late)
     EXPECT_EQ(bench.tick({.X_FM = at_depth(0.002)}, false).hand.withheld, Withheld::nothing);
   for (int late = 0; late < 3; ++late) bench.tick({.X_FM = at_depth(0.002)}, false);
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
+}
+
+TEST(HandLoop, rows_that_aged_in_a_pause_are_no_fault_of_the_geometry) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int i = 0; i < 30; ++i) bench.rest(Withheld::paused);
+  for (int waiting = 0; waiting < 3; ++waiting) {
+    const HandTick& t = bench.tick({.X_FM = at_depth(0.002)}, false);
+    EXPECT_EQ(t.hand.withheld, Withheld::paused);
+    EXPECT_EQ(t.wrench.force, Vec3::Zero());
+  }
+  bench.tick(0.002);
+  EXPECT_EQ(bench.tick(0.002).hand.withheld, Withheld::nothing);
+}
+
+TEST(HandLoop, a_geometry_that_does_not_answer_after_a_pause_has_stalled) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int i = 0; i < 30; ++i) bench.rest(Withheld::paused);
+  for (int i = 0; i < 22; ++i) bench.tick({.X_FM = at_depth(0.002)}, false);
   EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
 }
 

@@ -172,6 +172,32 @@ TEST_F(ServoTest, a_paused_loop_keeps_its_last_snapshot_and_computes_nothing) {
   EXPECT_GT(servo.latest()->tick, s.tick);
 }
 
+TEST_F(ServoTest, a_pause_is_among_the_ticks_and_is_no_stall) {
+  ServoSettings settings = at_once();
+  settings.safety.stalled_after = 1;  // s: a pause is longer, a busy machine's stop is not
+  Servo watched(bodies.probe, bodies.fixed, Method::pdg, stiffness(500), settings);
+  watched.start(at_depth(0.002));
+  ASSERT_TRUE(wait_for_ticks(watched, 5));
+  watched.set_paused(true);
+  ASSERT_TRUE(wait_for(watched, [](const Snapshot& s) { return s.paused; }));
+  std::this_thread::sleep_for(1200ms);
+  const std::uint64_t last = watched.latest()->tick;
+  watched.set_paused(false);
+  ASSERT_TRUE(wait_for(watched, [&](const Snapshot& s) {
+    return s.tick > last && s.hand.withheld == Withheld::nothing;
+  }));
+  int pauses = 0;
+  for (Snapshot s; watched.next_tick(s);) {
+    pauses += s.paused;
+    if (s.paused) {
+      EXPECT_EQ(s.tick, last);
+    }
+    EXPECT_TRUE(s.hand.withheld == Withheld::nothing || s.hand.withheld == Withheld::paused)
+        << words(s.hand.withheld);
+  }
+  EXPECT_EQ(pauses, 1);
+}
+
 TEST_F(ServoTest, every_tick_is_handed_out_once_and_in_order) {
   Snapshot s;
   EXPECT_FALSE(servo.next_tick(s));
