@@ -2,6 +2,7 @@
 #include "engine/haptics/gain_glide.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace sonde {
 namespace {
@@ -15,10 +16,15 @@ constexpr double Coupling::*limits[] = {&Coupling::max_force, &Coupling::max_tor
 void GainGlide::restart(const Coupling& coupling) noexcept {
   from_ = to_ = coupling;
   blend_ = {.now = coupling, .before = coupling};
+  next_.reset();
   there_ = true;
 }
 
 void GainGlide::set(const Coupling& wanted) noexcept {
+  if (blend_.share < 1) {
+    next_ = wanted;
+    return;
+  }
   from_ = blend_.now;
   to_ = wanted;
   since_ = 0;
@@ -30,8 +36,15 @@ const GainGlide::Blend& GainGlide::next(double dt) noexcept {
   since_ += dt > 0 ? dt : 0;
   there_ = since_ >= time_;
   blend_ = {.now = to_, .before = to_};
-  if (there_) return blend_;
-  const double share = since_ / time_;
+  if (!there_) blend(since_ / time_);
+  if (!next_) return blend_;
+  for (double Coupling::*limit : limits)
+    blend_.now.*limit = std::min(blend_.now.*limit, (*next_).*limit);
+  if (there_) set(*std::exchange(next_, std::nullopt));
+  return blend_;
+}
+
+void GainGlide::blend(double share) noexcept {
   const auto on_the_way = [&](double Coupling::*value) {
     return from_.*value + share * (to_.*value - from_.*value);
   };
@@ -43,7 +56,6 @@ const GainGlide::Blend& GainGlide::next(double dt) noexcept {
     blend_.before = from_;
     blend_.share = share;
   }
-  return blend_;
 }
 
 }  // namespace sonde

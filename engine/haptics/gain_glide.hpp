@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/haptics/coupling.hpp"
 
 namespace sonde {
@@ -9,7 +11,7 @@ namespace sonde {
 /// gains, so gains that jump would knock at the hand. Stiffness, damping, and limits that rise go
 /// in a straight line over `time`; limits that fall do so at once. The gains of another mode mean
 /// something else: there the wrench is to go, in the same time, from that of the mode before to
-/// that of the new one.
+/// that of the new one. What is asked for on that way waits for its end, all but limits that fall.
 class GainGlide {
  public:
   struct Blend {
@@ -24,16 +26,19 @@ class GainGlide {
 
   /// Without a glide.
   void restart(const Coupling& coupling) noexcept;
-  /// From the gains of now on.
+  /// From the gains of now on; the newest wins.
   void set(const Coupling& wanted) noexcept;
   /// The gains dt (s) later.
   const Blend& next(double dt) noexcept;
 
  private:
+  void blend(double share) noexcept;
+
   double time_;
   double since_ = 0;  ///< s, of the glide
   bool there_ = true;
   Coupling from_, to_;
+  std::optional<Coupling> next_;  ///< the newest asked for on the way to another mode
   Blend blend_;
 };
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sonde {
 namespace {
@@ -69,6 +71,47 @@ TEST(GainGlide, to_another_mode_the_share_of_the_wrench_grows) {
   EXPECT_NEAR(half.now.max_force, 20, 1e-12);
   EXPECT_EQ(glide.next(0.06).share, 1);
   EXPECT_EQ(glide.next(0.06).now.max_force, 30);
+}
+
+TEST(GainGlide, modes_changed_in_quick_succession_do_not_make_the_wrench_step) {
+  Coupling object = gains(500), classic = gains(500), stiffer = gains(900);
+  classic.mode = Coupling::Mode::classic;
+  classic.k_t = 1500;
+  stiffer.max_force = 25;
+  // One contact, a millimetre deep: the force of a blend is that of its two stiffnesses.
+  const auto force = [](const GainGlide::Blend& b) {
+    const auto of = [](const Coupling& c) {
+      return 1e-3 * (c.mode == Coupling::Mode::object ? c.k : c.k_t);
+    };
+    return b.share * of(b.now) + (1 - b.share) * of(b.before);
+  };
+  GainGlide glide(object, 0.1);
+  const std::pair<int, Coupling> wishes[] = {
+      {0, classic}, {50, object}, {60, classic}, {70, stiffer}};
+  double before = 0.5, largest = 0;
+  for (int tick = 0; tick < 250; ++tick) {
+    for (const auto& [when, wish] : wishes)
+      if (when == tick) glide.set(wish);
+    const double now = force(glide.next(1e-3));
+    largest = std::max(largest, std::abs(now - before));
+    before = now;
+  }
+  EXPECT_NEAR(before, 0.9, 1e-12) << "the newest wish is where it ends";
+  // From 0.5 N to 1.5 N in 100 ticks.
+  EXPECT_LT(largest, 1.01e-2);
+  EXPECT_GT(largest, 0.99e-2);
+}
+
+TEST(GainGlide, a_limit_that_falls_does_not_wait_for_the_other_mode) {
+  GainGlide glide(gains(500), 0.1);
+  Coupling classic = gains(500), careful = gains(500);
+  classic.mode = Coupling::Mode::classic;
+  careful.max_force = 1;
+  glide.set(classic);
+  EXPECT_EQ(glide.next(0.05).now.max_force, Coupling{}.max_force);
+  glide.set(careful);
+  for (int tick = 0; tick < 200; ++tick) EXPECT_EQ(glide.next(1e-3).now.max_force, 1) << tick;
+  EXPECT_EQ(glide.next(1e-3).now.mode, Coupling::Mode::object);
 }
 
 TEST(GainGlide, without_time_nothing_moves_and_a_restart_does_not_glide) {
