@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace sonde {
@@ -29,6 +30,10 @@ Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
   if (frame == DeviceSettings::Frame::scene) return Quat::Identity();
   return frame == DeviceSettings::Frame::y_up ? lying_down() : q_FV * lying_down();
 }
+
+/// A device does not say how much virtual damping it bears: the least of the profiles.
+constexpr double bearable_damping = 4;                 // N·s/m
+constexpr double bearable_rotational_damping = 0.004;  // N·m·s/rad
 
 }  // namespace
 
@@ -72,6 +77,14 @@ SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
   return turned;
 }
 
+/// A damping α of the probe is Aᵀ α A in the hand, with A the map of velocities.
+DeviceTraits DeviceMotion::traits() const noexcept {
+  const WorkspaceMap::Ratios ratios = map_.largest_ratios();
+  return {
+      .max_damping = bearable_damping / (ratios.translation * ratios.translation),
+      .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation)};
+}
+
 void DeviceMotion::anchor(const DeviceSample& sample) noexcept {
   map_.anchor(sample.X_BH, X_FC_);
   rest_ = position_at_rest(X_FC_, in_fixed_frame(deflection_), reach());
@@ -110,7 +123,8 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
   return {.X_FM = {X_FC_.q, X_FC_.p - X_FC_.q * com_},
           .held = !clutch_open_,
           .trusted = trusted,
-          .changed = turned};
+          .changed = turned,
+          .device = position_ ? std::optional(traits()) : std::nullopt};
 }
 
 DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/workspace_map.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +35,13 @@ Mat3 left_jacobian(const Vec3& theta) {
   Mat3 cross;
   cross << 0, -theta.z(), theta.y(), theta.z(), 0, -theta.x(), -theta.y(), theta.x(), 0;
   return Mat3::Identity() + first * cross + second * cross * cross;
+}
+
+/// The largest singular value.
+double norm_of(const Mat3& map) {
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.computeDirect(map.transpose() * map, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
 }  // namespace
@@ -68,6 +77,10 @@ void WorkspaceMap::drag(const Vec3& axis, const Pose& X_BH, const Pose& X_FC) no
 DeviceWrench WorkspaceMap::on_handle(const Wrench& wrench) const noexcept {
   const Quat q_BF = q_FB_.conjugate();
   return {A_.transpose() * (q_BF * wrench.force), spin_.transpose() * (q_BF * wrench.torque)};
+}
+
+WorkspaceMap::Ratios WorkspaceMap::largest_ratios() const noexcept {
+  return {norm_of(A_), norm_of(spin_)};
 }
 
 }  // namespace sonde

@@ -36,6 +36,13 @@ class WorkspaceMap {
   /// On the handle, about its origin, in B, at the pose last followed; from the wrench about the
   /// probe's centre of mass, in F.
   DeviceWrench on_handle(const Wrench& wrench) const noexcept;
+  /// The most that the map makes of a velocity of the handle, in any direction, at the pose last
+  /// followed.
+  struct Ratios {
+    double translation = 1;
+    double rotation = 1;
+  };
+  Ratios largest_ratios() const noexcept;
 
  private:
   /// To a quarter of a turn about the axis (in B, unit) before where the handle and the probe are.

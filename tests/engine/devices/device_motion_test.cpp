@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/allocation_counter.hpp"
@@ -119,6 +120,42 @@ TEST(DeviceMotion, a_wrench_goes_back_to_the_device_that_tells_positions) {
   EXPECT_EQ(motion.on_handle(wrench).force, Vec3(0, 0, 0));
   motion.move(pushed(along(0, 1)), 0.001);
   EXPECT_EQ(motion.on_handle(wrench).force, Vec3(0, 0, 0)) << "a puck";
+}
+
+// The reference is damping by definition, felt force by velocity of the handle, with the probe's
+// velocity from differences of its pose.
+TEST(DeviceMotion, the_damping_a_probe_may_have_is_in_the_hand_what_a_device_bears) {
+  constexpr double bears = 4, bears_turning = 0.004;
+  for (const double scaling : {0.1, 1.0, 8.0}) {
+    DeviceSettings settings = in_scene();
+    settings.scaling = scaling;
+    settings.axes.axes[1].gain = 2;
+    settings.axes.axes[5].gain = 3;
+    DeviceMotion motion(settings, Vec3::Zero(), start);
+    motion.move(handle_at({0, 0, 0}), 0);
+    double most = 0, most_turning = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      constexpr double step = 1e-6, dt = 1e-3;
+      const Vec3 along = step * Vec3::Unit(axis);
+      const Quat turn(Eigen::AngleAxisd(step, Vec3::Unit(axis)));
+      DeviceSample moved = handle_at(along);
+      moved.X_BH.q = turn;
+      const Pose before = motion.move(handle_at({0, 0, 0}), dt).X_FM;
+      const HandSample after = motion.move(moved, dt);
+      ASSERT_TRUE(after.device);
+      const Vec3 way = after.X_FM.p - before.p;
+      const Eigen::AngleAxisd spin(after.X_FM.q * before.q.conjugate());
+      const DeviceWrench felt = motion.on_handle(
+          {.force = -after.device->max_damping * way,
+           .torque = -after.device->max_rotational_damping * spin.angle() * spin.axis()});
+      most = std::max(most, felt.force.norm() / step);
+      most_turning = std::max(most_turning, felt.torque.norm() / step);
+    }
+    EXPECT_NEAR(most, bears, 1e-6 * bears) << scaling;
+    EXPECT_NEAR(most_turning, bears_turning, 1e-4 * bears_turning) << scaling;
+  }
+  DeviceMotion puck(in_scene(), com, start);
+  EXPECT_FALSE(puck.move(pushed(along(0, 1)), 0.001).device) << "it feels nothing";
 }
 
 TEST(DeviceMotion, by_rate_a_deflection_is_a_velocity) {
