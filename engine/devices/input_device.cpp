@@ -59,7 +59,7 @@ struct InputDevice::State {
 
   void run();
   std::vector<HidInfo> fitting() const;
-  void know_others();
+  void know_others(const std::vector<HidInfo>& all);
   bool is_chosen(const HidInfo& info, const std::vector<HidInfo>& all) const;
   std::optional<Connection> find();
   void serve(Connection& connection);
@@ -74,6 +74,7 @@ struct InputDevice::State {
   // The device thread's own.
   DeviceChoice choice;              ///< its path is the node last opened, where one was asked for
   std::vector<std::string> others;  ///< nodes that fit and are not the one asked for
+  bool looked = false;
   DeviceSample sample;
   std::array<std::uint8_t, longest_report> buffer{};
   std::string complaint;
@@ -121,11 +122,11 @@ std::vector<HidInfo> InputDevice::State::fitting() const {
   return all;
 }
 
-/// To be called while the one asked for is there, or has just gone.
-void InputDevice::State::know_others() {
+/// When the one asked for is opened, and before it ever was. No later: by the time that its loss is
+/// noticed it may be back under another node.
+void InputDevice::State::know_others(const std::vector<HidInfo>& all) {
   others.clear();
-  if (choice.path.empty()) return;
-  for (const HidInfo& info : fitting())
+  for (const HidInfo& info : all)
     if (info.path != choice.path) others.push_back(info.path);
 }
 
@@ -133,19 +134,15 @@ bool InputDevice::State::is_chosen(const HidInfo& info, const std::vector<HidInf
   if (choice.path.empty() || info.path == choice.path) return true;
   const bool there =
       std::ranges::any_of(all, [&](const HidInfo& one) { return one.path == choice.path; });
-  return !there && std::ranges::find(others, info.path) == others.end();
+  if (there) return false;
+  return !choice.serial.empty() || std::ranges::find(others, info.path) == others.end();
 }
 
 void InputDevice::State::run() {
   name_thread("sonde-device");
-  bool looked = false;
   while (!should_stop()) {
     try {
-      if (!std::exchange(looked, true)) know_others();
-      if (auto connection = find()) {
-        serve(*connection);
-        know_others();
-      }
+      if (auto connection = find()) serve(*connection);
     } catch (const std::exception& error) {
       publish(DeviceState::refused, error.what());
     }
@@ -156,11 +153,13 @@ void InputDevice::State::run() {
 std::optional<Connection> InputDevice::State::find() {
   std::string reasons;
   const std::vector<HidInfo> all = fitting();
+  if (!std::exchange(looked, true)) know_others(all);
   for (const HidInfo& info : all) {
     if (!is_chosen(info, all)) continue;
     try {
       Connection connection = connect(info);
       if (!choice.path.empty()) choice.path = info.path;
+      know_others(all);
       const std::lock_guard lock(mutex);
       status.name = name_of(info);
       status.path = info.path;

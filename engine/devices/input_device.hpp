@@ -13,8 +13,9 @@ namespace sonde {
 struct DeviceChoice {
   std::uint16_t vendor = 0, product = 0;
   std::string serial{};
-  /// Its node, /dev/hidraw3: that very one, though others are like it. Where it has gone, the first
-  /// that fits and was not there then is it, plugged in again.
+  /// Its node, /dev/hidraw3: that very one, though others are like it. Where it has gone, it is
+  /// known again by its serial number; where it tells none, the first that fits and was not there
+  /// when it was opened is it, plugged in again.
   std::string path{};
 };
 

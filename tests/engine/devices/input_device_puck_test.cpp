@@ -162,6 +162,30 @@ TEST_F(SpaceMouseOverHid, of_two_alike_the_node_asked_for_is_opened_and_never_th
   system.unplug(first);
 }
 
+TEST_F(SpaceMouseOverHid, back_under_another_node_before_its_loss_is_noticed_it_is_taken) {
+  puck.serial = "";
+  plug();
+  InputDevice device({.vendor = 0x256f, .product = 0xc635, .path = puck.path()});
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  const int before = puck.number;
+  plug();
+  system.unplug(before);
+  ASSERT_TRUE(comes_true([&] { return device.status().connections == 2; }));
+  EXPECT_EQ(device.status().path, puck.path());
+}
+
+TEST_F(SpaceMouseOverHid, a_serial_number_is_known_again_whatever_the_node) {
+  plug();
+  const int by_cable = puck.number;
+  plug();  // the same one, by radio
+  InputDevice device({.serial = "A1", .path = puck.path()});
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  ASSERT_EQ(device.status().path, puck.path());
+  unplug();
+  ASSERT_TRUE(comes_true([&] { return device.status().connections == 2; }));
+  EXPECT_EQ(device.status().path, "/dev/hidraw" + std::to_string(by_cable));
+}
+
 TEST_F(SpaceMouseOverHid, a_node_that_is_not_there_is_not_made_up_for_by_another) {
   puck.serial = "";
   plug();
