@@ -51,7 +51,7 @@ struct InputDevice::State {
   ~State() {
     {
       const std::lock_guard lock(mutex);
-      stopping = true;
+      stopping.store(true, std::memory_order_relaxed);
     }
     stop.notify_all();
     thread.join();
@@ -68,7 +68,8 @@ struct InputDevice::State {
   bool switch_led(Connection& connection);
   void take(Connection& connection, std::span<const std::uint8_t> report);
   void publish(DeviceState state, const std::string& reason);
-  bool should_stop() const;
+  void publish_status() { statuses.write(status); }
+  bool should_stop() const { return stopping.load(std::memory_order_relaxed); }
   void rest();
 
   // The device thread's own.
@@ -79,29 +80,28 @@ struct InputDevice::State {
   std::array<std::uint8_t, longest_report> buffer{};
   std::string complaint;
   bool was_ready = false;
+  DeviceStatus status;
   std::optional<bool> led_shown;
 
   TripleBuffer<DeviceSample> samples;
   TripleBuffer<WantedWrench> wrenches;
+  TripleBuffer<DeviceStatus> statuses;
+  std::mutex reading;  ///< the status, by whoever asks; the device's thread takes no part in it
   std::atomic<bool> led_wanted{false};
 
-  mutable std::mutex mutex;  // for what follows
+  // The device's thread takes this lock only to rest: while it serves a force device, it runs
+  // before all that could hold it.
+  std::mutex mutex;
   std::condition_variable stop;
-  bool stopping = false;
-  DeviceStatus status;
+  std::atomic<bool> stopping{false};
 
   std::thread thread;  // last: it uses the rest
 };
 
-bool InputDevice::State::should_stop() const {
-  const std::lock_guard lock(mutex);
-  return stopping;
-}
-
 /// Until it is time to look for the device again.
 void InputDevice::State::rest() {
   std::unique_lock lock(mutex);
-  stop.wait_for(lock, search_every, [this] { return stopping; });
+  stop.wait_for(lock, search_every, [this] { return should_stop(); });
 }
 
 void InputDevice::State::publish(DeviceState state, const std::string& reason) {
@@ -111,9 +111,9 @@ void InputDevice::State::publish(DeviceState state, const std::string& reason) {
   sample.state = state;
   if (!ready) sample.deflection.setZero();
   samples.write(sample);
-  const std::lock_guard lock(mutex);
   status.state = state;
-  if (status.reason != reason) status.reason = reason;
+  status.reason = reason;
+  publish_status();
 }
 
 std::vector<HidInfo> InputDevice::State::fitting() const {
@@ -160,7 +160,6 @@ std::optional<Connection> InputDevice::State::find() {
       Connection connection = connect(info);
       if (!choice.path.empty()) choice.path = info.path;
       know_others(all);
-      const std::lock_guard lock(mutex);
       status.name = name_of(info);
       status.path = info.path;
       status.capabilities = connection.capabilities();
@@ -194,10 +193,8 @@ void InputDevice::State::serve(Connection& connection) {
   const auto wait = in_the_loop ? force_wait : puck_wait;
   // Looking for devices has no end that is known, and is left to ordinary times.
   const Promptness prompt(in_the_loop);
-  {
-    const std::lock_guard lock(mutex);
-    status.scheduling = prompt.words();
-  }
+  status.scheduling = prompt.words();
+  publish_status();
   bool there = true;
   while (there && !should_stop())
     there = switch_led(connection) && hear(connection, wait) && answer(connection);
@@ -231,10 +228,10 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
       },
       connection.driver);
   const auto* force = std::get_if<ForceDevice>(&connection.driver);
-  const std::lock_guard lock(mutex);
   ++status.reports;
   if (heard == Heard::refused) ++status.refused;
   if (force) status.lost = force->lost();
+  publish_status();
 }
 
 /// The wrench goes out; false where the device does not take it.
@@ -273,8 +270,9 @@ void InputDevice::set_wrench(const DeviceWrench& wrench, DeviceClock::time_point
 }
 
 DeviceStatus InputDevice::status() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->status;
+  const std::lock_guard lock(state_->reading);
+  state_->statuses.update();
+  return state_->statuses.front();
 }
 
 void InputDevice::set_led(bool on) { state_->led_wanted.store(on, std::memory_order_relaxed); }
