@@ -27,10 +27,21 @@ const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& o
   StaticOptions own = options;
   own.method = method_;
   contacts_ = LocalContacts{};
-  contacts_.separation = solver_.reset(X_FM, own);
+  contacts_.separation = begin(X_FM, own);
   near_.forget();
   gather();
   return contacts_;
+}
+
+/// From the separated pose that is known, which is free, the device pose is a tick away.
+const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& options) {
+  const bool known = searched_ && searched_->device.p == X_FM.p &&
+                     searched_->device.q.coeffs() == X_FM.q.normalized().coeffs();
+  if (known && solver_.reset(searched_->separated, options).status == Status::separated)
+    return solver_.tick(X_FM);
+  const Separation& found = solver_.reset(X_FM, options);
+  if (found.status == Status::penetrating) searched_ = found;
+  return found;
 }
 
 const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,

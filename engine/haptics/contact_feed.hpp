@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/haptics/local_contacts.hpp"
 #include "engine/penetration/coherent.hpp"
 #include "engine/penetration/contact_rows.hpp"
@@ -15,7 +17,8 @@ class ContactFeed {
  public:
   ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method);
 
-  /// First pose: free, or a static search (by this feed's method). Allocates.
+  /// First pose: free, or a static search (by this feed's method), whose answer is remembered for
+  /// the next time that the loop begins there. Allocates.
   const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
   /// The next device pose, taken in a tick of the servo at a time of its clock, s. No allocation,
   /// lock, log, throw.
@@ -24,6 +27,7 @@ class ContactFeed {
   const LocalContacts& contacts() const noexcept { return contacts_; }
 
  private:
+  const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather() noexcept;
 
   std::shared_ptr<const Body> probe_;
@@ -31,6 +35,8 @@ class ContactFeed {
   CoherentSolver solver_;
   ContactRows near_;
   LocalContacts contacts_;
+  /// What was found by the last search that was needed.
+  std::optional<Separation> searched_;
 };
 
 }  // namespace sonde

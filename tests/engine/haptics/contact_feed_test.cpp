@@ -22,6 +22,31 @@ Pose path(double x) {
           Vec3(0.01 * x, 0.002, 0.06 - 0.05 * x)};
 }
 
+/// No search at all, where one is needed.
+StaticOptions nothing_to_search_with() {
+  StaticOptions options;
+  options.starts = 0;
+  options.budget.steps = 1;
+  return options;
+}
+
+TEST(ContactFeed, where_it_has_searched_before_it_does_not_search_again) {
+  const Bodies bodies;
+  const Pose deep = path(1);
+  ContactFeed feed(bodies.probe, bodies.fixed, Method::pdg);
+  const Separation found = feed.reset(deep, {}).separation;
+  ASSERT_EQ(found.status, Status::penetrating);
+  feed.refresh(path(0.2), 1, 1e-3, {});
+  const LocalContacts& again = feed.reset(deep, nothing_to_search_with());
+  EXPECT_EQ(again.separation.status, Status::penetrating);
+  EXPECT_LE(again.separation.depth, found.depth * (1 + 1e-9));
+  EXPECT_GT(again.size, 0);
+  ContactFeed fresh(bodies.probe, bodies.fixed, Method::pdg);
+  const Separation poor = fresh.reset(deep, nothing_to_search_with()).separation;
+  EXPECT_TRUE(poor.status == Status::failed || poor.depth > found.depth * 1.001)
+      << "else this test could not fail: " << poor.depth << ' ' << found.depth;
+}
+
 TEST(ContactFeed, follows_the_device_as_the_coherent_solver_does) {
   const Bodies bodies;
   ContactFeed feed(bodies.probe, bodies.fixed, Method::pdg);
