@@ -81,6 +81,7 @@ SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
 DeviceTraits DeviceMotion::traits() const noexcept {
   const WorkspaceMap::Ratios ratios = map_.largest_ratios();
   return {
+      .ratio = ratios.translation,
       .max_damping = bearable_damping / (ratios.translation * ratios.translation),
       .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation)};
 }

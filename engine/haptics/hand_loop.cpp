@@ -12,15 +12,25 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
                    const HandLoopSettings& settings)
     : mass_(mass),
       method_(method),
-      // The rows of a slow servo are a tick old at best.
-      stalled_after_(std::max(settings.safety.stalled_after, 4 / settings.rate_hz)),
+      least_stall_(settings.safety.stalled_after),
+      stalled_after_(least_stall_),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
-      gate_(settings.safety) {}
+      runaway_(settings.safety.runaway_speed),
+      gate_(settings.safety) {
+  set_rate(settings.rate_hz);
+}
+
+void HandLoop::set_rate(double rate_hz) noexcept {
+  // The rows of a slow servo are a tick old at best.
+  stalled_after_ = std::max(least_stall_, 4 / rate_hz);
+  passivity_.set_period(1 / rate_hz);
+}
 
 void HandLoop::restart(const Pose& X_FM) noexcept {
   coupler_.forget();
   passivity_.restart(X_FM);
+  runaway_.restart();
   gate_.restart();
   ids_.forget();
   X_FM_ = X_FM;
@@ -36,6 +46,7 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
   if (!is_finite(sample.X_FM)) return Withheld::not_finite;
   if (!sample.held) return Withheld::let_go;
   if (sample.changed) return Withheld::changed;
+  if (runaway_.seen()) return Withheld::diverged;
   return overdue(contacts, clock);
 }
 
@@ -44,6 +55,19 @@ Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) co
   const bool of_before = contacts.time < resumed_;
   const bool in_time = clock.now - resumed_ <= stalled_after_;
   return of_before && in_time ? rest_ : Withheld::stalled;
+}
+
+/// To the newest pose that can be true. A mouse jumps as it likes: only what is known to be a
+/// device can be thrown.
+void HandLoop::follow(const HandSample& sample, double dt) noexcept {
+  const bool trusted = sample.trusted && is_finite(sample.X_FM);
+  const Vec3 before = X_FM_ * mass_.com;
+  if (trusted) X_FM_ = sample.X_FM;
+  if (!sample.device || !trusted || sample.changed || !(dt > 0)) return runaway_.restart();
+  const Wrench& acted = out_.wrench;
+  const bool pushed = !acted.force.isZero(0) || !acted.torque.isZero(0);
+  if (sample.device->ratio > 0)
+    runaway_.observe((X_FM_ * mass_.com - before) / sample.device->ratio, dt, pushed);
 }
 
 void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
@@ -65,10 +89,11 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
 const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
                                const Clock& clock, Withheld why) noexcept {
   if (std::exchange(resting_, false)) resumed_ = clock.now;
-  if (sample.trusted && is_finite(sample.X_FM)) X_FM_ = sample.X_FM;
+  follow(sample, clock.dt);
   passivity_.set_device(sample.device);
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);
+  if (out_.separation.status == Status::separated) runaway_.release();
   Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;
   if (reason == Withheld::nothing && out_.separation.status == Status::failed)
     reason = Withheld::failed;

@@ -5,6 +5,7 @@
 #include "engine/haptics/hand.hpp"
 #include "engine/haptics/local_contacts.hpp"
 #include "engine/haptics/passivity.hpp"
+#include "engine/haptics/runaway.hpp"
 #include "engine/haptics/safety.hpp"
 #include "engine/penetration/contact_clusters.hpp"
 
@@ -56,6 +57,9 @@ class HandLoop {
   void set_coupling(const Coupling& coupling) noexcept { coupler_.set_coupling(coupling); }
   void set_coupling(const GainGlide::Blend& blend) noexcept { coupler_.set_coupling(blend); }
 
+  void set_rate(double rate_hz) noexcept;
+  void set_passivity_control(bool on) noexcept { passivity_.set_control(on); }
+
   struct Clock {
     std::uint64_t tick = 0;
     double now = 0;  ///< s, on the clock of the rows
@@ -77,13 +81,16 @@ class HandLoop {
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
                  const Clock& clock) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
+  void follow(const HandSample& sample, double dt) noexcept;
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
   MassProperties mass_;
   Method method_;
-  double stalled_after_;
+  double least_stall_;    ///< s, of the settings
+  double stalled_after_;  ///< s, at this rate
   Coupler coupler_;
   Passivity passivity_;
+  Runaway runaway_;
   SafetyGate gate_;
   ClusterIds ids_;
   Pose X_FM_;

@@ -44,6 +44,8 @@ class Passivity {
 
   /// What is known of the device, from the next pose on: instead of the settings'. None: those.
   void set_device(const std::optional<DeviceTraits>& device) noexcept;
+  void set_control(bool on) noexcept { settings_.control = on; }
+  void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
   void restart(const Pose& X_FM) noexcept;
   /// The pose of this tick: what the last wrench did. dt in s since the last one.
   void observe(const Pose& X_FM, double dt) noexcept;

@@ -41,6 +41,8 @@ const char* words(Withheld why) {
       return "no separated pose was found";
     case Withheld::stalled:
       return "the geometry does not keep up";
+    case Withheld::diverged:
+      return "the loop diverged, and threw the hand";
     case Withheld::shut_down:
       return "the loop has ended";
   }

@@ -16,6 +16,7 @@ enum class Withheld {
   not_finite,  ///< the device pose, or a force, is no number
   failed,      ///< no separated pose was found
   stalled,     ///< the geometry has not answered for too long
+  diverged,    ///< the force threw the hand, which is still in contact or fast
   shut_down,   ///< the loop has ended
 };
 /// In a few words, for the window and the log.
@@ -26,6 +27,7 @@ struct SafetySettings {
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
   double stalled_after = 0.02;  ///< s, age of the rows
+  double runaway_speed = 2;     ///< m/s of the hand under a force, see Runaway; 0: no limit
 };
 
 /// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and

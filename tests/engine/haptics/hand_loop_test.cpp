@@ -206,6 +206,62 @@ TEST(HandLoop, a_geometry_that_does_not_answer_after_a_pause_has_stalled) {
   EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
 }
 
+/// A device that slides along the block's top at 3 m/s, pressed into it.
+const HandTick& throw_hand(Bench& bench, const DeviceTraits& traits) {
+  for (int i = -40; i < 40; ++i) {
+    Pose X = at_depth(0.002);
+    X.p.x() = 0.003 * i;
+    bench.tick({.X_FM = X, .changed = i == -40, .device = traits});
+  }
+  return bench.loop.last();
+}
+
+TEST(HandLoop, a_hand_that_is_thrown_gets_nothing_until_it_has_left_the_contact) {
+  Bench bench;
+  const DeviceTraits device{.damping = 1};
+  bench.tick({.X_FM = at_depth(0.002), .device = device});
+  const HandTick& thrown = throw_hand(bench, device);
+  EXPECT_EQ(thrown.hand.withheld, Withheld::diverged);
+  EXPECT_EQ(thrown.wrench.force, Vec3::Zero());
+  Pose rest = at_depth(0.002);
+  rest.p.x() = 0.117;
+  for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << "still in contact";
+  for (int i = 0; i < 50; ++i) bench.tick({.X_FM = at_depth(-0.001), .device = device});
+  for (int i = 0; i < 3; ++i) bench.tick({.X_FM = at_depth(0.002), .device = device});
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::nothing);
+  EXPECT_GT(bench.loop.last().wrench.force.z(), 0.9);
+}
+
+TEST(HandLoop, the_speed_is_that_of_the_hand_and_a_mouse_has_none) {
+  Bench scaled;
+  const DeviceTraits half{.ratio = 2};
+  scaled.tick({.X_FM = at_depth(0.002), .device = half});
+  EXPECT_EQ(throw_hand(scaled, half).hand.withheld, Withheld::nothing) << "1.5 m/s in the hand";
+  Bench mouse;
+  mouse.settle(0.002, 5);
+  for (int i = -40; i < 40; ++i) {
+    Pose X = at_depth(0.002);
+    X.p.x() = 0.003 * i;
+    EXPECT_EQ(mouse.tick({.X_FM = X}).hand.withheld, Withheld::nothing);
+  }
+}
+
+TEST(HandLoop, another_rate_is_another_delay_of_the_device_in_ticks) {
+  Bench bench;
+  const DeviceTraits device{.delay = 0.004};
+  bench.loop.set_rate(500);
+  const auto hold = [&](double depth, int ticks) {
+    for (int i = 0; i < ticks; ++i) bench.tick({.X_FM = at_depth(depth), .device = device});
+  };
+  hold(0.002, 1);
+  const double before = bench.loop.last().hand.energy.given;
+  hold(0.002, 2);
+  // The first wrench acts two ticks of 2 ms after it was asked for, not four.
+  bench.tick({.X_FM = at_depth(0.001), .device = device});
+  EXPECT_NEAR(bench.loop.last().hand.energy.given - before, 0.001 * 500 * 0.002, 1e-5);
+}
+
 TEST(HandLoop, an_untrusted_pose_is_not_followed) {
   Bench bench;
   bench.settle(0.002, 10);

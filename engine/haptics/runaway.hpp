@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+/// Sees a loop that diverges, by what it does: it throws the hand. A force is limited to what the
+/// device can, so a loop that is unstable in the small only buzzes, which is felt and shown, and is
+/// not this; but one whose force feeds the motion (a device that tells its pose wrong, a gain far
+/// beyond the stable) takes the handle faster than a hand goes that feels something. The makers'
+/// own drivers end the force in the same case.
+///
+/// The velocity is averaged over some 20 ms, as a vector: swings, the grid of an encoder and a
+/// device slower than the servo do not add up.
+class Runaway {
+ public:
+  /// m/s of the hand; 0: nothing is too fast.
+  explicit Runaway(double fastest) : fastest_(fastest) { restart(); }
+
+  /// What was before is no neighbour.
+  void restart() noexcept;
+  /// The way (m) of the hand in the dt (s) since the last call; did a force act on it?
+  void observe(const Vec3& way, double dt, bool pushed) noexcept;
+  /// Out of contact: a hand that is slow again is held.
+  void release() noexcept;
+  /// Too fast under a force, or just after it, and not held since.
+  bool seen() const noexcept { return seen_; }
+
+ private:
+  double fastest_;
+  Vec3 velocity_ = Vec3::Zero();  ///< m/s, averaged
+  double unpushed_ = 0;           ///< s without a force
+  bool seen_ = false;
+};
+
+}  // namespace sonde
