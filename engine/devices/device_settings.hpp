@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/devices/axis_map.hpp"
 
 namespace sonde {
@@ -25,6 +27,9 @@ struct DeviceSettings {
   double smoothing = 0.03;  ///< s, time constant for deflections
   int clutch_button = 1;    ///< held down, it leaves the probe where it is; 0: none
   AxisMap axes;
+  // What the device wants of the haptic loop, before what the scene says; none: as the scene says.
+  std::optional<double> rate_hz;
+  std::optional<bool> passivity_control;
 };
 
 }  // namespace sonde

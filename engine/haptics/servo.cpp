@@ -65,6 +65,8 @@ struct Servo::State {
   std::atomic<bool> stopping{false};
   std::atomic<bool> paused{false};
   std::atomic<bool> force{true};
+  std::atomic<double> rate_hz;
+  std::atomic<bool> passivity_control;
   std::thread thread;
 
   State(const std::shared_ptr<const Body>& probe, std::shared_ptr<const Body> fixed, Method method,
@@ -73,7 +75,9 @@ struct Servo::State {
         geometry(probe, std::move(fixed), method, s.budget, s.real_time),
         settings(s),
         coupling(c),
-        glide(c) {}
+        glide(c),
+        rate_hz(possible_rate(s.rate_hz)),
+        passivity_control(s.passivity.control) {}
 
   // On the servo thread.
   class Run;
@@ -95,12 +99,7 @@ bool Servo::State::wait_for(std::int64_t due) noexcept {
 /// One run of the servo thread, from start() to stop().
 class Servo::State::Run {
  public:
-  explicit Run(State& state)
-      : s_(state),
-        start_(monotonic_now()),
-        schedule_{.period = std::llround(static_cast<double>(second) /
-                                         possible_rate(state.settings.rate_hz)),
-                  .due = start_} {}
+  explicit Run(State& state) : s_(state), start_(monotonic_now()), schedule_{.due = start_} {}
 
   void go() noexcept {
     name_thread("sonde-servo");
@@ -108,6 +107,7 @@ class Servo::State::Run {
     schedule_.due = start_ = monotonic_now();
     while (s_.wait_for(schedule_.due)) {
       const std::int64_t begin = monotonic_now();
+      take_settings();
       if (s_.paused.load(std::memory_order_relaxed))
         idle(begin);
       else
@@ -117,6 +117,15 @@ class Servo::State::Run {
   }
 
  private:
+  void take_settings() noexcept {
+    s_.loop.set_passivity_control(s_.passivity_control.load(std::memory_order_relaxed));
+    const double rate_hz = s_.rate_hz.load(std::memory_order_relaxed);
+    if (rate_hz == rate_hz_) return;
+    rate_hz_ = rate_hz;
+    schedule_.period = std::llround(static_cast<double>(second) / rate_hz);
+    s_.loop.set_rate(rate_hz);
+  }
+
   void render(const Wrench& wrench) noexcept {
     if (s_.hand.render) s_.hand.render(wrench);
   }
@@ -201,6 +210,7 @@ class Servo::State::Run {
   State& s_;
   std::int64_t start_;
   Schedule schedule_;
+  double rate_hz_ = 0;  ///< that of the schedule; 0: none yet
   RateMeter meter_;
   Snapshot snapshot_;
   ServoTiming timing_;
@@ -257,6 +267,14 @@ void Servo::set_device_pose(const Pose& X_FM) { state_->poses.write(X_FM); }
 void Servo::set_coupling(const Coupling& coupling) {
   state_->coupling = coupling;
   state_->couplings.write(coupling);
+}
+
+void Servo::set_rate(double rate_hz) {
+  state_->rate_hz.store(possible_rate(rate_hz), std::memory_order_relaxed);
+}
+
+void Servo::set_passivity_control(bool on) {
+  state_->passivity_control.store(on, std::memory_order_relaxed);
 }
 
 void Servo::set_paused(bool paused) { state_->paused.store(paused, std::memory_order_relaxed); }

@@ -73,6 +73,9 @@ class Servo {
   void set_device_pose(const Pose& X_FM);
   /// Acts from the next tick on, over a tenth of a second; see GainGlide.
   void set_coupling(const Coupling& coupling);
+  // These act from the next tick on, and stay over a restart.
+  void set_rate(double rate_hz);
+  void set_passivity_control(bool on);
   /// A paused loop keeps its threads and its last snapshot, and computes nothing.
   void set_paused(bool paused);
   /// False: no force from the next tick on, whatever the contact; true: it comes in from zero.

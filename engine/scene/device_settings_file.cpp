@@ -2,6 +2,7 @@
 #include "engine/scene/device_settings_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "engine/scene/json_checks.hpp"
@@ -26,6 +27,17 @@ AxisSetting read_axis(const Path& file, const JsonNode& node, AxisSetting axis) 
   }
   read_settings(file, node, axis_settings(), axis);
   return axis;
+}
+
+constexpr std::array<std::string_view, 2> servo_keys{"rate_hz", "passivity_control"};
+
+/// What the device wants of the loop.
+void read_servo(const Path& file, const JsonNode& node, DeviceSettings& settings) {
+  expect_keys(file, node, {servo_keys.begin(), servo_keys.end()});
+  ServoSettings servo;
+  read_settings(file, node, servo_settings(), servo);
+  if (node.find("rate_hz")) settings.rate_hz = servo.rate_hz;
+  if (node.find("passivity_control")) settings.passivity_control = servo.passivity.control;
 }
 
 std::string hex(std::uint16_t id) {
@@ -79,8 +91,12 @@ DeviceSettings device_settings_in(const Path& file, const JsonNode& object) {
 
 DeviceSettings read_device_settings(const Path& file) {
   const JsonNode root = parse_json(file.string(), read_text(file, most_bytes));
-  expect_keys(file, root, device_settings_keys());
-  return device_settings_in(file, root);
+  std::vector<std::string_view> keys = device_settings_keys();
+  keys.emplace_back("servo");
+  expect_keys(file, root, keys);
+  DeviceSettings settings = device_settings_in(file, root);
+  if (const JsonNode* servo = root.find("servo")) read_servo(file, *servo, settings);
+  return settings;
 }
 
 std::string device_settings_text(const DeviceSettings& settings) {
@@ -94,6 +110,9 @@ std::string device_settings_text(const DeviceSettings& settings) {
       to[setting.key] = get(from, setting.key);
   };
   for (const Setting& setting : device_settings()) add(json, settings, setting);
+  if (settings.rate_hz) json["servo"]["rate_hz"] = *settings.rate_hz;
+  if (settings.passivity_control)
+    json["servo"]["passivity_control"] = static_cast<int>(*settings.passivity_control);
   for (std::size_t i = 0; i < settings.axes.axes.size(); ++i) {
     const AxisSetting& axis = settings.axes.axes[i];
     nlohmann::ordered_json& one = json["axes"][device_axes()[i].key];

@@ -17,7 +17,8 @@ namespace sonde {
 ///     {"control": "rate", "frame": "view", "scaling": 1, ...,
 ///      "axes": {"x": {"from": "y", "inverted": true, "gain": 1, "dead_zone": 0.05}, ...}}
 ///
-/// What is left out has its default.
+/// What is left out has its default. A file of its own may hold "servo" beside, with "rate_hz" and
+/// "passivity_control": a scene says those for itself.
 
 /// The keys of that object.
 std::vector<std::string_view> device_settings_keys();

@@ -198,6 +198,26 @@ TEST_F(ServoTest, a_pause_is_among_the_ticks_and_is_no_stall) {
   EXPECT_EQ(pauses, 1);
 }
 
+TEST_F(ServoTest, another_rate_acts_at_once_and_stays) {
+  servo.start(at_depth(-0.01));
+  ASSERT_TRUE(wait_for_ticks(servo, 5));
+  const auto largest =
+      [&] {  // ticks in a second: never ahead of the clock, but for one made up for
+        Snapshot first, last;
+        while (servo.next_tick(last)) continue;
+        const std::uint64_t from = servo.latest()->tick;
+        EXPECT_TRUE(wait_for(servo, [&](const Snapshot& s) { return s.tick > from + 50; }));
+        servo.next_tick(first);
+        for (last = first; servo.next_tick(last);) continue;
+        return static_cast<double>(last.tick - first.tick - 2) / (last.time - first.time);
+      };
+  servo.set_rate(100);
+  EXPECT_LT(largest(), 150);
+  servo.stop();
+  servo.start(at_depth(-0.01));
+  EXPECT_LT(largest(), 150);
+}
+
 TEST_F(ServoTest, every_tick_is_handed_out_once_and_in_order) {
   Snapshot s;
   EXPECT_FALSE(servo.next_tick(s));

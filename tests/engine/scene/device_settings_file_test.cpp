@@ -25,12 +25,16 @@ DeviceSettings unusual() {
   settings.clutch_button = 12;
   for (int i = 0; i < 6; ++i)
     settings.axes.axes[static_cast<std::size_t>(i)] = {5 - i, i % 2 == 0, 0.1 * i, 0.05 * i};
+  settings.rate_hz = 2000.5;
+  settings.passivity_control = false;
   return settings;
 }
 
 void expect_same(const DeviceSettings& a, const DeviceSettings& b) {
   EXPECT_EQ(a.control, b.control);
   EXPECT_EQ(a.frame, b.frame);
+  EXPECT_EQ(a.rate_hz, b.rate_hz);
+  EXPECT_EQ(a.passivity_control, b.passivity_control);
   for (const Setting& s : device_settings()) EXPECT_EQ(get(a, s.key), get(b, s.key)) << s.key;
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(a.axes.axes[i].source, b.axes.axes[i].source);
@@ -78,6 +82,8 @@ TEST(DeviceSettingsFile, bad_input_is_named_with_its_line) {
               HasSubstr("expected true or false"));
   EXPECT_THAT(complaint(R"({"axes": {"x": {"dead_zone": 1}}})"), HasSubstr("\"dead_zone\" is 1"));
   EXPECT_THAT(complaint(R"({"clutch_button": 1.5})"), HasSubstr("a whole number"));
+  EXPECT_THAT(complaint(R"({"servo": {"rate": 900}})"), HasSubstr("rate_hz"));
+  EXPECT_THAT(complaint(R"({"servo": {"rate_hz": 9}})"), HasSubstr("between 500 and 10000 Hz"));
 }
 
 TEST(DeviceSettingsFile, each_device_has_a_name_of_its_own_that_is_no_path) {
