@@ -215,6 +215,7 @@ TEST_F(ServoTest, another_rate_acts_at_once_and_stays) {
   EXPECT_LT(largest(), 150);
   servo.stop();
   servo.start(at_depth(-0.01));
+  ASSERT_TRUE(wait_for_ticks(servo, 5));
   EXPECT_LT(largest(), 150);
 }
 
