@@ -20,10 +20,11 @@ Parsed parse_arguments(int argc, char** argv) {
       ->expected(0, 2);
   app.add_option("--unit", unit, "Unit of two meshes: m, cm, mm, um, in or ft")
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
-  app.add_option("--device", arguments.device,
-                 "What holds the probe: a device profile's id (simulated), a connected device's "
-                 "name or ids, a path (a profile.json, /dev/hidrawN), auto (the first that opens, "
-                 "else the mouse), mouse, or path (the scene's recorded one)")
+  app.add_option(
+         "--device", arguments.device,
+         "What holds the probe: a device profile's id (simulated), a connected device's "
+         "name or ids, a path (a profile.json, a recorded path.csv, /dev/hidrawN), auto (the "
+         "first that opens, else the mouse), mouse, or path (the scene's recorded one)")
       ->type_name("NAME | PATH | auto");
   auto* picture = app.add_option("--screenshot", arguments.screenshot,
                                  "Write a picture of the window (PNG), then end")

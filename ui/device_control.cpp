@@ -48,8 +48,9 @@ void DeviceControl::attach(Session* session) {
   session_ = session;
   if (!session_) return;
   const Opened& opened = session_->opened();
-  const bool without_path =
-      std::holds_alternative<PathHolder>(holder_) && opened.trajectory.empty();
+  of_scene_ = opened.servo;
+  const auto* path = std::get_if<PathHolder>(&holder_);
+  const bool without_path = path && path->file.empty() && opened.trajectory.empty();
   if (without_path && report_error)
     report_error(QStringLiteral("This scene has no recorded path: the mouse holds the probe."));
   if (!chosen_ && opened.device)
@@ -79,8 +80,9 @@ void DeviceControl::take(const Holder& holder) {
 /// Hands the probe of the session over.
 void DeviceControl::hold() {
   if (!session_) return;
+  run_as_wanted();
   if (input_) return session_->hold_by(input_, settings_);
-  if (std::holds_alternative<PathHolder>(holder_)) return session_->replay();
+  if (const auto* path = std::get_if<PathHolder>(&holder_)) return hold_by_path(*path);
   const auto* simulating = std::get_if<SimulatedHolder>(&holder_);
   if (!simulating) return session_->hold_by_mouse();
   try {
@@ -90,6 +92,23 @@ void DeviceControl::hold() {
     session_->hold_by_mouse();
     if (report_error) report_error(QString::fromUtf8(why.what()));
   }
+}
+
+void DeviceControl::hold_by_path(const PathHolder& path) {
+  session_->replay(path.file.empty() ? session_->opened().trajectory : path.path);
+}
+
+ServoSettings DeviceControl::servo() const {
+  ServoSettings servo = of_scene_;
+  servo.rate_hz = settings_.rate_hz.value_or(servo.rate_hz);
+  servo.passivity.control = settings_.passivity_control.value_or(servo.passivity.control);
+  return servo;
+}
+
+void DeviceControl::run_as_wanted() {
+  const ServoSettings wanted = servo();
+  session_->set_rate(wanted.rate_hz);
+  session_->set_passivity_control(wanted.passivity.control);
 }
 
 std::filesystem::path DeviceControl::settings_file() const {
@@ -118,8 +137,14 @@ void DeviceControl::load_settings() {
 }
 
 void DeviceControl::set_settings(const DeviceSettings& settings) {
+  const double rate_before = servo().rate_hz;
   settings_ = settings;
-  if (session_) session_->set_device_settings(settings_);
+  if (session_) {
+    session_->set_device_settings(settings_);
+    run_as_wanted();
+  }
+  // A simulated device is made for one rate.
+  if (servo().rate_hz != rate_before && std::holds_alternative<SimulatedHolder>(holder_)) hold();
   if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
   if (changed) changed();
 }
@@ -149,22 +174,6 @@ void DeviceControl::frame(const Quat& q_FV) {
   session_->sweep();
 }
 
-namespace {
-
-/// Two that are called the same are told apart by their nodes.
-std::vector<Holder> told_apart(std::vector<Holder> holders) {
-  const std::vector<Holder> before = holders;
-  for (Holder& holder : holders) {
-    auto* device = std::get_if<ConnectedHolder>(&holder);
-    const auto called_so = [&](const Holder& h) { return name_of(h) == device->name; };
-    if (device && std::ranges::count_if(before, called_so) > 1)
-      device->name += " (" + device->choice.path + ")";
-  }
-  return holders;
-}
-
-}  // namespace
-
 std::vector<Holder> DeviceControl::choices() const {
   std::vector<Holder> all{MouseHolder{}};
   if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathHolder{});
@@ -172,7 +181,7 @@ std::vector<Holder> DeviceControl::choices() const {
   for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(holder_of(device.info));
   if (std::ranges::none_of(all, [this](const Holder& h) { return same(h, holder_); }))
     all.push_back(holder_);
-  return told_apart(std::move(all));
+  return all;
 }
 
 HolderReport DeviceControl::report() {

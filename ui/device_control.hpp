@@ -12,6 +12,7 @@
 
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/device_watch.hpp"
+#include "engine/haptics/servo.hpp"
 #include "ui/holder.hpp"
 
 namespace sonde::ui {
@@ -49,6 +50,8 @@ class DeviceControl : public QObject {
   /// Acts at once; kept for the device a moment later, unless the scene brings its own.
   void set_settings(const DeviceSettings& settings);
   void set_led(bool on);
+  /// What runs now: the device's wish, else the scene's.
+  ServoSettings servo() const;
 
   /// With each frame: the way the picture is seen goes to the device.
   void frame(const Quat& q_FV);
@@ -65,6 +68,8 @@ class DeviceControl : public QObject {
  private:
   void take(const Holder& holder);
   void hold();
+  void hold_by_path(const PathHolder& path);
+  void run_as_wanted();
   void load_settings();
   void keep_settings();
   std::filesystem::path settings_file() const;
@@ -73,6 +78,7 @@ class DeviceControl : public QObject {
   std::vector<DeviceProfile> profiles_;
   DeviceWatch watch_;
   Session* session_ = nullptr;
+  ServoSettings of_scene_;  ///< the loop's, as the session brought them
   bool chosen_ = false;
   Holder holder_;
   std::shared_ptr<InputDevice> input_;  ///< of a connected device

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <optional>
 
 #include "engine/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
@@ -50,17 +51,31 @@ Holder on_node(const std::string& path) {
   throw InputError::in(path, "no 6-DoF device is connected there");
 }
 
+/// The first that opens of those that are called so; none where there are none.
+std::optional<Holder> connected_as(const std::string& asked,
+                                   const std::vector<ConnectedDevice>& connected) {
+  std::string reasons;
+  for (const ConnectedDevice& device : connected) {
+    if (lower(name_of(device.info)) != lower(asked) && ids_of(device.info) != lower(asked))
+      continue;
+    try {
+      return checked(device.info);
+    } catch (const InputError& error) {
+      reasons.append(reasons.empty() ? "" : "; ").append(error.what());
+    }
+  }
+  if (!reasons.empty()) throw InputError(reasons);
+  return {};
+}
+
 Holder named(const std::string& asked, std::span<const std::filesystem::path> folders) {
   const std::vector<std::string> ids = device_profile_ids(folders);
   if (std::ranges::find(ids, asked) != ids.end())
     return SimulatedHolder{find_device_profile(asked, folders)};
+  const std::vector<ConnectedDevice> connected = connected_devices();
+  if (const std::optional<Holder> found = connected_as(asked, connected)) return *found;
   std::vector<std::string> known = ids;
-  for (const ConnectedDevice& device : connected_devices()) {
-    const std::string name = name_of(device.info);
-    if (lower(name) == lower(asked) || ids_of(device.info) == lower(asked))
-      return checked(device.info);
-    known.push_back(name);
-  }
+  for (const ConnectedDevice& device : connected) known.push_back(name_of(device.info));
   known.insert(known.end(), {"auto", "mouse", "path"});
   const std::vector<std::string_view> words(known.begin(), known.end());
   throw UnknownDevice("no device profile and no connected device has the name \"" + asked +
@@ -72,10 +87,25 @@ Holder named(const std::string& asked, std::span<const std::filesystem::path> fo
 std::string name_of(const Holder& holder) {
   return std::visit(
       Overloaded{[](const MouseHolder&) -> std::string { return "Mouse"; },
-                 [](const PathHolder&) -> std::string { return "Recorded path"; },
+                 [](const PathHolder& p) -> std::string {
+                   return p.file.empty() ? "Recorded path"
+                                         : p.file.filename().string() + " (recorded path)";
+                 },
                  [](const SimulatedHolder& s) { return s.profile.name + " (simulated)"; },
                  [](const ConnectedHolder& c) { return c.name; }},
       holder);
+}
+
+std::vector<std::string> labels_of(std::span<const Holder> holders) {
+  std::vector<std::string> labels;
+  for (const Holder& holder : holders) labels.push_back(name_of(holder));
+  const std::vector<std::string> names = labels;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const auto* device = std::get_if<ConnectedHolder>(&holders[i]);
+    if (device && std::ranges::count(names, names[i]) > 1)
+      labels[i] += " (" + device->choice.path + ")";
+  }
+  return labels;
 }
 
 std::string settings_name_of(const Holder& holder) {
@@ -89,6 +119,8 @@ std::string settings_name_of(const Holder& holder) {
 
 bool same(const Holder& a, const Holder& b) {
   if (a.index() != b.index() || settings_name_of(a) != settings_name_of(b)) return false;
+  if (const auto* path = std::get_if<PathHolder>(&a))
+    return path->file == std::get<PathHolder>(b).file;
   const auto* one = std::get_if<ConnectedHolder>(&a);
   const auto* other = std::get_if<ConnectedHolder>(&b);
   return !one || !one->choice.serial.empty() || one->choice.path == other->choice.path;
@@ -102,12 +134,19 @@ ConnectedHolder holder_of(const HidInfo& info) {
           .name = name_of(info)};
 }
 
+PathHolder path_holder(const std::filesystem::path& file) {
+  PathHolder holder{.file = file, .path = read_trajectory(file)};
+  if (holder.path.empty()) throw InputError::in(file.string(), "it holds no pose");
+  return holder;
+}
+
 Holder find_holder(const std::string& asked,
                    std::span<const std::filesystem::path> profile_folders) {
   if (asked == "auto") return first_that_opens();
   if (asked == "mouse") return MouseHolder{};
   if (asked == "path") return PathHolder{};
   if (asked.ends_with(".json")) return SimulatedHolder{find_device_profile(asked, profile_folders)};
+  if (lower(asked).ends_with(".csv")) return path_holder(asked);
   if (asked.find('/') != std::string::npos) return on_node(asked);
   return named(asked, profile_folders);
 }

@@ -11,13 +11,17 @@
 #include "engine/devices/connection.hpp"
 #include "engine/devices/input_device.hpp"
 #include "engine/scene/device_profile.hpp"
+#include "engine/scene/poses.hpp"
 
 namespace sonde::ui {
 
 /// The mouse itself, with nothing between.
 struct MouseHolder {};
-/// The scene's recorded path.
-struct PathHolder {};
+/// A recorded path: that of a file, or the scene's where the file is empty.
+struct PathHolder {
+  std::filesystem::path file{};
+  std::vector<TimedPose> path{};  ///< of the file
+};
 /// A simulated device, which the mouse drives.
 struct SimulatedHolder {
   DeviceProfile profile;
@@ -33,12 +37,18 @@ using Holder = std::variant<MouseHolder, PathHolder, SimulatedHolder, ConnectedH
 
 /// For people: "Mouse", "sigma.7 (simulated)", "SpaceMouse Compact".
 std::string name_of(const Holder& holder);
+/// The same for a list to choose from: two devices that are called the same are told apart by their
+/// nodes, which are another when they are plugged in again.
+std::vector<std::string> labels_of(std::span<const Holder> holders);
 /// The file its settings are kept in; empty where it has none.
 std::string settings_name_of(const Holder& holder);
 /// The same device, by its ids and its serial number; where it tells none, by its node.
 bool same(const Holder& a, const Holder& b);
 
 ConnectedHolder holder_of(const HidInfo& info);
+
+/// The path recorded in a CSV file. Throws InputError with the file, the line and the reason.
+PathHolder path_holder(const std::filesystem::path& file);
 
 /// A name that nothing has: wrong usage.
 class UnknownDevice : public std::runtime_error {
@@ -48,11 +58,12 @@ class UnknownDevice : public std::runtime_error {
 
 /// What `--device` asks for:
 /// - `auto`: the first connected device that opens, else the mouse; `mouse` and `path`: those;
-/// - a path: a profile (it ends in ".json"), or the node of a device (/dev/hidraw3);
+/// - a path: a profile (it ends in ".json"), a recorded path (".csv"), or the node of a device
+///   (/dev/hidraw3);
 /// - a name: the id of a profile, or the name of a connected device, in large or small letters, or
 ///   its ids (256f:c635).
-/// Throws UnknownDevice, naming the nearest known name, or InputError where the profile cannot be
-/// read, or the device not be opened, with the reason.
+/// Throws UnknownDevice, naming the nearest known name, or InputError where the file cannot be
+/// read, or none of the devices of that name be opened, with the reason.
 Holder find_holder(const std::string& asked,
                    std::span<const std::filesystem::path> profile_folders);
 

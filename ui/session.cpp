@@ -11,6 +11,16 @@
 
 namespace sonde::ui {
 
+namespace {
+
+/// One that somebody else made.
+struct OtherHand {
+  std::shared_ptr<const Hand> made;
+  Hand hand() const { return *made; }
+};
+
+}  // namespace
+
 /// A hand with what it is made of.
 struct Session::Holding {
   template <class Kind, class... Arguments>
@@ -21,7 +31,7 @@ struct Session::Holding {
   SimulatedHand* simulated() { return std::get_if<SimulatedHand>(&by); }
   DeviceHand* device() { return std::get_if<DeviceHand>(&by); }
 
-  std::variant<DirectHand, SimulatedHand, DeviceHand, PathHand> by;
+  std::variant<DirectHand, SimulatedHand, DeviceHand, PathHand, OtherHand> by;
   const Hand hand;
 };
 
@@ -75,8 +85,23 @@ void Session::hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings&
   holding_->device()->set_view(q_FV_);
 }
 
-void Session::replay() {
-  hold(std::make_shared<Holding>(std::in_place_type<PathHand>, opened_.trajectory, probe_pose()));
+void Session::hold_by(std::shared_ptr<const Hand> hand) {
+  hold(std::make_shared<Holding>(std::in_place_type<OtherHand>, std::move(hand)));
+}
+
+void Session::replay(std::vector<TimedPose> path) {
+  path_ = std::move(path);
+  hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, probe_pose()));
+}
+
+void Session::set_rate(double rate_hz) {
+  opened_.servo.rate_hz = rate_hz;
+  servo_.set_rate(rate_hz);
+}
+
+void Session::set_passivity_control(bool on) {
+  opened_.servo.passivity.control = on;
+  servo_.set_passivity_control(on);
 }
 
 void Session::set_device_settings(const DeviceSettings& settings) {
@@ -127,8 +152,7 @@ void Session::reset() {
   if (SimulatedHand* simulated = holding_->simulated()) simulated->place(opened_.start);
   if (DeviceHand* device = holding_->device()) device->place(opened_.start);
   if (std::holds_alternative<PathHand>(holding_->by))
-    hold(
-        std::make_shared<Holding>(std::in_place_type<PathHand>, opened_.trajectory, opened_.start));
+    hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, opened_.start));
   servo_.start(opened_.start, hands_.hand());
   servo_.set_coupling(coupling_);
   set_paused(false);

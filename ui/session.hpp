@@ -45,8 +45,10 @@ class Session {
   /// std::invalid_argument where such a device cannot be simulated at this rate.
   void hold_by(const SimulatedDeviceParameters& device, double scaling);
   void hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings);
-  /// The scene's recorded path, from its beginning; there must be one.
-  void replay();
+  /// Any other hand.
+  void hold_by(std::shared_ptr<const Hand> hand);
+  /// A recorded path, from its beginning; not an empty one.
+  void replay(std::vector<TimedPose> path);
   void set_device_settings(const DeviceSettings& settings);
   /// The axes of the picture, for devices that go by them: x right, y up, z to the eye.
   void set_view(const Quat& q_FV);
@@ -60,6 +62,11 @@ class Session {
   /// By the mouse. Nothing, where something else holds the probe.
   void set_device_pose(const Pose& X_FM);
 
+  /// From the next tick on. opened().servo says what runs now. A simulated device is made for one
+  /// rate: it is to be held again.
+  void set_rate(double rate_hz);
+  void set_passivity_control(bool on);
+
   const Coupling& coupling() const { return coupling_; }
   void set_coupling(const Coupling& coupling);
 
@@ -71,7 +78,8 @@ class Session {
   void set_paused(bool paused);
 
   /// The probe goes back to its first pose, and the servo starts afresh there: following it on a
-  /// path swept free could leave the separated pose behind an obstacle.
+  /// path swept free could leave the separated pose behind an obstacle. What was searched there the
+  /// first time is not searched again.
   void reset();
 
   /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
@@ -84,7 +92,8 @@ class Session {
   Pose probe_pose();
 
   Opened opened_;
-  Pose target_;  ///< X_FM where the mouse wants the probe
+  Pose target_;                  ///< X_FM where the mouse wants the probe
+  std::vector<TimedPose> path_;  ///< the last one replayed
   Quat q_FV_ = Quat::Identity();
   Coupling coupling_;
   bool force_on_ = true;

@@ -120,6 +120,19 @@ TEST_F(ConnectedDevice,
   emit list->activated(entry(first));
   ASSERT_TRUE(wait_until([&] { return device().path == first; }));
   EXPECT_TRUE(wait_until([&] { return list->currentIndex() == entry(first); }));
+  EXPECT_TRUE(wait_until([&] { return status() == "SpaceMouse Compact: ready"; }))
+      << "the node is the list's alone: " << status().toStdString();
+}
+
+TEST_F(ConnectedDevice, of_two_alike_the_one_that_opens_is_taken_by_name) {
+  puck.serial = "";
+  puck.descriptor_in_sysfs = false;
+  plug();
+  puck.descriptor_in_sysfs = true;
+  plug();
+  const Holder found = find_holder("SpaceMouse Compact", {});
+  ASSERT_TRUE(std::holds_alternative<ConnectedHolder>(found));
+  EXPECT_EQ(std::get<ConnectedHolder>(found).choice.path, puck.path());
 }
 
 TEST_F(ConnectedDevice, one_that_does_not_open_says_why_and_the_mouse_can_go_on) {

@@ -142,6 +142,12 @@ class SimulatedDeviceTest : public WindowTest {
     if (HasFatalFailure()) return;
     open_cubes();
   }
+  void open_cubes_free() {
+    folder.write("free.sonde.json",
+                 R"({"probe": {"mesh": "cube.off", "pose": [0.2, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}})");
+    open({path("free.sonde.json")});
+  }
   void choose(const QString& name) {
     auto* list = window->findChild<QComboBox*>("holder");
     ASSERT_TRUE(wait_until([&] { return list->findText(name) >= 0; })) << name.toStdString();
@@ -242,6 +248,80 @@ TEST_F(SimulatedDeviceTest, what_a_scene_sets_never_reaches_the_file_of_the_devi
   window->findChild<TypedValue*>("scaling_value")->setValue(6);
   window.reset();  // keeps whatever is still to be kept
   EXPECT_EQ(read_device_settings(file).scaling, 3);
+}
+
+TEST_F(SimulatedDeviceTest, the_loop_runs_as_the_device_wants_and_else_as_the_scene_says) {
+  const auto passive = [this] { return window->session()->opened().servo.passivity.control; };
+  const auto rate = [this] { return window->session()->opened().servo.rate_hz; };
+  auto* box = window->findChild<QCheckBox*>("passivity_control");
+  choose("sigma.7 (simulated)");
+  EXPECT_FALSE(passive());
+  EXPECT_EQ(rate(), 1000);
+  box->click();
+  window->findChild<TypedValue*>("rate_hz_value")->setValue(2000);
+  EXPECT_TRUE(passive());
+  EXPECT_EQ(rate(), 2000);
+  choose("omega.7 (simulated)");
+  EXPECT_FALSE(passive());
+  EXPECT_FALSE(box->isChecked());
+  EXPECT_EQ(rate(), 1000);
+  folder.write("own.sonde.json", R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}, "servo": {"rate_hz": 700, "passivity_control": 1}})");
+  open({path("own.sonde.json")});
+  EXPECT_TRUE(passive()) << "this device wants nothing";
+  EXPECT_TRUE(box->isChecked());
+  EXPECT_EQ(rate(), 700);
+  choose("sigma.7 (simulated)");
+  EXPECT_EQ(rate(), 2000);
+  box->click();
+  window = std::make_unique<MainWindow>();
+  QObject::connect(window.get(), &MainWindow::opened, [this] { ++opened; });
+  open({path("own.sonde.json")});
+  choose("sigma.7 (simulated)");
+  EXPECT_FALSE(passive()) << "kept for the device, and before the scene's";
+  EXPECT_EQ(rate(), 2000);
+}
+
+TEST_F(SimulatedDeviceTest, the_energy_is_on_show_whether_the_controller_is_on_or_not) {
+  auto* given = window->findChild<QLabel*>("energy_given");
+  EXPECT_TRUE(wait_until([&] { return given->text().endsWith(" mJ"); }));
+  window->devices().choose(window->devices().choices()[0]);  // the mouse, which is in contact
+  Pose deeper = window->session()->device_pose();
+  deeper.p.x() -= 0.005;
+  window->set_device_pose(deeper);
+  EXPECT_TRUE(wait_until([&] { return given->text().startsWith("-"); }))
+      << "pressed in, the hand gave it: " << given->text().toStdString();
+}
+
+TEST_F(SimulatedDeviceTest, a_path_from_a_file_is_played_in_any_scene) {
+  const auto file =
+      folder.write("way.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n0.2,0.4,0,0,1,0,0,0\n");
+  window->devices().choose(find_holder(file.string(), {}));
+  auto* list = window->findChild<QComboBox*>("holder");
+  EXPECT_EQ(list->currentText(), "way.csv (recorded path)");
+  EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
+  open_cubes_free();
+  EXPECT_EQ(name_of(window->devices().holder()), "way.csv (recorded path)") << "it stays";
+  EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
+}
+
+TEST_F(SimulatedDeviceTest, a_path_is_chosen_from_a_file_in_the_dock) {
+  auto* list = window->findChild<QComboBox*>("holder");
+  QString file;
+  window->prompts().ask_path = [&] { return file; };
+  const auto ask = [&](const std::string& name) {
+    file = QString::fromStdString(name);
+    emit list->activated(list->count() - 1);
+  };
+  ask("");
+  EXPECT_EQ(list->currentText(), "Mouse") << "given up";
+  ask(folder.write("bad.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0\n").string());
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_TRUE(complaints[0].contains("bad.csv:2")) << complaints[0].toStdString();
+  EXPECT_EQ(list->currentText(), "Mouse");
+  ask(folder.write("way.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n").string());
+  EXPECT_EQ(list->currentText(), "way.csv (recorded path)");
+  EXPECT_TRUE(wait_until([&] { return probe().x() == 0.3; }));
 }
 
 TEST_F(SimulatedDeviceTest, a_recorded_path_is_played) {

@@ -31,6 +31,11 @@ Prompts dialogs(QWidget& window) {
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return std::pair{dialog.probe(), dialog.fixed()};
   };
+  prompts.ask_path = [parent] {
+    return QFileDialog::getOpenFileName(parent, QStringLiteral("Play a recorded path"),
+                                        last_folder(),
+                                        QStringLiteral("Recorded paths (*.csv);;All files (*)"));
+  };
   prompts.ask_picture = [parent] {
     const QString name =
         QDateTime::currentDateTime().toString(QStringLiteral("'sonde-'yyyyMMdd-HHmmss'.png'"));

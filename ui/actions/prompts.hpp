@@ -20,6 +20,7 @@ struct Prompts {
   std::function<std::optional<double>(const MeshPair& pair)> ask_unit;
   std::function<QString()> ask_scene;                                      ///< empty: given up
   std::function<std::optional<std::pair<QString, QString>>()> ask_meshes;  ///< probe and fixed
+  std::function<QString()> ask_path;           ///< a recorded path to read; empty: given up
   std::function<QString()> ask_picture;        ///< a file to write; empty: given up
   std::function<QString()> ask_tuning;         ///< a folder to read; empty: given up
   std::function<QString()> ask_tuning_folder;  ///< a folder to write to; empty: given up

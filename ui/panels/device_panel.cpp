@@ -75,6 +75,7 @@ DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device")
   build_choice(*layout);
   build_state(*layout);
   build_motion(*layout);
+  build_loop(*layout);
   build_axes(*layout);
   layout->addStretch();
   content->ensurePolished();
@@ -88,12 +89,15 @@ void DevicePanel::build_choice(QVBoxLayout& layout) {
   holders_ = new QComboBox(this);
   holders_->setObjectName(QStringLiteral("holder"));
   holders_->setToolTip(QStringLiteral(
-      "The mouse itself, a simulated device that it drives, or a connected device."));
+      "The mouse itself, a recorded path, a simulated device that the mouse drives, or a "
+      "connected device."));
   label->setBuddy(holders_);
   layout.addWidget(label);
   layout.addWidget(holders_);
   connect(holders_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
-    if (chosen) chosen(choices_.at(static_cast<std::size_t>(i)));
+    const auto at = static_cast<std::size_t>(i);
+    if (at < choices_.size() && chosen) chosen(choices_[at]);
+    if (at >= choices_.size() && path_wanted) path_wanted();
   });
 }
 
@@ -181,6 +185,39 @@ void DevicePanel::build_motion(QVBoxLayout& layout) {
   layout.addWidget(motion_box_);
 }
 
+void DevicePanel::build_loop(QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Loop"), this);
+  auto* box = new QVBoxLayout(group);
+  box->setContentsMargins(0, 4, 0, 0);
+  rate_row_ = new SliderRow(*find_setting(servo_settings(), "rate_hz"), group);
+  rate_row_->changed = [this](double value) {
+    change([&](DeviceSettings& s) { s.rate_hz = value; });
+  };
+  box->addWidget(rate_row_);
+  const Setting& control = *find_setting(servo_settings(), "passivity_control");
+  passivity_ = new QCheckBox(text(control.label), group);
+  passivity_->setObjectName(text(control.key));
+  passivity_->setToolTip(QStringLiteral(
+      "Damps away the energy that the loop has put into the hand; off, it is only observed."));
+  connect(passivity_, &QCheckBox::toggled, this,
+          [this](bool on) { change([&](DeviceSettings& s) { s.passivity_control = on; }); });
+  box->addWidget(passivity_);
+  auto* numbers = new QWidget(group);
+  auto* form = new QFormLayout(numbers);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setVerticalSpacing(3);
+  form->addRow(new QLabel(QStringLiteral("Energy, observed always"), numbers));
+  given_ = number(*form, "given to the hand", "energy_given",
+                  "Net work on the hand since the start; below zero the hand gave it.");
+  excess_ = number(*form, "in excess", "energy_excess",
+                   "What contacts gave beyond what the device takes out; above zero they are not "
+                   "passive.");
+  dissipated_ =
+      number(*form, "taken out", "energy_dissipated", "By the passivity control, since the start.");
+  box->addWidget(numbers);
+  layout.addWidget(group);
+}
+
 void DevicePanel::build_axes(QVBoxLayout& layout) {
   axes_box_ = new QGroupBox(QStringLiteral("Axes"), this);
   auto* box = new QVBoxLayout(axes_box_);
@@ -216,14 +253,15 @@ void DevicePanel::change(const std::function<void(DeviceSettings&)>& how) {
 }
 
 void DevicePanel::show_choices(const std::vector<Holder>& choices, const Holder& current) {
-  const bool known = std::ranges::equal(choices, choices_, [](const Holder& a, const Holder& b) {
-    return same(a, b) && name_of(a) == name_of(b);
-  });
+  QStringList labels;
+  for (const std::string& label : labels_of(choices)) labels << text(label);
+  labels << QStringLiteral("A recorded path from a file …");
   const QSignalBlocker quiet(holders_);
-  if (!known) {
-    choices_ = choices;
+  choices_ = choices;
+  if (labels != labels_) {
+    labels_ = labels;
     holders_->clear();
-    for (const Holder& holder : choices_) holders_->addItem(text(name_of(holder)));
+    holders_->addItems(labels_);
   }
   const auto now =
       std::ranges::find_if(choices_, [&](const Holder& h) { return same(h, current); });
@@ -259,6 +297,21 @@ void DevicePanel::show_rows() {
     row->set_value(get(settings_.axes.axes[0], row->setting().key));
   }
   axes_->show_axes(settings_.axes, deflections_);
+}
+
+void DevicePanel::show_servo(const ServoSettings& servo) {
+  const QSignalBlocker quiet(passivity_);
+  passivity_->setChecked(servo.passivity.control);
+  if (rate_row_->value() != servo.rate_hz) rate_row_->set_value(servo.rate_hz);
+}
+
+void DevicePanel::show_energy(const HandEnergy& energy) {
+  const auto show = [](QLabel* label, double joules) {
+    label->setText(QString::number(1e3 * joules, 'f', 1) + QStringLiteral(" mJ"));
+  };
+  show(given_, energy.given);
+  show(excess_, energy.excess);
+  show(dissipated_, energy.dissipated);
 }
 
 void DevicePanel::show_report(const Holder& holder, const HolderReport& report) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <QStringList>
 #include <functional>
 #include <vector>
 
@@ -31,8 +32,12 @@ class DevicePanel : public QDockWidget {
   /// `from_scene`: the scene brings them, and no change is kept.
   void show_settings(const Holder& holder, const DeviceSettings& settings, bool from_scene = false);
   void show_report(const Holder& holder, const HolderReport& report);
+  /// How the loop runs now.
+  void show_servo(const ServoSettings& servo);
+  void show_energy(const HandEnergy& energy);
 
   std::function<void(const Holder&)> chosen;
+  std::function<void()> path_wanted;  ///< one from a file
   /// Called at once with every change.
   std::function<void(const DeviceSettings&)> settings_changed;
   std::function<void(bool)> led_switched;
@@ -41,12 +46,14 @@ class DevicePanel : public QDockWidget {
   void build_choice(QVBoxLayout& layout);
   void build_state(QVBoxLayout& layout);
   void build_motion(QVBoxLayout& layout);
+  void build_loop(QVBoxLayout& layout);
   void build_axes(QVBoxLayout& layout);
   QLabel* number(QFormLayout& form, const char* name, const char* object, const char* doc);
   void show_rows();
   void change(const std::function<void(DeviceSettings&)>& how);
 
   std::vector<Holder> choices_;
+  QStringList labels_;  ///< of the choices, as they are in the list
   DeviceSettings settings_;
   bool adjustable_ = false;  ///< a connected device or a simulated one
   bool connected_ = false;
@@ -55,7 +62,9 @@ class DevicePanel : public QDockWidget {
   QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *from_scene_;
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;
-  QCheckBox* led_;
+  QCheckBox *led_, *passivity_;
+  QLabel *given_, *excess_, *dissipated_;
+  SliderRow* rate_row_;
   std::vector<SliderRow*> rows_, axis_rows_;
   AxisTable* axes_;
 };
