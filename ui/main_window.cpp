@@ -22,10 +22,12 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/error.hpp"
 #include "ui/actions/menus.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/device_control.hpp"
+#include "ui/elided_label.hpp"
 #include "ui/mouse_probe.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
@@ -79,7 +81,7 @@ MainWindow::MainWindow(QWidget* parent)
       device_panel_(new DevicePanel(this)),
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_, *undo_, prompts_,
                                       *this)),
-      what_happens_(new QLabel(this)),
+      what_happens_(new ElidedLabel(this)),
       device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
       opener_(std::make_unique<Opener>(*this, prompts_)) {
@@ -94,7 +96,6 @@ MainWindow::MainWindow(QWidget* parent)
   tabifyDockWidget(readout_, &stiffness_->panel());
   readout_->raise();
   what_happens_->setObjectName(QStringLiteral("what_happens"));
-  what_happens_->setMinimumWidth(1);  // a long line is cut, the window does not grow
   rates_->setObjectName(QStringLiteral("rates"));
   device_status_->setObjectName(QStringLiteral("device_status"));
   device_status_->setTextFormat(Qt::PlainText);  // a device names itself
@@ -131,6 +132,7 @@ void MainWindow::connect_devices() {
   devices_->changed = [this] { show_holder(); };
   devices_->report_error = [this](const QString& reason) { prompts_.report_error(reason); };
   device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
+  device_panel_->path_wanted = [this] { ask_path(); };
   device_panel_->settings_changed = [this](const DeviceSettings& settings) {
     devices_->set_settings(settings);
   };
@@ -169,6 +171,17 @@ void MainWindow::ask_meshes() {
     opener_->open_meshes(files->first, files->second, std::nullopt);
 }
 
+void MainWindow::ask_path() {
+  const QString file = prompts_.ask_path();
+  if (!file.isEmpty()) try {
+      remember_folder_of(file);
+      devices_->choose(path_holder(file.toStdString()));
+    } catch (const InputError& bad) {
+      prompts_.report_error(QString::fromUtf8(bad.what()));
+    }
+  show_device();
+}
+
 void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
   const bool force = !session() || session()->force_on();
@@ -183,11 +196,13 @@ void MainWindow::show_stage(Stage stage) {
   stiffness_->attach(session());
   // Last: it may have something to report, and a frame be drawn meanwhile.
   devices_->attach(session());
-  readout_->set_coupling(now.coupling());
-  readout_->take(LengthUnit(now.probe().mass.radius), now.probe().solid || now.fixed().solid);
-  setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(now.opened().name)));
-  emit paused_changed(false);
-  emit force_changed(force);
+  const Session& open = *session();  // by now it may be another
+  readout_->set_coupling(open.coupling());
+  readout_->take(LengthUnit(open.probe().mass.radius), open.probe().solid || open.fixed().solid);
+  setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(open.opened().name)));
+  // As it is by now: that may have taken a while, and Esc works meanwhile.
+  emit paused_changed(session()->paused());
+  emit force_changed(session()->force_on());
   on_frame();
   emit opened();
 }
@@ -203,6 +218,7 @@ void MainWindow::show_holder() {
   device_panel_->show_choices(devices_->choices(), devices_->holder());
   device_panel_->show_settings(devices_->holder(), devices_->settings(),
                                devices_->settings_from_scene());
+  device_panel_->show_servo(devices_->servo());
   const auto* simulating = std::get_if<SimulatedHolder>(&devices_->holder());
   stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
   show_device();
@@ -234,6 +250,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::reset() {
   if (!session()) return;
+  force_log_.end();
   session()->reset();
   mouse_->take(session()->probe().mass, session()->opened().start);
   shown_.reset();
@@ -318,8 +335,10 @@ void MainWindow::show_status() {
   QString happens;
   if (s.paused)
     happens = QStringLiteral("Paused.");
-  else if (s.separation.status == Status::failed)
-    happens = QStringLiteral("No separation found: %1.").arg(QLatin1String(s.separation.reason));
+  else if (s.hand.withheld == Withheld::failed)
+    happens =
+        QStringLiteral("No force (%1: %2).")
+            .arg(QString::fromUtf8(words(s.hand.withheld)), QLatin1String(s.separation.reason));
   else if (s.hand.withheld != Withheld::nothing)
     happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
   else if (s.separation.status == Status::separated)
@@ -330,10 +349,9 @@ void MainWindow::show_status() {
     happens += QLatin1Char(' ') + QString::fromUtf8(way);
   if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
-  what_happens_->setText(QStringLiteral("%1   %2   %3")
-                             .arg(happens, nature("Probe", session()->probe()),
-                                  nature("Fixed body", session()->fixed())));
-  what_happens_->setToolTip(what_happens_->text());
+  what_happens_->show_text(QStringLiteral("%1   %2   %3")
+                               .arg(happens, nature("Probe", session()->probe()),
+                                    nature("Fixed body", session()->fixed())));
   const QString view = frame_rate_ < 1 ? QStringLiteral("at rest")
                                        : QStringLiteral("%1 frames/s").arg(frame_rate_, 0, 'f', 0);
   rates_->setToolTip(timing_text(session()->timing()));
@@ -350,6 +368,7 @@ void MainWindow::show_device() {
   const HolderReport report = devices_->report();
   device_panel_->show_choices(devices_->choices(), holder);
   device_panel_->show_report(holder, report);
+  device_panel_->show_energy(shown_ ? shown_->hand.energy : HandEnergy{});
   QString text = QString::fromStdString(name_of(holder));
   if (std::holds_alternative<ConnectedHolder>(holder)) {
     text += QStringLiteral(": ") + QLatin1String(name_of(report.device.state));

@@ -20,6 +20,7 @@ namespace sonde::ui {
 class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
+class ElidedLabel;
 class MouseProbe;
 class Opener;
 class ReadoutPanel;
@@ -46,6 +47,8 @@ class MainWindow : public QMainWindow {
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
   StiffnessControl& stiffness() { return *stiffness_; }
+
+  void ask_path();  ///< a recorded path, to hold the probe
 
   void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
@@ -96,7 +99,8 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
-  QLabel *what_happens_, *device_status_, *rates_;
+  ElidedLabel* what_happens_;
+  QLabel *device_status_, *rates_;
   std::unique_ptr<Opener> opener_;
   QTimer frame_timer_;
   QElapsedTimer clock_;

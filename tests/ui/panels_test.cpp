@@ -11,6 +11,7 @@
 
 #include "engine/scene/settings.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/device_control.hpp"
 #include "ui/panels/readout_panel.hpp"
 #include "ui/panels/typed_value.hpp"
 
@@ -84,6 +85,22 @@ TEST_F(PanelTest, escape_takes_the_force_away_wherever_it_is_pressed) {
     toggle->trigger();
   }
   EXPECT_TRUE(wait_until([this] { return force() > 0; }));
+}
+
+TEST_F(PanelTest, escape_while_a_scene_comes_with_a_complaint_is_seen) {
+  folder.write("path.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n");
+  folder.write("path.sonde.json", R"({"probe": {"mesh": "cube.off"}, "fixed": {"mesh": "cube.off"},
+      "trajectory": "path.csv"})");
+  open({path("path.sonde.json")});
+  window->devices().choose(PathHolder{});
+  window->prompts().report_error = [this](const QString& text) {
+    complaints.push_back(text);
+    QTest::keyClick(window->viewport().canvas(), Qt::Key_Escape);
+  };
+  open_cubes();
+  ASSERT_EQ(complaints.size(), 1u) << "it has no path";
+  EXPECT_FALSE(window->session()->force_on());
+  EXPECT_FALSE(find<QAction>("force")->isChecked());
 }
 
 TEST_F(PanelTest, the_mode_shows_its_own_gains) {
