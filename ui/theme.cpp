@@ -7,6 +7,14 @@
 
 namespace sonde::ui {
 
+QColor faint_text(const QPalette& palette) {
+  constexpr double share = 0.65;
+  const QColor text = palette.color(QPalette::WindowText), window = palette.color(QPalette::Window);
+  const auto mixed = [](double one, double other) { return share * one + (1 - share) * other; };
+  return QColor::fromRgbF(mixed(text.redF(), window.redF()), mixed(text.greenF(), window.greenF()),
+                          mixed(text.blueF(), window.blueF()));
+}
+
 void apply_theme(QApplication& application) {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   const QColor window(36, 41, 48);

@@ -4,6 +4,7 @@
 #include <QColor>
 
 class QApplication;
+class QPalette;
 
 namespace sonde::ui {
 
@@ -21,6 +22,9 @@ inline const QColor faint{150, 160, 172};
 inline const QColor background_top{46, 53, 62};
 inline const QColor background_bottom{22, 26, 31};
 }  // namespace colour
+
+/// Text that stands back, on a window of this palette, light or dark.
+QColor faint_text(const QPalette& palette);
 
 /// A dark palette on Qt's Fusion style.
 void apply_theme(QApplication& application);

@@ -46,7 +46,7 @@ void HistoryPlot::set_unit(double scale, const QString& name) {
 
 void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().base());
+  painter.fillRect(rect(), colour::background_bottom);  // the curves' colours are made for it
   QFont small = font();
   small.setPointSizeF(8.5);
   painter.setFont(small);

@@ -27,7 +27,14 @@ QFont small(const QFont& font) {
   return out;
 }
 
-QPen limit_pen(Qt::PenStyle style) { return {QColor(240, 244, 248), 1.6, style, Qt::FlatCap}; }
+/// Light, with a dark edge: to be told from every colour of the map.
+void paint_stroke(QPainter& painter, const QPainterPath& path, Qt::PenStyle style) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 120), 3.2));
+  painter.drawPath(path);
+  painter.setPen(QPen(QColor(240, 244, 248), 1.6, style, Qt::FlatCap));
+  painter.drawPath(path);
+}
 
 void paint_diamond(QPainter& painter, const QPointF& at) {
   painter.setPen(QPen(Qt::black, 1));
@@ -152,7 +159,7 @@ void MapPlot::paint_stiffness(QPainter& painter, const Scales& scales) const {
     const double x = area.left() + tick.place * area.width();
     painter.setPen(QColor(0, 0, 0, tick.text.empty() ? 30 : 70));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    painter.setPen(colour::faint);
+    painter.setPen(faint_text(palette()));
     painter.drawText(QRectF(x - 30, area.bottom() + 2, 60, line), Qt::AlignCenter,
                      QString::fromStdString(tick.text));
   }
@@ -166,7 +173,7 @@ void MapPlot::paint_rows(QPainter& painter, const Scales& scales) const {
   const QFontMetrics metrics(painter.font());
   const double line = metrics.height();
   const auto mark = [&](double y, const QString& text) {
-    painter.setPen(colour::faint);
+    painter.setPen(faint_text(palette()));
     painter.drawText(QRectF(0, y - line / 2, area.left() - 5, line),
                      Qt::AlignRight | Qt::AlignVCenter, text);
   };
@@ -213,11 +220,7 @@ void MapPlot::paint_limit(QPainter& painter, const Scales& scales, double MapRow
       broken = false;
     }
   }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 120), 3.2));
-  painter.drawPath(path);
-  painter.setPen(limit_pen(style));
-  painter.drawPath(path);
+  paint_stroke(painter, path, style);
 }
 
 void MapPlot::paint_points(QPainter& painter) const {
@@ -251,7 +254,7 @@ void MapPlot::paint_legend(QPainter& painter) const {
       y += line;
     }
     draw({x + mark / 2, y + line / 2});
-    painter.setPen(colour::faint);
+    painter.setPen(faint_text(palette()));
     painter.drawText(QPointF(x + mark + 4, y + metrics.ascent()), text);
     x += wide;
   };
@@ -260,10 +263,13 @@ void MapPlot::paint_legend(QPainter& painter) const {
     entry(QLatin1String(name_of(each)), [&](const QPointF& at) {
       painter.fillRect(QRectF(at.x() - 6, at.y() - 5, 12, 10), colour_of(each));
     });
+  // As they are seen on the map: on a window of its own shade a line may be lost.
   const auto stroke = [&painter](Qt::PenStyle style) {
     return [&painter, style](const QPointF& at) {
-      painter.setPen(limit_pen(style));
-      painter.drawLine(at - QPointF(8, 0), at + QPointF(8, 0));
+      painter.fillRect(QRectF(at.x() - 8, at.y() - 5, 16, 10), colour_of(MapClass::passive));
+      QPainterPath path(at - QPointF(8, 0));
+      path.lineTo(at + QPointF(8, 0));
+      paint_stroke(painter, path, style);
     };
   };
   entry(QStringLiteral("limit, measured"), stroke(Qt::SolidLine));

@@ -133,7 +133,8 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   auto* box = new QVBoxLayout(map_box_);
   box->setContentsMargins(0, 4, 0, 0);
   doubt_ = wrapped("tuning_doubt", map_box_);
-  doubt_->setStyleSheet(QStringLiteral("color: %1").arg(colour::contact.name()));
+  doubt_->setStyleSheet(
+      QStringLiteral("background: %1; color: black; padding: 3px").arg(colour::contact.name()));
   box->addWidget(doubt_);
   auto* row = new QHBoxLayout;
   axes_ = new QComboBox(map_box_);
@@ -303,8 +304,8 @@ void StiffnessPanel::show_buzz(const std::optional<Buzz>& buzz, double time) {
   }
   const bool buzzes = buzz->chatter > chatter_limit;
   const QString percent = number(100 * buzz->chatter) + QStringLiteral(" %");
-  chatter_->setText(in_colour(buzzes ? colour::force : colour::text,
-                              buzzes ? percent + QStringLiteral(", buzzing") : percent));
+  chatter_->setText(buzzes ? in_colour(colour::force, percent + QStringLiteral(", buzzing"))
+                           : percent);
   energy_->setText(number(1e3 * buzz->energy) + QStringLiteral(" mJ"));
   chatter_plot_->add(time, buzz->chatter);
   chatter_plot_->update();
