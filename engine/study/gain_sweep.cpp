@@ -38,16 +38,6 @@ SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double da
           felt.damping(others)};
 }
 
-/// Where rotations are swept, the knock turns the probe too, about the axis that resists most.
-Press press_along(const TuningSetup& setup, GainAxis axis) {
-  Press out = press_of(setup.situation);
-  if (axis != GainAxis::rotation && axis != GainAxis::together) return out;
-  const Mat3 felt = setup.situation.contact.stiffness.classic.bottomRightCorner<3, 3>();
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver((felt + felt.transpose()) / 2);
-  out.jolt.torque = jolt_share * setup.loop.device.rotation.limit * solver.eigenvectors().col(2);
-  return out;
-}
-
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json json_of(const SweepPoint& point, GainAxis axis) {
@@ -98,7 +88,7 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, bool beyond, 
     ClosedLoopSetup loop = setup.loop;
     set_gains(loop.coupling, axis, stiffness, damping, setup.joint);
     ClosedLoop closed(loop);
-    return press_and_hold(closed, press_along(setup, axis));
+    return press_and_hold(closed, press_of(setup, axis));
   };
   return json_of(damping, theory, sweep_stiffness(run, options, stop), axis);
 }
@@ -107,6 +97,15 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, bool beyond, 
 
 Press press_of(const TuningSituation& situation) {
   return {.X_FM = situation.contact.separation.separated, .push = situation.push};
+}
+
+Press press_of(const TuningSetup& setup, GainAxis axis) {
+  Press out = press_of(setup.situation);
+  if (axis != GainAxis::rotation && axis != GainAxis::together) return out;
+  const Mat3 felt = setup.situation.contact.stiffness.classic.bottomRightCorner<3, 3>();
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver((felt + felt.transpose()) / 2);
+  out.jolt.torque = jolt_share * setup.loop.device.rotation.limit * solver.eigenvectors().col(2);
+  return out;
 }
 
 void set_gains(Coupling& c, GainAxis axis, double stiffness, double damping,

@@ -41,7 +41,11 @@ struct TuningSetup {
   double most_rotational_damping = 0;  ///< N·m·s/rad
 };
 
+/// The push alone, with its knock.
 Press press_of(const TuningSituation& situation);
+/// As the stiffness of an axis is swept: where rotations are, the knock turns the probe too, about
+/// the axis that resists most.
+Press press_of(const TuningSetup& setup, GainAxis axis);
 
 /// Gains well within what theory allows: half of it, without damping. What a sweep does not change
 /// stays there.

@@ -37,17 +37,30 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError::in(folder.string(), "cannot be made: " + error.message());
 }
 
-/// Writes study.json, or finds that the one there says the same.
+/// True where the folder is finished and has every part of the study.
+bool has_all(const StudyFolder& folder, const Study& study) {
+  return folder.complete() && std::ranges::all_of(study.parts, [&](const StudyPart& part) {
+           return std::ranges::find(folder.names, part.name) != folder.names.end();
+         });
+}
+
+/// Writes study.json, or finds that the one there will do. Parts depend on nothing but `about` and
+/// their name, so where only the list of parts is another (contacts of one kind, or of all) the
+/// folder becomes the study asked for, with what is finished of it; but one that is finished and
+/// has all that is asked for stays as it is.
 void claim(const fs::path& folder, const Study& study) {
   const std::string text = study_text(study);
-  if (!fs::exists(study_file(folder))) {
-    make_folder(folder);
-    return write_whole(study_file(folder), text);
+  const fs::path file = study_file(folder);
+  bool stays = false;
+  if (fs::exists(file)) {
+    const StudyFolder there = read_study(folder);
+    if (there.kind != study.kind || there.about != Json::parse(study.about).dump())
+      throw InputError::in(file.string(),
+                           "is of a study with other inputs or settings; take another folder");
+    stays = has_all(there, study) || read_text(file, most_bytes) == text;
   }
-  if (read_text(study_file(folder), most_bytes) != text)
-    throw InputError::in(study_file(folder).string(),
-                         "is of a study with other inputs or settings; take another folder");
   make_folder(folder);
+  if (!stays) write_whole(file, text);
 }
 
 /// The parts of the shard that have no file yet.

@@ -58,7 +58,9 @@ std::optional<Shard> shard_of(std::string_view text);
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Computes the parts of a shard that are not yet in the folder, on so many threads, and writes
-/// each as soon as it is finished, whole. Makes the folder where there is none. Throws InputError
+/// each as soon as it is finished, whole. Makes the folder where there is none. One that holds
+/// other parts of the same study (the same kind and `about`) becomes the study asked for and keeps
+/// what is finished; where it is finished and has all of them, it stays as it is. Throws InputError
 /// where it holds another study or cannot be written, Cancelled where `stop` says so (what is
 /// finished stays), else what a part throws.
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,

@@ -117,6 +117,25 @@ TEST(StudyParts, AFolderOfAnotherStudyIsLeftAlone) {
   EXPECT_THROW(read_study(folder.path()), InputError);
 }
 
+TEST(StudyParts, AFolderOfOtherPartsOfTheSameStudyIsCarriedOn) {
+  const test::TempFolder folder;
+  Squares few(2), all(4);
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_THROW(compute_parts(folder.path(), all.study, {}, 1, [&] { return all.computed >= 1; }),
+               Cancelled);
+  EXPECT_EQ(all.computed, 1) << "two were there";
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "-"));
+  // Half of all: asked for the few, it is finished, and knows of no more.
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_EQ(few.computed, 2);
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n"));
+  compute_parts(folder.path(), all.study, {}, 1, never);
+  EXPECT_EQ(all.computed, 2);
+  // All of it, finished, is not made less.
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
+}
+
 TEST(StudyParts, ShardsInWords) {
   const auto shard = shard_of("2/8");
   ASSERT_TRUE(shard);
