@@ -67,8 +67,8 @@ void run(const TuneOptions& options) {
   const DeviceProfile device = device_named(options.device);
   ProgressLine progress(options.study.quiet);
   const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
-  progress.show("tune, looking for contacts", 0, 1);
-  const Study study = plan_tuning(request_of(scene, options, bodies, device), stop_on_interrupt());
+  const Study study = plan_tuning(request_of(scene, options, bodies, device), stop_on_interrupt(),
+                                  progress.percent("tune, looking for contacts"));
   progress.clear();
   if (!options.study.quiet) note_skipped(study);
   run_study(study, options.study, tuning_files);

@@ -91,7 +91,8 @@ std::vector<std::string> situation_kinds() {
 Tuning compute_tuning(const TuningOrder& order, const Opened& opened, const Progress& progress) {
   std::atomic<double> fraction = 0;
   const Stop stop = [&] { return progress && !progress(fraction); };
-  Study study = plan_tuning(request_of(order, opened), stop);
+  Study study =
+      plan_tuning(request_of(order, opened), stop, [&](double done) { fraction = looking * done; });
   keep_kind(study, order.kind);
   const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   compute_parts(order.folder, study, {}, threads, stop, [&](std::size_t done, std::size_t total) {

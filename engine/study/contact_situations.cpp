@@ -67,6 +67,10 @@ class Collection {
     found_.push_back({{contact_kind(s), s, *stiffness}, hardness});
   }
 
+  void tell(double done) const {
+    if (options_.progress) options_.progress(done);
+  }
+
   std::vector<ContactSituation> best(int most) {
     std::ranges::stable_sort(found_, [](const Found& a, const Found& b) {
       if (a.situation.kind != b.situation.kind) return a.situation.kind < b.situation.kind;
@@ -154,6 +158,7 @@ std::vector<ContactSituation> find_situations(const BodyPointer& probe, const Bo
   Random random(options.seed);
   for (int i = 0; i < options.walks; ++i) {
     if (stop()) throw Cancelled();
+    collection.tell(double(i) / options.walks);
     const Walk walk = random_walk(random, *probe, *fixed, box, X_FM);
     if (const auto s = arrive(solver, *probe, walk, options.depth * probe->mass.radius))
       collection.add(*s);
@@ -178,6 +183,7 @@ std::vector<ContactSituation> situations_along(const BodyPointer& probe, const B
   const std::size_t every = touching.size() / looked_at + 1;
   for (std::size_t i = 0; i < touching.size(); i += every) {
     if (stop()) throw Cancelled();
+    collection.tell(double(i) / double(touching.size()));
     collection.add(touching[i]);
   }
   return collection.best(most);

@@ -41,6 +41,8 @@ struct SituationOptions {
   double depth = 0.02;  ///< at which a walk has arrived, of the probe's radius
   /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness.
   std::function<double(const FeltStiffness&)> hardness = {};
+  /// Told, now and then, how much of the looking is done, 0 to 1.
+  std::function<void(double)> progress = {};
 };
 
 /// Contacts of the two bodies, at most `most` of each kind, in the order of the kinds and the

@@ -326,8 +326,9 @@ std::vector<PartOf> parts_of(const Plan& plan) {
 
 }  // namespace
 
-TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop) {
-  SituationOptions options{.method = request.method, .seed = request.seed};
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
+                               const std::function<void(double)>& progress) {
+  SituationOptions options{.method = request.method, .seed = request.seed, .progress = progress};
   options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
   const auto found = request.path.empty()
                          ? find_situations(request.probe, request.fixed, request.X_FM,
@@ -350,8 +351,9 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
   return setup_of(request, request.device, situation, grip);
 }
 
-Study plan_tuning(const TuningRequest& request, const Stop& stop) {
-  TuningContacts contacts = tuning_contacts(request, stop);
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress) {
+  TuningContacts contacts = tuning_contacts(request, stop, progress);
   const JointGains joint = joint_gains(request, contacts.situations);
   const auto plan = std::make_shared<Plan>(Plan{request, std::move(contacts), joint});
   Study study{"tune", about(*plan).dump(), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,8 +53,10 @@ struct TuningContacts {
 };
 
 /// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
-/// Takes seconds. Throws InputError where there is none, Cancelled.
-TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop);
+/// Takes seconds; `progress` is told how much of them is over, 0 to 1. Throws InputError where
+/// there is none, Cancelled.
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
+                               const std::function<void(double)>& progress = {});
 
 /// A situation with a hand and the request's device, at gains well within what theory allows.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
@@ -62,6 +65,7 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
 /// Looks for the situations and makes the study: a part for each of them, hand and axis, and in the
 /// situation that theory calls the hardest one for half and twice each assumed value of the
 /// profile. Errors as tuning_contacts.
-Study plan_tuning(const TuningRequest& request, const Stop& stop);
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress = {});
 
 }  // namespace sonde

@@ -6,14 +6,14 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/app/app_test.hpp"
+#include "tests/app/study_test.hpp"
 
 namespace sonde::test {
 namespace {
 
 using testing::HasSubstr;
 
-class Tune : public AppTest {
+class Tune : public StudyTest {
  protected:
   /// A device of which nothing is assumed, so that there is little to study.
   Tune() {
@@ -147,6 +147,25 @@ TEST_F(Tune, interrupted_it_keeps_what_is_finished_and_goes_on_from_there) {
   ASSERT_EQ(sonde(fine + "--out out").exit_code, 0);
   ASSERT_EQ(sonde(fine + "--out whole").exit_code, 0);
   EXPECT_EQ(text_of(folder / "out/map.csv"), text_of(folder / "whole/map.csv"));
+}
+
+// As the manual shows it; the second shard is killed on its way and started again with the others.
+TEST_F(Tune, under_gnu_parallel_with_a_shard_killed_and_started_again) {
+  const std::vector<std::string> second{"tune",         "boxes.sonde.json",
+                                        "--device",     "bench.json",
+                                        "--trajectory", "path.csv",
+                                        "--ratio",      "1.05",
+                                        "--out",        "part2",
+                                        "--shard",      "2/3",
+                                        "--threads",    "1",
+                                        "--quiet"};
+  EXPECT_EQ(signal_once_begun(start(second), "part2", SIGKILL), -1);
+  const std::string study =
+      "tune boxes.sonde.json --device bench.json --trajectory path.csv --ratio 1.05";
+  ASSERT_EQ(in_parallel(study + " --threads 1", 3), 0);
+  expect_done("merge part1 part2 part3 --out joined");
+  expect_done(study + " --out whole");
+  EXPECT_EQ(files("joined"), files("whole"));
 }
 
 }  // namespace
