@@ -154,14 +154,14 @@ TEST_F(Tune, under_gnu_parallel_with_a_shard_killed_and_started_again) {
   const std::vector<std::string> second{"tune",         "boxes.sonde.json",
                                         "--device",     "bench.json",
                                         "--trajectory", "path.csv",
-                                        "--ratio",      "1.05",
+                                        "--ratio",      "1.01",
                                         "--out",        "part2",
                                         "--shard",      "2/3",
                                         "--threads",    "1",
                                         "--quiet"};
   EXPECT_EQ(signal_once_begun(start(second), "part2", SIGKILL), -1);
   const std::string study =
-      "tune boxes.sonde.json --device bench.json --trajectory path.csv --ratio 1.05";
+      "tune boxes.sonde.json --device bench.json --trajectory path.csv --ratio 1.01";
   ASSERT_EQ(in_parallel(study + " --threads 1", 3), 0);
   expect_done("merge part1 part2 part3 --out joined");
   expect_done(study + " --out whole");
