@@ -9,6 +9,7 @@
 
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/haptics/haptic_loop.hpp"
+#include "engine/haptics/simulated_hand.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -231,6 +232,45 @@ TEST(HandLoop, a_hand_that_is_thrown_gets_nothing_until_it_has_left_the_contact)
   for (int i = 0; i < 3; ++i) bench.tick({.X_FM = at_depth(0.002), .device = device});
   EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::nothing);
   EXPECT_GT(bench.loop.last().wrench.force.z(), 0.9);
+}
+
+struct Pressed {
+  int diverged = 0;   ///< ticks
+  double swings = 0;  ///< m, the way of the probe in the last second
+};
+
+/// A simulated device of 0.1 kg, whose hand presses it into the block by 3 N.
+Pressed press(const Coupling& coupling) {
+  Bench bench(at_once(), coupling);
+  SimulatedDeviceParameters device;
+  device.translation = {.inertia = 0.1, .damping = 0.5, .limit = 1e4, .hand_stiffness = 300};
+  SimulatedHand simulated(device, dt, 1, bench.probe->mass.com, at_depth(-0.001));
+  const Hand hand = simulated.hand();
+  simulated.set_target(at_depth(0.01));
+  Pressed out;
+  Vec3 before = at_depth(-0.001).p;
+  for (int i = 0; i < 3000; ++i) {
+    const HandSample sample = hand.sample(dt);
+    const HandTick& t = bench.tick(sample);
+    hand.render(t.wrench);
+    out.diverged += t.hand.withheld == Withheld::diverged;
+    if (i >= 2000) out.swings += (sample.X_FM.p - before).norm();
+    before = sample.X_FM.p;
+  }
+  return out;
+}
+
+// 5000 and 1e5 N/m are both beyond the stable for 0.1 kg at 1 kHz (see simulated_hand_test.cpp).
+TEST(HandLoop, a_gain_too_high_buzzes_within_the_limits_of_a_device_and_diverges_without) {
+  Coupling coupling;
+  coupling.k = 5000;
+  coupling.max_force = 8;
+  const Pressed buzz = press(coupling);
+  EXPECT_EQ(buzz.diverged, 0);
+  EXPECT_GT(buzz.swings, 0.02);
+  coupling.k = 1e5;
+  coupling.max_force = 1e4;
+  EXPECT_GT(press(coupling).diverged, 0);
 }
 
 TEST(HandLoop, the_speed_is_that_of_the_hand_and_a_mouse_has_none) {
