@@ -14,9 +14,13 @@ namespace sonde::ui {
 namespace {
 
 /// One that somebody else made.
-struct OtherHand {
-  std::shared_ptr<const Hand> made;
-  Hand hand() const { return *made; }
+class OtherHand {
+ public:
+  explicit OtherHand(std::shared_ptr<const Hand> made) : made_(std::move(made)) {}
+  Hand hand() const { return *made_; }
+
+ private:
+  std::shared_ptr<const Hand> made_;
 };
 
 }  // namespace
