@@ -6,8 +6,8 @@
 
 #include <QLabel>
 #include <QStringList>
-#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -34,9 +34,11 @@ std::function<void(MainWindow&)> by_hand(Sample sample) {
   };
 }
 
-HandSample fast_along_the_face(const Pose& X_FM, double dt, double& y) {
-  constexpr double speed = 3;  // m/s
-  y = std::min(y + speed * dt, 0.09);
+/// To and fro at 3 m/s; `way` in m so far.
+HandSample fast_along_the_face(const Pose& X_FM, double dt, double& way) {
+  constexpr double speed = 3, length = 0.18;
+  way += speed * dt;
+  const double y = std::abs(std::fmod(way, 2 * length) - length) - length / 2;
   return {.X_FM = {X_FM.q, {X_FM.p.x(), y, X_FM.p.z()}}, .device = DeviceTraits{}};
 }
 
@@ -59,8 +61,8 @@ const Cause causes[] = {
        std::this_thread::sleep_for(std::chrono::milliseconds(40));  // and the rows grow old
        return HandSample{.X_FM = X_FM};
      })},
-    {Withheld::diverged, by_hand([y = -0.09](const Pose& X_FM, double dt) mutable {
-       return fast_along_the_face(X_FM, dt, y);
+    {Withheld::diverged, by_hand([way = 0.0](const Pose& X_FM, double dt) mutable {
+       return fast_along_the_face(X_FM, dt, way);
      })},
 };
 
@@ -95,7 +97,6 @@ TEST_P(ReasonTest, is_on_screen_and_in_the_log) {
   EXPECT_TRUE(wait_until([&] { return status().contains(reason, Qt::CaseInsensitive); }))
       << status().toStdString();
   EXPECT_TRUE(wait_until([&] { return is_logged(cause.why); })) << logged.join('\n').toStdString();
-  EXPECT_EQ(window->session()->latest()->hand.withheld, cause.why);
 }
 INSTANTIATE_TEST_SUITE_P(Each, ReasonTest, testing::Range<std::size_t>(0, std::size(causes)));
 
