@@ -9,7 +9,8 @@ namespace sonde::ui {
 
 QColor faint_text(const QPalette& palette) {
   constexpr double share = 0.65;
-  const QColor text = palette.color(QPalette::WindowText), window = palette.color(QPalette::Window);
+  const QColor& text = palette.color(QPalette::WindowText);
+  const QColor& window = palette.color(QPalette::Window);
   const auto mixed = [](double one, double other) { return share * one + (1 - share) * other; };
   return QColor::fromRgbF(mixed(text.redF(), window.redF()), mixed(text.greenF(), window.greenF()),
                           mixed(text.blueF(), window.blueF()));

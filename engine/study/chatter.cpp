@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 #include <vector>
 
 namespace sonde {
@@ -18,27 +20,18 @@ std::vector<double> windowed(std::span<const Vec6> wrenches, Eigen::Index row) {
   return out;
 }
 
-/// |X_m|² of the discrete Fourier transform.
-double power(std::span<const double> x, std::size_t m) {
-  const double turn = 2 * std::numbers::pi * double(m) / double(x.size());
-  double re = 0, im = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    re += x[i] * std::cos(turn * double(i));
-    im += x[i] * std::sin(turn * double(i));
-  }
-  return re * re + im * im;
-}
-
 struct Power {
   double all = 0, slow = 0;
 };
 
 /// By Parseval: what is not below the frequency is above it.
-Power power_of(std::span<const double> x, std::size_t slow_bins) {
+Power power_of(const std::vector<double>& x, std::size_t slow_bins) {
   Power out;
   for (const double value : x) out.all += value * value;
+  std::vector<std::complex<double>> transform;
+  Eigen::FFT<double>().fwd(transform, x);
   for (std::size_t m = 0; m < slow_bins; ++m)
-    out.slow += (m == 0 ? 1 : 2) * power(x, m) / double(x.size());
+    out.slow += (m == 0 ? 1 : 2) * std::norm(transform[m]) / double(x.size());
   return out;
 }
 
