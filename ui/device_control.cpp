@@ -95,7 +95,7 @@ void DeviceControl::hold() {
 }
 
 void DeviceControl::hold_by_path(const PathHolder& path) {
-  session_->replay(path.file.empty() ? session_->opened().trajectory : path.path);
+  session_->replay(path.file.empty() ? session_->opened().trajectory : *path.path);
 }
 
 ServoSettings DeviceControl::servo() const {

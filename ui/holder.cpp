@@ -135,8 +135,9 @@ ConnectedHolder holder_of(const HidInfo& info) {
 }
 
 PathHolder path_holder(const std::filesystem::path& file) {
-  PathHolder holder{.file = file, .path = read_trajectory(file)};
-  if (holder.path.empty()) throw InputError::in(file.string(), "it holds no pose");
+  PathHolder holder{.file = file,
+                    .path = std::make_shared<const std::vector<TimedPose>>(read_trajectory(file))};
+  if (holder.path->empty()) throw InputError::in(file.string(), "it holds no pose");
   return holder;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,7 +21,8 @@ struct MouseHolder {};
 /// A recorded path: that of a file, or the scene's where the file is empty.
 struct PathHolder {
   std::filesystem::path file{};
-  std::vector<TimedPose> path{};  ///< of the file
+  /// Of the file. Shared: a holder is copied, a path of minutes is long.
+  std::shared_ptr<const std::vector<TimedPose>> path{};
 };
 /// A simulated device, which the mouse drives.
 struct SimulatedHolder {

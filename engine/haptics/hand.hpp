@@ -13,7 +13,8 @@ namespace sonde {
 struct DeviceTraits {
   double damping = 0;  ///< N·s/m, of the mechanism
   double delay = 0;    ///< s, from command to motors
-  double ratio = 1;    ///< of the probe's way to the hand's, at most
+  /// Of the probe's way to the hand's, at most; 0: no hand that can be thrown.
+  double ratio = 1;
   // The most virtual damping that its driver bears; 0: not known.
   double max_damping = 0;             ///< N·s/m
   double max_rotational_damping = 0;  ///< N·m·s/rad

@@ -63,7 +63,8 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Vec3 before = X_FM_ * mass_.com;
   if (trusted) X_FM_ = sample.X_FM;
-  if (!sample.device || !trusted || sample.changed || !(dt > 0)) return runaway_.restart();
+  if (!sample.device) return runaway_.restart();
+  if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
   const Wrench& acted = out_.wrench;
   const bool pushed = !acted.force.isZero(0) || !acted.torque.isZero(0);
   if (sample.device->ratio > 0)

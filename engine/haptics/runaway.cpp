@@ -13,9 +13,13 @@ constexpr double just_after = 0.05;  // s
 }  // namespace
 
 void Runaway::restart() noexcept {
+  lose_track();
+  seen_ = false;
+}
+
+void Runaway::lose_track() noexcept {
   velocity_ = Vec3::Zero();
   unpushed_ = just_after;
-  seen_ = false;
 }
 
 void Runaway::observe(const Vec3& way, double dt, bool pushed) noexcept {

@@ -18,8 +18,11 @@ class Runaway {
   /// m/s of the hand; 0: nothing is too fast.
   explicit Runaway(double fastest) : fastest_(fastest) { restart(); }
 
-  /// What was before is no neighbour.
+  /// Another hand, or another scene.
   void restart() noexcept;
+  /// What comes next is no neighbour of what was. What has been seen is not forgotten: a handle
+  /// that is thrown is soon where its device is not to be trusted.
+  void lose_track() noexcept;
   /// The way (m) of the hand in the dt (s) since the last call; did a force act on it?
   void observe(const Vec3& way, double dt, bool pushed) noexcept;
   /// Out of contact: a hand that is slow again is held.

@@ -27,14 +27,16 @@ void Crew::each(std::size_t count, const Work& work) {
 }
 
 void Crew::help() {
-  for (Lane lane = other_lane_; lane != Lane::over; lane = other_lane_) {
-    Lane offered = Lane::offered;
-    if (other_lane_.compare_exchange_strong(offered, Lane::taken)) {
+  for (;;) {
+    Lane seen = Lane::offered;
+    if (other_lane_.compare_exchange_strong(seen, Lane::taken)) {
       take_part(1);
       other_lane_ = Lane::done;
       other_lane_.notify_one();
+    } else if (seen == Lane::over) {
+      return;
     } else {
-      other_lane_.wait(lane);
+      other_lane_.wait(seen);
     }
   }
 }

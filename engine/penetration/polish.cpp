@@ -21,7 +21,7 @@ Descent::Outcome Polish::run(const Chart& chart, const Vec6& y, LeapDescent& lea
                              const Deadline& deadline) {
   const Deadline leaping = deadline.part(share_for_leaps);
   Descent::Outcome out;
-  out.y = y;
+  out.move_to(y);  // nothing holds it yet
   int taken = 0;
   // Where there was no time even to look, the contacts of before still hold.
   const auto go_on = [&](const Descent::Outcome& next) {

@@ -33,7 +33,7 @@ TEST_F(HolderTest, a_table_of_poses_is_a_recorded_path) {
       own.write("way.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,0.1,0,0,1,0,0,0\n");
   const Holder path = find_holder(file.string(), folders);
   ASSERT_TRUE(std::holds_alternative<PathHolder>(path));
-  EXPECT_EQ(std::get<PathHolder>(path).path.size(), 2u);
+  EXPECT_EQ(std::get<PathHolder>(path).path->size(), 2u);
   EXPECT_EQ(name_of(path), "way.csv (recorded path)");
   EXPECT_FALSE(same(path, PathHolder{})) << "the scene's own";
   EXPECT_TRUE(same(path, find_holder(file.string(), folders)));

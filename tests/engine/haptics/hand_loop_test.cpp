@@ -234,6 +234,20 @@ TEST(HandLoop, a_hand_that_is_thrown_gets_nothing_until_it_has_left_the_contact)
   EXPECT_GT(bench.loop.last().wrench.force.z(), 0.9);
 }
 
+TEST(HandLoop, a_thrown_hand_that_is_not_to_be_trusted_for_a_tick_still_gets_nothing) {
+  const DeviceTraits device{.damping = 1};
+  Pose rest = at_depth(0.002);
+  rest.p.x() = 0.117;
+  for (const bool changed : {false, true}) {
+    Bench bench;
+    bench.tick({.X_FM = at_depth(0.002), .device = device});
+    throw_hand(bench, device);
+    bench.tick({.X_FM = rest, .trusted = changed, .changed = changed, .device = device});
+    for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
+    EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << changed;
+  }
+}
+
 struct Pressed {
   int diverged = 0;   ///< ticks
   double swings = 0;  ///< m, the way of the probe in the last second
@@ -250,7 +264,8 @@ Pressed press(const Coupling& coupling) {
   Pressed out;
   Vec3 before = at_depth(-0.001).p;
   for (int i = 0; i < 3000; ++i) {
-    const HandSample sample = hand.sample(dt);
+    HandSample sample = hand.sample(dt);
+    sample.device->ratio = 1;  // as if it were a real one
     const HandTick& t = bench.tick(sample);
     hand.render(t.wrench);
     out.diverged += t.hand.withheld == Withheld::diverged;

@@ -118,7 +118,7 @@ TEST(SimulatedHand, tells_what_the_device_is_like_as_felt_at_the_probe) {
   EXPECT_EQ(traits->max_damping, 7.5);
   EXPECT_EQ(traits->max_rotational_damping, 0.07);
   EXPECT_EQ(traits->delay, 0.001);
-  EXPECT_EQ(traits->ratio, 2);
+  EXPECT_EQ(traits->ratio, 0);
 }
 
 TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {
