@@ -76,6 +76,8 @@ TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
 
 TEST_F(WindowTest, the_trail_moves_the_ghost) {
   open_cubes();
+  // Until the force has come in, its arrow grows.
+  ASSERT_TRUE(wait_until([this] { return shown().hand.share >= 1; }));
   wait(200);
   const std::size_t still = window->frames();
   wait(200);
