@@ -198,7 +198,8 @@ Sweep PairList::sweep_along(const Motion& motion, double clearance, Effort& effo
                     n = hint = normal(points, k);
                     from = pairs.step_along(pair.i, pair.j, n, start).length;
                   }
-                  if (from < pairs.free_until()) pairs.advance(pair.i, pair.j, from, n);
+                  if (from < pairs.free_until())
+                    effort.spend(pairs.advance(pair.i, pair.j, from, n));
                 });
   };
   each_due(ahead, room, [&](std::size_t k) {

@@ -4,6 +4,12 @@
 #include "engine/proximity/placement.hpp"
 
 namespace sonde {
+namespace {
+
+/// At two triangles, at one moment; in the units of Effort.
+constexpr int work_to_look = 50;
+
+}  // namespace
 
 double safe_advance(double slack, double speed, double acceleration) {
   if (slack <= 0) return 0;
@@ -60,7 +66,7 @@ PairSweep::Step PairSweep::step_along(std::uint32_t i, std::uint32_t j, const Ve
                     clearance_ + guard_);
 }
 
-void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal) {
+int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal) {
   const Corners local = corners(a_.soup, i);
   const Corners tb = corners(b_.soup, j);
   const double acceleration = this->acceleration(local);
@@ -70,7 +76,8 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
     const Step step = step_along(normal, now, place(now.X, local), tb, acceleration, stop + guard_);
     if (step.gap > 2 * stop) s += step.length;
   }
-  for (int tries = 0; s < result_.free_until; ++tries) {
+  int tries = 0;
+  for (; s < result_.free_until; ++tries) {
     const Moment& now = at(s);
     const Corners ta = place(now.X, local);
     const ClosestPoints c = closest_points(ta, tb);
@@ -82,10 +89,11 @@ void PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal
     // Stopped, or closing in on the stop in ever smaller steps: here is where the freedom ends.
     if (slack <= 0 || tries == 50 || (step.closing && slack < 0.05 * stop)) {
       result_ = {.free_until = s, .hit = true, .triangle_a = i, .triangle_b = j};
-      return;
+      return work_to_look * (tries + 1);
     }
     s += step.length;
   }
+  return work_to_look * tries;
 }
 
 }  // namespace sonde

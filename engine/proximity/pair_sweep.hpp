@@ -26,8 +26,8 @@ class PairSweep {
   PairSweep(const Body& a, const Body& b, const Motion& motion, double clearance);
 
   /// The pair (i, j), known to be free on [0, from]. `normal`: a direction to try first (zero:
-  /// none); holds the last one found on return.
-  void advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
+  /// none); holds the last one found on return. Returns what it took, in the units of Effort.
+  int advance(std::uint32_t i, std::uint32_t j, double from, Vec3& normal);
 
   struct Step {
     double gap;     ///< along the normal, m

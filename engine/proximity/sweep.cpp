@@ -83,6 +83,7 @@ class Sweeper {
       for (std::size_t k = 0; k < count; ++k)
         opens_a(a_.tree, b_.tree, level[k]) ? open_a(level[k], all, next)
                                             : open_b(level[k], all, next);
+      if (!effort_.spend(work_to_open(next.count))) return;
       const auto kept = std::min<std::ptrdiff_t>(next.count, abreast);
       std::partial_sort(next.begin(), next.begin() + kept, next.end(), sooner);
       count = 0;
@@ -216,7 +217,7 @@ class Sweeper {
         n = normal(points, k);
         from = std::max(from, w.s + pairs_.step_along(w.i, w.j, n, w.moment).length);
       }
-      if (from < pairs_.free_until()) pairs_.advance(w.i, w.j, from, n);
+      if (from < pairs_.free_until()) effort_.spend(pairs_.advance(w.i, w.j, from, n));
     }
     effort_.spend(work_to_advance * waiting_);
     waiting_ = 0;
