@@ -16,7 +16,7 @@ struct StaticOptions {
   int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
   int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
   bool want_lower_bound = true;
-  bool two_threads = false;  ///< the same bits
+  bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
   /// Of the same two bodies (make_sketches): the search is quicker, and better where time is short.
   Sketches sketches = {};
 };
