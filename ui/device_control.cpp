@@ -151,6 +151,7 @@ void DeviceControl::set_settings(const DeviceSettings& settings) {
 
 void DeviceControl::keep_settings() {
   keep_timer_.stop();
+  if (settings_file().empty()) return;  // what had them has gone
   try {
     std::filesystem::create_directories(folder_);
     // Somebody's own work with a slip in it: put aside, not lost.
