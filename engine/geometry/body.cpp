@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/facets.hpp"
 #include "engine/geometry/outline.hpp"
 #include "engine/geometry/read_mesh.hpp"
 #include "engine/geometry/work.hpp"
@@ -90,20 +91,37 @@ void choose_model(Body& body, Model asked, const Progress& progress) {
   }
 }
 
+/// Joins what is flat. For each triangle of the surface returns one of the soup's that it is
+/// connected with.
+std::vector<std::uint32_t> find_facets(Body& body, const Progress& progress) {
+  Facets facets = merge_flat(body.soup, rounding_flatness(body.soup), body.solid, progress);
+  if (facets.merged + facets.duplicates == 0) return {};
+  body.facets = compacted(std::move(facets.soup));
+  body.merged = facets.merged;
+  body.duplicates = facets.duplicates;
+  // What is there twice is no more of a surface than what is there once.
+  if (!body.solid && body.duplicates > 0) body.mass = mass_by_area(body.facets);
+  return facets.from;
+}
+
 void grow_tree(Body& body, const Progress& progress) {
   const Components components = find_components(body.soup, part_of(progress, 0, 0.1));
+  const std::vector<std::uint32_t> from = find_facets(body, part_of(progress, 0.1, 0.3));
   std::vector<std::uint32_t> order;
-  body.tree = build_tree(body.soup, order, part_of(progress, 0.1, 1));
+  Soup& surface = from.empty() ? body.soup : body.facets;
+  body.tree = build_tree(surface, order, part_of(progress, 0.3, 1));
   body.component_triangle.resize(components.count);
-  for (std::size_t i = order.size(); i-- > 0;)
-    body.component_triangle[components.of[order[i]]] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = order.size(); i-- > 0;) {
+    const std::uint32_t triangle = from.empty() ? order[i] : from[order[i]];
+    body.component_triangle[components.of[triangle]] = static_cast<std::uint32_t>(i);
+  }
 }
 
 /// A body that is finer than its outline would be gets one.
 void add_outline(Body& body, const Progress& progress) {
-  if (body.soup.triangles.size() < 2 * outline_triangles) return;
+  if (surface(body).triangles.size() < 2 * outline_triangles) return;
   auto rough = std::make_shared<Body>();
-  rough->soup = compacted(outline(body.soup, outline_triangles, progress));
+  rough->soup = compacted(outline(surface(body), outline_triangles, progress));
   if (rough->soup.triangles.empty()) return;
   rough->mass = body.mass;
   std::vector<std::uint32_t> order;
@@ -152,6 +170,7 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
 std::size_t bytes(const Body& body) {
   return sizeof(Body) + body.name.capacity() + body.why.capacity() +
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
+         capacity_bytes(body.facets.vertices) + capacity_bytes(body.facets.triangles) +
          capacity_bytes(body.component_triangle) + bytes(body.tree) +
          (body.outline ? bytes(*body.outline) : 0);
 }

@@ -18,8 +18,7 @@ namespace sonde {
 enum class Model { automatic, solid, surface };
 
 /// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
-/// in the mesh frame. The triangles are in the order of the tree's leaves; no two vertices are at
-/// one place, and each is a corner of a triangle.
+/// in the mesh frame. No two vertices are at one place, and each is a corner of a triangle.
 struct Body {
   std::string name;
   Soup soup;
@@ -28,15 +27,25 @@ struct Body {
   bool turned = false;  ///< was inside out and has been turned
   std::size_t degenerate = 0;  ///< triangles set aside for having no area
   Topology topology;           ///< with the degenerate triangles
-  /// One triangle, the first, of each connected component.
+  /// One triangle of surface(body), the first, of each connected component.
   std::vector<std::uint32_t> component_triangle;
   MassProperties mass;
-  Tree tree;
+  /// The surface in as few triangles as its flat parts need (facets.hpp). Empty where that is the
+  /// soup as it stands.
+  Soup facets;
+  std::size_t merged = 0;      ///< triangles of the soup that are parts of larger ones in `facets`
+  std::size_t duplicates = 0;  ///< triangles of the soup that `facets` leaves out as repeated
+  Tree tree;                   ///< over surface(body)
   /// The same body, with its mass, in about outline_triangles triangles: a guess of its shape that
   /// searches are guided by. None where it has few itself.
   std::shared_ptr<const Body> outline;
 };
 constexpr std::size_t outline_triangles = 1000;
+
+/// The triangles that touch, in the order of the tree's leaves: what every query works on.
+inline const Soup& surface(const Body& body) {
+  return body.facets.triangles.empty() ? body.soup : body.facets;
+}
 
 /// The outline of a body, or itself where it has none.
 inline const Body& roughly(const Body& body) { return body.outline ? *body.outline : body; }

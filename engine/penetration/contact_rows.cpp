@@ -55,8 +55,8 @@ bool ContactRows::is_news(const Contact& contact) const noexcept {
 }
 
 void ContactRows::take(const NearPair& pair, const Transform& X, double flat) noexcept {
-  const Corners ta = place(X, corners(probe_.soup, pair.triangle_a));
-  const Corners tb = corners(fixed_.soup, pair.triangle_b);
+  const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
+  const Corners tb = corners(surface(fixed_), pair.triangle_b);
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];

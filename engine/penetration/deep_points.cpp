@@ -104,7 +104,7 @@ class DeepPoints {
     const Tree& tree = body.tree;
     std::priority_queue<Slot> queue;
     const auto look_at = [&](std::uint32_t slot) {
-      const Vec3 x = body.soup.vertices[body.soup.triangles[tree.first_triangle(slot)][0]];
+      const Vec3 x = surface(body).vertices[surface(body).triangles[tree.first_triangle(slot)][0]];
       queue.push({slot, look(X, x).depth() + 2 * tree.half_diagonal(slot)});
     };
     look_at(0);

@@ -24,7 +24,7 @@ DistanceField::DistanceField()
 
 DistanceField::DistanceField(const Body& solid) {
   Eigen::AlignedBox3d box;
-  for (const Vec3& x : solid.soup.vertices)
+  for (const Vec3& x : surface(solid).vertices)
     box.extend(solid.mass.R_MP.transpose() * (x - solid.mass.com));
   const double spacing = box.sizes().maxCoeff() / cells;
   spacing_ = static_cast<float>(spacing);

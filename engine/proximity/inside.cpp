@@ -54,7 +54,7 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
   while (!stack.empty()) {
     const std::uint32_t child = stack.pop();
     if (child & Tree::triangle_bit) {
-      const auto c = crossing(x, d, corners(body.soup, child & ~Tree::triangle_bit));
+      const auto c = crossing(x, d, corners(surface(body), child & ~Tree::triangle_bit));
       if (!c) return std::nullopt;
       winding += *c;
       continue;
@@ -72,8 +72,8 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
 /// Sum of signed solid angles over 4π (Van Oosterom and Strackee, 1983), rounded.
 int winding_by_solid_angles(const Body& body, const Vec3& x) {
   double sum = 0;
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i) {
-    const Corners t = corners(body.soup, i);
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
+    const Corners t = corners(surface(body), i);
     const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     sum +=
@@ -84,7 +84,7 @@ int winding_by_solid_angles(const Body& body, const Vec3& x) {
 
 /// A corner of a triangle of `body`, in the frame of the solid. X takes body to solid.
 Vec3 corner(const Body& body, std::uint32_t triangle, const Transform& X) {
-  return X * body.soup.vertices[body.soup.triangles[triangle][0]];
+  return X * surface(body).vertices[surface(body).triangles[triangle][0]];
 }
 
 /// Up to so many components are quicker to look at one by one.

@@ -152,8 +152,8 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
   each_due({}, reach + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_place)) return;
     Item& item = items_[k];
-    const Corners ta = place(X, corners(a_.soup, item.a));
-    const Corners tb = corners(b_.soup, item.b);
+    const Corners ta = place(X, corners(surface(a_), item.a));
+    const Corners tb = corners(surface(b_), item.b);
     const bool is_new = item.normal == Vec3::Zero();
     const double known = gap_along(is_new ? hint : item.normal, ta, tb);
     if (known > reach + rounding) {
@@ -217,7 +217,7 @@ Sweep PairList::sweep_along(const Motion& motion, double clearance, Effort& effo
       }
     }
     batch.add({item.a, item.b, static_cast<std::uint32_t>(k)},
-              place(start.X, corners(a_.soup, item.a)), corners(b_.soup, item.b));
+              place(start.X, corners(surface(a_), item.a)), corners(surface(b_), item.b));
     if (batch.full()) look();
   });
   look();

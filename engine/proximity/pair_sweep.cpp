@@ -61,14 +61,14 @@ double PairSweep::acceleration(const Corners& local) const {
 
 PairSweep::Step PairSweep::step_along(std::uint32_t i, std::uint32_t j, const Vec3& normal,
                                       const Moment& now) const {
-  const Corners local = corners(a_.soup, i);
-  return step_along(normal, now, place(now.X, local), corners(b_.soup, j), acceleration(local),
+  const Corners local = corners(surface(a_), i);
+  return step_along(normal, now, place(now.X, local), corners(surface(b_), j), acceleration(local),
                     clearance_ + guard_);
 }
 
 int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal) {
-  const Corners local = corners(a_.soup, i);
-  const Corners tb = corners(b_.soup, j);
+  const Corners local = corners(surface(a_), i);
+  const Corners tb = corners(surface(b_), j);
   const double acceleration = this->acceleration(local);
   double stop = clearance_;
   if (normal.squaredNorm() > 0) {

@@ -79,7 +79,7 @@ NearestPoint nearest_point(const Body& body, const Vec3& x, double enough) {
     const Entry e = stack.pop();
     if (e.bound > limit) continue;
     if (e.child & Tree::triangle_bit) {
-      const Corners t = corners(body.soup, e.child & ~Tree::triangle_bit);
+      const Corners t = corners(surface(body), e.child & ~Tree::triangle_bit);
       const NearestPoint found = nearest_of(t, x);
       if (found.distance < best.distance) best = found;
       if (best.distance < enough) break;

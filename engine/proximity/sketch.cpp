@@ -27,12 +27,12 @@ struct Candidate {
 /// Corners, and points on the edges and the faces of large triangles.
 std::vector<Candidate> candidates(const Body& body, double spacing) {
   std::vector<Candidate> out;
-  for (const Vec3& x : body.soup.vertices) out.push_back({x, 1.5});
+  for (const Vec3& x : surface(body).vertices) out.push_back({x, 1.5});
   const auto pieces = [&](const Vec3& a, const Vec3& b) {
     return std::clamp(static_cast<int>((b - a).norm() / spacing), 1, 64);
   };
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i) {
-    const Corners t = corners(body.soup, i);
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
+    const Corners t = corners(surface(body), i);
     const int n = std::max({pieces(t[0], t[1]), pieces(t[1], t[2]), pieces(t[2], t[0])});
     for (int j = 0; j <= n; ++j)
       for (int k = 0; j + k <= n; ++k) {

@@ -28,7 +28,7 @@ class TriangleBatch {
 
   /// Not while it is full.
   void add(std::uint32_t i, std::uint32_t j) {
-    add({i, j, 0}, place(X_, corners(a_.soup, i)), corners(b_.soup, j));
+    add({i, j, 0}, place(X_, corners(surface(a_), i)), corners(surface(b_), j));
   }
   void add(const Pair& pair, const Corners& a, const Corners& b) {
     set_lane(lanes_, count_, a, b);
