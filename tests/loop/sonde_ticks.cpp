@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "engine/penetration/coherent.hpp"
+#include "tests/loop/real_cases.hpp"
 #include "tests/loop/tick_cases.hpp"
 #include "tests/loop/tick_table.hpp"
 
@@ -18,6 +19,8 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::vector<int> slabs;
+  bool real = false;
+  std::string only;
   std::string method = "pdg";
   std::string csv;
   Budget budget;
@@ -56,10 +59,13 @@ void measure(const TickCase& c, const Options& o) {
 }
 
 void run(const Options& o) {
-  if (o.scenes.empty() && o.slabs.empty())
-    throw std::invalid_argument("nothing to measure: name scenes or --slab");
+  if (o.scenes.empty() && o.slabs.empty() && !o.real)
+    throw std::invalid_argument("nothing to measure: name scenes, --slab or --real");
   std::fputs(table_head().c_str(), stdout);
   for (const int cuts : o.slabs) measure(slab_case(cuts), o);
+  if (o.real)
+    for (const std::string& name : real_pairs())
+      if (name.find(o.only) != std::string::npos) measure(real_case(name), o);
   for (const std::string& file : o.scenes) measure(scene_case(file, o.knots), o);
 }
 
@@ -75,6 +81,8 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::PositiveNumber);
+  app.add_flag("--real", o.real, "four pairs of real meshes, pressed and slid on each other");
+  app.add_option("--only", o.only, "of the real pairs those whose names hold this");
   app.add_option("--method", o.method, "pdg or pdt")->capture_default_str();
   app.add_option("--runs", o.runs, "the least of so many counts")->capture_default_str();
   app.add_option("--budget-us", o.budget.microseconds, "of a tick, by the clock; 0: none");
