@@ -81,6 +81,9 @@ std::string text_of(const MeshReport& report) {
 
   std::string text = report.file + '\n';
   text += plain("triangles", std::to_string(body.soup.triangles.size()));
+  if (const std::size_t touched = surface(body).triangles.size();
+      touched != body.soup.triangles.size())
+    text += plain("touched by", std::to_string(touched) + " triangles, where flat parts are one");
   text += plain("vertices", std::to_string(body.soup.vertices.size()));
   text += plain("components", std::to_string(body.component_triangle.size()));
   text += plain("model", std::string(body.solid ? "solid" : "surface") + " (" + body.why + ")");
@@ -105,6 +108,7 @@ Json json_of(const MeshReport& report) {
   Json json;
   json["file"] = report.file;
   json["triangles"] = body.soup.triangles.size();
+  json["surface_triangles"] = surface(body).triangles.size();
   json["vertices"] = body.soup.vertices.size();
   json["components"] = body.component_triangle.size();
   json["model"] = body.solid ? "solid" : "surface";

@@ -32,6 +32,7 @@ struct Plane {
 using Triangles = std::vector<std::uint32_t>;
 /// For each side of each triangle (3 i + k: from corner k to the next) the triangle beyond.
 using Neighbours = std::vector<std::uint32_t>;
+using Segments = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 class Merger {
  public:
@@ -97,9 +98,9 @@ class Merger {
     }
     for (const std::span<const Entry> same : repeated) {
       // Turned against each other as often as not, they are seen from outside as from inside.
-      const long left = !solid ? 1 : all_turns != 0 ? turns(same) / all_turns : 0;
+      const long left = all_turns != 0 ? turns(same) / all_turns : 0;
       long even = left > 0 ? left : left == 0, odd = left < 0 ? -left : left == 0;
-      if (!solid) even = same.front().even, odd = !even;
+      if (!solid) even = odd = 1;  // as the two sides of a sheet
       for (const Entry& entry : same) {
         long& wanted = entry.even ? even : odd;
         dropped_[entry.triangle] = --wanted < 0;
@@ -264,8 +265,9 @@ class Merger {
       covered += (b - a).cross(c - a).dot(plane.normal);
       found.push_back(whole);
     }
-    // Folded over itself, or touching itself in a way that the outline does not tell.
-    if (!(std::abs(covered - area) <= 1e-9 * area)) return false;
+    // Folded over itself, or touching itself in a way that the outline does not tell: however small
+    // that is, what should be beside the outline is on its other side.
+    if (!(std::abs(covered - area) <= 1e-9 * area) || !have_sides(found, *outline)) return false;
     for (const Triangle& t : found) {
       out_.soup.triangles.push_back(t);
       out_.from.push_back(region[0]);
@@ -274,7 +276,16 @@ class Merger {
     return true;
   }
 
-  using Segments = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  /// Is each segment, in its direction, a side of a triangle?
+  static bool have_sides(const std::vector<Triangle>& triangles, const Segments& segments) {
+    Segments sides;
+    for (const Triangle& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
+    std::sort(sides.begin(), sides.end());
+    return std::all_of(segments.begin(), segments.end(), [&](const auto& segment) {
+      return std::binary_search(sides.begin(), sides.end(), segment);
+    });
+  }
 
   /// The sides that one triangle of the region has alone, straight runs of them joined. None where
   /// they do not close.
@@ -343,8 +354,14 @@ class Merger {
   /// A run of vertices as the fewest segments that all of them lie on.
   void add_straight(const std::vector<std::uint32_t>& run, Segments& out) const {
     for (std::size_t from = 0; from + 1 < run.size();) {
-      std::size_t to = from + 1;
-      while (to + 1 < run.size() && is_straight(run, from, to + 1)) ++to;
+      // In strides that grow, and then shrink: a straight run may have very many vertices.
+      std::size_t to = from + 1, stride = 1;
+      const auto may_go = [&] {
+        return to + stride < run.size() && is_straight(run, from, to + stride);
+      };
+      for (; may_go(); stride *= 2) to += stride;
+      for (; stride > 0; stride /= 2)
+        if (may_go()) to += stride;
       out.emplace_back(run[from], run[to]);
       from = to;
     }

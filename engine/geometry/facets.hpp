@@ -26,8 +26,8 @@ struct Facets {
 /// that lie in one plane are joined, and their union is triangulated anew from the corners of its
 /// outline alone. In one plane means within `flatness` (m) of it; larger parts that are less flat
 /// stay as they are, and so does everything where joining would save nothing. A triangle that is
-/// there more than once is kept once; with `solid`, as often in either orientation as leaves every
-/// winding number in proportion.
+/// there more than once is kept once in either orientation, as the two sides of a sheet; with
+/// `solid`, as often as leaves every winding number in proportion.
 ///
 /// The order of the triangles decides nothing but ties, the same soup gives the same facets. Throws
 /// Cancelled.

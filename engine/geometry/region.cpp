@@ -6,6 +6,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+
 namespace sonde {
 namespace {
 
@@ -38,6 +40,18 @@ void mark_depths(Triangulation& triangulation) {
     }
 }
 
+/// False where a segment leads through a point, or along another one: CGAL takes it in pieces then.
+bool has_whole(const Triangulation& triangulation, const PlanarRegion& region,
+               const std::vector<Triangulation::Vertex_handle>& vertices) {
+  for (const auto& [a, b] : region.outline)
+    if (!triangulation.is_edge(vertices[a], vertices[b])) return false;
+  const auto edges = triangulation.finite_edges();
+  const auto constrained = std::count_if(edges.begin(), edges.end(), [&](const auto& edge) {
+    return triangulation.is_constrained(edge);
+  });
+  return static_cast<std::size_t>(constrained) == region.outline.size();
+}
+
 }  // namespace
 
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const PlanarRegion& region) {
@@ -56,6 +70,7 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Plana
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;
   }
+  if (!has_whole(triangulation, region, vertices)) return std::nullopt;
   mark_depths(triangulation);
   std::vector<std::array<std::uint32_t, 3>> out;
   for (const auto face : triangulation.finite_face_handles())

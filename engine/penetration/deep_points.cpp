@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t most_points = 4;
 constexpr int most_meetings = 3;
 constexpr int most_opened = 400;
-constexpr int most_corners = 40;
+constexpr int most_corners = 100;
 constexpr int most_boxes = 60;
+constexpr double large_triangle = 0.1;  // half of its box's diagonal, of the body's radius
 
 /// Looks where the deepest points may be. A depth changes by no more than its point is moved by, so
 /// of a box no more is to be expected than at one point of it, and the way from there.
@@ -114,9 +115,25 @@ class DeepPoints {
       queue.pop();
       if (s.most <= 0) break;
       const std::uint32_t child = tree.child(s.slot);
-      if (child & Tree::triangle_bit) continue;
+      if (child & Tree::triangle_bit) {
+        if (tree.half_diagonal(s.slot) > large_triangle * body.mass.radius)
+          spread(corners_of(body, child & ~Tree::triangle_bit), X);
+        continue;
+      }
       for (std::uint32_t k = 0; k < Tree::width && tree.nodes[child].child[k] != Tree::none; ++k)
         look_at(child * Tree::width + k);
+    }
+  }
+
+  static Corners corners_of(const Body& body, std::uint32_t triangle) {
+    return sonde::corners(surface(body), triangle);
+  }
+  /// Points of a triangle that is one for many: its corners are far from what may be deepest.
+  void spread(const Corners& t, const Transform& X) {
+    look(X, (t[0] + t[1] + t[2]) / 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      look(X, t[k]);
+      look(X, (t[k] + t[(k + 1) % 3]) / 2);
     }
   }
 

@@ -114,7 +114,8 @@ PolygonSoup placed_at(PolygonSoup soup, Place place, double side) {
 }
 
 std::array<Vec3, 3> some_triangle(const Body& body, std::mt19937_64& random) {
-  return corners(body.soup, static_cast<std::uint32_t>(random() % body.soup.triangles.size()));
+  return corners(surface(body),
+                 static_cast<std::uint32_t>(random() % surface(body).triangles.size()));
 }
 
 /// A corner, the middle of an edge or a point of a face, without rounding.
@@ -130,9 +131,9 @@ Vec3 some_place(const Body& body, std::mt19937_64& random) {
 Vec3 foremost(const Body& body, const Vec3& n, std::mt19937_64& random) {
   std::vector<Vec3> found;
   double most = -std::numeric_limits<double>::infinity();
-  for (const Triangle& t : body.soup.triangles)
+  for (const Triangle& t : surface(body).triangles)
     for (const std::uint32_t v : t) {
-      const Vec3& x = body.soup.vertices[v];
+      const Vec3& x = surface(body).vertices[v];
       const double h = n.dot(x);
       if (h > most) most = h, found.clear();
       if (h >= most) found.push_back(x);

@@ -42,11 +42,11 @@ bool point_of(const std::vector<RealVec>& f, const Real* along, RealVec& x) {
 }
 
 Vec3 any_vertex(const Body& body, std::uint32_t triangle, std::size_t corner) {
-  return body.soup.vertices[body.soup.triangles[triangle][corner]];
+  return surface(body).vertices[surface(body).triangles[triangle][corner]];
 }
 
 bool a_vertex_is_inside(const Body& body, const Body& solid, const Transform& X) {
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
       if (std::lround(solid_angle_winding(solid, X * any_vertex(body, i, k))) != 0) return true;
   return false;
@@ -56,7 +56,7 @@ bool a_vertex_is_inside(const Body& body, const Body& solid, const Transform& X)
 
 std::vector<Corners> placed_triangles(const Body& body, const Transform& X) {
   std::vector<Corners> out;
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i)
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i)
     out.push_back(
         {X * any_vertex(body, i, 0), X * any_vertex(body, i, 1), X * any_vertex(body, i, 2)});
   return out;
@@ -72,7 +72,7 @@ bool any_pair_meets(const Body& a, const Body& b, const Transform& X_BA) {
 
 double solid_angle_winding(const Body& body, const Vec3& x) {
   double sum = 0;
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i) {
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
     const Vec3 a = any_vertex(body, i, 0) - x, b = any_vertex(body, i, 1) - x,
                c = any_vertex(body, i, 2) - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -133,7 +133,7 @@ Moments moments(const Body& body) {
   Vec3 first = Vec3::Zero();
   // About a point of the body, so that nothing cancels far from the origin.
   const Vec3 base = any_vertex(body, 0, 0);
-  for (std::uint32_t i = 0; i < body.soup.triangles.size(); ++i) {
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
     const std::array<Vec3, 3> v = {any_vertex(body, i, 0) - base, any_vertex(body, i, 1) - base,
                                    any_vertex(body, i, 2) - base};
     const Vec3 sum = v[0] + v[1] + v[2];
