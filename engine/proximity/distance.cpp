@@ -22,7 +22,8 @@ class Search {
   }
 
   void start_from(const DistanceHint& hint) {
-    if (hint.triangle_a >= surface(a_).triangles.size() || hint.triangle_b >= surface(b_).triangles.size())
+    if (hint.triangle_a >= surface(a_).triangles.size() ||
+        hint.triangle_b >= surface(b_).triangles.size())
       return;
     batch_.add(hint.triangle_a, hint.triangle_b);
     look();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -33,6 +34,30 @@ class Effort {
     return left_ > 0;
   }
   bool is_spent() const noexcept { return left_ <= 0; }
+  bool is_limited() const noexcept {
+    return until_ > 0 || left_ < std::numeric_limits<std::int64_t>::max() / 2;
+  }
+
+  /// What is left, in units of work, of which the clock is thought to give 100 a microsecond.
+  std::int64_t left() const noexcept {
+    if (!(until_ > 0)) return left_;
+    const double by_clock = 100 * std::max(0.0, until_ - now_us());
+    return std::min(left_, static_cast<std::int64_t>(std::min(by_clock, 1e15)));
+  }
+  /// Does a piece of work, task(Effort&), that may take a share of what is left and no more.
+  template <class Task>
+  auto within(double share, const Task& task) {
+    if (!is_limited()) return task(*this);
+    Effort part(*this);
+    const auto most = static_cast<std::int64_t>(share * static_cast<double>(left_));
+    part.left_ = most;
+    if (until_ > 0) part.until_ = now_us() + share * std::max(0.0, until_ - now_us());
+    const auto out = task(part);
+    const bool counted = left_ < std::numeric_limits<std::int64_t>::max() / 2;
+    if (counted) left_ -= most - std::max<std::int64_t>(0, part.left_);
+    unwatched_ = between_looks;  // the clock is looked at next time
+    return out;
+  }
 
  private:
   static constexpr int between_looks = 300;

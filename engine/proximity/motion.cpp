@@ -78,6 +78,21 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
   const double q2 = step2 + step2 * v2 / w2;
   turn_ = 2 * std::sqrt(q2) * (1 + 1e-12);
   acceleration_ = (4 * q2 + 2 * q2 / std::sqrt(w2)) * (1 + 1e-12);
+  // A turned arm is r + 2w v×r + 2 v×(v×r). Its third derivative is 2w‴ v×r + 6w″ v̇×r, with
+  // |w″| ≤ |v̇|²/w³ and |w‴| ≤ 3|v||v̇|³/w⁵, together no more than 6|v̇|³|r|/w⁵; from half-way it is
+  // half of the path to either end.
+  const Vec3 half = v_from_ + 0.5 * v_step_;
+  const double w = std::sqrt(std::max(1e-12, 1 - half.squaredNorm()));
+  const double w1 = -half.dot(v_step_) / w, w11 = -(step2 + w1 * w1) / w;
+  const auto times = [](const Vec3& x) {
+    Mat3 m;
+    m << 0, -x.z(), x.y(), x.z(), 0, -x.x(), -x.y(), x.x(), 0;
+    return m;
+  };
+  const Mat3 in_probe =
+      2 * w11 * times(half) + 4 * w1 * times(v_step_) + 4 * times(v_step_) * times(v_step_);
+  bend_ = q_FP_.toRotationMatrix() * in_probe * q_PM_.toRotationMatrix();
+  bend_error_ = 3 * step2 * std::sqrt(step2) / (w2 * w2 * std::sqrt(w2)) + 1e-12 * acceleration_;
 }
 
 Quat Motion::relative(double s) const {

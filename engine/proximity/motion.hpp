@@ -27,6 +27,10 @@ class Chart {
   /// y of a pose. What a turn about an axis with Î = 0 contributes is dropped.
   Vec6 coordinates(const Pose& X_FM) const;
   Vec3 v(const Vec6& y) const { return y.head<3>().cwiseProduct(per_root_); }
+  /// What a covector of v is in the turning part of y.
+  Vec3 in_v(const Vec3& covector) const { return covector.cwiseProduct(per_root_); }
+  /// |v| that descents leave the chart at: beyond, ∂w/∂v blows up (w is 0.31 there, the turn 144°).
+  static constexpr double largest_v = 0.95;
 
   /// The row J of a contact at point a with normal n (fixed frame), at y: n·ȧ = J·ẏ.
   Vec6 row(const Vec6& y, const Vec3& a, const Vec3& n) const;
@@ -61,6 +65,11 @@ class Motion {
   /// No point at distance r of the centre of mass accelerates by more than r times this, anywhere
   /// on the path (per unit of s squared).
   double acceleration_per_radius() const { return acceleration_; }
+  /// Anywhere on the path the acceleration of a point with the arm r from the centre of mass (mesh
+  /// frame) is bend() r, in the fixed frame, to within bend_error() |r|: how a turn bends a path is
+  /// known in size and direction, but for the third order.
+  const Mat3& bend() const { return bend_; }
+  double bend_error() const { return bend_error_; }
   /// Length of the path of the centre of mass, m, and a bound of the angle turned through on the
   /// path (its whole length, not its ends), rad: no point at distance r of the centre of mass
   /// travels further than linear_distance() + r turn_bound().
@@ -76,6 +85,8 @@ class Motion {
   Vec3 com_M_, com_from_, com_step_, v_from_, v_step_;
   double acceleration_;
   double turn_;
+  Mat3 bend_;
+  double bend_error_;
 };
 
 }  // namespace sonde

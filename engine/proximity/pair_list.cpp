@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/proximity/pair_list.hpp"
 
-#include "engine/proximity/pair_sweep.hpp"
+#include <array>
+
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/triangle_batch.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr std::size_t group = 16;
-// In the units of Effort.
-constexpr int work_to_place = 3, work_to_advance = 20;
+// In the units of Effort: of a block of pairs, of one pair.
+constexpr int work_to_look = 5, work_to_lay_out = 60, work_to_advance = 20;
+
+Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
+
+/// Where the centre of mass is, and how arms from it are turned.
+ArmMap arms_at(const Body& a, const Transform& X) { return arm_map(X.R, X * a.mass.com); }
 
 }  // namespace
 
 PairList::PairList(const Body& a, const Body& b, std::size_t capacity)
     : a_(a),
       b_(b),
-      items_(capacity),
-      due_(capacity),
-      groups_(capacity / group + 1),
+      items_((capacity + block - 1) / block),
+      lanes_(items_.size()),
+      due_(items_.size()),
+      open_(capacity),
+      capacity_(capacity),
       centre_(a.mass.com) {
   clear();
 }
@@ -57,13 +64,15 @@ bool PairList::build(const Transform& X, const Vec3& centre, const Displacement&
       for (const SlotPair& child : children) stack.push(child);
       continue;
     }
-    if (count_ == items_.size()) return clear(), false;
-    const Due due{at.below(p.bound), arm};
-    Due& least = groups_[count_ / group];
-    if (count_ % group == 0) least = due;
-    least = {std::min(least.distance, due.distance), std::max(least.arm, due.arm)};
-    due_[count_] = due;
-    items_[count_++] = {at.triangle_a(p), at.triangle_b(p), Vec3::Zero()};
+    if (count_ == capacity_) return clear(), false;
+    const std::size_t k = count_ / block, lane = count_ % block;
+    const double distance = at.below(p.bound);
+    if (lane == 0) due_[k] = {distance, arm, false};
+    due_[k].distance = std::min(due_[k].distance, distance);
+    due_[k].arm = std::max(due_[k].arm, arm);
+    items_[k].a[lane] = at.triangle_a(p);
+    items_[k].b[lane] = at.triangle_b(p);
+    ++count_;
   }
   room_ = room;
   return true;
@@ -83,14 +92,15 @@ void PairList::travel_to(const Transform& X) noexcept {
   last_ = X;
   // Long travel within a small place would round the distances away.
   if (linear_ + turned_ * longest_arm_ > 1e3 * room_.of(longest_arm_)) {
-    for (Due& due : due_) due.distance = 0;
-    for (Due& least : groups_) least.distance = 0;
+    for (std::size_t k = 0; k < blocks(); ++k) due_[k].distance = 0;
     linear_ = turned_ = 0;
   }
 }
 
 double PairList::guard(const Transform& X) const noexcept {
-  return rounding_guard(extent(a_), extent(b_), X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
+  // Arms are reckoned from the centre of mass, which may lie far outside the mesh.
+  return rounding_guard(extent(a_) + a_.mass.com.norm(), extent(b_),
+                        X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
 double PairList::reach_after(const Transform& X, const Displacement& more) const noexcept {
@@ -107,121 +117,244 @@ bool PairList::covers(const Motion& motion, double clearance) const noexcept {
   return reach_after(motion.at(0), along(motion, centre_)) > clearance;
 }
 
-void PairList::learn(std::size_t item, double distance, double rounding) noexcept {
-  Due& due = due_[item];
+void PairList::learn(std::size_t k, double gap, double rounding) noexcept {
+  Due& due = due_[k];
   const double used_up = linear_ + due.arm * turned_;
-  due.distance = std::max(due.distance, used_up + distance * (1 - 1e-12) - rounding);
+  due.distance = std::max(due.distance, used_up + gap * (1 - 1e-12) - rounding);
 }
 
 template <class Visit>
-void PairList::each_due(const Displacement& ahead, double within, const Visit& visit) noexcept {
-  const auto is_due = [&](const Due& due) { return spare(due) <= within + ahead.of(due.arm); };
-  for (std::size_t first = 0; first < count_; first += group) {
-    Due& least = groups_[first / group];
-    if (!is_due(least)) continue;
-    const std::size_t end = std::min(first + group, count_);
-    least.distance = due_[first].distance;
-    for (std::size_t k = first; k < end; ++k) {
-      least.distance = std::min(least.distance, due_[k].distance);
-      if (is_due(due_[k])) visit(k);
+void PairList::each_due(const Displacement& ahead, double within, Effort& effort,
+                        const Visit& visit) noexcept {
+  for (std::size_t k = 0; k < blocks(); ++k) {
+    if (spare(due_[k]) > within + ahead.of(due_[k].arm)) continue;
+    if (!due_[k].laid_out) {
+      effort.spend(work_to_lay_out);
+      lay_out(k);
     }
+    visit(k);
   }
+}
+
+void PairList::set_normal(std::uint32_t item, const Vec3& normal) noexcept {
+  PairLanes& lanes = lanes_[item / block];
+  const std::size_t lane = item % block;
+  const Corners tb = corners(surface(b_), items_[item / block].b[lane]);
+  for (std::size_t i = 0; i < 3; ++i) lanes.normal[i][lane] = normal[static_cast<int>(i)];
+  lanes.top[lane] = std::max({normal.dot(tb[0]), normal.dot(tb[1]), normal.dot(tb[2])});
+}
+
+void PairList::lay_out(std::size_t k) noexcept {
+  TrianglePairs8 pairs;
+  PairLanes& lanes = lanes_[k];
+  const std::size_t size = size_of(k);
+  for (std::size_t lane = 0; lane < block; ++lane) {
+    // Lanes that are not used repeat the last one.
+    const std::size_t from = std::min(lane, size - 1);
+    const Corners ta = corners(surface(a_), items_[k].a[from]);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < 3; ++i)
+        lanes.arm[c][i][lane] = ta[c][static_cast<int>(i)] - a_.mass.com[static_cast<int>(i)];
+    set_lane(pairs, static_cast<int>(lane), place(last_, ta),
+             corners(surface(b_), items_[k].b[from]));
+  }
+  ClosestPoints8 points;
+  closest_points(pairs, static_cast<int>(size), std::numeric_limits<double>::infinity(), points);
+  for (std::size_t lane = 0; lane < block; ++lane) {
+    const auto from = static_cast<int>(std::min(lane, size - 1));
+    const bool apart = points.distance[from] > 0;
+    // Those that meet are clear along no direction.
+    for (std::size_t i = 0; i < 3; ++i) lanes.normal[i][lane] = apart ? points.normal[i][from] : 0;
+    lanes.top[lane] = 0;
+    if (lane < size && apart)
+      set_normal(static_cast<std::uint32_t>(k * block + lane), normal(points, from));
+    else if (lane >= size)
+      lanes.top[lane] = lanes.top[size - 1];
+  }
+  due_[k].laid_out = true;
 }
 
 NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> out,
                          Effort& effort) noexcept {
   travel_to(X);
   const double rounding = guard(X);
-  // What lies beyond the reach is measured too: it is not looked at again until it has come near.
-  const double limit = std::max(reach, room_.of(longest_arm_));
-  Vec3 hint = Vec3::Zero();
+  const ArmMap at = arms_at(a_, X);
   TriangleBatch batch(a_, b_, X);
   std::size_t found = 0;
   const auto look = [&] {
     effort.spend(TriangleBatch::work * batch.size());
-    batch.flush(limit, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
-      learn(pair.tag, std::min(points.distance[k], limit), rounding);
-      if (points.distance[k] > limit || !(points.distance[k] > 0)) return;
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (points.distance[k] > reach || !(points.distance[k] > 0)) return;
       const NearPair near = near_pair(pair, k, points);
-      items_[pair.tag].normal = hint = near.normal;
-      if (points.distance[k] > reach) return;
       if (found == out.size()) found = keep_nearer_half(out, reach);
       out[found++] = near;
     });
   };
-  each_due({}, reach + rounding, [&](std::size_t k) {
-    if (!effort.spend(work_to_place)) return;
-    Item& item = items_[k];
-    const Corners ta = place(X, corners(surface(a_), item.a));
-    const Corners tb = corners(surface(b_), item.b);
-    const bool is_new = item.normal == Vec3::Zero();
-    const double known = gap_along(is_new ? hint : item.normal, ta, tb);
-    if (known > reach + rounding) {
-      hint = item.normal = is_new ? hint : item.normal;
-      learn(k, known, rounding);
-      return;
+  each_due({}, reach + rounding, effort, [&](std::size_t k) {
+    if (!effort.spend(work_to_look)) return;
+    alignas(64) double gap[block];
+    gaps_at(lanes_[k], at, gap);
+    learn(k, *std::min_element(gap, gap + block), rounding);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      if (gap[lane] > reach + rounding) continue;
+      batch.add(items_[k].a[lane], items_[k].b[lane]);
+      if (batch.full()) look();
     }
-    batch.add({item.a, item.b, static_cast<std::uint32_t>(k)}, ta, tb);
-    if (batch.full()) look();
   });
   look();
   if (effort.is_spent()) return {0, -1};
   return {found, reach};
 }
 
-Sweep PairList::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
-  PairSweep pairs(a_, b_, motion, clearance);
-  const Moment& start = pairs.start();
-  travel_to(start.X);
-  const double rounding = guard(start.X), room = clearance + pairs.guard();
-  const double farthest = room_.of(longest_arm_);
-  const Displacement ahead = along(motion, centre_);
-  // Free up to here by itself: a share of what is spare.
-  const auto known = [&](std::size_t k) {
-    return (spare(due_[k]) - room) / std::max(ahead.of(due_[k].arm), 1e-300) * (1 - 1e-12);
-  };
-  Vec3 hint = Vec3::Zero();
-  TriangleBatch batch(a_, b_, start.X);
-  // Most pairs are done with along the direction known for them, or for the one before; of the
-  // others, after a closer look, which eight take together.
+std::size_t PairList::trespasses(const Transform& X, double least, std::span<Trespass> out,
+                                 Effort& effort) noexcept {
+  const double rounding = guard(X);
+  const ArmMap at = arms_at(a_, X);
+  const auto deeper = [](const Trespass& x, const Trespass& y) { return x.gap < y.gap; };
+  std::size_t found = 0;
+  TriangleBatch batch(a_, b_, X);
+  std::array<double, block> along{};  // gaps of the batch
   const auto look = [&] {
-    batch.flush(farthest,
-                [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
-                  learn(pair.tag, std::min(points.distance[k], farthest), rounding);
-                  if (!effort.spend(work_to_advance)) {
-                    pairs.give_up(std::max(0.0, known(pair.tag)));
-                    return;
-                  }
-                  Vec3& n = items_[pair.tag].normal;
-                  double from = 0;
-                  if (points.distance[k] <= farthest && points.gap[k] > 2 * clearance) {
-                    n = hint = normal(points, k);
-                    from = pairs.step_along(pair.i, pair.j, n, start).length;
-                  }
-                  if (from < pairs.free_until())
-                    effort.spend(pairs.advance(pair.i, pair.j, from, n));
-                });
-  };
-  each_due(ahead, room, [&](std::size_t k) {
-    Item& item = items_[k];
-    if (known(k) > pairs.free_until()) return;
-    if (!effort.spend(work_to_place)) return pairs.give_up(std::max(0.0, known(k)));
-    const bool is_new = item.normal == Vec3::Zero();
-    const Vec3& n = is_new ? hint : item.normal;
-    if (n != Vec3::Zero()) {
-      const PairSweep::Step step = pairs.step_along(item.a, item.b, n, start);
-      learn(k, step.gap, rounding);
-      if (step.length >= pairs.free_until()) {
-        hint = item.normal = n;
-        return;
+    effort.spend(TriangleBatch::work * batch.size());
+    batch.flush(least, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (points.distance[k] > least) return;
+      const double known = std::min(0.0, along[static_cast<std::size_t>(k)]);
+      const Trespass one{pair.i, pair.j, points.distance[k] > 0 ? points.gap[k] : known};
+      if (found == out.size()) {
+        if (!deeper(one, out[0])) return;
+        std::pop_heap(out.begin(), out.end(), deeper);
+        --found;
       }
+      out[found++] = one;
+      std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
+    });
+  };
+  each_due(displacement(last_, X), least + rounding, effort, [&](std::size_t k) {
+    if (!effort.spend(work_to_look)) return;
+    alignas(64) double gap[block];
+    gaps_at(lanes_[k], at, gap);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      if (gap[lane] > least + rounding) continue;
+      along[static_cast<std::size_t>(batch.size())] = gap[lane];
+      batch.add(items_[k].a[lane], items_[k].b[lane]);
+      if (batch.full()) look();
     }
-    batch.add({item.a, item.b, static_cast<std::uint32_t>(k)},
-              place(start.X, corners(surface(a_), item.a)), corners(surface(b_), item.b));
-    if (batch.full()) look();
   });
   look();
+  return found;
+}
+
+Sweep PairList::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
+  PairSweep pairs(a_, b_, motion, clearance);
+  travel_to(pairs.start().X);
+  const double rounding = guard(pairs.start().X), room = clearance + pairs.guard();
+  const Displacement ahead = along(motion, centre_);
+  const ArmMap from = arms_at(a_, pairs.start().X), to = arms_at(a_, pairs.end());
+  const ArmMap bend = arm_map(motion.bend(), Vec3::Zero());
+  std::size_t open = 0;
+  each_due(ahead, room, effort, [&](std::size_t k) {
+    if (!effort.spend(2 * work_to_look)) {
+      const double known = (spare(due_[k]) - room) / std::max(ahead.of(due_[k].arm), 1e-300);
+      return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
+    }
+    PathLanes path;
+    gaps_along(lanes_[k], from, to, bend, path);
+    learn(k, *std::min_element(path.from, path.from + block), rounding);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      const double floor = pairs.floor_of(path.from[lane]);
+      const double least = std::min(path.from[lane], path.to[lane]) - floor;
+      if (least >= 0 && least >= pairs.hangs_by(path.bend[lane])) continue;
+      const double room = path.from[lane] - floor, used = path.from[lane] - path.to[lane];
+      open_[open++] = {static_cast<std::uint32_t>(k * block + lane), room <= 0     ? 0
+                                                                     : room < used ? room / used
+                                                                                   : 1};
+    }
+  });
+  // What is likely to stop the path soonest comes first: then the others need be clear no further.
+  const auto first = open_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
+  const auto few = first + static_cast<std::ptrdiff_t>(std::min(open, block));
+  std::partial_sort(first, few, last, [](const Open& x, const Open& y) {
+    return x.until != y.until ? x.until < y.until : x.item < y.item;
+  });
+  follow({open_.data(), open}, pairs, ahead, effort);
   return pairs.result();
+}
+
+void PairList::follow(std::span<const Open> open, PairSweep& pairs, const Displacement& ahead,
+                      Effort& effort) noexcept {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double clearance = pairs.clearance();
+  TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
+  const auto normal_of = [&](std::uint32_t item) {
+    const PairLanes& lanes = lanes_[item / block];
+    const std::size_t k = item % block;
+    return Vec3(lanes.normal[0][k], lanes.normal[1][k], lanes.normal[2][k]);
+  };
+  const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {
+    return pairs.is_clear_along(pair.i, pair.j, n);
+  };
+  // What slides past with little room, one edge over another, is clear along a normal of the
+  // surface, where the nearest points lead from one side of it to the other.
+  Vec3 hint = Vec3::Zero();
+  const auto passes_over = [&](const TriangleBatch::Pair& pair) {
+    const Corners ta = place(pairs.start().X, corners(surface(a_), pair.i));
+    const Corners tb = corners(surface(b_), pair.j);
+    for (const Vec3& way : {hint, face_normal(tb), face_normal(ta)})
+      for (const double side : {1.0, -1.0}) {
+        const Vec3 n = side * way;
+        if (!(gap_along(n, ta, tb) > 0) || !passes(pair, n)) continue;
+        set_normal(pair.tag, n);
+        hint = n;
+        return true;
+      }
+    return false;
+  };
+  const auto look_at_end = [&] {
+    effort.spend(TriangleBatch::work * at_end.size());
+    at_end.flush(infinity, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& p) {
+      if (p.distance[k] > 0 && passes(pair, normal(p, k)))
+        return set_normal(pair.tag, normal(p, k));
+      if (!effort.spend(work_to_advance)) {
+        const Due& due = due_[pair.tag / block];
+        const double room = clearance + pairs.guard();
+        const double known = (spare(due) - room) / std::max(ahead.of(due.arm), 1e-300);
+        return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
+      }
+      Vec3 n = normal_of(pair.tag);
+      double from = 0;
+      if (n != Vec3::Zero()) {
+        const PairSweep::Step step = pairs.step_along(pair.i, pair.j, n, pairs.start());
+        if (step.gap > 2 * clearance) from = step.length;
+      }
+      if (from < pairs.free_until()) effort.spend(pairs.advance(pair.i, pair.j, from, n));
+    });
+  };
+  const auto look_at_start = [&] {
+    effort.spend(TriangleBatch::work * at_start.size());
+    at_start.flush(infinity, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& p) {
+      for (int i = 0; k == 0 && i < at_start.size(); ++i) pairs.saw_at_start(p.distance[i]);
+      if (p.distance[k] > 0) {
+        set_normal(pair.tag, normal(p, k));
+        if (passes(pair, normal(p, k)) || passes_over(pair)) return;
+      }
+      at_end.add(pair, place(pairs.end(), corners(surface(a_), pair.i)),
+                 corners(surface(b_), pair.j));
+      if (at_end.full()) look_at_end();
+    });
+  };
+  std::size_t looked_at = 0;
+  for (const Open& one : open) {
+    const Pairs& of = items_[one.item / block];
+    const TriangleBatch::Pair pair{of.a[one.item % block], of.b[one.item % block], one.item};
+    const Vec3 n = normal_of(one.item);
+    if (pairs.free_until() < 1 && n != Vec3::Zero() && passes(pair, n)) continue;
+    at_start.add(pair, place(pairs.start().X, corners(surface(a_), pair.i)),
+                 corners(surface(b_), pair.j));
+    // The first has the last word before any other is looked at: these need be clear no further.
+    if (at_start.full() || ++looked_at == 1) look_at_start(), look_at_end();
+  }
+  look_at_start();
+  look_at_end();
 }
 
 }  // namespace sonde

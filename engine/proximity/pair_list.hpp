@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,7 +9,10 @@
 #include "engine/geometry/body.hpp"
 #include "engine/proximity/motion.hpp"
 #include "engine/proximity/near_pairs.hpp"
+#include "engine/proximity/pair_lanes.hpp"
+#include "engine/proximity/pair_sweep.hpp"
 #include "engine/proximity/sweep.hpp"
+#include "engine/proximity/trespass.hpp"
 
 namespace sonde {
 
@@ -20,7 +24,7 @@ namespace sonde {
 /// fixed body too. Nothing here allocates but the constructor.
 class PairList {
  public:
-  static constexpr std::size_t enough = 16384;
+  static constexpr std::size_t enough = 8192;
   PairList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// No point of A, r away from a point of it that is the centre, is further than linear + r·turn
@@ -44,7 +48,7 @@ class PairList {
 
   void clear() noexcept { count_ = 0, room_.linear = -1; }
   std::size_t size() const noexcept { return count_; }
-  std::size_t capacity() const noexcept { return items_.size(); }
+  std::size_t capacity() const noexcept { return capacity_; }
 
   /// Every pair at a distance of at most this, at X, is in the list. Negative: no statement.
   double reach_at(const Transform& X) const noexcept { return reach_after(X, {}); }
@@ -56,16 +60,27 @@ class PairList {
                  Effort& effort) noexcept;
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
+  /// The pairs that are nearer than `least` at X or meet, the deepest of them where there are more
+  /// than fit; X must be covered (reach_at). The probe stays where it is. Returns how many.
+  std::size_t trespasses(const Transform& X, double least, std::span<Trespass> out,
+                         Effort& effort) noexcept;
+
  private:
-  struct Item {
-    std::uint32_t a, b;
-    Vec3 normal;  ///< the last direction found to separate it; zero: none yet
+  static constexpr std::size_t block = 8;  ///< pairs that are looked at together
+  struct Pairs {
+    std::uint32_t a[block], b[block];
   };
-  /// The distance last known, and all that had been used up of it then, m: an item is not looked at
-  /// until what is spare draws to an end. The longer the arm (of the triangle of A, from the
-  /// centre), the more a turn uses up.
+  /// The least distance of a block's pairs last known, and all that had been used up of it then, m:
+  /// a block is not looked at until what is spare draws to an end. The longer the arm (of the
+  /// triangles of A, from the centre), the more a turn uses up.
   struct Due {
     double distance, arm;
+    bool laid_out;  ///< its lanes hold anything yet
+  };
+  /// A pair that was not found clear of a path by the direction that separated it last.
+  struct Open {
+    std::uint32_t item;
+    double until;  ///< of the path: about where it may be stopped
   };
   double reach_after(const Transform& X, const Displacement& more) const noexcept;
   Displacement displacement(const Transform& from, const Transform& X) const noexcept;
@@ -75,18 +90,29 @@ class PairList {
   void travel_to(const Transform& X) noexcept;
   /// What is left of the distance that it was last known to have, m.
   double spare(const Due& d) const noexcept { return d.distance - linear_ - d.arm * turned_; }
-  /// Calls visit(item) for all that may come within so much on the way that is ahead.
+  std::size_t blocks() const noexcept { return (count_ + block - 1) / block; }
+  std::size_t size_of(std::size_t k) const noexcept { return std::min(block, count_ - k * block); }
+  /// Calls visit(block) for all that may come within so much on the way that is ahead.
   template <class Visit>
-  void each_due(const Displacement& ahead, double within, const Visit& visit) noexcept;
-  /// Takes down what was found out about an item at the present travel.
-  void learn(std::size_t item, double distance, double rounding) noexcept;
+  void each_due(const Displacement& ahead, double within, Effort& effort,
+                const Visit& visit) noexcept;
+  /// Fills the lanes of a block: the directions that separate its pairs where the probe is.
+  void lay_out(std::size_t k) noexcept;
+  void set_normal(std::uint32_t item, const Vec3& normal) noexcept;
+  /// Takes down the least gap found in a block where the probe is.
+  void learn(std::size_t k, double gap, double rounding) noexcept;
+  /// Follows the pairs that are not clear of the path by what is known of them.
+  void follow(std::span<const Open> open, PairSweep& pairs, const Displacement& ahead,
+              Effort& effort) noexcept;
 
   const Body& a_;
   const Body& b_;
-  std::vector<Item> items_;
+  std::vector<Pairs> items_;
+  std::vector<PairLanes> lanes_;
   std::vector<Due> due_;
-  std::vector<Due> groups_;  // what is least in each group of items
+  std::vector<Open> open_;
   std::size_t count_ = 0;
+  std::size_t capacity_;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
   Displacement room_;  // of the list; linear negative: there is none

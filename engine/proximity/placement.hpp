@@ -104,7 +104,9 @@ class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);
 
-  Corners corners_a(std::uint32_t triangle) const { return place(X, corners(surface(a_), triangle)); }
+  Corners corners_a(std::uint32_t triangle) const {
+    return place(X, corners(surface(a_), triangle));
+  }
   Corners corners_b(std::uint32_t triangle) const { return corners(surface(b_), triangle); }
 
   /// m → the placement's unit, rounded up or down; what is infinite stays so.

@@ -200,7 +200,8 @@ class Sweeper {
   /// Most pairs of triangles are done with after one look, which eight take together.
   void wait(std::uint32_t i, std::uint32_t j, const SlotPair& p) {
     const Placed& now = placed_before(p);
-    set_lane(lanes_, waiting_, place(now.moment.X, corners(surface(a_), i)), corners(surface(b_), j));
+    set_lane(lanes_, waiting_, place(now.moment.X, corners(surface(a_), i)),
+             corners(surface(b_), j));
     queue_[static_cast<std::size_t>(waiting_++)] = {
         i, j, static_cast<double>(p.bound), static_cast<double>(now.number) / moments, now.moment};
     if (waiting_ == static_cast<int>(queue_.size())) advance_waiting();

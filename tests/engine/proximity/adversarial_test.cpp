@@ -90,8 +90,8 @@ void check_distance(const BodyPair& pair, const HardPose& pose, const std::strin
     return d;
   };
   const Distance d = check({});
-  const auto na = static_cast<std::uint32_t>(pair.a->soup.triangles.size());
-  const auto nb = static_cast<std::uint32_t>(pair.b->soup.triangles.size());
+  const auto na = static_cast<std::uint32_t>(surface(*pair.a).triangles.size());
+  const auto nb = static_cast<std::uint32_t>(surface(*pair.b).triangles.size());
   ASSERT_LT(d.triangle_a, na);
   ASSERT_LT(d.triangle_b, nb);
   EXPECT_NEAR(test::exact_distance(a.triangles[d.triangle_a], b.triangles[d.triangle_b]),

@@ -32,12 +32,13 @@ TEST(Distance, is_the_least_over_all_pairs_whatever_the_hint) {
       const double rounding = 1e-14 * size_at(pair, X);
       EXPECT_NEAR(d.distance, expected, rounding) << pair.name << i;
       EXPECT_NEAR((d.on_a - d.on_b).norm(), d.distance, rounding) << pair.name;
-      const Corners ta = place(X, corners(pair.a->soup, d.triangle_a)),
-                    tb = corners(pair.b->soup, d.triangle_b);
+      const Corners ta = place(X, corners(surface(*pair.a), d.triangle_a)),
+                    tb = corners(surface(*pair.b), d.triangle_b);
       EXPECT_NEAR(closest_points(ta, tb).distance, d.distance, rounding) << pair.name;
       EXPECT_EQ(d.overlapping, d.distance <= 0) << pair.name;
-      const DistanceHint hint{static_cast<std::uint32_t>(random() % pair.a->soup.triangles.size()),
-                              static_cast<std::uint32_t>(random() % pair.b->soup.triangles.size())};
+      const DistanceHint hint{
+          static_cast<std::uint32_t>(random() % surface(*pair.a).triangles.size()),
+          static_cast<std::uint32_t>(random() % surface(*pair.b).triangles.size())};
       EXPECT_NEAR(triangle_distance(*pair.a, *pair.b, X, hint).distance, d.distance, rounding);
       const DistanceHint nonsense{1u << 30, 1u << 30};
       EXPECT_NEAR(triangle_distance(*pair.a, *pair.b, X, nonsense).distance, d.distance, rounding);
@@ -115,7 +116,7 @@ TEST(Distance, a_minute_triangle_is_nowhere_else) {
         {{0, 1, 2}, {3, 4, 5}}};
     PolygonSoup beside{{{1, -1, 0}, {2, -1, 0}, {1, 1, 0}}, {{0, 1, 2}}};
     const auto a = test::body(with_it, Model::surface), b = test::body(beside, Model::surface);
-    EXPECT_NEAR(distance(*a, *b, {}).distance, a->soup.triangles.size() == 2 ? 1 : 4, 1e-14)
+    EXPECT_NEAR(distance(*a, *b, {}).distance, surface(*a).triangles.size() == 2 ? 1 : 4, 1e-14)
         << size;
   }
 }

@@ -38,8 +38,8 @@ Query random_query(std::mt19937_64& random, const test::BodyPair& pair) {
 }
 
 void check_fields(const NearPair& p, const test::BodyPair& pair, const Query& q) {
-  const Corners ta = place(q.X, corners(pair.a->soup, p.triangle_a));
-  const Corners tb = corners(pair.b->soup, p.triangle_b);
+  const Corners ta = place(q.X, corners(surface(*pair.a), p.triangle_a));
+  const Corners tb = corners(surface(*pair.b), p.triangle_b);
   const double distance = closest_points(ta, tb).distance;
   EXPECT_NEAR(p.normal.norm(), 1, 1e-14) << pair.name;
   EXPECT_NEAR(p.gap, gap_along(p.normal, ta, tb), q.rounding) << pair.name;

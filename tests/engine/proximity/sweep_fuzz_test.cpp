@@ -102,8 +102,8 @@ void check_not_early(const Run& run, bool with_room, Tally& tally) {
   if (!with_room) return;
   ++tally.judged;
   const Corners a =
-      place(run.path.at(run.swept.free_until), corners(run.pair.a->soup, run.swept.triangle_a));
-  const double gap = test::exact_distance(a, corners(run.pair.b->soup, run.swept.triangle_b));
+      place(run.path.at(run.swept.free_until), corners(surface(*run.pair.a), run.swept.triangle_a));
+  const double gap = test::exact_distance(a, corners(surface(*run.pair.b), run.swept.triangle_b));
   const double enough = in_time * run.motion.clearance + 4 * run.rounding;
   tally.early += gap > enough;
   tally.much_too_early += gap > enough + much_room * run.pair.a->mass.radius;

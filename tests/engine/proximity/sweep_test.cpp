@@ -79,8 +79,9 @@ void check_sweeps(const test::BodyPair& pair, std::mt19937_64& random, int motio
     }
     ++tally.hits;
     // Not lazy: what stopped it is near, nearer than twice the clearance; or the start was near.
-    const Corners ta = place(motion.at(swept.free_until), corners(pair.a->soup, swept.triangle_a));
-    const double stopper = closest_points(ta, corners(pair.b->soup, swept.triangle_b)).distance;
+    const Corners ta =
+        place(motion.at(swept.free_until), corners(surface(*pair.a), swept.triangle_a));
+    const double stopper = closest_points(ta, corners(surface(*pair.b), swept.triangle_b)).distance;
     tally.lazy += stopper > 2 * c.clearance + 2 * rounding;
     EXPECT_LT(stopper, 2 * c.clearance + 1e-3 * pair.a->mass.radius) << pair.name << i;
   }

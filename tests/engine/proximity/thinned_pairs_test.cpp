@@ -40,10 +40,10 @@ struct Counts {
 void check_rows(const Query& q, std::span<const NearPair> rows) {
   const double rounding = q.density().rounding;
   for (const NearPair& r : rows) {
-    ASSERT_LT(r.triangle_a, q.pair.a->soup.triangles.size());
-    ASSERT_LT(r.triangle_b, q.pair.b->soup.triangles.size());
-    const Corners a = place(q.X, corners(q.pair.a->soup, r.triangle_a));
-    const Corners b = corners(q.pair.b->soup, r.triangle_b);
+    ASSERT_LT(r.triangle_a, surface(*q.pair.a).triangles.size());
+    ASSERT_LT(r.triangle_b, surface(*q.pair.b).triangles.size());
+    const Corners a = place(q.X, corners(surface(*q.pair.a), r.triangle_a));
+    const Corners b = corners(surface(*q.pair.b), r.triangle_b);
     EXPECT_NEAR(r.normal.norm(), 1, 1e-12) << q.pair.name;
     EXPECT_NEAR(r.gap, gap_along(r.normal, a, b), rounding) << q.pair.name;
     EXPECT_NEAR((r.on_a - r.on_b).norm(), closest_points(a, b).distance, rounding) << q.pair.name;
@@ -136,7 +136,7 @@ PolygonSoup plate(int n, double bulge) {
 // anywhere. The rows are as many as the area holds at that spacing, and not as the triangles.
 TEST(ThinnedPairs, are_few_between_fine_plates) {
   std::vector<NearPair> out(1 << 15);
-  for (const double bulge : {0.0, 0.25}) {
+  for (const double bulge : {1e-5, 0.25}) {  // what is flat is joined to two triangles
     const BodyPair pair{"plates", test::body(plate(20, bulge)), test::body(plate(17, bulge))};
     Counts counts;
     for (const double turn : {0.0, 1e-9, 0.3}) {
@@ -149,7 +149,7 @@ TEST(ThinnedPairs, are_few_between_fine_plates) {
     // Of rows further than half the spacing the table finds most, not all, and a row found late may
     // have the smaller gap: a tenth would be the fewest (measured: an eighth).
     EXPECT_LT(counts.rows, counts.pairs / 6) << bulge;
-    say(bulge > 0 ? "bent plates" : "flat plates", counts);
+    say(bulge > 0.1 ? "bent plates" : "nearly flat plates", counts);
   }
 }
 
