@@ -6,13 +6,33 @@
 
 #include "engine/penetration/overlay.hpp"
 #include "engine/proximity/placement.hpp"
+#include "engine/proximity/triangle_batch.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr std::size_t most_rows = 128;
+/// Pairs, the deepest, that one look may find; the next look finds what is left. Where faces lie on
+/// each other many of them keep their gaps, and are not in the way.
+constexpr std::size_t most_cut = 48;
+/// Pairs that are looked at again wherever the probe has come to. Six hold it at a time; those of
+/// the last few ticks' looks find room. One that is forgotten cuts a step again.
+constexpr std::size_t most_kept = 32;
+/// Of its gap, or of the margin, a step may take so little from a pair that it need not be thought
+/// over: what is lost tick by tick is not to be had back while the probe is pressed.
+constexpr double kept_share = 0.95;
 /// A list of so many pairs, up to twice as many, is made for its cost to be spread over many steps.
-constexpr std::size_t good_list = 1000;
+constexpr int good_list = 3000;
+/// Of the probe's radius: longer paths are not listed, the trees are quicker.
+constexpr double farthest_listed = 0.02;
+/// Shorter ones always are, in flat contact the trees are no help with them.
+constexpr double nearest_listed = 0.001;
+/// Of the effort that is left to a tick: a list that takes more is not made.
+constexpr double share_for_list = 0.6;
+/// Pairs, where the effort is limited: the making of one takes about 16 units of it.
+std::size_t good_size(const Effort& effort) {
+  const double affordable = 0.25 * static_cast<double>(effort.left()) / 16;
+  return static_cast<std::size_t>(std::clamp(affordable, 200.0, double{good_list}));
+}
 constexpr int work_to_take = 16;  // a pair, in the units of Effort
 
 }  // namespace
@@ -23,24 +43,67 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       fixed_(fixed),
       method_(method),
       list_(probe, fixed, finding.most_listed),
-      pairs_(finding.most_pairs),
-      contacts_(most_rows),
-      rows_(most_rows),
-      at_(most_rows),
+      most_near_(finding.most_pairs),
+      pairs_(finding.most_pairs + most_kept),
+      contacts_(capacity),
+      rows_(capacity + 1),  // and the rim of the chart
+      at_(capacity),
+      trespasses_(most_cut),
+      pair_of_(capacity),
+      kept_(most_kept),
       crowded_(probe.mass.radius),
       list_limit_(probe.mass.radius),
-      list_reach_(probe.mass.radius) {}
+      list_reach_(probe.mass.radius),
+      too_far_(farthest_listed * probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
   list_.clear();
   usual_ = {};
-  gathered_ = false;
-  count_ = 0;
+  gathered_ = rim_ = false;
+  count_ = kept_count_ = 0;
   crowded_ = list_limit_ = list_reach_ = probe_.mass.radius;
+  too_far_ = farthest_listed * probe_.mass.radius;
 }
 
-void ContactRows::accept(const Contact& contact) noexcept {
-  if (count_ < most_rows) contacts_[count_++] = contact;
+void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
+  if (count_ == capacity) return;
+  pair_of_[count_] = of;
+  contacts_[count_++] = contact;
+}
+
+void ContactRows::keep(const TrianglePair& pair) noexcept {
+  const auto begin = kept_.begin(), end = begin + static_cast<std::ptrdiff_t>(kept_count_);
+  const auto found = std::find(begin, end, pair);
+  if (found != end)
+    std::rotate(found, found + 1, end);
+  else if (kept_count_ < most_kept)
+    kept_[kept_count_++] = pair;
+  else
+    std::rotate(begin, begin + 1, end), kept_.back() = pair;
+}
+
+std::size_t ContactRows::add_kept(const Transform& X, double reach, std::size_t count) noexcept {
+  TriangleBatch batch(probe_, fixed_, X);
+  std::size_t left = 0;
+  const auto look = [&] {
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
+      kept_[left++] = {pair.i, pair.j};
+      const NearPair near = near_pair(pair, k, points);
+      const auto first = pairs_.begin(), last = first + static_cast<std::ptrdiff_t>(count);
+      const bool known = std::any_of(first, last, [&](const NearPair& p) {
+        return p.triangle_a == near.triangle_a && p.triangle_b == near.triangle_b;
+      });
+      if (!known) pairs_[count++] = near;
+    });
+  };
+  for (std::size_t i = 0; i < kept_count_; ++i) {
+    batch.add(kept_[i].a, kept_[i].b);
+    if (batch.full()) look();
+  }
+  look();
+  kept_count_ = left;
+  return count;
 }
 
 bool ContactRows::is_news(const Contact& contact) const noexcept {
@@ -65,10 +128,10 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     own.gap = row.normal.dot(own.on_probe - own.on_fixed);
     break;
   }
-  if (is_news(own)) accept(own);
+  if (is_news(own)) accept(own, {pair.triangle_a, pair.triangle_b});
   if (pair.gap > flat) return;
   for (const Contact& corner : overlay(ta, tb, own.normal))
-    if (is_news(corner)) accept(corner);
+    if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
 Vec3 ContactRows::middle() const noexcept {
@@ -82,25 +145,36 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
                              const PairList::Displacement& ahead, Effort& effort) noexcept {
   const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
-  if (list_.capacity() == 0 || wanted >= 0.02 * radius) return;
+  if (list_.capacity() == 0) return;
+  if (wanted >= too_far_) {
+    too_far_ *= 1.01;  // it is worth another try some time
+    return;
+  }
   usual_ = {std::max(0.9 * usual_.linear, ahead.linear), std::max(0.9 * usual_.turn, ahead.turn)};
   const double ample = std::max(1.5 * wanted, std::min({32 * wanted, list_limit_, list_reach_}));
   const double share = usual_.linear > 0 ? usual_.linear / usual_.of(radius) : 0.5;
   const PairList::Displacement room{std::max(share * ample, 1.5 * (reach + ahead.linear)),
                                     std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
-  const bool fits = list_.build(X, centre, room, effort);
+  const std::size_t good = good_size(effort);
+  const bool fits = effort.within(share_for_list,
+                                  [&](Effort& part) { return list_.build(X, centre, room, part); });
   // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
   list_limit_ = fits ? std::min(1.5 * list_limit_, radius) : 2 * wanted;
-  const bool few = list_.size() < good_list;
-  const bool many = list_.size() > 2 * good_list;
+  if (fits)
+    too_far_ = std::min(1.02 * too_far_, farthest_listed * radius);
+  else if (ample < 2 * wanted)
+    too_far_ = std::max(0.7 * wanted, nearest_listed * radius);
+  const bool few = list_.size() < good;
+  const bool many = list_.size() > 2 * good;
   list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
 }
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
   if (list_.reach_at(X) < reach) list_pairs(X, reach, middle(), {}, effort);
-  const NearPairs near = list_.reach_at(X) >= reach
-                             ? list_.near(X, reach, pairs_, effort)
-                             : near_pairs(probe_, fixed_, X, reach, pairs_, effort);
+  const NearPairs near =
+      list_.reach_at(X) >= reach
+          ? list_.near(X, reach, {pairs_.data(), most_near_}, effort)
+          : near_pairs(probe_, fixed_, X, reach, {pairs_.data(), most_near_}, effort);
   if (near.reach < 0) return near;
   crowded_ = near.reach < reach ? near.reach : std::min(1.5 * crowded_, probe_.mass.radius);
   return near;
@@ -117,7 +191,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
   turn_ = 2 * reach_ / probe_.mass.radius;
-  const std::span<NearPair> pairs(pairs_.data(), near.count);
+  const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
     return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
@@ -153,18 +227,55 @@ void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
   linearise(chart, y);
 }
 
-void ContactRows::linearise(const Chart& chart, const Vec6& y) noexcept {
-  for (std::size_t i = 0; i < count_; ++i) {
+ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
+                                   double margin, Effort& effort) noexcept {
+  const double least = kept_share * margin;
+  const Transform end = motion.at(1);
+  if (list_.reach_at(end) <= least) {
+    const Vec3 centre = middle();
+    list_pairs(X_, least, centre, PairList::along(motion, centre), effort);
+  }
+  std::size_t found = 0;
+  if (list_.reach_at(end) > least)
+    found = list_.trespasses(end, least, trespasses_, effort);
+  else if (!effort.is_limited())
+    found = find_trespasses(probe_, fixed_, end, least, trespasses_, effort);
+  const std::size_t before = count_;
+  turn_ = std::max(turn_, motion.turn_bound());
+  Look out;
+  for (std::size_t i = 0; i < found; ++i) {
+    const auto& [a, b, gap] = trespasses_[i];
+    const Corners ta = place(X_, corners(surface(probe_), a));
+    const ClosestPoints p = closest_points(ta, corners(surface(fixed_), b));
+    effort.spend(work_to_take);
+    if (!(p.distance > 0) || gap >= kept_share * std::min(p.gap, margin)) continue;
+    out.clear = false;
+    out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
+    smallest_gap_ = std::min(smallest_gap_, p.gap);
+    keep({a, b});
+    take({p.a, p.b, p.normal, p.gap, a, b}, X_, std::numeric_limits<double>::infinity());
+  }
+  linearise(chart, y, before);
+  out.news = count_ > before;
+  if (effort.is_spent()) out.clear = false;
+  return out;
+}
+
+void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from) noexcept {
+  for (std::size_t i = from; i < count_; ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     at_[i] = rows_[i].normal.dot(y);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
   }
-}
-
-double ContactRows::quick_path(const Chart& chart, const Vec6& y) const noexcept {
-  const double far = probe_.mass.radius;
-  if (crowded_ >= far && list_limit_ >= far) return std::numeric_limits<double>::infinity();
-  return std::max(2 * reach_, list_.reach_at(Transform(chart.pose(y))));
+  // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
+  const Vec3 v = chart.v(y);
+  const double turn = v.norm();
+  rim_ = turn > 0.9 * Chart::largest_v && method_ == Method::pdg;
+  if (!rim_) return;
+  Vec6 out = Vec6::Zero();
+  out.head<3>() = chart.in_v(v / turn);
+  // In metres, as the other rows.
+  rows_[count_] = {-out / out.norm(), -std::max(Chart::largest_v, turn) / out.norm()};
 }
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
@@ -176,23 +287,36 @@ Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& e
   return sweep(probe_, fixed_, motion, clearance, effort);
 }
 
+Vec6 ContactRows::held_by_contacts(const LeastDistance& nearest) const noexcept {
+  Vec6 y = nearest.y;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
+    if (const auto row = static_cast<std::size_t>(nearest.active[i]); row >= count_)
+      y -= nearest.multiplier[i] * rows_[row].normal;
+  return y;
+}
+
 ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {
   ContactSet out;
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i) {
-    if (!(nearest.multiplier[i] > 0)) continue;
-    Contact contact = contacts_[static_cast<std::size_t>(nearest.active[i])];
+    const auto row = static_cast<std::size_t>(nearest.active[i]);
+    if (!(nearest.multiplier[i] > 0) || row >= count_) continue;
+    Contact contact = contacts_[row];
     contact.multiplier = nearest.multiplier[i];
     out.push(contact);
   }
   return out;
 }
 
-LeastDistance ContactRows::solve(double margin, Narrow narrow) noexcept {
+LeastDistance ContactRows::solve(double margin, Narrow narrow, double rise) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const double room = contacts_[i].gap - margin;
-    rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room));
+    rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room)) + rise;
   }
-  return least_distance({rows_.data(), count_}, 0.05 * margin);
+  LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, 0.05 * margin);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
+    if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
+      keep(pair_of_[row]);
+  return nearest;
 }
 
 }  // namespace sonde

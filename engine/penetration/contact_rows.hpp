@@ -14,6 +14,14 @@ namespace sonde {
 
 /// The contacts near a free pose, linearised: what the least-distance problem is made of.
 ///
+/// Where surfaces lie on each other any number of pairs is as near as any other, and the nearest
+/// few that are gathered may be those of one corner. So they are a guess, and what makes the rows
+/// complete is cut(): the end of a step that the rows allow is looked at, over all pairs there are,
+/// and what is in its way becomes rows too, until nothing is (cutting planes; J. E. Kelley, 1960).
+/// Pairs that cut a step short or held an answer are kept for the next gather. An optimum of some
+/// of the constraints that satisfies all of them is the optimum of all of them: it does not matter
+/// which rows are missing. Where there is no room for more rows the step ends where its sweep does.
+///
 /// Any direction that separates two triangles gives a half-space in which they stay apart, and the
 /// direction of their closest points is not the best one for every pair: beside a convex contact it
 /// forbids sliding by more than half of the pair's offset. So pairs are taken nearest first, and
@@ -24,9 +32,12 @@ class ContactRows {
   /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
   /// kept from one gather to the next.
   struct Finding {
-    std::size_t most_pairs = 512;
+    std::size_t most_pairs = 48;                 ///< a first guess: cut() finds the rest
     std::size_t most_listed = PairList::enough;  ///< 0: no list
   };
+  /// Rows: some ten times what six active ones need. Beyond, a contact adds none, steps that it is
+  /// in the way of are cut short, and the answer is not converged where that is what ends it.
+  static constexpr std::size_t capacity = 256;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
   /// What comes next has nothing to do with what was gathered before.
@@ -54,28 +65,41 @@ class ContactRows {
   /// (m), and then more again.
   void look_less_far(double least) noexcept { crowded_ = std::max(0.5 * asked_, least); }
 
-  /// The longest path, m, for any point of the probe, that a sweep from y is quick for. No limit
-  /// where surfaces are near each other here and there; where they lie along each other over a wide
-  /// area (a peg in its hole), walking the trees for a long path costs more than many short ones
-  /// along the list.
-  double quick_path(const Chart& chart, const Vec6& y) const noexcept;
-
   /// Sweeps the probe along a motion; a list of pairs serves where the path is short.
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
+  /// What is in the way of a step that is thought of.
+  struct Look {
+    bool news = false;  ///< rows were added
+    double lost = 0;    ///< m: the most that a pair would lose of its gap, or of the margin
+    bool clear = true;  ///< none does; false where the effort ran out
+  };
+  /// Looks at the end of a path from the last gather, at y, for pairs that would be nearer there
+  /// than the margin, or where they are nearer already than they are, and adds rows of those that
+  /// come nearest.
+  Look cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
+           Effort& effort) noexcept;
+
   /// What becomes of a gap that is smaller than the margin already.
   enum class Narrow { keep, open };
-  /// The point nearest to the origin that keeps every gap at `margin` or more, to first order.
-  LeastDistance solve(double margin, Narrow narrow) noexcept;
+  /// The point nearest to the origin that keeps every gap at `margin` or more, to first order. What
+  /// is held at its gap rises by so much more.
+  LeastDistance solve(double margin, Narrow narrow, double rise = 0) noexcept;
 
   Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
   /// The contacts that hold a solution, with their multipliers.
   ContactSet holding(const LeastDistance& nearest) const noexcept;
+  /// What they hold of it, Jᵀλ: all of it but what the rim of the chart does.
+  Vec6 held_by_contacts(const LeastDistance& nearest) const noexcept;
   int size() const { return static_cast<int>(count_); }
   double smallest_gap() const { return smallest_gap_; }  ///< m; the reach where there is no row
   double reach() const { return reach_; }
 
  private:
+  struct TrianglePair {
+    std::uint32_t a, b;
+    bool operator==(const TrianglePair&) const = default;
+  };
   /// A point of the probe among the last contacts, or its centre of mass.
   Vec3 middle() const noexcept;
   /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
@@ -83,25 +107,37 @@ class ContactRows {
   void list_pairs(const Transform& X, double reach, const Vec3& centre,
                   const PairList::Displacement& ahead, Effort& effort) noexcept;
   NearPairs find_pairs(const Transform& X, double reach, Effort& effort) noexcept;
-  void accept(const Contact& contact) noexcept;
+  void accept(const Contact& contact, const TrianglePair& of) noexcept;
+  void keep(const TrianglePair& pair) noexcept;
+  /// Puts the kept pairs that are within reach at X behind so many others; returns how many it are.
+  std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   void take(const NearPair& pair, const Transform& X, double flat) noexcept;
   /// Makes the rows of the contacts, at y.
-  void linearise(const Chart& chart, const Vec6& y) noexcept;
+  void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0) noexcept;
 
   const Body& probe_;
   const Body& fixed_;
   Method method_;
   PairList list_;
+  std::size_t most_near_;
   std::vector<NearPair> pairs_;
   std::vector<Contact> contacts_;
   std::vector<HalfSpace> rows_;
+  bool rim_ = false;        // the row behind the last is the rim of the chart
   std::vector<double> at_;  // J·y of each row
+  std::vector<Trespass> trespasses_;
+  std::vector<TrianglePair> pair_of_;  // of each row
+  /// Pairs that held an answer or cut a step short, the last one last: they are looked at again
+  /// wherever the probe has come to, however many others are as near.
+  std::vector<TrianglePair> kept_;
+  std::size_t kept_count_ = 0;
   std::size_t count_ = 0;
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
   double list_limit_;
   double list_reach_;             // at which the list has a good size
+  double too_far_;                // m: paths so long were found to fill the list
   PairList::Displacement usual_;  // along the paths of late
   double asked_ = 0;              // reach of the last gather
   double smallest_gap_ = 0;

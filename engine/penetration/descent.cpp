@@ -10,18 +10,18 @@
 namespace sonde {
 namespace {
 
-/// |v| of a pose the chart is left at: beyond, ∂w/∂v blows up.
-constexpr double largest_v = 0.95;
 /// What a step takes besides what is counted where it is done, in the units of Effort.
 constexpr int work_of_step = 500;
 /// Turn of one step, as |Δv|: a linearised turn is of little use beyond.
 constexpr double largest_turn = 0.3;
+/// Times that a step is thought over for what would be in its way.
+constexpr int most_cuts = 6;
 
 /// The largest fraction of the step that keeps the turn within bounds.
 double turn_limit(const Chart& chart, const Vec6& y, const Vec6& step) {
   const Vec3 dv = chart.v(step), v = chart.v(y);
   double fraction = std::min(1.0, largest_turn / std::max(dv.norm(), 1e-30));
-  const double limit = std::max(largest_v, v.norm());
+  const double limit = std::max(Chart::largest_v, v.norm());
   while (fraction > 1e-6 && (v + fraction * dv).norm() > limit) fraction *= 0.5;
   return fraction;
 }
@@ -51,7 +51,7 @@ void Descent::Outcome::move_to(const Vec6& to) noexcept {
 
 void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
   out.contacts = rows_.holding(nearest);
-  out.held = nearest.y;
+  out.held = rows_.held_by_contacts(nearest);
   out.move_to(y);
 }
 
@@ -84,23 +84,30 @@ struct Descent::Pace {
 };
 
 Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
-                        double margin, Pace& pace) noexcept {
+                        double margin, double rise, Pace& pace) noexcept {
   const double radius = chart.mass().radius;
   Vec6 step = nearest.y - y;
   const double size2 = step.squaredNorm();
   // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
   // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
   const double room = std::min(0.8 * size2 / y.norm(), std::max(pace.bending * size2, margin));
-  if (room > 0.5 * rows_.smallest_gap()) {
-    const Vec6 lifted = rows_.solve(room, ContactRows::Narrow::open).y - y;
-    if (-y.dot(lifted) > 0.1 * size2) step = lifted;
+  // Where so much is not to be had, a part of it is: what has come too near its contacts for a
+  // straight step to lead anywhere gets away from them again.
+  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= 0.25) {
+    const Vec6 lifted = rows_.solve(part, ContactRows::Narrow::open).y - y;
+    if (!(-y.dot(lifted) > 0.1 * size2)) continue;
+    step = lifted;
+    break;
+  }
+  if (rise > 0) {
+    const Vec6 risen = rows_.solve(margin, ContactRows::Narrow::keep, rise).y - y;
+    if (-y.dot(risen) > 0.1 * size2) step = risen;
   }
   // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step *= turn_limit(chart, y, step);
   step = pace.damped(step);
-  const double quick =
-      std::max(std::min(wary_, 0.9 * rows_.quick_path(chart, y) - margin), 8 * margin);
+  const double quick = std::max(wary_, 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
   return path > quick ? Vec6(step * (quick / path)) : step;
 }
@@ -169,14 +176,18 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       return out;
     }
     known = false;
-    const LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+    LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
     report(out, y, nearest);
     const double size = (nearest.y - y).norm();
-    // Where no row holds it the probe can come all the way back, however little that is.
-    const bool held = nearest.active_count > 0;
-    const bool near_enough = size <= std::max(goal.residual * length, 0.2 * margin) &&
-                             rows_.smallest_gap() <= 1.9 * margin;
-    out.converged = (held && near_enough) || !(size > 0);
+    const auto settled = [&] {
+      const double off = (nearest.y - y).norm();
+      // Where no row holds it the probe can come all the way back, however little that is.
+      const bool held = out.contacts.size > 0;
+      return (held && off <= std::max(goal.residual * length, 0.2 * margin) &&
+              rows_.smallest_gap() <= 1.9 * margin) ||
+             !(off > 0);
+    };
+    out.converged = settled();
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
@@ -186,7 +197,24 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     }
     ++out.iterations;
     effort.spend(work_of_step);
-    const Vec6 step = next_step(chart, y, nearest, margin, pace);
+    const Pace before = pace;
+    double rise = 0;
+    Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
+    for (int round = 0; round < most_cuts; ++round) {
+      const ContactRows::Look look =
+          rows_.cut(chart, y, Motion(chart, y, y + step), margin, effort);
+      if (look.clear || effort.is_spent()) break;
+      if (look.news) {
+        nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+        report(out, y, nearest);
+        out.converged = settled();
+        if (out.converged) return out;
+      }
+      // Contacts that the rows know bend into the path by so much.
+      rise = look.news ? 0 : rise + 1.2 * look.lost;
+      pace = before;
+      step = next_step(chart, y, nearest, margin, rise, pace);
+    }
     const Vec6 target = y + step;
     const Sweep swept = sweep_to(chart, y, target, effort);
     if (!swept.given_up)

@@ -66,9 +66,10 @@ class Descent {
   /// The gap aimed at: half of what is allowed, and never so little that the rounding of
   /// coordinates, far from the origin, could eat it up.
   double margin(const Chart& chart, double depth) const noexcept;
-  /// From y towards the nearest point of the rows, as far as it is worth while to go in one step.
+  /// From y towards the nearest point of the rows, as far as it is worth while to go in one step;
+  /// with contacts that bend into it, so much (m) above it.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
-                 Pace& pace) noexcept;
+                 double rise, Pace& pace) noexcept;
   /// Stopped on the way, away from any contact: straight on towards the device pose to the first
   /// one, so that what is returned touches.
   void close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;

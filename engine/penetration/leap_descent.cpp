@@ -14,7 +14,6 @@ constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
 
 /// A turn of more than this, as |Δv|, is beyond what linearised contacts can say anything about.
 constexpr double largest_turn = 0.3;
-constexpr double largest_v = 0.95;
 
 /// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
 /// and it is no longer than trusted.
@@ -24,7 +23,7 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   const double turn = chart.v(step).norm(), length = step.norm();
   step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
-  const double limit = std::max(largest_v, chart.v(y).norm());
+  const double limit = std::max(Chart::largest_v, chart.v(y).norm());
   while (chart.v(y + step).norm() > limit) step *= 0.5;
   return step;
 }

@@ -7,7 +7,7 @@ namespace sonde {
 namespace {
 
 /// A list of pairs pays for many short steps, of which there are few here.
-constexpr ContactRows::Finding unlisted{.most_listed = 0};
+constexpr ContactRows::Finding unlisted{.most_pairs = 512, .most_listed = 0};
 /// Of the time: the rest is for coming into contact.
 constexpr double share_for_leaps = 0.95;
 constexpr int most_swept = 60;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "engine/penetration/descent.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
@@ -178,6 +180,233 @@ TEST(ContactRows, a_cube_over_a_plate_stands_on_its_corners) {
   const LeastDistance nearest = rows.solve(1e-7, ContactRows::Narrow::keep);
   EXPECT_NEAR(nearest.y.norm(), 0.02 + 1e-7, 1e-8);
   EXPECT_LT(nearest.y.head<5>().norm(), 1e-9);
+}
+
+/// A cube `gap` over a plate, gathered so short-sightedly that there is no row, or with rows.
+struct OverAPlate {
+  std::shared_ptr<const Body> cube = test::body(test::box({0.1, 0.1, 0.1}));
+  std::shared_ptr<const Body> plate = test::body(test::box({1, 1, 1}));
+  Chart chart{cube->mass, {Quat::Identity(), Vec3(0.02, 0.03, 0.53)}};
+  ContactRows rows;
+  Vec6 y = Vec6::Zero();
+
+  OverAPlate(double gap, double reach, const ContactRows::Finding& finding)
+      : rows(*cube, *plate, Method::pdg, finding) {
+    y[5] = 0.02 + gap;
+    rows.gather(chart, y, reach, 0);
+  }
+  Motion moved(const Vec3& by) const {
+    Vec6 to = y;
+    to.tail<3>() += by;
+    return {chart, y, to};
+  }
+  bool has_corners_of_the_cube() const {
+    for (const double x : {-0.05, 0.05})
+      for (const double z : {-0.05, 0.05}) {
+        bool found = false;
+        for (int k = 0; k < rows.size(); ++k)
+          found = found ||
+                  (rows.contact(k).on_probe - Vec3(0.02 + x, 0.03 + z, 0.48 + y[5])).norm() < 1e-9;
+        if (!found) return false;
+      }
+    return true;
+  }
+};
+constexpr ContactRows::Finding by_list{}, by_trees{48, 0};
+
+// By hand: up and along the plate there is nothing in the way.
+TEST(ContactRows, ACutSaysClearWhereNothingIsInTheWay) {
+  Effort unlimited;
+  for (const auto& finding : {by_list, by_trees})
+    for (const double gap : {1e-6, 1e-5, 1e-4}) {
+      OverAPlate over(gap, 0.5 * gap, finding);
+      for (const Vec3& by : {Vec3(0, 0, 1e-5), Vec3(1e-4, -1e-4, 0), Vec3(1e-4, 0, -0.04 * gap)}) {
+        const ContactRows::Look look =
+            over.rows.cut(over.chart, over.y, over.moved(by), 0.9 * gap, unlimited);
+        EXPECT_TRUE(look.clear) << gap;
+        EXPECT_FALSE(look.news) << gap;
+        EXPECT_EQ(look.lost, 0) << gap;
+        EXPECT_EQ(over.rows.size(), 0) << gap;
+      }
+    }
+}
+
+// Closed form: what a plane takes from its gap, or from the margin where the gap is larger. By the
+// trees nothing is known of the depth: as much is lost as there was.
+TEST(ContactRows, WhatACutLosesToAPlane) {
+  Effort unlimited;
+  constexpr double margin = 1e-5;
+  for (const auto& finding : {by_list, by_trees})
+    for (const double gap : {1e-6, 5e-6, 2e-5, 1e-4})
+      for (const double share : {0.3, 0.7, 1.1, 1.5}) {
+        OverAPlate over(gap, 0.5 * gap, finding);
+        const double sunk = share * gap, held = std::min(gap, margin);
+        const ContactRows::Look look =
+            over.rows.cut(over.chart, over.y, over.moved({0, 0, -sunk}), margin, unlimited);
+        const bool in_the_way = gap - sunk < 0.95 * held;
+        EXPECT_EQ(look.clear, !in_the_way) << gap << " " << share;
+        EXPECT_EQ(look.news, in_the_way) << gap << " " << share;
+        const double left = finding.most_listed > 0 ? gap - sunk : std::max(0.0, gap - sunk);
+        EXPECT_NEAR(look.lost, in_the_way ? held - left : 0, 1e-12) << gap << " " << share;
+      }
+}
+
+// By hand: the corners of the cube, which keep it from sinking and tipping.
+TEST(ContactRows, ACutAddsRowsOfWhatIsInTheWay) {
+  Effort unlimited;
+  constexpr double gap = 1e-4, margin = 1e-6;
+  for (const auto& finding : {by_list, by_trees}) {
+    OverAPlate over(gap, 0.5 * gap, finding);
+    ASSERT_EQ(over.rows.size(), 0);
+    EXPECT_EQ(over.rows.solve(margin, ContactRows::Narrow::keep).y.norm(), 0);
+    const Motion down = over.moved({0, 0, -0.001});
+    EXPECT_TRUE(over.rows.cut(over.chart, over.y, down, margin, unlimited).news);
+    EXPECT_TRUE(over.has_corners_of_the_cube());
+    const LeastDistance nearest = over.rows.solve(margin, ContactRows::Narrow::keep);
+    EXPECT_NEAR(nearest.y.norm(), 0.02 + margin, 0.1 * margin);
+    EXPECT_NEAR(nearest.y[5], 0.02 + margin, 0.1 * margin);
+    // It is still in the way, and no news.
+    const ContactRows::Look again = over.rows.cut(over.chart, over.y, down, margin, unlimited);
+    EXPECT_FALSE(again.clear);
+    EXPECT_FALSE(again.news);
+    // The way to the least point is clear.
+    EXPECT_TRUE(
+        over.rows.cut(over.chart, over.y, {over.chart, over.y, nearest.y}, 0.5 * margin, unlimited)
+            .clear);
+  }
+}
+
+TEST(ContactRows, WhatCutAStepShortIsLookedAtAgain) {
+  Effort unlimited;
+  constexpr double gap = 1e-4;
+  OverAPlate over(gap, 0.5 * gap, {.most_pairs = 2});
+  over.rows.cut(over.chart, over.y, over.moved({0, 0, -0.001}), 1e-6, unlimited);
+  ASSERT_TRUE(over.has_corners_of_the_cube());
+  over.rows.gather(over.chart, over.y, 2 * gap, 4 * gap);
+  EXPECT_TRUE(over.has_corners_of_the_cube());
+  over.rows.forget();
+  over.rows.gather(over.chart, over.y, 0.5 * gap, 0);
+  EXPECT_EQ(over.rows.size(), 0);
+}
+
+// Reference: closest_points of all pairs at both ends of the step.
+TEST(ContactRows, ACutAgreesWithAllPairs) {
+  std::mt19937_64 random(5);
+  for (const auto& pair : pairs(75))
+    for (const auto& finding : {by_list, by_trees}) {
+      ContactRows rows(*pair.a, *pair.b, Method::pdg, finding);
+      int clear = 0, blocked = 0;
+      for (int i = 0; i < 40; ++i) {
+        const Gathered g = free_place(random, pair, 0.6);
+        const double margin = 0.3 * g.reach, rounding = 1e-9 * pair.a->mass.radius;
+        rows.gather(g.chart, g.y, test::uniform(random, 0.05, 1) * g.reach, 0);
+        Vec6 to = g.y;
+        for (int k = 0; k < 6; ++k)
+          if (k > 2 || pair.a->mass.inertia[k] > 0)
+            to[k] += g.reach * test::uniform(random, -0.3, 0.3);
+        const Motion motion(g.chart, g.y, to);
+        const auto here = test::placed_triangles(*pair.a, motion.at(0)),
+                   there = test::placed_triangles(*pair.a, motion.at(1)),
+                   fixed = test::placed_triangles(*pair.b, {});
+        int near = 0, in_the_way = 0, in_doubt = 0;
+        double lost = 0;
+        for (std::size_t a = 0; a < here.size(); ++a)
+          for (const Corners& b : fixed) {
+            const double left = closest_points(there[a], b).distance;
+            if (left > 0.95 * margin + rounding) continue;
+            ++near;
+            const double had = std::min(margin, closest_points(here[a], b).distance);
+            in_the_way += left < 0.95 * had - rounding;
+            in_doubt += std::abs(left - 0.95 * had) <= rounding;
+            if (left < 0.95 * had - rounding) lost = std::max(lost, had - left);
+          }
+        if (near > 16 || in_doubt > 0) continue;  // there is room for 16
+        Effort unlimited;
+        const int before = rows.size();
+        const ContactRows::Look look = rows.cut(g.chart, g.y, motion, margin, unlimited);
+        EXPECT_EQ(look.clear, in_the_way == 0) << pair.name << i;
+        EXPECT_EQ(look.news, rows.size() > before) << pair.name << i;
+        EXPECT_GE(look.lost, lost - rounding) << pair.name << i;
+        (look.clear ? clear : blocked)++;
+      }
+      EXPECT_GT(clear, 3) << pair.name;
+      EXPECT_GT(blocked, 3) << pair.name;
+    }
+}
+
+/// Near the rim of the chart, so near to contact that there are rows; none in a few tries.
+std::optional<Gathered> place_at_the_rim(std::mt19937_64& random, const test::BodyPair& pair) {
+  const double r = pair.a->mass.radius;
+  if (!(pair.a->mass.inertia.minCoeff() > 0)) return {};
+  for (int i = 0; i < 20; ++i) {
+    const Chart chart(pair.a->mass, test::random_pose(random, *pair.a, *pair.b, 0.8));
+    const Vec3 v =
+        test::uniform(random, 0.87, 0.9499) * test::random_in_ball(random, 1).normalized();
+    Vec6 y;
+    y.head<3>() = 2 * pair.a->mass.inertia.cwiseSqrt().cwiseProduct(v);
+    y.tail<3>() = test::random_in_ball(random, 2 * r);
+    if (test::any_pair_meets(*pair.a, *pair.b, Transform(chart.pose(y)))) continue;
+    Vec6 to = y;
+    to.tail<3>().setZero();
+    const Sweep s = sweep(*pair.a, *pair.b, Motion(chart, y, to), 1e-3 * r);
+    if (s.hit) return Gathered{chart, y + s.free_until * (to - y), 0.05 * r};
+  }
+  return {};
+}
+
+// Reference: the same problem put together here without the rim, which would lead out of it.
+TEST(ContactRows, TheRimOfTheChartIsARowOfItsOwn) {
+  std::mt19937_64 random(6);
+  int solved = 0, would_leave = 0;
+  for (const auto& pair : pairs(76)) {
+    ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
+    for (int i = 0; i < 60; ++i) {
+      const auto g = place_at_the_rim(random, pair);
+      if (!g) continue;
+      rows.gather(g->chart, g->y, g->reach, 0);
+      const Vec3 outwards = g->chart.v(g->y).normalized();
+      for (const double margin : {0.01, 0.2, 1.0}) {
+        const double wide = margin * pair.a->mass.radius;
+        const LeastDistance nearest = rows.solve(wide, ContactRows::Narrow::open);
+        if (!nearest.feasible) continue;
+        ++solved;
+        // To the tolerance of the problem, which is in the unit of y.
+        const double tolerance = 0.05 * wide;
+        Vec6 out = Vec6::Zero();
+        out.head<3>() = g->chart.in_v(outwards);
+        const double rim = Chart::largest_v + tolerance * out.norm();
+        EXPECT_LE(out.dot(nearest.y), rim) << pair.name;
+        std::vector<HalfSpace> alone;
+        for (int k = 0; k < rows.size(); ++k) {
+          const Contact c = rows.contact(k);
+          const Vec6 row = g->chart.row(g->y, c.on_probe, c.normal);
+          alone.push_back({row, row.dot(g->y) - (c.gap - wide)});
+        }
+        const LeastDistance without = least_distance(alone, tolerance);
+        would_leave += without.feasible && out.dot(without.y) > rim;
+      }
+    }
+  }
+  EXPECT_GT(solved, 100);
+  EXPECT_GT(would_leave, 5);
+}
+
+TEST(ContactRows, DescentsStayInTheChart) {
+  std::mt19937_64 random(7);
+  int runs = 0;
+  for (const auto& pair : pairs(77)) {
+    Descent descent(*pair.a, *pair.b, Method::pdg);
+    for (int i = 0; i < 20; ++i) {
+      const auto g = place_at_the_rim(random, pair);
+      if (!g) continue;
+      descent.forget();
+      const Descent::Outcome out = descent.run(g->chart, g->y, {}, 0, Deadline{});
+      EXPECT_LE(g->chart.v(out.y).norm(), Chart::largest_v * (1 + 1e-12)) << pair.name;
+      EXPECT_LE(out.y.norm(), g->y.norm() * (1 + 1e-12)) << pair.name;
+      ++runs;
+    }
+  }
+  EXPECT_GT(runs, 40);
 }
 
 TEST(ContactRows, do_not_allocate) {
