@@ -12,7 +12,11 @@ namespace {
 
 /// Of the probe's radius: farther no probe goes while the geometry is busy.
 constexpr double widest = 0.5;
-constexpr std::size_t most_pairs = 96;
+/// Of near pairs, whose rows are chosen from.
+constexpr std::size_t most_pairs = 192;
+/// Of the probe's radius: how far the device is moved to see which rows would hold the probe. At
+/// 1 m/s a tick of a probe of 5 cm.
+constexpr double support_reach = 0.02;
 
 }  // namespace
 
@@ -21,13 +25,15 @@ ContactFeed::ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<cons
     : probe_(probe),
       method_(method),
       solver_(probe, fixed, method),
-      near_(*probe, *fixed, method, {.most_pairs = most_pairs, .most_listed = PairList::enough}) {}
+      near_(*probe, *fixed, method, {.most_pairs = most_pairs, .most_listed = PairList::enough}),
+      marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
   StaticOptions own = options;
   own.method = method_;
   contacts_ = LocalContacts{};
   contacts_.separation = begin(X_FM, own);
+  last_device_ = contacts_.separation.device;
   near_.forget();
   gather();
   return contacts_;
@@ -47,6 +53,7 @@ const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& opti
 const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,
                                           const Budget& budget) noexcept {
   const double begin = now_us();
+  last_device_ = contacts_.separation.device;
   contacts_.separation = solver_.tick(X_FM, budget);
   contacts_.tick = tick;
   contacts_.time = time;
@@ -76,12 +83,52 @@ void ContactFeed::gather() noexcept {
   for (const Contact& c : s.contacts) add(c);
   near_.gather(chart, chart.coordinates(s.separated), widest * radius, 4 * margin);
   contacts_.reach = near_.reach();
-  for (int i = 0; i < near_.size(); ++i) {
+  const int rows = near_.size();
+  std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
+  if (!marked_[0]) mark_support(support_reach * radius);
+  for (int i = 0; i < rows; ++i)
+    if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
+  for (int i = 0; i < rows; ++i) {
+    if (marked_[static_cast<std::size_t>(i)]) continue;
     // Nearest first: what finds no room is no nearer than the last one that did.
     if (add(near_.contact(i))) continue;
     contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
     break;
   }
+}
+
+void ContactFeed::mark_holding(const Pose& device) noexcept {
+  Chart chart(probe_->mass, device);
+  chart.absorb_free_spin(contacts_.separation.separated);
+  const Vec6 y = chart.coordinates(contacts_.separation.separated);
+  if (!near_.again(chart, y)) return;
+  const LeastDistance held =
+      near_.solve(0.5 * allowed_clearance(probe_->mass.radius, contacts_.separation.depth),
+                  ContactRows::Narrow::keep);
+  for (int i = 0; i < held.active_count; ++i)
+    if (const int row = held.active[static_cast<std::size_t>(i)]; row < near_.size())
+      marked_[static_cast<std::size_t>(row)] = true;
+}
+
+void ContactFeed::mark_support(double far) noexcept {
+  const MassProperties& mass = probe_->mass;
+  const Pose& device = contacts_.separation.device;
+  /// The device pose turned about its centre of mass and shifted.
+  const auto moved = [&](const Vec3& shift, const Vec3& turn) {
+    const Quat q = Quat(Eigen::AngleAxisd(turn.norm(), turn.norm() > 0 ? Vec3(turn.normalized())
+                                                                       : Vec3(Vec3::UnitX()))) *
+                   device.q;
+    return Pose{q.normalized(), device * mass.com + shift - q * mass.com};
+  };
+  const Eigen::AngleAxisd turned(device.q * last_device_.q.conjugate());
+  const Vec3 turn = turned.angle() * turned.axis();
+  const Vec3 shift = device * mass.com - last_device_ * mass.com;
+  for (const double ticks : {3.0, 8.0, 20.0}) mark_holding(moved(ticks * shift, ticks * turn));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double by : {-far, far}) {
+      mark_holding(moved(by * Vec3::Unit(axis), Vec3::Zero()));
+      mark_holding(moved(Vec3::Zero(), by / mass.radius * Vec3::Unit(axis)));
+    }
 }
 
 }  // namespace sonde

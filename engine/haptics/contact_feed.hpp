@@ -12,7 +12,9 @@ namespace sonde {
 /// The geometry's part of the decoupled loop, with no thread and no clock: follows the device with
 /// the coherent solver, and gathers the rows of all that is near the separated pose, whether the
 /// probe touches it or not. How near follows from the room for rows: as far as the pairs of
-/// triangles are not too many.
+/// triangles are not too many. Where there is no room for all, those are kept first that would hold
+/// the probe at other device poses round about; a flat contact has more rows than any number that
+/// is kept, and what is nearest may be one corner of it.
 class ContactFeed {
  public:
   ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method);
@@ -29,12 +31,18 @@ class ContactFeed {
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather() noexcept;
+  /// Marks the rows that would hold the probe if the device went elsewhere: on as it goes, or by
+  /// `far` (m, for a point at the probe's radius) any of twelve ways.
+  void mark_support(double far) noexcept;
+  void mark_holding(const Pose& device) noexcept;
 
   std::shared_ptr<const Body> probe_;
   Method method_;
   CoherentSolver solver_;
   ContactRows near_;
   LocalContacts contacts_;
+  Pose last_device_;
+  std::vector<bool> marked_;  ///< of the rows near by
   /// What was found by the last search that was needed.
   std::optional<Separation> searched_;
 };

@@ -12,8 +12,6 @@ namespace sonde {
 namespace {
 
 constexpr int most_rounds = 3;
-/// |v| of the chart that is not gone beyond: ∂w/∂v blows up at 1.
-constexpr double largest_v = 0.95;
 
 /// The rows in the chart of a new device pose.
 class LocalProblem {
@@ -93,7 +91,7 @@ class LocalProblem {
 
   double turn_limit(const Vec6& from, const Vec6& to) const {
     const Vec3 v = chart_.v(from), dv = chart_.v(to) - v;
-    const double limit = std::max(largest_v, v.norm());
+    const double limit = std::max(Chart::largest_v, v.norm());
     double fraction = 1;
     while (fraction > 1e-3 && (v + fraction * dv).norm() > limit) fraction *= 0.5;
     return fraction;
