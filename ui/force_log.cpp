@@ -12,7 +12,7 @@ constexpr double readable = 4;  // s
 
 bool is_fault(Withheld why) {
   return why == Withheld::untrusted || why == Withheld::not_finite || why == Withheld::failed ||
-         why == Withheld::stalled || why == Withheld::diverged;
+         why == Withheld::stalled || why == Withheld::unsettled || why == Withheld::diverged;
 }
 
 }  // namespace

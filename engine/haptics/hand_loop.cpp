@@ -14,6 +14,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       method_(method),
       least_stall_(settings.safety.stalled_after),
       stalled_after_(least_stall_),
+      force_error_(settings.safety.force_error),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
       runaway_(settings.safety.runaway_speed),
@@ -47,7 +48,16 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
   if (!sample.held) return Withheld::let_go;
   if (sample.changed) return Withheld::changed;
   if (runaway_.seen()) return Withheld::diverged;
-  return overdue(contacts, clock);
+  if (const Withheld late = overdue(contacts, clock); late != Withheld::nothing) return late;
+  return unsettled(contacts.separation) ? Withheld::unsettled : Withheld::nothing;
+}
+
+bool HandLoop::unsettled(const Separation& found) const noexcept {
+  if (found.converged || !(force_error_ > 0)) return false;
+  // What the contacts do not hold of y is what the answer may be off by.
+  const Coupling& c = coupler_.coupling();
+  const double stiffness = c.mode == Coupling::Mode::object ? c.k : c.k_t;
+  return stiffness * found.residual * found.depth > force_error_;
 }
 
 Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {
@@ -101,8 +111,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 
   const Coupling& coupling = coupler_.coupling();
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
-  const Wrench damped =
-      reason == Withheld::nothing ? passivity_.control(out_.hand.asked) : out_.hand.asked;
+  const bool acts = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
   passivity_.rendered(out_.wrench);
 

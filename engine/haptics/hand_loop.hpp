@@ -81,6 +81,8 @@ class HandLoop {
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
                  const Clock& clock) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
+  /// Has the geometry's answer not converged, and may its force be off by more than is allowed?
+  bool unsettled(const Separation& found) const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
@@ -88,6 +90,7 @@ class HandLoop {
   Method method_;
   double least_stall_;    ///< s, of the settings
   double stalled_after_;  ///< s, at this rate
+  double force_error_;    ///< N
   Coupler coupler_;
   Passivity passivity_;
   Runaway runaway_;

@@ -41,6 +41,8 @@ const char* words(Withheld why) {
       return "no separated pose was found";
     case Withheld::stalled:
       return "the geometry does not keep up";
+    case Withheld::unsettled:
+      return "the separated pose is not settled";
     case Withheld::diverged:
       return "the loop diverged, and threw the hand";
     case Withheld::shut_down:
@@ -59,13 +61,16 @@ Wrench SafetyGate::pass(const Wrench& wanted, Withheld why, double max_force, do
                         double dt) noexcept {
   const bool finite = wanted.force.allFinite() && wanted.torque.allFinite();
   withheld_ = why == Withheld::nothing && !finite ? Withheld::not_finite : why;
-  if (withheld_ != Withheld::nothing) {
+  const bool fades = withheld_ == Withheld::unsettled && finite;
+  if (withheld_ != Withheld::nothing && !fades) {
     restart();
     return last_;
   }
   const double step = dt > 0 ? std::min(dt, longest_step) : 0;  // NaN: 0
   const bool pushes = !wanted.force.isZero(0) || !wanted.torque.isZero(0);
-  if (pushes && share_ < 1)
+  if (fades)
+    share_ = settings_.fade_time > 0 ? std::max(0.0, share_ - step / settings_.fade_time) : 0;
+  else if (pushes && share_ < 1)
     share_ = settings_.ramp_time > 0 ? std::min(1.0, share_ + step / settings_.ramp_time) : 1;
   Wrench out = wanted;
   out.force *= share_;

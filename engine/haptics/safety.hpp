@@ -16,6 +16,7 @@ enum class Withheld {
   not_finite,  ///< the device pose, or a force, is no number
   failed,      ///< no separated pose was found
   stalled,     ///< the geometry has not answered for too long
+  unsettled,   ///< its answer has not converged: the force fades, and may not be gone yet
   diverged,    ///< the force threw the hand, which is still in contact or fast
   shut_down,   ///< the loop has ended
 };
@@ -27,13 +28,18 @@ struct SafetySettings {
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
   double stalled_after = 0.02;  ///< s, age of the rows
-  double runaway_speed = 2;     ///< m/s of the hand under a force, see Runaway; 0: no limit
+  /// N, that the force of an answer which has not converged may be off by; 0: any. A tenth of what
+  /// the smallest devices give: a hand takes less for a part of the contact.
+  double force_error = 0.3;
+  double fade_time = 0.05;   ///< s, for the whole force to go where it may be off by more
+  double runaway_speed = 2;  ///< m/s of the hand under a force, see Runaway; 0: no limit
 };
 
 /// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and
 /// after anything that withheld it; changes no faster than its slew limits; stays below the limits
-/// of the device; and is zero, at once, while it is withheld. The ramp runs only while there is a
-/// force to give: a contact made long after a fault comes in slowly too.
+/// of the device; and is zero, at once, while it is withheld, but where the answer has not
+/// converged: one tick of that is no reason to let go of a wall, so the force fades. The ramp runs
+/// only while there is a force to give: a contact made long after a fault comes in slowly too.
 class SafetyGate {
  public:
   explicit SafetyGate(const SafetySettings& settings = {}) : settings_(settings) {}

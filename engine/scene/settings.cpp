@@ -60,7 +60,7 @@ constexpr std::array<Choice, 2> modes{{
     {"classic", "Classic", "A spring and damper for translation, another for rotation."},
 }};
 
-constexpr std::array<Row<ServoSettings>, 7> servo_rows{{
+constexpr std::array<Row<ServoSettings>, 8> servo_rows{{
     {{"rate_hz", "Servo rate", "Hz", 500, 10000, ServoSettings{}.rate_hz, true,
       "Ticks of the haptic loop in a second."},
      [](const ServoSettings& s) { return s.rate_hz; },
@@ -85,6 +85,10 @@ constexpr std::array<Row<ServoSettings>, 7> servo_rows{{
       false, "Largest change of the torque in a second; 0: no limit."},
      [](const ServoSettings& s) { return s.safety.torque_slew; },
      [](ServoSettings& s, double value) { s.safety.torque_slew = value; }},
+    {{"force_error", "Largest force error", "N", 0, 1e3, ServoSettings{}.safety.force_error, false,
+      "What the force of an answer that has not converged may be off by; beyond, it fades; 0: any."},
+     [](const ServoSettings& s) { return s.safety.force_error; },
+     [](ServoSettings& s, double value) { s.safety.force_error = value; }},
     {{"passivity_control", "Passivity control", "", 0, 1,
       double(ServoSettings{}.passivity.control), false,
       "1: damps away the energy that the loop has put into the hand; 0: only observes it.", true},

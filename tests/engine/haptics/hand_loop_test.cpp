@@ -96,6 +96,44 @@ TEST(HandLoop, says_how_old_its_rows_are) {
   }
 }
 
+// k·residual·depth is what the force may be off by.
+TEST(HandLoop, AnAnswerThatHasNotConvergedGivesItsForceUpBeyondWhatItMayBeOffBy) {
+  HandLoopSettings settings = at_once();
+  settings.safety.force_error = 0.3;
+  Coupling coupling;
+  coupling.k = 500;
+  const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
+  const auto fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  ContactFeed feed(probe, fixed, Method::pdg);
+  HandLoop loop(probe->mass, Method::pdg, coupling, settings);
+  feed.reset(at_depth(-0.001), {});
+  loop.restart(at_depth(-0.001));
+  const auto tick = [&](std::uint64_t i, bool converged, double residual) {
+    const Pose X = at_depth(0.002);
+    feed.refresh(X, i, double(i) * dt, {});
+    LocalContacts rows = feed.contacts();
+    rows.separation.converged = converged;
+    rows.separation.residual = residual;
+    return loop.tick({.X_FM = X}, rows, {.tick = i, .now = double(i) * dt, .dt = dt},
+                     Withheld::nothing);
+  };
+  std::uint64_t i = 0;
+  // 500 N/m · 0.2 · 2 mm is 0.2 N: it is let by. 0.4 of it would be 0.4 N.
+  for (int k = 0; k < 100; ++k)
+    EXPECT_EQ(tick(++i, false, 0.2).hand.withheld, Withheld::nothing) << k;
+  EXPECT_NEAR(loop.last().wrench.force.norm(), 1, 0.01);
+  EXPECT_EQ(tick(++i, true, 0.4).hand.withheld, Withheld::nothing);
+  double before = loop.last().wrench.force.norm();
+  for (int k = 0; k < 60; ++k) {
+    const HandTick now = tick(++i, false, 0.4);
+    EXPECT_EQ(now.hand.withheld, Withheld::unsettled);
+    EXPECT_LE(now.wrench.force.norm(), before);
+    before = now.wrench.force.norm();
+  }
+  EXPECT_EQ(before, 0);
+  EXPECT_NEAR(tick(++i, true, 0).wrench.force.norm(), 1, 0.01) << "no ramp was asked for";
+}
+
 TEST(HandLoop, the_force_ramps_in_from_zero_at_the_start) {
   HandLoopSettings settings = at_once();
   settings.safety.ramp_time = 0.1;

@@ -63,6 +63,21 @@ TEST(SafetyGate, whatever_withholds_the_force_makes_it_zero_at_once_and_come_in_
   }
 }
 
+// One tick of an answer that has not converged is no reason to let go of a wall.
+TEST(SafetyGate, AnAnswerThatHasNotConvergedFadesAndComesInAgain) {
+  SafetyGate gate({.ramp_time = 0.1, .force_slew = 0, .torque_slew = 0, .fade_time = 0.05});
+  for (int i = 0; i < 200; ++i) pass(gate, 8);
+  for (int i = 1; i <= 50; ++i) {
+    EXPECT_NEAR(pass(gate, 8, Withheld::unsettled), 8 * (1 - i / 50.0), 1e-9);
+    EXPECT_EQ(gate.withheld(), Withheld::unsettled);
+  }
+  EXPECT_NEAR(pass(gate, 8, Withheld::unsettled), 0, 1e-12);
+  for (int i = 1; i <= 100; ++i) EXPECT_NEAR(pass(gate, 8), 8 * i / 100.0, 1e-9);
+  EXPECT_EQ(gate.withheld(), Withheld::nothing);
+  // It stays a gate: what is no number is cut at once, fading or not.
+  EXPECT_EQ(pass(gate, nan, Withheld::unsettled), 0);
+}
+
 TEST(SafetyGate, each_reason_has_words_of_its_own) {
   std::set<std::string> seen;
   for (const Withheld why : all) {
