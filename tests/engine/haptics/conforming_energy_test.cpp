@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The energy test of closed slow loops (energy_test.cpp) where faces lie on each other, finely cut.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/penetration/coherent.hpp"
+#include "tests/support/conforming_scene.hpp"
+
+namespace sonde {
+namespace {
+
+using test::ConformingScene;
+using test::Cutting;
+
+constexpr double k = test::felt_stiffness;
+
+/// Reference: conservation. The work on the hand, by the trapezoidal rule, is what the stored
+/// energy ½kσ loses. What they do not account for is a loss at a reported jump, or wrong.
+void expect_no_work(const ConformingScene& scene, const std::vector<Pose>& loop,
+                    const Cutting& cutting) {
+  const std::string what = scene.name + ", n = " + std::to_string(cutting.n);
+  const auto bodies = cut_bodies(scene, cutting);
+  const auto felt = follow(bodies, loop);
+  double work = 0, lost = 0, largest = 0;
+  int open = 0, jumps = 0;
+  for (std::size_t i = 1; i < felt.size(); ++i) {
+    const auto &a = felt[i - 1], &b = felt[i];
+    ASSERT_NE(b.status, Status::failed) << what;
+    const SeparationMotion step = separation_motion(bodies.probe->mass, loop[i - 1], loop[i]);
+    const double done =
+        0.5 * (a.force + b.force).dot(step.t) + 0.5 * (a.torque + b.torque).dot(step.theta);
+    const double before = k / 2 * a.depth * a.depth, now = k / 2 * b.depth * b.depth;
+    work += done;
+    if (!b.jumped) lost += before - now - done;
+    largest = std::max(largest, now);
+    open += !b.converged;
+    jumps += b.jumped;
+  }
+  EXPECT_EQ(felt.front().depth, 0) << what;
+  EXPECT_EQ(felt.back().depth, 0) << what << ": back where it began";
+  ASSERT_GT(largest, 1e-6) << what << ": or nothing was tested";
+  EXPECT_EQ(open, 0) << what << ": ticks that have not converged";
+  EXPECT_LE(work, 1e-3 * largest) << what;
+  EXPECT_LE(std::abs(lost), 1e-3 * largest) << what;
+  if (jumps == 0) {
+    EXPECT_GE(work, -1e-3 * largest) << what;
+  }
+}
+
+constexpr int ticks = 4000;
+
+void block(const std::vector<int>& cuts) {
+  for (const int n : cuts) expect_no_work(test::block_on_slab(), test::block_loop(ticks), {n});
+}
+void cylinder(const std::vector<int>& cuts) {
+  for (const int n : cuts)
+    expect_no_work(test::cylinder_in_hole(), test::cylinder_loop(ticks), {n});
+}
+void wedge(const std::vector<int>& cuts) {
+  for (const int n : cuts) expect_no_work(test::wedge_in_notch(), test::wedge_loop(ticks), {n});
+}
+/// Pushed aside by far more than the clearance, so that the energy stored stands out of what the
+/// residual of an answer (1e-4 of the depth) does along the axis, a way a hundred times as long.
+/// Guided at the mouth, where edges that pass each other let go, some by less than counts as jump.
+void peg(const std::vector<int>& cuts, double lowest, const std::vector<double>& clearances) {
+  for (const double clearance : clearances)
+    for (const int n : cuts) {
+      const auto scene = test::peg_in_hole(
+          clearance,
+          {.shift = 2e-3, .tilt = 0.01, .lowest = lowest, .step = 1e-5, .guided = 0.004});
+      expect_no_work(scene, scene.path, {n});
+    }
+}
+constexpr double above_the_bottom = 1e-3, onto_the_bottom = -5e-4;  ///< where it turns back, m
+
+const std::vector<int> coarsest = {1}, all = {2, 7, 16, 24};
+
+// The reference of the others, and that the loops themselves are fit for the test.
+TEST(ConformingEnergy, CoarseBlockOnASlabGivesTheHandNoWork) { block(coarsest); }
+TEST(ConformingEnergy, CoarseCylinderInAHoleGivesTheHandNoWork) { cylinder(coarsest); }
+TEST(ConformingEnergy, CoarseWedgeInANotchGivesTheHandNoWork) { wedge(coarsest); }
+TEST(ConformingEnergy, CoarsePegInAHoleGivesTheHandNoWork) {
+  peg(coarsest, above_the_bottom, {1e-4});
+}
+
+TEST(ConformingEnergy, FineBlockOnASlabGivesTheHandNoWork) { block({16}); }
+TEST(ConformingEnergy, FineWedgeInANotchGivesTheHandNoWork) { wedge({8}); }
+TEST(ConformingEnergy, Full_FineBlockOnASlabGivesTheHandNoWork) { block(all); }
+TEST(ConformingEnergy, Full_FineCylinderInAHoleGivesTheHandNoWork) { cylinder(all); }
+TEST(ConformingEnergy, Full_FineWedgeInANotchGivesTheHandNoWork) { wedge(all); }
+TEST(ConformingEnergy, Full_FinePegInAHoleGivesTheHandNoWork) {
+  peg({1, 2, 7, 24}, above_the_bottom, {1e-5, 1e-4, 5e-4});
+}
+TEST(ConformingEnergy, Full_PegPressedOntoTheBottomGivesTheHandNoWork) {
+  peg({1, 7, 24}, onto_the_bottom, {1e-5, 1e-4, 5e-4});
+}
+
+}  // namespace
+}  // namespace sonde
