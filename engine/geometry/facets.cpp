@@ -11,6 +11,7 @@
 #include <span>
 
 #include "engine/geometry/region.hpp"
+#include "engine/geometry/repeated.hpp"
 #include "engine/geometry/work.hpp"
 
 namespace sonde {
@@ -39,7 +40,8 @@ class Merger {
   Merger(const Soup& soup, double flatness) : soup_(soup), flatness_(flatness) {}
 
   Facets run(bool solid, const Progress& progress) {
-    drop_duplicates(solid, part_of(progress, 0, 0.2));
+    dropped_ = repeated_triangles(soup_, solid, part_of(progress, 0, 0.2));
+    out_.duplicates = static_cast<std::size_t>(std::count(dropped_.begin(), dropped_.end(), true));
     find_neighbours(part_of(progress, 0.2, 0.6));
     done_.resize(soup_.triangles.size(), false);
     for (std::uint32_t i = 0; i < dropped_.size(); ++i)
@@ -66,52 +68,6 @@ class Merger {
   void keep(std::uint32_t i) {
     out_.soup.triangles.push_back(soup_.triangles[i]);
     out_.from.push_back(i);
-  }
-
-  /// Triangles with the same corners lie beside each other when sorted by them.
-  void drop_duplicates(bool solid, const Progress& progress) {
-    struct Entry {
-      Triangle corners;
-      std::uint32_t triangle;
-      bool even;  // orientation
-    };
-    dropped_.assign(soup_.triangles.size(), false);
-    std::vector<Entry> entries(soup_.triangles.size());
-    for_each_index(entries.size(), progress, [&](std::size_t i) {
-      Triangle t = soup_.triangles[i];
-      const auto low = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
-      std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(low), t.end());
-      const bool even = t[1] < t[2];
-      if (!even) std::swap(t[1], t[2]);
-      entries[i] = {t, static_cast<std::uint32_t>(i), even};
-    });
-    std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-      return x.corners != y.corners ? x.corners < y.corners : x.triangle < y.triangle;
-    });
-    std::vector<std::span<const Entry>> repeated;
-    long all_turns = 0;
-    for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
-      for (j = i; j < entries.size() && entries[j].corners == entries[i].corners;) ++j;
-      const std::span<const Entry> same(entries.data() + i, j - i);
-      all_turns = std::gcd(all_turns, turns(same));
-      if (same.size() > 1) repeated.push_back(same);
-    }
-    for (const std::span<const Entry> same : repeated) {
-      // Turned against each other as often as not, they are seen from outside as from inside.
-      const long left = all_turns != 0 ? turns(same) / all_turns : 0;
-      long even = left > 0 ? left : left == 0, odd = left < 0 ? -left : left == 0;
-      if (!solid) even = odd = 1;  // as the two sides of a sheet
-      for (const Entry& entry : same) {
-        long& wanted = entry.even ? even : odd;
-        dropped_[entry.triangle] = --wanted < 0;
-        out_.duplicates += dropped_[entry.triangle];
-      }
-    }
-  }
-  template <class Entries>
-  static long turns(const Entries& same) {
-    return std::accumulate(same.begin(), same.end(), 0L,
-                           [](long sum, const auto& e) { return sum + (e.even ? 1 : -1); });
   }
 
   /// Across edges of two triangles that agree in orientation.
