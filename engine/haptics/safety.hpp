@@ -28,8 +28,8 @@ struct SafetySettings {
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
   double stalled_after = 0.02;  ///< s, age of the rows
-  /// N, that the force of an answer which has not converged may be off by; 0: any. A tenth of what
-  /// the smallest devices give: a hand takes less for a part of the contact.
+  /// N, that the force of an answer which has not converged may be off by; 0: any. About a tenth of
+  /// what a small device gives at most; chosen, not measured.
   double force_error = 0.3;
   double fade_time = 0.05;   ///< s, for the whole force to go where it may be off by more
   double runaway_speed = 2;  ///< m/s of the hand under a force, see Runaway; 0: no limit

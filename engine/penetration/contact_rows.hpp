@@ -35,8 +35,8 @@ class ContactRows {
     std::size_t most_pairs = 48;                 ///< a first guess: cut() finds the rest
     std::size_t most_listed = PairList::enough;  ///< 0: no list
   };
-  /// Rows: some ten times what six active ones need. Beyond, a contact adds none, steps that it is
-  /// in the way of are cut short, and the answer is not converged where that is what ends it.
+  /// Rows, of which six at most are active. Beyond, a contact adds none, steps that it is in the
+  /// way of are cut short, and the answer is not converged where that is what ends it.
   static constexpr std::size_t capacity = 256;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 

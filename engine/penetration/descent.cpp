@@ -14,7 +14,8 @@ namespace {
 constexpr int work_of_step = 500;
 /// Turn of one step, as |Δv|: a linearised turn is of little use beyond.
 constexpr double largest_turn = 0.3;
-/// Times that a step is thought over for what would be in its way.
+/// Times that a step is thought over for what would be in its way; then it ends where its sweep
+/// does.
 constexpr int most_cuts = 6;
 
 /// The largest fraction of the step that keeps the turn within bounds.
