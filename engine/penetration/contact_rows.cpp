@@ -20,19 +20,17 @@ constexpr std::size_t most_kept = 32;
 /// Of its gap, or of the margin, a step may take so little from a pair that it need not be thought
 /// over: what is lost tick by tick is not to be had back while the probe is pressed.
 constexpr double kept_share = 0.95;
-/// A list of so many pairs, up to twice as many, is made for its cost to be spread over many steps.
-constexpr int good_list = 3000;
-/// Of the probe's radius: longer paths are not listed, the trees are quicker.
-constexpr double farthest_listed = 0.02;
-/// Shorter ones always are, in flat contact the trees are no help with them.
-constexpr double nearest_listed = 0.001;
 /// Of the effort that is left to a tick: a list that takes more is not made.
 constexpr double share_for_list = 0.6;
-/// Pairs, where the effort is limited: the making of one takes about 16 units of it.
-std::size_t good_size(const Effort& effort) {
-  const double affordable = 0.25 * static_cast<double>(effort.left()) / 16;
-  return static_cast<std::size_t>(std::clamp(affordable, 200.0, double{good_list}));
-}
+/// One that takes more is made smaller the next time.
+constexpr double good_share_for_list = 0.25;
+/// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
+/// missing.
+constexpr double least_share_of_reach = 0.1;
+/// A gather turns the probe by so much more than its reach by the radius, about: rows that would
+/// come in then are not dropped (rotation by a step of the size of the reach, about the thinnest
+/// axis; with 2, steps of torus-knots went to and fro between two sets of rows).
+constexpr double turn_per_reach = 8;
 constexpr int work_to_take = 16;  // a pair, in the units of Effort
 
 }  // namespace
@@ -52,17 +50,15 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       pair_of_(capacity),
       kept_(most_kept),
       crowded_(probe.mass.radius),
-      list_limit_(probe.mass.radius),
-      list_reach_(probe.mass.radius),
-      too_far_(farthest_listed * probe.mass.radius) {}
+      list_reach_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
   list_.clear();
-  usual_ = {};
+  sliding_ = turning_ = Vec3::Zero();
   gathered_ = rim_ = false;
   count_ = kept_count_ = 0;
-  crowded_ = list_limit_ = list_reach_ = probe_.mass.radius;
-  too_far_ = farthest_listed * probe_.mass.radius;
+  crowded_ = probe_.mass.radius;
+  list_reach_ = ListReach(probe_.mass.radius);
 }
 
 void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
@@ -134,43 +130,66 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
-Vec3 ContactRows::middle() const noexcept {
-  if (count_ == 0) return probe_.mass.com;
+PairList::Displacement ContactRows::usual(const Transform& X, const Vec3& centre) const noexcept {
+  const Vec3 arm = X.R * (centre - probe_.mass.com);
+  return {(sliding_ + turning_.cross(arm)).norm(), turning_.norm()};
+}
+
+void ContactRows::remember(const Motion& motion) noexcept {
+  const double radius = probe_.mass.radius;
+  const Motion::Velocity v = motion.velocity(0);
+  const double last = sliding_.norm() + radius * turning_.norm();
+  if (v.linear.norm() + radius * v.angular.norm() >= 0.9 * last)
+    sliding_ = v.linear, turning_ = v.angular;
+  else
+    sliding_ *= 0.9, turning_ *= 0.9;
+}
+
+Vec3 ContactRows::stillest(const Transform& X) const noexcept {
+  const Vec3& com = probe_.mass.com;
+  if (count_ == 0) return com;
+  const auto local = [&](std::size_t i) {
+    return Vec3(X_.R.transpose() * (contacts_[i].on_probe - X_.p));
+  };
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < count_; ++i) sum += contacts_[i].on_probe;
-  return X_.R.transpose() * (sum / static_cast<double>(count_) - X_.p);
+  for (std::size_t i = 0; i < count_; ++i) sum += local(i);
+  const Vec3 middle = sum / static_cast<double>(count_);
+  const PairList::Displacement about_com = usual(X, com), about_middle = usual(X, middle);
+  double by_com = 0, by_middle = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    by_com += about_com.of((local(i) - com).norm());
+    by_middle += about_middle.of((local(i) - middle).norm());
+  }
+  return by_middle < by_com ? middle : com;
 }
 
 void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centre,
                              const PairList::Displacement& ahead, Effort& effort) noexcept {
   const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
-  if (list_.capacity() == 0) return;
-  if (wanted >= too_far_) {
-    too_far_ *= 1.01;  // it is worth another try some time
-    return;
-  }
-  usual_ = {std::max(0.9 * usual_.linear, ahead.linear), std::max(0.9 * usual_.turn, ahead.turn)};
-  const double ample = std::max(1.5 * wanted, std::min({32 * wanted, list_limit_, list_reach_}));
-  const double share = usual_.linear > 0 ? usual_.linear / usual_.of(radius) : 0.5;
-  const PairList::Displacement room{std::max(share * ample, 1.5 * (reach + ahead.linear)),
+  if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
+  const double ample = list_reach_.choose(wanted);
+  const PairList::Displacement often = usual(X, centre);
+  const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
+  const double near = std::max(reach, 2 * least_asked_);
+  const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
                                     std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
-  const std::size_t good = good_size(effort);
+  const auto affordable =
+      static_cast<std::int64_t>(good_share_for_list * static_cast<double>(effort.left()));
   const bool fits = effort.within(share_for_list,
                                   [&](Effort& part) { return list_.build(X, centre, room, part); });
-  // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
-  list_limit_ = fits ? std::min(1.5 * list_limit_, radius) : 2 * wanted;
-  if (fits)
-    too_far_ = std::min(1.02 * too_far_, farthest_listed * radius);
-  else if (ample < 2 * wanted)
-    too_far_ = std::max(0.7 * wanted, nearest_listed * radius);
-  const bool few = list_.size() < good;
-  const bool many = list_.size() > 2 * good;
-  list_reach_ = ample * (!fits ? 0.5 : few ? 1.5 : many ? 0.7 : 1.0);
+  list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
+  if (!fits) sliding_ *= 0.5, turning_ *= 0.5;  // there is no room for so much of it
 }
 
-NearPairs ContactRows::find_pairs(const Transform& X, double reach, Effort& effort) noexcept {
-  if (list_.reach_at(X) < reach) list_pairs(X, reach, middle(), {}, effort);
+NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
+                                  Effort& effort) noexcept {
+  const double listed = list_.reach_at(X);
+  if (listed >= std::max(least, least_share_of_reach * reach)) reach = std::min(reach, listed);
+  if (listed < reach) {
+    const Vec3 centre = stillest(X);
+    list_pairs(X, reach, centre, usual(X, centre), effort);
+  }
   const NearPairs near =
       list_.reach_at(X) >= reach
           ? list_.near(X, reach, {pairs_.data(), most_near_}, effort)
@@ -184,13 +203,14 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
                          Effort& effort) noexcept {
   const Transform X(chart.pose(y));
   asked_ = std::min(reach, crowded_);
-  const NearPairs near = find_pairs(X, asked_, effort);
+  least_asked_ = 4 * flat;
+  const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
   gathered_ = near.reach >= 0 && !effort.is_spent();
   if (!gathered_) return false;
   count_ = 0;
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
-  turn_ = 2 * reach_ / probe_.mass.radius;
+  turn_ = std::max(turn_per_reach * reach_ / probe_.mass.radius, 2 * turning_.norm());
   const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
@@ -231,8 +251,9 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
                                    double margin, Effort& effort) noexcept {
   const double least = kept_share * margin;
   const Transform end = motion.at(1);
+  remember(motion);
   if (list_.reach_at(end) <= least) {
-    const Vec3 centre = middle();
+    const Vec3 centre = stillest(X_);
     list_pairs(X_, least, centre, PairList::along(motion, centre), effort);
   }
   std::size_t found = 0;
@@ -280,7 +301,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!list_.covers(motion, clearance)) {
-    const Vec3 centre = middle();
+    const Vec3 centre = stillest(X_);
     list_pairs(motion.at(0), clearance, centre, PairList::along(motion, centre), effort);
   }
   if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);

@@ -7,6 +7,7 @@
 
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
+#include "engine/proximity/list_reach.hpp"
 #include "engine/proximity/motion.hpp"
 #include "engine/proximity/pair_list.hpp"
 
@@ -100,13 +101,18 @@ class ContactRows {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;
   };
-  /// A point of the probe among the last contacts, or its centre of mass.
-  Vec3 middle() const noexcept;
+  /// How far the probe goes of late from a place, seen from a point of it (its mesh frame).
+  PairList::Displacement usual(const Transform& X, const Vec3& centre) const noexcept;
+  void remember(const Motion& motion) noexcept;
+  /// The point of the probe about which its contacts move least: the middle of the last ones, where
+  /// it rolls on them, or its centre of mass, where it turns within them.
+  Vec3 stillest(const Transform& X) const noexcept;
   /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
   /// and the list would not pay.
   void list_pairs(const Transform& X, double reach, const Vec3& centre,
                   const PairList::Displacement& ahead, Effort& effort) noexcept;
-  NearPairs find_pairs(const Transform& X, double reach, Effort& effort) noexcept;
+  /// The pairs within reach, or within what the list holds, if that is not below `least`.
+  NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
   void keep(const TrianglePair& pair) noexcept;
   /// Puts the kept pairs that are within reach at X behind so many others; returns how many it are.
@@ -135,11 +141,12 @@ class ContactRows {
   std::size_t count_ = 0;
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
-  double list_limit_;
-  double list_reach_;             // at which the list has a good size
-  double too_far_;                // m: paths so long were found to fill the list
-  PairList::Displacement usual_;  // along the paths of late
-  double asked_ = 0;              // reach of the last gather
+  ListReach list_reach_;
+  // Of a path of late, the longest, forgotten bit by bit: of the centre of mass, m; rad. In the
+  // fixed body's axes.
+  Vec3 sliding_ = Vec3::Zero(), turning_ = Vec3::Zero();
+  double least_asked_ = 0;  // m: reach that a gather must have
+  double asked_ = 0;        // reach of the last gather
   double smallest_gap_ = 0;
   double reach_ = 0;
   Transform X_;            // of the last gather

@@ -18,13 +18,19 @@ constexpr double largest_turn = 0.3;
 /// does.
 constexpr int most_cuts = 6;
 
-/// The largest fraction of the step that keeps the turn within bounds.
-double turn_limit(const Chart& chart, const Vec6& y, const Vec6& step) {
-  const Vec3 dv = chart.v(step), v = chart.v(y);
-  double fraction = std::min(1.0, largest_turn / std::max(dv.norm(), 1e-30));
-  const double limit = std::max(Chart::largest_v, v.norm());
-  while (fraction > 1e-6 && (v + fraction * dv).norm() > limit) fraction *= 0.5;
-  return fraction;
+/// The step with its turn kept within bounds. Where it would lead out of the chart it goes along
+/// the rim, to what lies there on the way from O to its end.
+Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
+  Vec6 target = y + std::min(1.0, largest_turn / std::max(chart.v(step).norm(), 1e-30)) * step;
+  const double limit = std::max(Chart::largest_v, chart.v(y).norm());
+  const double v = chart.v(target).norm();
+  if (v > limit) target.head<3>() *= limit / v;
+  return target - y;
+}
+
+Vec6 shortened(const Vec6& step, double longest) {
+  const double size = step.norm();
+  return size > longest ? Vec6(step * (longest / size)) : step;
 }
 
 }  // namespace
@@ -60,7 +66,11 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
 struct Descent::Pace {
   double scale;    ///< m: about how long a step is
   double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
-  double longest = std::numeric_limits<double>::max();  ///< m
+  /// m: no further is a step looked at, since long paths are dear to sweep.
+  double longest = std::numeric_limits<double>::max();
+  /// m: no further does it go. What is in the way of a step is looked for up to where it would go
+  /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
+  double damped_to = std::numeric_limits<double>::max();
   Vec6 last = Vec6::Zero();
   int stalled = 0;  ///< steps in a row that led nowhere
 
@@ -68,10 +78,10 @@ struct Descent::Pace {
   Vec6 damped(const Vec6& step) {
     const double size = step.norm();
     if (step.dot(last) < -0.25 * size * last.norm())
-      longest = 0.5 * std::min({longest, size, last.norm()});
+      damped_to = 0.5 * std::min({damped_to, size, last.norm()});
     else
-      longest *= 1.5;
-    return size > longest ? Vec6(step * (longest / size)) : step;
+      damped_to *= 1.5;
+    return shortened(step, damped_to);
   }
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
     const double moved = swept.free_until * step.norm();
@@ -85,7 +95,7 @@ struct Descent::Pace {
 };
 
 Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
-                        double margin, double rise, Pace& pace) noexcept {
+                        double margin, double rise, const Pace& pace) noexcept {
   const double radius = chart.mass().radius;
   Vec6 step = nearest.y - y;
   const double size2 = step.squaredNorm();
@@ -104,10 +114,10 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
     const Vec6 risen = rows_.solve(margin, ContactRows::Narrow::keep, rise).y - y;
     if (-y.dot(risen) > 0.1 * size2) step = risen;
   }
+  step = within_chart(chart, y, step);
   // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
-  step *= turn_limit(chart, y, step);
-  step = pace.damped(step);
+  step = shortened(step, pace.longest);
   const double quick = std::max(wary_, 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
   return path > quick ? Vec6(step * (quick / path)) : step;
@@ -132,9 +142,16 @@ std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) n
 }
 
 void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
-  const Vec6 y = out.y;
-  const Sweep swept = sweep_to(chart, y, Vec6::Zero(), effort);
-  const Vec6 near = swept.hit ? Vec6((1 - swept.free_until) * y) : Vec6::Zero();
+  // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
+  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / largest_turn);
+  const Vec6 piece = out.y / pieces;
+  Vec6 near = out.y;
+  Sweep swept;
+  for (int left = pieces; left > 0 && !swept.hit; --left) {
+    const Vec6 next = left > 1 ? Vec6(near - piece) : Vec6::Zero();
+    swept = sweep_to(chart, near, next, effort);
+    near = swept.hit ? Vec6(near + swept.free_until * (next - near)) : next;
+  }
   out.move_to(near);
   if (!rows_.gather(chart, near, 16 * margin, 4 * margin, effort)) return;
   report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
@@ -181,7 +198,8 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     report(out, y, nearest);
     const double size = (nearest.y - y).norm();
     const auto settled = [&] {
-      const double off = (nearest.y - y).norm();
+      // Not what the rim of the chart holds: there the descent only ends.
+      const double off = (out.held - y).norm();
       // Where no row holds it the probe can come all the way back, however little that is.
       const bool held = out.contacts.size > 0;
       return (held && off <= std::max(goal.residual * length, 0.2 * margin) &&
@@ -198,7 +216,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     }
     ++out.iterations;
     effort.spend(work_of_step);
-    const Pace before = pace;
+    pace.longest *= 1.5;
     double rise = 0;
     Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
     for (int round = 0; round < most_cuts; ++round) {
@@ -213,9 +231,9 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       }
       // Contacts that the rows know bend into the path by so much.
       rise = look.news ? 0 : rise + 1.2 * look.lost;
-      pace = before;
       step = next_step(chart, y, nearest, margin, rise, pace);
     }
+    step = pace.damped(step);
     const Vec6 target = y + step;
     const Sweep swept = sweep_to(chart, y, target, effort);
     if (!swept.given_up)

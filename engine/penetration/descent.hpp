@@ -69,7 +69,7 @@ class Descent {
   /// From y towards the nearest point of the rows, as far as it is worth while to go in one step;
   /// with contacts that bend into it, so much (m) above it.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
-                 double rise, Pace& pace) noexcept;
+                 double rise, const Pace& pace) noexcept;
   /// Stopped on the way, away from any contact: straight on towards the device pose to the first
   /// one, so that what is returned touches.
   void close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;

@@ -10,7 +10,7 @@ namespace sonde {
 namespace {
 
 // In the units of Effort: of a block of pairs, of one pair.
-constexpr int work_to_look = 5, work_to_lay_out = 60, work_to_advance = 20;
+constexpr int work_to_look = 5, work_to_take = 8, work_to_advance = 20;
 
 Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
@@ -39,43 +39,99 @@ PairList::Displacement PairList::along(const Motion& motion, const Vec3& centre)
           motion.turn_bound() * (1 + 1e-12)};
 }
 
-bool PairList::build(const Transform& X, const Vec3& centre, const Displacement& room,
-                     Effort& effort) noexcept {
-  const Placement at(a_, b_, X);
-  PairStack<SlotPair> stack;
-  SlotPairs children;
+double PairList::arm_of(std::uint32_t slot) const noexcept {
+  return (a_.tree.center(slot) - centre_).norm() * (1 + 1e-6) + a_.tree.half_diagonal(slot);
+}
+
+/// Pairs of triangles on their way into the list, eight of which are compared at a time.
+struct PairList::Candidates {
+  TriangleBatch batch;
+  Displacement room;
+  double rounding;                  // m
+  std::array<double, block> arm{};  // m
+  bool fit = true;                  // so far
+};
+
+void PairList::start(const Transform& X, const Vec3& centre) noexcept {
   clear();
   X_ = last_ = X;
   linear_ = turned_ = 0;
   centre_ = centre;
+  work_of_build_ = 0;
   longest_arm_ = ((centre - a_.mass.com).norm() + a_.mass.radius) * (1 + 1e-12);
-  const auto arm_of = [&](const SlotPair& p) {
-    return (a_.tree.center(p.a) - centre).norm() * (1 + 1e-6) + a_.tree.half_diagonal(p.a);
+}
+
+void PairList::take(Candidates& of) noexcept {
+  of.batch.flush(
+      std::numeric_limits<double>::infinity(),
+      [&](const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& points) {
+        const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
+        const double arm = of.arm[static_cast<std::size_t>(lane)];
+        if (distance > of.room.of(arm)) return;
+        of.fit = of.fit && count_ < capacity_;
+        if (!of.fit) return;
+        const bool apart = points.distance[lane] > 0;
+        append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
+      });
+}
+
+bool PairList::build(const Transform& X, const Vec3& centre, const Displacement& room,
+                     Effort& effort) noexcept {
+  const Placement at(a_, b_, X);
+  PairStack<SlotPair> stack;
+  SlotPairs found;
+  start(X, centre);
+  Candidates candidates{{a_, b_, X}, room, guard(X)};
+  const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
+  // What is found below a pair goes by the arm of its box of A, which is the longer one.
+  const auto sort_out = [&](const SlotPair& p, double arm) {
+    if (!at.is_leaf(p)) return stack.push(p);
+    spend(work_to_take);
+    candidates.arm[static_cast<std::size_t>(candidates.batch.size())] = arm;
+    candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
+    if (candidates.batch.full()) take(candidates);
   };
-  stack.push(at.roots());
-  while (!stack.empty()) {
+  sort_out(at.roots(), longest_arm_);
+  while (candidates.fit && !stack.empty()) {
     const SlotPair p = stack.pop();
-    const double arm = arm_of(p);
+    const double arm = arm_of(p.a);
     const float limit = at.above(room.of(arm));
     if (p.bound > limit) continue;
-    if (!at.is_leaf(p)) {
-      at.open_near(p, limit, children);
-      if (!effort.spend(work_to_open(children.count))) return clear(), false;
-      for (const SlotPair& child : children) stack.push(child);
-      continue;
-    }
-    if (count_ == capacity_) return clear(), false;
-    const std::size_t k = count_ / block, lane = count_ % block;
-    const double distance = at.below(p.bound);
-    if (lane == 0) due_[k] = {distance, arm, false};
-    due_[k].distance = std::min(due_[k].distance, distance);
-    due_[k].arm = std::max(due_[k].arm, arm);
-    items_[k].a[lane] = at.triangle_a(p);
-    items_[k].b[lane] = at.triangle_b(p);
-    ++count_;
+    at.open_by_faces(p, limit, found);
+    for (const SlotPair& child : found) sort_out(child, arm);
+    if (!spend(work_to_open(found.count))) return clear(), false;
   }
+  take(candidates);
+  if (!candidates.fit) return clear(), false;
+  fill_last();
   room_ = room;
   return true;
+}
+
+void PairList::append(const Pair& pair, const Due& due, const Vec3& normal) noexcept {
+  const std::size_t k = count_ / block, lane = count_ % block;
+  due_[k] = lane == 0
+                ? due
+                : Due{std::min(due_[k].distance, due.distance), std::max(due_[k].arm, due.arm)};
+  items_[k].a[lane] = pair.a;
+  items_[k].b[lane] = pair.b;
+  const Corners ta = corners(surface(a_), pair.a);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < 3; ++i)
+      lanes_[k].arm[c][i][lane] = ta[c][static_cast<int>(i)] - a_.mass.com[static_cast<int>(i)];
+  set_normal(static_cast<std::uint32_t>(count_++), normal);
+}
+
+void PairList::fill_last() noexcept {
+  if (count_ % block == 0) return;
+  PairLanes& lanes = lanes_[count_ / block];
+  const std::size_t last = count_ % block - 1;
+  for (std::size_t lane = last + 1; lane < block; ++lane) {
+    for (auto& corner : lanes.arm)
+      for (auto& row : corner) row[lane] = row[last];
+    for (auto& row : lanes.normal) row[lane] = row[last];
+    lanes.top[lane] = lanes.top[last];
+  }
 }
 
 PairList::Displacement PairList::displacement(const Transform& from,
@@ -124,14 +180,10 @@ void PairList::learn(std::size_t k, double gap, double rounding) noexcept {
 }
 
 template <class Visit>
-void PairList::each_due(const Displacement& ahead, double within, Effort& effort,
-                        const Visit& visit) noexcept {
+void PairList::each_due(const Displacement& ahead, double within,
+                        const Visit& visit) const noexcept {
   for (std::size_t k = 0; k < blocks(); ++k) {
     if (spare(due_[k]) > within + ahead.of(due_[k].arm)) continue;
-    if (!due_[k].laid_out) {
-      effort.spend(work_to_lay_out);
-      lay_out(k);
-    }
     visit(k);
   }
 }
@@ -142,36 +194,6 @@ void PairList::set_normal(std::uint32_t item, const Vec3& normal) noexcept {
   const Corners tb = corners(surface(b_), items_[item / block].b[lane]);
   for (std::size_t i = 0; i < 3; ++i) lanes.normal[i][lane] = normal[static_cast<int>(i)];
   lanes.top[lane] = std::max({normal.dot(tb[0]), normal.dot(tb[1]), normal.dot(tb[2])});
-}
-
-void PairList::lay_out(std::size_t k) noexcept {
-  TrianglePairs8 pairs;
-  PairLanes& lanes = lanes_[k];
-  const std::size_t size = size_of(k);
-  for (std::size_t lane = 0; lane < block; ++lane) {
-    // Lanes that are not used repeat the last one.
-    const std::size_t from = std::min(lane, size - 1);
-    const Corners ta = corners(surface(a_), items_[k].a[from]);
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < 3; ++i)
-        lanes.arm[c][i][lane] = ta[c][static_cast<int>(i)] - a_.mass.com[static_cast<int>(i)];
-    set_lane(pairs, static_cast<int>(lane), place(last_, ta),
-             corners(surface(b_), items_[k].b[from]));
-  }
-  ClosestPoints8 points;
-  closest_points(pairs, static_cast<int>(size), std::numeric_limits<double>::infinity(), points);
-  for (std::size_t lane = 0; lane < block; ++lane) {
-    const auto from = static_cast<int>(std::min(lane, size - 1));
-    const bool apart = points.distance[from] > 0;
-    // Those that meet are clear along no direction.
-    for (std::size_t i = 0; i < 3; ++i) lanes.normal[i][lane] = apart ? points.normal[i][from] : 0;
-    lanes.top[lane] = 0;
-    if (lane < size && apart)
-      set_normal(static_cast<std::uint32_t>(k * block + lane), normal(points, from));
-    else if (lane >= size)
-      lanes.top[lane] = lanes.top[size - 1];
-  }
-  due_[k].laid_out = true;
 }
 
 NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> out,
@@ -190,7 +212,7 @@ NearPairs PairList::near(const Transform& X, double reach, std::span<NearPair> o
       out[found++] = near;
     });
   };
-  each_due({}, reach + rounding, effort, [&](std::size_t k) {
+  each_due({}, reach + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_look)) return;
     alignas(64) double gap[block];
     gaps_at(lanes_[k], at, gap);
@@ -229,7 +251,7 @@ std::size_t PairList::trespasses(const Transform& X, double least, std::span<Tre
       std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
     });
   };
-  each_due(displacement(last_, X), least + rounding, effort, [&](std::size_t k) {
+  each_due(displacement(last_, X), least + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_look)) return;
     alignas(64) double gap[block];
     gaps_at(lanes_[k], at, gap);
@@ -252,7 +274,7 @@ Sweep PairList::sweep_along(const Motion& motion, double clearance, Effort& effo
   const ArmMap from = arms_at(a_, pairs.start().X), to = arms_at(a_, pairs.end());
   const ArmMap bend = arm_map(motion.bend(), Vec3::Zero());
   std::size_t open = 0;
-  each_due(ahead, room, effort, [&](std::size_t k) {
+  each_due(ahead, room, [&](std::size_t k) {
     if (!effort.spend(2 * work_to_look)) {
       const double known = (spare(due_[k]) - room) / std::max(ahead.of(due_[k].arm), 1e-300);
       return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));

@@ -24,7 +24,7 @@ namespace sonde {
 /// fixed body too. Nothing here allocates but the constructor.
 class PairList {
  public:
-  static constexpr std::size_t enough = 8192;
+  static constexpr std::size_t enough = 16384;
   PairList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// No point of A, r away from a point of it that is the centre, is further than linear + r·turn
@@ -49,6 +49,8 @@ class PairList {
   void clear() noexcept { count_ = 0, room_.linear = -1; }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
+  /// What the last list took to make, in the units of Effort.
+  std::int64_t work_of_build() const noexcept { return work_of_build_; }
 
   /// Every pair at a distance of at most this, at X, is in the list. Negative: no statement.
   double reach_at(const Transform& X) const noexcept { return reach_after(X, {}); }
@@ -67,6 +69,9 @@ class PairList {
 
  private:
   static constexpr std::size_t block = 8;  ///< pairs that are looked at together
+  struct Pair {
+    std::uint32_t a, b;  ///< triangles
+  };
   struct Pairs {
     std::uint32_t a[block], b[block];
   };
@@ -75,7 +80,6 @@ class PairList {
   /// triangles of A, from the centre), the more a turn uses up.
   struct Due {
     double distance, arm;
-    bool laid_out;  ///< its lanes hold anything yet
   };
   /// A pair that was not found clear of a path by the direction that separated it last.
   struct Open {
@@ -94,10 +98,16 @@ class PairList {
   std::size_t size_of(std::size_t k) const noexcept { return std::min(block, count_ - k * block); }
   /// Calls visit(block) for all that may come within so much on the way that is ahead.
   template <class Visit>
-  void each_due(const Displacement& ahead, double within, Effort& effort,
-                const Visit& visit) noexcept;
-  /// Fills the lanes of a block: the directions that separate its pairs where the probe is.
-  void lay_out(std::size_t k) noexcept;
+  void each_due(const Displacement& ahead, double within, const Visit& visit) const noexcept;
+  struct Candidates;
+  double arm_of(std::uint32_t slot) const noexcept;
+  void start(const Transform& X, const Vec3& centre) noexcept;
+  /// Takes down those of them that are near enough.
+  void take(Candidates& of) noexcept;
+  /// Takes down a pair, and the direction that separates it where the probe is (zero: none).
+  void append(const Pair& pair, const Due& due, const Vec3& normal) noexcept;
+  /// Lanes that are not used repeat the last one.
+  void fill_last() noexcept;
   void set_normal(std::uint32_t item, const Vec3& normal) noexcept;
   /// Takes down the least gap found in a block where the probe is.
   void learn(std::size_t k, double gap, double rounding) noexcept;
@@ -113,6 +123,7 @@ class PairList {
   std::vector<Open> open_;
   std::size_t count_ = 0;
   std::size_t capacity_;
+  std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
   Displacement room_;  // of the list; linear negative: there is none

@@ -176,6 +176,10 @@ void Placement::open_near(const SlotPair& p, float limit, SlotPairs& out) const 
   open_both(p, kernels_.distances, limit, out);
 }
 
+void Placement::open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const {
+  open_both(p, kernels_.gaps, limit, out);
+}
+
 void Placement::open_nearest(const SlotPair& p, SlotPairs& out) const {
   open_larger(p, kernels_.distances, std::numeric_limits<float>::infinity(), out);
 }

@@ -130,6 +130,9 @@ class Placement {
   /// lower bounds of distances, or where boxes overlap negative, the more the deeper; pairs with
   /// one above `limit` are left out.
   void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// As open_near, with the largest separation along the six face normals for a bound: less work,
+  /// and less where boxes are apart corner to corner.
+  void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
   /// Opens the larger box alone, without a limit: for a first way down.
   void open_nearest(const SlotPair& p, SlotPairs& out) const;
   /// The same with separations along the six face normals: pairs that do not overlap are left out.
