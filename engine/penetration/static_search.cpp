@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/crew.hpp"
 #include "engine/penetration/leap_descent.hpp"
 #include "engine/penetration/lower_bound.hpp"
@@ -17,6 +18,7 @@
 #include "engine/penetration/sketch_search.hpp"
 #include "engine/penetration/without_search.hpp"
 #include "engine/proximity/intersect.hpp"
+#include "engine/proximity/sketch.hpp"
 
 namespace sonde {
 namespace {
@@ -39,21 +41,22 @@ bool is_short(const Budget& budget) {
 
 class Search {
  public:
-  Search(const Body& probe, const Body& fixed, const Pose& device, const StaticOptions& options,
+  Search(const Pair& pair, const Pose& device, const StaticOptions& options,
          const Deadline& deadline)
-      : probe_(probe),
-        fixed_(fixed),
-        chart_(probe.mass, device),
+      : probe_(pair.probe()),
+        fixed_(pair.fixed()),
+        chart_(probe_.mass, device),
         options_(options),
         deadline_(deadline.part(share_for_polish)),
         searching_(deadline.part(share_for_the_search)),
         sketching_(deadline.part(share_for_sketches)),
-        lanes_{lane(probe, fixed), lane(probe, fixed)},
-        polish_(probe, fixed, options.method),
+        lanes_{lane(probe_, fixed_), lane(probe_, fixed_)},
+        polish_(probe_, fixed_, options.method),
         crew_(options.two_threads && !is_short(options.budget)) {
-    if (!options.sketches) return;
+    const Sketches& sketches = pair.sketches();
+    if (!sketches) return;
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane)
-      sketched_.emplace_back(*options.sketches.probe, *options.sketches.fixed, fixed.mass);
+      sketched_.emplace_back(*sketches.probe, *sketches.fixed, fixed_.mass);
   }
 
   Separation run() {
@@ -361,14 +364,13 @@ class Search {
 
 }  // namespace
 
-Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
-                           const StaticOptions& options) {
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
   const Deadline deadline{options.budget.microseconds, now_us()};
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
-  if (const auto settled = without_search(probe, fixed, device)) return *settled;
-  Separation out = Search(probe, fixed, device, options, deadline).run();
+  if (const auto settled = without_search(pair.probe(), pair.fixed(), device)) return *settled;
+  Separation out = Search(pair, device, options, deadline).run();
   if (options.want_lower_bound && out.status == Status::penetrating)
-    out.lower_bound = depth_lower_bound(probe, fixed, device, deadline);
+    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline);
   return out;
 }
 
