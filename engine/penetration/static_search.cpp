@@ -144,26 +144,30 @@ class Search {
   }
 
   /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
-  /// in it, also in a tangle that nothing from outside finds its way into.
-  void near_starts(Method method, std::uint64_t streams) {
+  /// in it, also in a tangle that nothing from outside finds its way into. So many of
+  /// them, no further than `widest`.
+  void near_starts(Method method, std::uint64_t streams, double widest,
+                   std::size_t most = per_round) {
     const int tries = deadline_.microseconds > 0 ? 5 : 12;  // in each ball: pockets are small
     for (Lane& lane : lanes_) lane.near = smallest_ball(probe_);
-    round([&](std::size_t k, Lane& lane) {
+    const auto start = [&](std::size_t k, Lane& lane) {
       Random random = stream(streams + k);
       LeapDescent& leaps = descent_of(lane, method);
-      for (double radius = lane.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
+      for (double radius = lane.near; radius < widest; radius *= 1.6)
         if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, tries, method)) {
           lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
           return descend(leaps, *y, y->norm());
         }
       return Place{};
-    });
+    };
+    round(start, most);
   }
 
   /// Where the sketches of the bodies are apart nearest by, and where there is a way out that they
   /// do not show; else from the nearest free poses.
   void first_starts(Method method, std::uint64_t streams) {
-    if (sketched_.empty()) return near_starts(method, streams);
+    const double widest = 4 * probe_.mass.radius;
+    if (sketched_.empty()) return near_starts(method, streams, widest);
     const std::vector<SketchEnd> ends = search_sketches(
         chart_,
         {.method = method,
@@ -173,8 +177,11 @@ class Search {
          .axes = fixed_.mass.R_MP},
         sketched_, crew_);
     from_sketches(method, ends);
-    if (method == options_.method && places_.empty()) return near_starts(method, streams);
-    if (!out_of_budget() && method == options_.method) pockets(streams);
+    if (method == options_.method && places_.empty()) return near_starts(method, streams, widest);
+    if (out_of_budget()) return;
+    // Translations are three unknowns: free ones are found by few tests, however narrow the way.
+    if (method == Method::pdt) near_starts(method, streams, std::min(widest, translated_.depth), 2);
+    if (method == options_.method) pockets(streams);
   }
 
   /// On from the ends found there, as long as they may be better than what has been found.

@@ -30,8 +30,9 @@ TEST(Pair, keeps_its_bodies_and_shares_what_it_made) {
   Pair pair(std::move(probe), std::move(fixed));
   EXPECT_EQ(&pair.probe(), a);
   EXPECT_EQ(&pair.fixed(), b);
+  // Nothing moves from a pair. NOLINTNEXTLINE(performance-move-const-arg)
   const Pair copy = std::move(pair);
-  // Nothing moves from a pair: NOLINTNEXTLINE(bugprone-use-after-move)
+  // NOLINTNEXTLINE(bugprone-use-after-move)
   EXPECT_EQ(&pair.probe(), &copy.probe());
   EXPECT_EQ(&pair.sketches(), &copy.sketches());
 }
