@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/static_search.hpp"
 
 namespace sonde::draw {
