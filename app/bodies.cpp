@@ -2,6 +2,7 @@
 #include "app/bodies.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "app/options.hpp"
 
@@ -75,16 +76,21 @@ std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
   return {scene.file, scene.probe.mesh, scene.fixed.mesh};
 }
 
-BodyPair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {
-  BodyPair pair;
-  pair.probe = load(scene.probe, scene.unit, progress.percent("reading the probe"));
-  pair.fixed = load(scene.fixed, scene.unit, progress.percent("reading the fixed body"));
+Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {
+  auto probe = load(scene.probe, scene.unit, progress.percent("reading the probe"));
+  auto fixed = load(scene.fixed, scene.unit, progress.percent("reading the fixed body"));
+  const Pair pair(std::move(probe), std::move(fixed));
   progress.clear();
   if (!quiet) {
-    note_changes("the probe", *pair.probe);
-    note_changes("the fixed body", *pair.fixed);
+    note_changes("the probe", pair.probe());
+    note_changes("the fixed body", pair.fixed());
   }
   return pair;
+}
+
+Pair load_bodies(const Scene& scene, bool quiet) {
+  ProgressLine progress(quiet);
+  return load_bodies(scene, quiet, progress);
 }
 
 }  // namespace sonde::app

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/progress_line.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sonde::app {
@@ -29,12 +29,8 @@ Scene scene_of(const BodyOptions& options);
 /// The files a scene is made of.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);
 
-/// The two bodies, loaded.
-struct BodyPair {
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
-};
-/// Loads them, and notes on stderr what was changed in them, unless quiet.
-BodyPair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress);
+/// Loads the two bodies, and notes on stderr what was changed in them, unless quiet.
+Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress);
+Pair load_bodies(const Scene& scene, bool quiet);
 
 }  // namespace sonde::app

@@ -31,8 +31,8 @@ Scene scene_for(const CompareOptions& options) {
   return scene;
 }
 
-std::string inputs_text(const Scene& scene, const BodyPair& bodies, const DeviceProfile* device) {
-  nlohmann::ordered_json json = study_inputs(scene, bodies);
+std::string inputs_text(const Scene& scene, const Pair& pair, const DeviceProfile* device) {
+  nlohmann::ordered_json json = study_inputs(scene, pair);
   if (device) json["device"] = {{"id", device->id}, {"rate_hz", scene.servo.rate_hz}};
   if (device)
     for (const ProfileKey& key : profile_keys())
@@ -43,20 +43,15 @@ std::string inputs_text(const Scene& scene, const BodyPair& bodies, const Device
 void run(const CompareOptions& options) {
   check_output(options.study);
   const Scene scene = scene_for(options);
-  CompareSetup setup;
-  setup.path = path_to_study(*scene.trajectory);
-  setup.scene = scene.name;
+  std::vector<TimedPose> path = path_to_study(*scene.trajectory);
   std::optional<DeviceProfile> device;
   if (!options.device.empty()) device = device_named(options.device);
+  CompareSetup setup{.render = {.pair = load_bodies(scene, options.study.quiet)}};
+  setup.path = std::move(path);
+  setup.scene = scene.name;
   if (device) setup.device = simulated(*device);
   setup.sample_time = 1 / scene.servo.rate_hz;
-  {
-    ProgressLine progress(options.study.quiet);
-    const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
-    setup.inputs = inputs_text(scene, bodies, device ? &*device : nullptr);
-    setup.render.probe = bodies.probe;
-    setup.render.fixed = bodies.fixed;
-  }
+  setup.inputs = inputs_text(scene, setup.render.pair, device ? &*device : nullptr);
   setup.render.coupling = scene.coupling;
   setup.render.budget.steps =
       options.budget_steps > 0 ? options.budget_steps : scene.servo.budget.steps;

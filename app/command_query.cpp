@@ -68,10 +68,10 @@ Row row_of(const TimedSeparation& result, std::size_t index) {
   return row;
 }
 
-std::vector<TimedSeparation> follow_all(const BodyPair& bodies, std::span<const Pose> poses,
+std::vector<TimedSeparation> follow_all(const Pair& pair, std::span<const Pose> poses,
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
-  CoherentSolver solver(bodies.probe, bodies.fixed, options.chosen_method());
+  CoherentSolver solver(pair, options.chosen_method());
   bool started = false;  // a search that failed leaves nothing to follow: search again
   for (std::size_t i = 0; i < poses.size(); ++i) {
     Separation& separation = results[i].separation;
@@ -104,10 +104,10 @@ void run(const QueryOptions& options) {
   const std::vector<Pose> poses = read_poses(options.poses);
 
   ProgressLine progress(options.output.quiet);
-  const BodyPair bodies = load_bodies(scene, options.output.quiet, progress);
+  const Pair pair = load_bodies(scene, options.output.quiet, progress);
   const auto results = options.solver.coherent()
-                           ? follow_all(bodies, poses, options.solver, progress)
-                           : search_all(bodies, poses, options.solver, progress);
+                           ? follow_all(pair, poses, options.solver, progress)
+                           : search_all(pair, poses, options.solver, progress);
   ResultTable table{columns, {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);

@@ -63,11 +63,10 @@ Row row_of(const TimedPose& at, const Tick& tick, double rate_hz) {
 }
 
 /// The haptic loop over the path, as the servo would run it.
-std::vector<Tick> run_loop(const BodyPair& bodies, const Scene& scene,
-                           std::span<const TimedPose> path, const SolverOptions& options,
-                           ProgressLine& progress) {
+std::vector<Tick> run_loop(const Pair& pair, const Scene& scene, std::span<const TimedPose> path,
+                           const SolverOptions& options, ProgressLine& progress) {
   std::vector<Tick> ticks(path.size());
-  HapticLoop loop(bodies.probe, bodies.fixed, options.chosen_method(), scene.coupling);
+  HapticLoop loop(pair, options.chosen_method(), scene.coupling);
   StaticOptions search = options.static_options();
   search.budget = {};    // the budget is that of a tick
   bool started = false;  // a search that failed leaves nothing to follow: search again
@@ -98,14 +97,13 @@ Wrench still_wrench(const Body& probe, const Separation& s, const Coupling& coup
 }
 
 /// Every row searched for itself.
-std::vector<Tick> search_rows(const BodyPair& bodies, const Scene& scene,
-                              std::span<const TimedPose> path, const SolverOptions& options,
-                              ProgressLine& progress) {
+std::vector<Tick> search_rows(const Pair& pair, const Scene& scene, std::span<const TimedPose> path,
+                              const SolverOptions& options, ProgressLine& progress) {
   std::vector<Pose> poses;
   for (const TimedPose& at : path) poses.push_back(at.pose);
   std::vector<Tick> ticks;
-  for (const TimedSeparation& result : search_all(bodies, poses, options, progress))
-    ticks.push_back({result, still_wrench(*bodies.probe, result.separation, scene.coupling)});
+  for (const TimedSeparation& result : search_all(pair, poses, options, progress))
+    ticks.push_back({result, still_wrench(pair.probe(), result.separation, scene.coupling)});
   return ticks;
 }
 
@@ -133,10 +131,10 @@ void run(const ReplayOptions& options) {
   if (solver.budget.steps == 0) solver.budget.steps = scene.servo.budget.steps;
 
   ProgressLine progress(options.output.quiet);
-  const BodyPair bodies = load_bodies(scene, options.output.quiet, progress);
+  const Pair pair = load_bodies(scene, options.output.quiet, progress);
   const std::vector<Tick> ticks = solver.coherent()
-                                      ? run_loop(bodies, scene, path, solver, progress)
-                                      : search_rows(bodies, scene, path, solver, progress);
+                                      ? run_loop(pair, scene, path, solver, progress)
+                                      : search_rows(pair, scene, path, solver, progress);
   ResultTable table{columns, {}};
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     report_failure(ticks[i].result.separation, i);

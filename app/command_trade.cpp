@@ -33,12 +33,14 @@ std::vector<Pose> choose_poses(const TradeOptions& options, const TradeSetup& se
   const bool from_file = !options.poses.empty();
   const std::size_t count = options.count.value_or(from_file ? 0 : default_count);
   if (!from_file && setup.path.empty())
-    return random_overlapping_poses(*setup.probe, *setup.fixed, count, options.seed, stop);
+    return random_overlapping_poses(setup.pair.probe(), setup.pair.fixed(), count, options.seed,
+                                    stop);
   std::vector<Pose> all;
   if (from_file) all = read_poses(options.poses);
   if (!from_file)
     for (const TimedPose& at : setup.path) all.push_back(at.pose);
-  std::vector<Pose> chosen = overlapping_poses(*setup.probe, *setup.fixed, all, count, stop);
+  std::vector<Pose> chosen =
+      overlapping_poses(setup.pair.probe(), setup.pair.fixed(), all, count, stop);
   if (chosen.empty())
     throw InputError::in(from_file ? options.poses : trajectory,
                          "the probe overlaps the fixed body at no pose of it");
@@ -49,17 +51,16 @@ void run(const TradeOptions& options) {
   check_output(options.study);
   Scene scene = scene_of(options.bodies);
   if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
-  TradeSetup setup;
+  std::vector<TimedPose> path;
+  if (scene.trajectory) path = path_to_study(*scene.trajectory);
+  ProgressLine progress(options.study.quiet);
+  TradeSetup setup{.pair = load_bodies(scene, options.study.quiet, progress)};
   setup.scene = scene.name.empty()
                     ? scene.probe.mesh.stem().string() + " on " + scene.fixed.mesh.stem().string()
                     : scene.name;
   setup.seed = options.seed;
-  if (scene.trajectory) setup.path = path_to_study(*scene.trajectory);
-  ProgressLine progress(options.study.quiet);
-  const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
-  setup.probe = bodies.probe;
-  setup.fixed = bodies.fixed;
-  nlohmann::ordered_json inputs = study_inputs(scene, bodies);
+  setup.path = std::move(path);
+  nlohmann::ordered_json inputs = study_inputs(scene, setup.pair);
   if (!options.poses.empty()) inputs["poses"] = fingerprint_of(options.poses);
   setup.inputs = inputs.dump();
   progress.show("trade, looking for poses in contact", 0, 1);

@@ -29,11 +29,9 @@ struct TuneOptions {
   std::uint64_t seed = 1;
 };
 
-TuningRequest request_of(const Scene& scene, const TuneOptions& options, const BodyPair& bodies,
+TuningRequest request_of(const Scene& scene, const TuneOptions& options, const Pair& pair,
                          const DeviceProfile& device) {
-  TuningRequest request;
-  request.probe = bodies.probe;
-  request.fixed = bodies.fixed;
+  TuningRequest request{.pair = pair};
   request.X_FM = relative_pose(scene);
   request.coupling = scene.coupling;
   if (const auto mode = coupling_mode(options.coupling_mode)) request.coupling.mode = *mode;
@@ -48,7 +46,7 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const B
   request.high = options.high;
   request.inputs =
       tuning_inputs(SONDE_VERSION, {scene.probe.mesh, scene.fixed.mesh, options.trajectory},
-                    *bodies.probe, *bodies.fixed);
+                    pair.probe(), pair.fixed());
   return request;
 }
 
@@ -66,8 +64,8 @@ void run(const TuneOptions& options) {
   const Scene scene = scene_of(options.bodies);
   const DeviceProfile device = device_named(options.device);
   ProgressLine progress(options.study.quiet);
-  const BodyPair bodies = load_bodies(scene, options.study.quiet, progress);
-  const Study study = plan_tuning(request_of(scene, options, bodies, device), stop_on_interrupt(),
+  const Pair pair = load_bodies(scene, options.study.quiet, progress);
+  const Study study = plan_tuning(request_of(scene, options, pair, device), stop_on_interrupt(),
                                   progress.percent("tune, looking for contacts"));
   progress.clear();
   if (!options.study.quiet) note_skipped(study);

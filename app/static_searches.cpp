@@ -25,11 +25,10 @@ unsigned thread_count(unsigned asked) {
 
 }  // namespace
 
-std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const Pose> poses,
+std::vector<TimedSeparation> search_all(const Pair& pair, std::span<const Pose> poses,
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
   std::atomic<std::size_t> done{0};
-  const Sketches sketches = make_sketches(*bodies.probe, *bodies.fixed);
   // A search uses two threads itself.
   const unsigned threads = thread_count(options.threads);
   const std::size_t at_once =
@@ -38,10 +37,8 @@ std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const 
     StaticOptions own = options.static_options();
     own.two_threads = threads > 1;
     own.seed = seed_of(options.seed, i);
-    own.sketches = sketches;
     TimedSeparation& result = results[i];
-    result.time_us = timed_us(
-        [&] { result.separation = separate_static(*bodies.probe, *bodies.fixed, poses[i], own); });
+    result.time_us = timed_us([&] { result.separation = separate_static(pair, poses[i], own); });
     progress.show("searching", ++done, poses.size());
   });
   progress.clear();

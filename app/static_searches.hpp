@@ -19,7 +19,7 @@ struct TimedSeparation {
 
 /// A static search for each pose, on the threads asked for. Every pose has a seed of its own, made
 /// of the seed and its index: the results do not depend on the number of threads.
-std::vector<TimedSeparation> search_all(const BodyPair& bodies, std::span<const Pose> poses,
+std::vector<TimedSeparation> search_all(const Pair& pair, std::span<const Pose> poses,
                                         const SolverOptions& options, ProgressLine& progress);
 
 /// Says on stderr why pose `index` failed, if it did. Failures are said even where quiet is asked.

@@ -88,7 +88,7 @@ std::string fingerprint_of(const std::filesystem::path& file) {
   return fingerprint(read_text(file, std::numeric_limits<std::size_t>::max()));
 }
 
-nlohmann::ordered_json study_inputs(const Scene& scene, const BodyPair& bodies) {
+nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
   const auto body = [&](const SceneBody& described, const Body& loaded) {
     return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
                                   {"fingerprint", fingerprint_of(described.mesh)},
@@ -96,8 +96,8 @@ nlohmann::ordered_json study_inputs(const Scene& scene, const BodyPair& bodies) 
                                   {"solid", loaded.solid}};
   };
   nlohmann::ordered_json json{{"version", SONDE_VERSION},
-                              {"probe", body(scene.probe, *bodies.probe)},
-                              {"fixed", body(scene.fixed, *bodies.fixed)}};
+                              {"probe", body(scene.probe, pair.probe())},
+                              {"fixed", body(scene.fixed, pair.fixed())}};
   if (scene.trajectory) json["trajectory"] = fingerprint_of(*scene.trajectory);
   return json;
 }

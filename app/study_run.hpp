@@ -46,7 +46,7 @@ void print_summary(const StudyOptions& options, bool json);
 
 /// What the results of a study depend on beside its settings: the program, the meshes and the
 /// trajectory. Names, not paths: a shard may run elsewhere.
-nlohmann::ordered_json study_inputs(const Scene& scene, const BodyPair& bodies);
+nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair);
 /// Tells files of one name apart. Throws InputError where the file cannot be read.
 std::string fingerprint_of(const std::filesystem::path& file);
 

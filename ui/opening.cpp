@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/geometry/read_mesh.hpp"
 #include "engine/scene/settings.hpp"
@@ -75,21 +76,24 @@ std::optional<CameraPlace> camera_of(const Scene& scene) {
 
 Opened open_scene(const std::filesystem::path& file, const Progress& progress) {
   const Scene scene = read_scene(file);
-  Opened opened;
-  opened.name = scene.name;
-  opened.probe_file = scene.probe.mesh;
-  opened.fixed_file = scene.fixed.mesh;
-  opened.start = relative_pose(scene);
-  opened.coupling = scene.coupling;
-  opened.servo = scene.servo;
-  opened.camera = camera_of(scene);
-  opened.device_settings = scene.device.settings;
+  std::vector<TimedPose> trajectory;
+  std::optional<DeviceProfile> device;
   if (!scene.device.profile.empty())
-    opened.device = find_device_profile(scene.device.profile, device_profile_folders());
-  if (scene.trajectory) opened.trajectory = read_trajectory(*scene.trajectory);
-  opened.probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
-  opened.fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
-  return opened;
+    device = find_device_profile(scene.device.profile, device_profile_folders());
+  if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
+  auto probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
+  auto fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
+  return {.pair = {std::move(probe), std::move(fixed)},
+          .name = scene.name,
+          .probe_file = scene.probe.mesh,
+          .fixed_file = scene.fixed.mesh,
+          .start = relative_pose(scene),
+          .coupling = scene.coupling,
+          .servo = scene.servo,
+          .trajectory = std::move(trajectory),
+          .device = std::move(device),
+          .device_settings = scene.device.settings,
+          .camera = camera_of(scene)};
 }
 
 MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,
@@ -117,15 +121,17 @@ Opened build_pair(MeshPair pair, double unit, const Progress& progress) {
                         const Progress& report) {
     return make_body(soup, Model::automatic, file.stem().string(), report);
   };
-  Opened opened;
-  opened.probe_file = pair.probe_file;
-  opened.fixed_file = pair.fixed_file;
-  opened.probe = build(pair.probe, pair.probe_file, part(progress, 0, 0.5));
-  opened.fixed = build(pair.fixed, pair.fixed_file, part(progress, 0.5, 1));
-  opened.name = opened.probe->name + " against " + opened.fixed->name;
-  opened.coupling = suited_coupling(opened.probe->mass);
-  opened.start = beside(*opened.probe, *opened.fixed, start_direction());
-  return opened;
+  auto probe = build(pair.probe, pair.probe_file, part(progress, 0, 0.5));
+  auto fixed = build(pair.fixed, pair.fixed_file, part(progress, 0.5, 1));
+  const Coupling coupling = suited_coupling(probe->mass);
+  const Pose start = beside(*probe, *fixed, start_direction());
+  const std::string name = probe->name + " against " + fixed->name;
+  return {.pair = {std::move(probe), std::move(fixed)},
+          .name = name,
+          .probe_file = pair.probe_file,
+          .fixed_file = pair.fixed_file,
+          .start = start,
+          .coupling = coupling};
 }
 
 Coupling suited_coupling(const MassProperties& probe) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/penetration/pair.hpp"
 #include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
@@ -23,17 +23,17 @@ struct CameraPlace {
 /// What a session starts from: two bodies in place, and the settings that go with them. Made in a
 /// worker thread, so nothing here touches a widget.
 struct Opened {
-  std::string name;
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
-  std::filesystem::path probe_file, fixed_file;  ///< the meshes they are made of
-  Pose start;  ///< X_FM, the probe's mesh frame in the fixed body's
-  Coupling coupling;
-  ServoSettings servo;
-  std::vector<TimedPose> trajectory;              ///< empty where the scene has none
-  std::optional<DeviceProfile> device;            ///< what the scene wants simulated
-  std::optional<DeviceSettings> device_settings;  ///< the scene's, before those kept for a device
-  std::optional<CameraPlace> camera;              ///< the scene's `view`; none: the window chooses
+  Pair pair;
+  std::string name = {};
+  std::filesystem::path probe_file = {}, fixed_file = {};  ///< the meshes they are made of
+  Pose start = {};  ///< X_FM, the probe's mesh frame in the fixed body's
+  Coupling coupling = {};
+  ServoSettings servo = {};
+  std::vector<TimedPose> trajectory = {};    ///< empty where the scene has none
+  std::optional<DeviceProfile> device = {};  ///< what the scene wants simulated
+  std::optional<DeviceSettings> device_settings =
+      {};                                  ///< the scene's, before those kept for a device
+  std::optional<CameraPlace> camera = {};  ///< the scene's `view`; none: the window chooses
 };
 
 /// Reads a scene, its meshes, its trajectory and the profile of its device. Throws InputError or

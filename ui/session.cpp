@@ -53,10 +53,10 @@ Session::Session(Opened opened)
     : opened_(std::move(opened)),
       target_(opened_.start),
       coupling_(opened_.coupling),
-      companion_(opened_.probe, opened_.fixed),
+      companion_(opened_.pair),
       holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
       hands_(hand_of(holding_)),
-      servo_(opened_.probe, opened_.fixed, Method::pdg, coupling_, opened_.servo) {
+      servo_(opened_.pair, Method::pdg, coupling_, opened_.servo) {
   servo_.start(target_, hands_.hand());
 }
 

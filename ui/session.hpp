@@ -24,8 +24,8 @@ class Session {
   ~Session();
 
   const Opened& opened() const { return opened_; }
-  const Body& probe() const { return *opened_.probe; }
-  const Body& fixed() const { return *opened_.fixed; }
+  const Body& probe() const { return opened_.pair.probe(); }
+  const Body& fixed() const { return opened_.pair.fixed(); }
 
   /// The newest snapshot, valid until the next call; null before the first tick.
   const Snapshot* latest() { return servo_.latest(); }

@@ -11,8 +11,8 @@ namespace sonde::ui {
 
 Stage make_stage(Opened opened) {
   Stage stage;
-  stage.probe_surface = make_surface(opened.probe->soup);
-  stage.fixed_surface = make_surface(opened.fixed->soup);
+  stage.probe_surface = make_surface(opened.pair.probe().soup);
+  stage.fixed_surface = make_surface(opened.pair.fixed().soup);
   stage.session = std::make_unique<Session>(std::move(opened));
   return stage;
 }

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 constexpr double looking = 0.1;  // of the time, for contacts
 
 std::string inputs_of(const Opened& opened) {
-  return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}}, *opened.probe,
-                       *opened.fixed);
+  return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}},
+                       opened.pair.probe(), opened.pair.fixed());
 }
 
 QJsonObject json_of(const std::string& text) {
@@ -48,9 +48,7 @@ QString doubt_of(const TuningResults& results, const Opened& opened) {
 }
 
 TuningRequest request_of(const TuningOrder& order, const Opened& opened) {
-  TuningRequest request;
-  request.probe = opened.probe;
-  request.fixed = opened.fixed;
+  TuningRequest request{.pair = opened.pair};
   request.X_FM = opened.start;
   request.coupling = opened.coupling;
   request.coupling.mode = order.mode;

@@ -9,13 +9,12 @@
 
 #include "engine/error.hpp"
 #include "engine/geometry/mass.hpp"
+#include "engine/geometry/model.hpp"
 #include "engine/geometry/soup.hpp"
 #include "engine/geometry/topology.hpp"
 #include "engine/geometry/tree.hpp"
 
 namespace sonde {
-
-enum class Model { automatic, solid, surface };
 
 /// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
 /// in the mesh frame. No two vertices are at one place, and each is a corner of a triangle.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/soup.hpp"
 #include "engine/geometry/work.hpp"
 
 namespace sonde {

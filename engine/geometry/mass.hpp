@@ -2,9 +2,11 @@
 #pragma once
 
 #include "engine/error.hpp"
-#include "engine/geometry/soup.hpp"
+#include "engine/geometry/pose.hpp"
 
 namespace sonde {
+
+struct Soup;
 
 /// Mass properties at density 1 (by volume for a solid, by area for a surface).
 struct MassProperties {

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/static_search.hpp"
 
@@ -24,15 +25,15 @@ StaticOptions modest_search() {
   return options;
 }
 
-CompanionResult compute(const Body& probe, const Body& fixed, const Pose& X_FM) {
+CompanionResult compute(const Pair& pair, const Pose& X_FM) {
   const auto begin = std::chrono::steady_clock::now();
   CompanionResult out;
   out.device = X_FM;
-  const Separation separation = separate_static(probe, fixed, X_FM, modest_search());
+  const Separation separation = separate_static(pair, X_FM, modest_search());
   out.pdt_valid = separation.status != Status::failed;
   if (out.pdt_valid) {
     out.pdt = separation.depth;
-    out.lower_bound = depth_lower_bound(probe, fixed, X_FM);
+    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM);
   }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
   out.time_us = time.count();
@@ -66,7 +67,9 @@ const char* words(WayOut way) {
 }
 
 struct Companion::State {
-  std::shared_ptr<const Body> probe, fixed;
+  explicit State(const Pair& bodies) : pair(bodies) {}
+
+  Pair pair;
   std::mutex mutex;  ///< guards the three below
   std::optional<Pose> wanted;
   std::optional<CompanionResult> result;
@@ -86,7 +89,7 @@ void Companion::State::run() {
     lock.unlock();
     CompanionResult found;
     try {
-      found = compute(*probe, *fixed, X_FM);
+      found = compute(pair, X_FM);
     } catch (const std::exception&) {  // no memory left: there is no answer for this pose
       found = CompanionResult{};
       found.device = X_FM;
@@ -96,11 +99,8 @@ void Companion::State::run() {
   }
 }
 
-Companion::Companion(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed)
-    : state_(std::make_unique<State>()) {
+Companion::Companion(const Pair& pair) : state_(std::make_unique<State>(pair)) {
   State& s = *state_;
-  s.probe = std::move(probe);
-  s.fixed = std::move(fixed);
   s.thread = std::thread([&s] { s.run(); });
 }
 

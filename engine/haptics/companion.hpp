@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/geometry/body.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
 
 namespace sonde {
@@ -33,7 +33,7 @@ const char* words(WayOut way);
 /// A thread that computes PD_t and the lower bound for the newest pose asked about.
 class Companion {
  public:
-  Companion(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed);
+  explicit Companion(const Pair& pair);
   ~Companion();
   Companion(const Companion&) = delete;
   Companion& operator=(const Companion&) = delete;

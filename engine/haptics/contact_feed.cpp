@@ -2,8 +2,8 @@
 #include "engine/haptics/contact_feed.hpp"
 
 #include <algorithm>
-#include <utility>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/deadline.hpp"
 #include "engine/penetration/descent.hpp"
 
@@ -20,12 +20,12 @@ constexpr double support_reach = 0.02;
 
 }  // namespace
 
-ContactFeed::ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                         Method method)
-    : probe_(probe),
+ContactFeed::ContactFeed(const Pair& pair, Method method)
+    : pair_(pair),
       method_(method),
-      solver_(probe, fixed, method),
-      near_(*probe, *fixed, method, {.most_pairs = most_pairs, .most_listed = PairList::enough}),
+      solver_(pair, method),
+      near_(pair.probe(), pair.fixed(), method,
+            {.most_pairs = most_pairs, .most_listed = PairList::enough}),
       marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
@@ -67,9 +67,9 @@ void ContactFeed::gather() noexcept {
   const Separation& s = contacts_.separation;
   contacts_.size = 0;
   if (s.status == Status::failed) return;
-  Chart chart(probe_->mass, s.device);
+  Chart chart(pair_.probe().mass, s.device);
   chart.absorb_free_spin(s.separated);
-  const double radius = probe_->mass.radius;
+  const double radius = pair_.probe().mass.radius;
   const double margin = 0.5 * allowed_clearance(radius, s.depth);
   const Pose X_MF = inverse(s.separated);
   const auto add = [&](const Contact& c) {
@@ -98,12 +98,12 @@ void ContactFeed::gather() noexcept {
 }
 
 void ContactFeed::mark_holding(const Pose& device) noexcept {
-  Chart chart(probe_->mass, device);
+  Chart chart(pair_.probe().mass, device);
   chart.absorb_free_spin(contacts_.separation.separated);
   const Vec6 y = chart.coordinates(contacts_.separation.separated);
   if (!near_.again(chart, y)) return;
   const LeastDistance held =
-      near_.solve(0.5 * allowed_clearance(probe_->mass.radius, contacts_.separation.depth),
+      near_.solve(0.5 * allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
                   ContactRows::Narrow::keep);
   for (int i = 0; i < held.active_count; ++i)
     if (const int row = held.active[static_cast<std::size_t>(i)]; row < near_.size())
@@ -111,7 +111,7 @@ void ContactFeed::mark_holding(const Pose& device) noexcept {
 }
 
 void ContactFeed::mark_support(double far) noexcept {
-  const MassProperties& mass = probe_->mass;
+  const MassProperties& mass = pair_.probe().mass;
   const Pose& device = contacts_.separation.device;
   /// The device pose turned about its centre of mass and shifted.
   const auto moved = [&](const Vec3& shift, const Vec3& turn) {

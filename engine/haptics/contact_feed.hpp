@@ -17,7 +17,7 @@ namespace sonde {
 /// is kept, and what is nearest may be one corner of it.
 class ContactFeed {
  public:
-  ContactFeed(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method);
+  ContactFeed(const Pair& pair, Method method);
 
   /// First pose: free, or a static search (by this feed's method), whose answer is remembered for
   /// the next time that the loop begins there. Allocates.
@@ -36,7 +36,7 @@ class ContactFeed {
   void mark_support(double far) noexcept;
   void mark_holding(const Pose& device) noexcept;
 
-  std::shared_ptr<const Body> probe_;
+  Pair pair_;
   Method method_;
   CoherentSolver solver_;
   ContactRows near_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/geometry_thread.hpp"
 
-#include <utility>
-
 #include "engine/haptics/real_time.hpp"
 
 namespace sonde {
@@ -18,9 +16,9 @@ StaticOptions quick_search() {
 
 }  // namespace
 
-GeometryThread::GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                               Method method, const Budget& budget, bool real_time)
-    : feed_(std::move(probe), std::move(fixed), method), budget_(budget), real_time_(real_time) {}
+GeometryThread::GeometryThread(const Pair& pair, Method method, const Budget& budget,
+                               bool real_time)
+    : feed_(pair, method), budget_(budget), real_time_(real_time) {}
 
 GeometryThread::~GeometryThread() { stop(); }
 

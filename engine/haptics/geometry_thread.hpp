@@ -14,8 +14,7 @@ namespace sonde {
 /// Poses asked about while it is busy are passed over, but for the newest.
 class GeometryThread {
  public:
-  GeometryThread(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                 Method method, const Budget& budget, bool real_time = false);
+  GeometryThread(const Pair& pair, Method method, const Budget& budget, bool real_time = false);
   ~GeometryThread();  ///< stops it
   GeometryThread(const GeometryThread&) = delete;
   GeometryThread& operator=(const GeometryThread&) = delete;

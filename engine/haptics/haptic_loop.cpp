@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/haptic_loop.hpp"
 
-#include <utility>
-
+#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupler.hpp"
 #include "engine/penetration/coherent.hpp"
 
@@ -15,14 +14,12 @@ struct HapticLoop::State {
   Separation separation;
   Wrench wrench;
 
-  State(const std::shared_ptr<const Body>& probe, std::shared_ptr<const Body> fixed, Method m,
-        const Coupling& coupling)
-      : solver(probe, std::move(fixed), m), method(m), coupler(probe->mass, coupling) {}
+  State(const Pair& pair, Method m, const Coupling& coupling)
+      : solver(pair, m), method(m), coupler(pair.probe().mass, coupling) {}
 };
 
-HapticLoop::HapticLoop(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                       Method method, const Coupling& coupling)
-    : state_(std::make_unique<State>(probe, std::move(fixed), method, coupling)) {}
+HapticLoop::HapticLoop(const Pair& pair, Method method, const Coupling& coupling)
+    : state_(std::make_unique<State>(pair, method, coupling)) {}
 
 HapticLoop::~HapticLoop() = default;
 HapticLoop::HapticLoop(HapticLoop&&) noexcept = default;

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/penetration/static_search.hpp"
 
@@ -13,8 +12,7 @@ namespace sonde {
 /// `replay` runs, and what the decoupled loop of the servo (hand_loop.hpp) is measured against.
 class HapticLoop {
  public:
-  HapticLoop(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
-             const Coupling& coupling);
+  HapticLoop(const Pair& pair, Method method, const Coupling& coupling);
   ~HapticLoop();
   HapticLoop(HapticLoop&&) noexcept;
   HapticLoop& operator=(HapticLoop&&) noexcept;

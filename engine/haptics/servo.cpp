@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/geometry/body.hpp"
 #include "engine/haptics/gain_glide.hpp"
 #include "engine/haptics/geometry_thread.hpp"
 #include "engine/haptics/ring.hpp"
@@ -69,10 +70,9 @@ struct Servo::State {
   std::atomic<bool> passivity_control;
   std::thread thread;
 
-  State(const std::shared_ptr<const Body>& probe, std::shared_ptr<const Body> fixed, Method method,
-        const ServoSettings& s, const Coupling& c)
-      : loop(probe->mass, method, c, hand_settings(s)),
-        geometry(probe, std::move(fixed), method, s.budget, s.real_time),
+  State(const Pair& pair, Method method, const ServoSettings& s, const Coupling& c)
+      : loop(pair.probe().mass, method, c, hand_settings(s)),
+        geometry(pair, method, s.budget, s.real_time),
         settings(s),
         coupling(c),
         glide(c),
@@ -219,9 +219,9 @@ class Servo::State::Run {
   std::uint64_t last_age_ = 0;
 };
 
-Servo::Servo(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
-             const Coupling& coupling, const ServoSettings& settings)
-    : state_(std::make_unique<State>(probe, std::move(fixed), method, settings, coupling)) {}
+Servo::Servo(const Pair& pair, Method method, const Coupling& coupling,
+             const ServoSettings& settings)
+    : state_(std::make_unique<State>(pair, method, settings, coupling)) {}
 
 Servo::~Servo() { stop(); }
 

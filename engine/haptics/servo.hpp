@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/hand_loop.hpp"
 #include "engine/haptics/real_time.hpp"
 #include "engine/haptics/time_histogram.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
 
 namespace sonde {
@@ -53,8 +53,7 @@ struct ServoSettings {
 /// it can and makes the rows. Everything here is called from one other thread (the window's).
 class Servo {
  public:
-  Servo(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed, Method method,
-        const Coupling& coupling, const ServoSettings& settings);
+  Servo(const Pair& pair, Method method, const Coupling& coupling, const ServoSettings& settings);
   ~Servo();  ///< stops the threads
   Servo(const Servo&) = delete;
   Servo& operator=(const Servo&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/coherent.hpp"
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/contact_clusters.hpp"
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"
@@ -17,7 +18,9 @@ constexpr double farthest = 1e9;
 }  // namespace
 
 struct CoherentSolver::State {
-  std::shared_ptr<const Body> probe, fixed;
+  Pair pair;
+  const Body& probe = pair.probe();
+  const Body& fixed = pair.fixed();
   Method method;
   Descent descent;
   ClusterIds ids;
@@ -26,16 +29,15 @@ struct CoherentSolver::State {
   Pose separated;  ///< the last one, free
   bool started = false;
 
-  State(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, Method m)
-      : probe(std::move(a)), fixed(std::move(b)), method(m), descent(*probe, *fixed, m) {
+  State(const Pair& bodies, Method m) : pair(bodies), method(m), descent(probe, fixed, m) {
     last.reason = "not started";
   }
 
   /// A probe that can spin at no cost came back to O as it was spun, which is not how the device
   /// holds it: where O itself is not free, the pose reached is the answer, at depth 0.
   void keep_spin(const Chart& chart) noexcept {
-    if (probe->mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
-    if (!triangles_meet(*probe, *fixed, Transform(last.device), Doubt::contact)) return;
+    if (probe.mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
+    if (!triangles_meet(probe, fixed, Transform(last.device), Doubt::contact)) return;
     last.status = Status::penetrating;
     last.separated = chart.pose(Vec6::Zero());
   }
@@ -43,14 +45,14 @@ struct CoherentSolver::State {
   /// How far the device has come, m, by which the depth may well have fallen: √σ; and where only
   /// translations count, the way of any point of the probe.
   double device_motion(const Pose& to) const noexcept {
-    const Chart from(probe->mass, device);
+    const Chart from(probe.mass, device);
     const Vec6 y = from.coordinates(to);
     if (method == Method::pdg) return y.norm();
-    return y.tail<3>().norm() + 2 * from.v(y).norm() * probe->mass.radius;
+    return y.tail<3>().norm() + 2 * from.v(y).norm() * probe.mass.radius;
   }
 
   bool within_reach(const Pose& X) const {
-    return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(*probe) + extent(*fixed));
+    return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
   }
 
   /// Translation only: the separated probe has to turn with the device first, in one motion that is
@@ -60,7 +62,7 @@ struct CoherentSolver::State {
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
-    const double reach = 2 * chart.v(y).norm() * probe->mass.radius;
+    const double reach = 2 * chart.v(y).norm() * probe.mass.radius;
     Vec6 furthest = y;
     const auto turns_to = [&](const Vec6& turned) {
       const Sweep swept = descent.sweep_to(chart, y, turned, effort);
@@ -81,9 +83,8 @@ struct CoherentSolver::State {
   }
 };
 
-CoherentSolver::CoherentSolver(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                               Method method)
-    : state_(std::make_unique<State>(std::move(probe), std::move(fixed), method)) {}
+CoherentSolver::CoherentSolver(const Pair& pair, Method method)
+    : state_(std::make_unique<State>(pair, method)) {}
 CoherentSolver::~CoherentSolver() = default;
 CoherentSolver::CoherentSolver(CoherentSolver&&) noexcept = default;
 CoherentSolver& CoherentSolver::operator=(CoherentSolver&&) noexcept = default;
@@ -95,14 +96,14 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   StaticOptions search = options;
   search.method = s.method;
   search.want_lower_bound = false;
-  s.last = separate_static(*s.probe, *s.fixed, X_FM, search);
+  s.last = separate_static(s.pair, X_FM, search);
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
   s.ids.forget();
-  s.ids.follow(s.last.separated, s.probe->mass.radius, s.last.clusters);
+  s.ids.follow(s.last.separated, s.probe.mass.radius, s.last.clusters);
   return s.last;
 }
 
@@ -120,7 +121,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
   Effort effort(budget.work, until);
   const Pose device{X_FM.q.normalized(), X_FM.p};
-  Chart chart(s.probe->mass, device);
+  Chart chart(s.probe.mass, device);
   chart.absorb_free_spin(s.separated);
   const Vec6 from = chart.coordinates(s.separated);
   Vec6 y = from;
@@ -129,7 +130,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   if (budget.steps > 0) goal.steps = budget.steps;
   const double moved = s.device_motion(device);
   const Descent::Outcome found =
-      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe->mass.radius), effort);
+      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
   // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by
@@ -139,11 +140,11 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // The depth that the last tick found was the best near by; it can only have fallen further than
   // the device moved by leaving that place for another.
   s.last.jumped = s.last.depth <
-                  before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe->mass.radius, before);
+                  before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe.mass.radius, before);
   s.last.converged = s.last.converged && followed;
   s.device = device;
   s.separated = s.last.separated;
-  s.ids.follow(s.separated, s.probe->mass.radius, s.last.clusters);
+  s.ids.follow(s.separated, s.probe.mass.radius, s.last.clusters);
   return s.last;
 }
 

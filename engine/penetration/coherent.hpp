@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "engine/geometry/body.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/penetration/static_search.hpp"
 
@@ -14,8 +14,7 @@ namespace sonde {
 /// the end of the budget, and says so).
 class CoherentSolver {
  public:
-  CoherentSolver(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
-                 Method method = Method::pdg);
+  explicit CoherentSolver(const Pair& pair, Method method = Method::pdg);
   ~CoherentSolver();
   CoherentSolver(CoherentSolver&&) noexcept;
   CoherentSolver& operator=(CoherentSolver&&) noexcept;

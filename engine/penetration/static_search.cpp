@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/crew.hpp"
 #include "engine/penetration/leap_descent.hpp"
 #include "engine/penetration/lower_bound.hpp"
@@ -17,6 +18,7 @@
 #include "engine/penetration/sketch_search.hpp"
 #include "engine/penetration/without_search.hpp"
 #include "engine/proximity/intersect.hpp"
+#include "engine/proximity/sketch.hpp"
 
 namespace sonde {
 namespace {
@@ -39,21 +41,22 @@ bool is_short(const Budget& budget) {
 
 class Search {
  public:
-  Search(const Body& probe, const Body& fixed, const Pose& device, const StaticOptions& options,
+  Search(const Pair& pair, const Pose& device, const StaticOptions& options,
          const Deadline& deadline)
-      : probe_(probe),
-        fixed_(fixed),
-        chart_(probe.mass, device),
+      : probe_(pair.probe()),
+        fixed_(pair.fixed()),
+        chart_(probe_.mass, device),
         options_(options),
         deadline_(deadline.part(share_for_polish)),
         searching_(deadline.part(share_for_the_search)),
         sketching_(deadline.part(share_for_sketches)),
-        lanes_{lane(probe, fixed), lane(probe, fixed)},
-        polish_(probe, fixed, options.method),
+        lanes_{lane(probe_, fixed_), lane(probe_, fixed_)},
+        polish_(probe_, fixed_, options.method),
         crew_(options.two_threads && !is_short(options.budget)) {
-    if (!options.sketches) return;
+    const Sketches& sketches = pair.sketches();
+    if (!sketches) return;
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane)
-      sketched_.emplace_back(*options.sketches.probe, *options.sketches.fixed, fixed.mass);
+      sketched_.emplace_back(*sketches.probe, *sketches.fixed, fixed_.mass);
   }
 
   Separation run() {
@@ -141,26 +144,30 @@ class Search {
   }
 
   /// From the nearest free poses of ever larger balls: where there is a way out close by, they are
-  /// in it, also in a tangle that nothing from outside finds its way into.
-  void near_starts(Method method, std::uint64_t streams) {
+  /// in it, also in a tangle that nothing from outside finds its way into. So many of
+  /// them, no further than `widest`.
+  void near_starts(Method method, std::uint64_t streams, double widest,
+                   std::size_t most = per_round) {
     const int tries = deadline_.microseconds > 0 ? 5 : 12;  // in each ball: pockets are small
     for (Lane& lane : lanes_) lane.near = smallest_ball(probe_);
-    round([&](std::size_t k, Lane& lane) {
+    const auto start = [&](std::size_t k, Lane& lane) {
       Random random = stream(streams + k);
       LeapDescent& leaps = descent_of(lane, method);
-      for (double radius = lane.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
+      for (double radius = lane.near; radius < widest; radius *= 1.6)
         if (const auto y = free_sample(leaps, random, Vec6::Zero(), radius, tries, method)) {
           lane.near = std::max(smallest_ball(probe_), 0.3 * y->norm());
           return descend(leaps, *y, y->norm());
         }
       return Place{};
-    });
+    };
+    round(start, most);
   }
 
   /// Where the sketches of the bodies are apart nearest by, and where there is a way out that they
   /// do not show; else from the nearest free poses.
   void first_starts(Method method, std::uint64_t streams) {
-    if (sketched_.empty()) return near_starts(method, streams);
+    const double widest = 4 * probe_.mass.radius;
+    if (sketched_.empty()) return near_starts(method, streams, widest);
     const std::vector<SketchEnd> ends = search_sketches(
         chart_,
         {.method = method,
@@ -170,8 +177,11 @@ class Search {
          .axes = fixed_.mass.R_MP},
         sketched_, crew_);
     from_sketches(method, ends);
-    if (method == options_.method && places_.empty()) return near_starts(method, streams);
-    if (!out_of_budget() && method == options_.method) pockets(streams);
+    if (method == options_.method && places_.empty()) return near_starts(method, streams, widest);
+    if (out_of_budget()) return;
+    // Translations are three unknowns: free ones are found by few tests, however narrow the way.
+    if (method == Method::pdt) near_starts(method, streams, std::min(widest, translated_.depth), 2);
+    if (method == options_.method) pockets(streams);
   }
 
   /// On from the ends found there, as long as they may be better than what has been found.
@@ -361,14 +371,13 @@ class Search {
 
 }  // namespace
 
-Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
-                           const StaticOptions& options) {
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
   const Deadline deadline{options.budget.microseconds, now_us()};
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
-  if (const auto settled = without_search(probe, fixed, device)) return *settled;
-  Separation out = Search(probe, fixed, device, options, deadline).run();
+  if (const auto settled = without_search(pair.probe(), pair.fixed(), device)) return *settled;
+  Separation out = Search(pair, device, options, deadline).run();
   if (options.want_lower_bound && out.status == Status::penetrating)
-    out.lower_bound = depth_lower_bound(probe, fixed, device, deadline);
+    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline);
   return out;
 }
 

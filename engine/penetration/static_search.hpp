@@ -3,29 +3,26 @@
 
 #include <cstdint>
 
-#include "engine/geometry/body.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/sketch.hpp"
 
 namespace sonde {
 
+/// What a static search is asked for.
 struct StaticOptions {
   Method method = Method::pdg;
-  Budget budget;
-  std::uint64_t seed = 1;
+  Budget budget;           ///< its steps and microseconds; none: until it has converged
+  std::uint64_t seed = 1;  ///< of the random starts; any number
   int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
   int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
-  bool want_lower_bound = true;
+  bool want_lower_bound = true;  ///< also; there is none where both bodies are surfaces
   bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
-  /// Of the same two bodies (make_sketches): the search is quicker, and better where time is short.
-  Sketches sketches = {};
 };
 
 /// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,
-/// searched globally from many starts, each descended on the contact space. The separated pose is
-/// verified free with exact predicates. Never throws on geometry: a failure says so in the result.
-/// Allocates.
-Separation separate_static(const Body& probe, const Body& fixed, const Pose& X_FM,
-                           const StaticOptions& options = {});
+/// searched globally on the pair's sketches and from many starts, each descended on the contact
+/// space. The separated pose is verified free with exact predicates. Never throws on geometry: a
+/// failure says so in the result. Allocates.
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
 
 }  // namespace sonde

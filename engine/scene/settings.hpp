@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/devices/device_settings.hpp"
+#include "engine/geometry/model.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/servo.hpp"
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/study/half_space.hpp"
 
 namespace sonde {
@@ -29,7 +30,7 @@ bool is_ball(const Body& body) {
 }
 
 Wrench wrench_of(const RenderSetup& setup, const Pose& device, const Pose& separated) {
-  const MassProperties& mass = setup.probe->mass;
+  const MassProperties& mass = setup.pair.probe().mass;
   if (setup.coupling.mode == Coupling::Mode::object)
     return object_norm_wrench(mass, device, separated, setup.coupling.k);
   return classic_wrench(separation_motion(mass, device, separated), Vec3::Zero(), Vec3::Zero(),
@@ -59,18 +60,20 @@ double largest(const std::vector<double>& values) {
 
 AnalyticWrenches analytic_wrenches(const RenderSetup& setup, std::span<const TimedPose> path,
                                    std::uint64_t seed, std::size_t most_ticks, const Stop& stop) {
-  const std::vector<Plane> faces = box_faces(*setup.fixed);
+  const std::vector<Plane> faces = box_faces(setup.pair.fixed());
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < path.size(); ++i)
-    if (half_space_below(*setup.probe, path[i].pose, faces)) known.push_back(i);
-  if (known.empty()) return {is_ball(*setup.probe) ? AnalyticKind::ball : AnalyticKind::none, {}};
+    if (half_space_below(setup.pair.probe(), path[i].pose, faces)) known.push_back(i);
+  if (known.empty())
+    return {is_ball(setup.pair.probe()) ? AnalyticKind::ball : AnalyticKind::none, {}};
 
   AnalyticWrenches out{AnalyticKind::half_space, {}};
   for (const std::size_t i : thinned(known, most_ticks)) {
     if (stop && stop()) throw Cancelled();
     const Pose& device = path[i].pose;
-    const Plane plane = *half_space_below(*setup.probe, device, faces);
-    const HalfSpaceSeparation s = half_space_separation(*setup.probe, device, plane, seed, starts);
+    const Plane plane = *half_space_below(setup.pair.probe(), device, faces);
+    const HalfSpaceSeparation s =
+        half_space_separation(setup.pair.probe(), device, plane, seed, starts);
     const Wrench wrench = wrench_of(setup, device, s.separated);
     out.ticks.push_back({i, wrench.force, wrench.torque});
   }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/closed_loop.hpp"
 
+#include "engine/geometry/body.hpp"
+
 namespace sonde {
 
 ClosedLoop::ClosedLoop(const ClosedLoopSetup& setup)
     : setup_(setup),
-      X_DM_{Quat::Identity(), -setup.probe->mass.com},
-      loop_(setup.probe, setup.fixed, setup.method, setup.coupling),
+      X_DM_{Quat::Identity(), -setup.pair.probe().mass.com},
+      loop_(setup.pair, setup.method, setup.coupling),
       device_(setup.device, setup.sample_time) {}
 
 void ClosedLoop::reset(const Pose& X_FM, const StaticOptions& options) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "engine/haptics/haptic_loop.hpp"
 #include "engine/haptics/simulated_device.hpp"
 
@@ -10,13 +8,12 @@ namespace sonde {
 
 /// All that a closed loop is made of.
 struct ClosedLoopSetup {
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
+  Pair pair;
   Method method = Method::pdg;
-  Coupling coupling;
-  SimulatedDeviceParameters device;
+  Coupling coupling = {};
+  SimulatedDeviceParameters device = {};
   double sample_time = 1e-3;  ///< T, s
-  Budget budget;              ///< of each tick; counted work, or the bits are not the same
+  Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
 };
 
 /// A simulated device with a hand on it, and the haptic loop on two real bodies: what `sonde tune`

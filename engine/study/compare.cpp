@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 
 namespace sonde {
 namespace {
@@ -32,7 +33,7 @@ Json about(const CompareSetup& setup) {
           {"budget_steps", setup.render.budget.steps},
           {"seed", setup.render.search.seed},
           {"stiffness", stiffness_of(c)},
-          {"radius", setup.render.probe->mass.radius},
+          {"radius", setup.render.pair.probe().mass.radius},
           {"ticks", setup.path.size()}};
 }
 

@@ -17,8 +17,8 @@ namespace sonde {
 /// PD_g, by the same loop and the same coupling.
 struct CompareSetup {
   RenderSetup render;
-  std::vector<TimedPose> path;
-  std::string scene;  ///< its name, for titles
+  std::vector<TimedPose> path = {};
+  std::string scene = {};  ///< its name, for titles
   /// With a device the largest stable stiffness of both is computed too.
   std::optional<SimulatedDeviceParameters> device = {};
   double sample_time = 1e-3;  ///< of the device's loop, s

@@ -6,13 +6,12 @@
 #include <numbers>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/coherent.hpp"
 #include "engine/penetration/random.hpp"
 
 namespace sonde {
 namespace {
-
-using BodyPointer = std::shared_ptr<const Body>;
 
 /// Steps of a walk, and of the differences that stiffness is measured by, of the probe's radius and
 /// of the depth.
@@ -55,12 +54,11 @@ Quat near_rotation(Random& random, const Quat& q) {
 /// Situations as they come in, sorted out at the end.
 class Collection {
  public:
-  Collection(const BodyPointer& probe, const BodyPointer& fixed, const SituationOptions& options)
-      : probe_(probe), fixed_(fixed), options_(options) {}
+  Collection(const Pair& pair, const SituationOptions& options) : pair_(pair), options_(options) {}
 
   void add(const Separation& s) {
-    const auto stiffness = felt_stiffness(probe_, fixed_, options_.method, s.device, s.separated,
-                                          difference_step * s.depth);
+    const auto stiffness =
+        felt_stiffness(pair_, options_.method, s.device, s.separated, difference_step * s.depth);
     if (!stiffness) return;
     const double hardness = options_.hardness(*stiffness);
     if (!std::isfinite(hardness)) return;
@@ -91,8 +89,7 @@ class Collection {
     ContactSituation situation;
     double hardness;
   };
-  const BodyPointer& probe_;
-  const BodyPointer& fixed_;
+  const Pair& pair_;
   const SituationOptions& options_;
   std::vector<Found> found_;
 };
@@ -149,29 +146,28 @@ ContactKind contact_kind(const Separation& s) {
   return rows <= 1 ? ContactKind::flat : rows == 2 ? ContactKind::edge : ContactKind::conforming;
 }
 
-std::vector<ContactSituation> find_situations(const BodyPointer& probe, const BodyPointer& fixed,
-                                              const Pose& X_FM, int most,
+std::vector<ContactSituation> find_situations(const Pair& pair, const Pose& X_FM, int most,
                                               const SituationOptions& options, const Stop& stop) {
-  Collection collection(probe, fixed, options);
-  CoherentSolver solver(probe, fixed, options.method);
-  const Box box = box_of(*fixed);
+  Collection collection(pair, options);
+  CoherentSolver solver(pair, options.method);
+  const Box box = box_of(pair.fixed());
   Random random(options.seed);
   for (int i = 0; i < options.walks; ++i) {
     if (stop()) throw Cancelled();
     collection.tell(double(i) / options.walks);
-    const Walk walk = random_walk(random, *probe, *fixed, box, X_FM);
-    if (const auto s = arrive(solver, *probe, walk, options.depth * probe->mass.radius))
+    const Walk walk = random_walk(random, pair.probe(), pair.fixed(), box, X_FM);
+    if (const auto s = arrive(solver, pair.probe(), walk, options.depth * pair.probe().mass.radius))
       collection.add(*s);
   }
   return collection.best(most);
 }
 
-std::vector<ContactSituation> situations_along(const BodyPointer& probe, const BodyPointer& fixed,
-                                               std::span<const TimedPose> path, int most,
-                                               const SituationOptions& options, const Stop& stop) {
+std::vector<ContactSituation> situations_along(const Pair& pair, std::span<const TimedPose> path,
+                                               int most, const SituationOptions& options,
+                                               const Stop& stop) {
   constexpr std::size_t looked_at = 200;
-  Collection collection(probe, fixed, options);
-  CoherentSolver solver(probe, fixed, options.method);
+  Collection collection(pair, options);
+  CoherentSolver solver(pair, options.method);
   std::vector<Separation> touching;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (stop()) throw Cancelled();

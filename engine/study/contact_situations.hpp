@@ -49,16 +49,13 @@ struct SituationOptions {
 /// hardest first. They are found by walks: the probe comes from outside in a straight line, half of
 /// the time turned at random and else near X_FM, towards a random point of the fixed body's box,
 /// until it is as deep as asked. Empty where no walk meets a contact. Throws Cancelled.
-std::vector<ContactSituation> find_situations(const std::shared_ptr<const Body>& probe,
-                                              const std::shared_ptr<const Body>& fixed,
-                                              const Pose& X_FM, int most,
+std::vector<ContactSituation> find_situations(const Pair& pair, const Pose& X_FM, int most,
                                               const SituationOptions& options, const Stop& stop);
 
 /// The same of the contacts along a recorded path: of some 200 poses, evenly chosen among those in
 /// contact.
-std::vector<ContactSituation> situations_along(const std::shared_ptr<const Body>& probe,
-                                               const std::shared_ptr<const Body>& fixed,
-                                               std::span<const TimedPose> path, int most,
-                                               const SituationOptions& options, const Stop& stop);
+std::vector<ContactSituation> situations_along(const Pair& pair, std::span<const TimedPose> path,
+                                               int most, const SituationOptions& options,
+                                               const Stop& stop);
 
 }  // namespace sonde

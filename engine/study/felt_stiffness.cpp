@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/coherent.hpp"
 
 namespace sonde {
@@ -77,13 +78,12 @@ Mat6 FeltStiffness::damping(const Coupling& c) const {
   return out;
 }
 
-std::optional<FeltStiffness> felt_stiffness(const std::shared_ptr<const Body>& probe,
-                                            const std::shared_ptr<const Body>& fixed, Method method,
-                                            const Pose& X_FO, const Pose& X_FQ, double step) {
-  const MassProperties& mass = probe->mass;
+std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
+                                            const Pose& X_FQ, double step) {
+  const MassProperties& mass = pair.probe().mass;
   // A turn about a thin axis moves little: it is measured by the motion of the whole probe.
   const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);
-  CoherentSolver solver(probe, fixed, method);
+  CoherentSolver solver(pair, method);
   FeltStiffness out;
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double size = i < 3 ? step : step / radius;

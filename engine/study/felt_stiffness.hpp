@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 
-#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/motion.hpp"
 
@@ -30,9 +29,8 @@ struct FeltStiffness {
 /// By central differences of the solver's own answers: from Q, a free pose, to O and to either side
 /// of it, `step` (m, in the object norm) away. No value where an answer fails, is free of contact
 /// or jumps on the way.
-std::optional<FeltStiffness> felt_stiffness(const std::shared_ptr<const Body>& probe,
-                                            const std::shared_ptr<const Body>& fixed, Method method,
-                                            const Pose& X_FO, const Pose& X_FQ, double step);
+std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
+                                            const Pose& X_FQ, double step);
 
 /// What is felt beside what was asked for, for any k: in translation the most that a displacement
 /// in one direction is resisted with, over k; in rotation the most of a turn, over kÎ about the

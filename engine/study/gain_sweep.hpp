@@ -31,12 +31,12 @@ void set_gains(Coupling& coupling, GainAxis axis, double stiffness, double dampi
 /// One situation of a study, with one device and one hand.
 struct TuningSetup {
   ClosedLoopSetup loop;
-  TuningSituation situation;
+  TuningSituation situation = {};
   double low = 1, high = 1e5;  ///< stiffness, N/m
   double ratio = 1.02;
   double rotation_per_translation =
       1;  ///< m²: what makes a rotational range of a translational one
-  JointGains joint;
+  JointGains joint = {};
   double most_damping = 0;             ///< virtual, N·s/m
   double most_rotational_damping = 0;  ///< N·m·s/rad
 };

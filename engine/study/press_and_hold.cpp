@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/geometry/body.hpp"
 #include "engine/proximity/motion.hpp"
 #include "engine/study/chatter.hpp"
 #include "engine/study/discontinuities.hpp"
@@ -60,7 +61,7 @@ class Observer {
     const Wrench& motors = loop_.device().motors();
     if (s.status == Status::failed) ++out_.failures;
     const ClosedLoopSetup& setup = loop_.setup();
-    const MassProperties& mass = setup.probe->mass;
+    const MassProperties& mass = setup.pair.probe().mass;
     const Wrench hooke = spring_wrench(mass, s, setup.coupling);
     count_breaks(mass, s, hooke);
     touched_ |= s.status == Status::penetrating;
@@ -83,7 +84,7 @@ class Observer {
     const bool still = out_.kinetic <= quiet;
     out_.growth = still ? 0 : out_.kinetic / std::max(first, quiet);
     out_.stable = (still || out_.growth < press.decay) && out_.contact > 0.5 && out_.failures == 0;
-    const double length = std::sqrt(setup.probe->mass.inertia.maxCoeff());
+    const double length = std::sqrt(setup.pair.probe().mass.inertia.maxCoeff());
     out_.chatter = chatter_index(hold_, setup.sample_time, length);
     out_.chattering = out_.chatter > chatter_limit;
     out_.saturated = out_.saturation > saturation_limit;

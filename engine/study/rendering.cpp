@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/haptics/haptic_loop.hpp"
 #include "engine/proximity/motion.hpp"
 #include "engine/study/contact_torque.hpp"
@@ -91,8 +92,8 @@ Rendering render(const RenderSetup& setup, Method method, std::span<const TimedP
                  const Stop& stop) {
   Coupling coupling = setup.coupling;
   coupling.max_force = coupling.max_torque = std::numeric_limits<double>::infinity();
-  HapticLoop loop(setup.probe, setup.fixed, method, coupling);
-  ContactTorque contact_torque(*setup.probe, *setup.fixed);
+  HapticLoop loop(setup.pair, method, coupling);
+  ContactTorque contact_torque(setup.pair.probe(), setup.pair.fixed());
   const double k = stiffness_of(coupling);
   Rendering out;
   out.reserve(path.size());
@@ -102,7 +103,8 @@ Rendering render(const RenderSetup& setup, Method method, std::span<const TimedP
     if (!started) loop.reset(path[i].pose, setup.search);
     const bool by_search = !started && loop.separation().jumped;
     const double moved =
-        i == 0 ? 0 : Chart(setup.probe->mass, path[i - 1].pose).coordinates(path[i].pose).norm();
+        i == 0 ? 0
+               : Chart(setup.pair.probe().mass, path[i - 1].pose).coordinates(path[i].pose).norm();
     loop.tick(path[i].pose, i == 0 ? 0 : path[i].t - path[i - 1].t, setup.budget);
     out.push_back(tick_of(loop, path[i].t, moved));
     out.back().jumped |= by_search;

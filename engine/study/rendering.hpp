@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,11 +31,10 @@ using Rendering = std::vector<RenderedTick>;
 
 /// Whom it renders, and how.
 struct RenderSetup {
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
-  Coupling coupling;     ///< its limits do not act: they would hide what is compared
-  Budget budget;         ///< of each tick; counted work, or the bits are not the same
-  StaticOptions search;  ///< of the first pose, where it overlaps
+  Pair pair;
+  Coupling coupling = {};     ///< its limits do not act: they would hide what is compared
+  Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
+  StaticOptions search = {};  ///< of the first pose, where it overlaps
 };
 
 /// The stiffness against translation of a coupling, N/m: k, or k_t in the classic mode.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/geometry/body.hpp"
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/haptics/local_contacts.hpp"
 #include "engine/proximity/motion.hpp"
@@ -49,11 +50,10 @@ struct Samples {
 
 }  // namespace
 
-std::vector<RowAge> measure_row_age(std::shared_ptr<const Body> probe,
-                                    std::shared_ptr<const Body> fixed,
-                                    std::span<const TimedPose> path, const RowAgeOptions& options) {
-  const MassProperties& mass = probe->mass;
-  ContactFeed feed(probe, std::move(fixed), options.method);
+std::vector<RowAge> measure_row_age(const Pair& pair, std::span<const TimedPose> path,
+                                    const RowAgeOptions& options) {
+  const MassProperties& mass = pair.probe().mass;
+  ContactFeed feed(pair, options.method);
   feed.reset(path.front().pose, {});
   const int oldest = *std::max_element(options.ages.begin(), options.ages.end());
   std::vector<LocalContacts> kept(static_cast<std::size_t>(oldest) + 1, feed.contacts());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/scene/poses.hpp"
 
@@ -42,8 +41,7 @@ struct RowAge {
 /// Runs the path with the geometry in step, and at each tick solves the rows of `age` ticks ago at
 /// the device pose of now, with no thread and no clock. Ticks whose separated pose jumped since the
 /// rows were made are left out of the errors: there, in step or not, the force is not continuous.
-std::vector<RowAge> measure_row_age(std::shared_ptr<const Body> probe,
-                                    std::shared_ptr<const Body> fixed,
-                                    std::span<const TimedPose> path, const RowAgeOptions& options);
+std::vector<RowAge> measure_row_age(const Pair& pair, std::span<const TimedPose> path,
+                                    const RowAgeOptions& options);
 
 }  // namespace sonde

@@ -37,8 +37,7 @@ StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
     return 1 / std::max(largest_stable_factor(contact(felt)), 1e-12);
   };
   double stable = std::numeric_limits<double>::infinity(), passive = stable;
-  for (const ContactSituation& s :
-       situations_along(setup.probe, setup.fixed, path, 1, options, stop)) {
+  for (const ContactSituation& s : situations_along(setup.pair, path, 1, options, stop)) {
     stable = std::min(stable, asked * largest_stable_factor(contact(s.stiffness)));
     passive = std::min(passive, asked * largest_passive_factor(contact(s.stiffness)));
   }

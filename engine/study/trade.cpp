@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/coherent.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/random.hpp"
@@ -29,13 +30,9 @@ constexpr Method methods[] = {Method::pdg, Method::pdt};
 
 constexpr double failure = std::numeric_limits<double>::quiet_NaN();
 
-/// What the parts share, and may read from any thread.
-struct Shared {
-  TradeSetup setup;
-  Sketches sketches;
-};
-
-bool has_bound(const TradeSetup& setup) { return setup.probe->solid || setup.fixed->solid; }
+bool has_bound(const TradeSetup& setup) {
+  return setup.pair.probe().solid || setup.pair.fixed().solid;
+}
 
 std::vector<TradeSetting> pose_settings(const TradeSetup& setup) {
   std::vector<TradeSetting> out;
@@ -59,10 +56,10 @@ double depth_of(const Separation& s) { return s.status == Status::failed ? failu
 /// The static search of both methods and the lower bound, on one pose.
 class PoseMeasurement {
  public:
-  PoseMeasurement(const Shared& shared, std::size_t pose)
-      : shared_(shared),
-        pose_(shared.setup.poses[pose]),
-        seeds_(shared.setup.seed + 0x9e3779b97f4a7c15ULL * (pose + 1)) {}
+  PoseMeasurement(const TradeSetup& setup, std::size_t pose)
+      : setup_(setup),
+        pose_(setup.poses[pose]),
+        seeds_(setup.seed + 0x9e3779b97f4a7c15ULL * (pose + 1)) {}
 
   TradePose run(const Stop& stop) {
     const Vec3& p = pose_.p;
@@ -72,7 +69,7 @@ class PoseMeasurement {
     out.long_pdg = long_searches_of(Method::pdg, stop);
     out.long_pdt = long_searches_of(Method::pdt, stop);
     const std::uint64_t seed = seeds_.next();
-    for (const TradeSetting& setting : pose_settings(shared_.setup)) {
+    for (const TradeSetting& setting : pose_settings(setup_)) {
       if (stop()) throw Cancelled();
       out.runs.push_back(setting.kind == TradeKind::bound ? bound(setting) : search(setting, seed));
     }
@@ -85,12 +82,11 @@ class PoseMeasurement {
     out.method = method;
     out.seed = seed;
     out.want_lower_bound = false;
-    out.sketches = shared_.sketches;
     return out;
   }
 
   Separation separate(const StaticOptions& options) const {
-    return separate_static(*shared_.setup.probe, *shared_.setup.fixed, pose_, options);
+    return separate_static(setup_.pair, pose_, options);
   }
 
   std::vector<double> long_searches_of(Method method, const Stop& stop) {
@@ -117,25 +113,23 @@ class PoseMeasurement {
   TradeRun bound(const TradeSetting& setting) const {
     std::optional<double> found;
     const double time = processor_time_us([&] {
-      found = depth_lower_bound(*shared_.setup.probe, *shared_.setup.fixed, pose_, {},
+      found = depth_lower_bound(setup_.pair.probe(), setup_.pair.fixed(), pose_, {},
                                 {.work = static_cast<int>(setting.budget)});
     });
     return {setting, found.value_or(failure), 0, time};
   }
 
-  const Shared& shared_;
+  const TradeSetup& setup_;
   Pose pose_;
   Random seeds_;
 };
 
 /// The coherent solver along the path with one budget.
-TradePath follow(const Shared& shared, const TradeSetting& setting, const Stop& stop) {
-  const TradeSetup& setup = shared.setup;
+TradePath follow(const TradeSetup& setup, const TradeSetting& setting, const Stop& stop) {
   TradePath out{setting, {}, {}, {}};
-  CoherentSolver solver(setup.probe, setup.fixed, setting.method);
+  CoherentSolver solver(setup.pair, setting.method);
   StaticOptions search;
   search.seed = setup.seed;
-  search.sketches = shared.sketches;
   bool started = false;  // a search that failed leaves nothing to follow: search again
   for (const TimedPose& at : setup.path) {
     if (stop()) throw Cancelled();
@@ -156,7 +150,7 @@ Json about(const TradeSetup& setup) {
   return {{"scene", setup.scene},
           {"inputs", Json::parse(setup.inputs)},
           {"seed", setup.seed},
-          {"radius", setup.probe->mass.radius},
+          {"radius", setup.pair.probe().mass.radius},
           {"poses", setup.poses.size()},
           {"ticks", setup.path.size()},
           {"long_searches", long_searches},
@@ -172,8 +166,8 @@ std::string part_name(const TradeSetting& setting) {
 }  // namespace
 
 Study trade_study(const TradeSetup& setup) {
-  const auto shared =
-      std::make_shared<const Shared>(Shared{setup, make_sketches(*setup.probe, *setup.fixed)});
+  // What the parts share, and may read from any thread.
+  const auto shared = std::make_shared<const TradeSetup>(setup);
   Study study{"trade", about(setup).dump(), {}};
   for (const TradeSetting& setting : path_settings(setup))
     study.parts.push_back({part_name(setting), [shared, setting](const Stop& stop) {
@@ -184,9 +178,8 @@ Study trade_study(const TradeSetup& setup) {
                              return to_json(PoseMeasurement(*shared, i).run(stop));
                            }});
   study.parts.push_back({"extremes", [shared](const Stop& stop) {
-                           const TradeSetup& s = shared->setup;
                            return to_json(
-                               measure_extremes(*s.probe, *s.fixed, s.poses, s.seed, stop));
+                               measure_extremes(shared->pair, shared->poses, shared->seed, stop));
                          }});
   return study;
 }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/study_parts.hpp"
 
@@ -14,11 +13,10 @@ namespace sonde {
 
 /// What `sonde trade` measures: how much accuracy less time costs, on one pair of bodies.
 struct TradeSetup {
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
-  std::vector<Pose> poses;      ///< X_FM at which they overlap; searched one by one
-  std::vector<TimedPose> path;  ///< followed tick by tick; may be empty
-  std::string scene;            ///< its name, for titles
+  Pair pair;
+  std::vector<Pose> poses = {};      ///< X_FM at which they overlap; searched one by one
+  std::vector<TimedPose> path = {};  ///< followed tick by tick; may be empty
+  std::string scene = {};            ///< its name, for titles
   std::uint64_t seed = 1;
   std::string inputs = "{}";  ///< JSON object: what tells the input files and the program apart
 };

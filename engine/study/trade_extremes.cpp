@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/static_search.hpp"
 
@@ -41,39 +42,36 @@ std::shared_ptr<const Body> moved(const Body& body, double scale, const Vec3& sh
 /// as given.
 class Measurement {
  public:
-  Measurement(const Body& probe, const Body& fixed, const World& world)
+  Measurement(const Pair& pair, const World& world)
       : scale_(world.scale),
-        shift_(Vec3::Constant(world.scale * world.away * probe.mass.radius / std::sqrt(3.0))),
-        probe_(moved(probe, scale_, shift_)),
-        fixed_(moved(fixed, scale_, shift_)),
-        sketches_(make_sketches(*probe_, *fixed_)) {}
+        shift_(
+            Vec3::Constant(world.scale * world.away * pair.probe().mass.radius / std::sqrt(3.0))),
+        pair_(moved(pair.probe(), scale_, shift_), moved(pair.fixed(), scale_, shift_)) {}
 
   double depth(const Pose& X_FM, const Asked& asked, std::uint64_t seed) const {
     const Pose X{X_FM.q, scale_ * X_FM.p + shift_ - X_FM.q * shift_};
     if (asked.kind == TradeKind::bound)
-      return depth_lower_bound(*probe_, *fixed_, X).value_or(failure) / scale_;
+      return depth_lower_bound(pair_.probe(), pair_.fixed(), X).value_or(failure) / scale_;
     StaticOptions options;
     options.method = asked.method;
     options.seed = seed;
     options.want_lower_bound = false;
-    options.sketches = sketches_;
-    const Separation found = separate_static(*probe_, *fixed_, X, options);
+    const Separation found = separate_static(pair_, X, options);
     return found.status == Status::failed ? failure : found.depth / scale_;
   }
 
  private:
   double scale_;
   Vec3 shift_;
-  std::shared_ptr<const Body> probe_, fixed_;
-  Sketches sketches_;
+  Pair pair_;
 };
 
 /// Of every pose and all that is asked, one after the other.
-std::vector<double> depths(const Body& probe, const Body& fixed, const World& world,
-                           std::span<const Pose> poses, std::uint64_t seed, const Stop& stop) {
+std::vector<double> depths(const Pair& pair, const World& world, std::span<const Pose> poses,
+                           std::uint64_t seed, const Stop& stop) {
   std::vector<double> out;
   try {
-    const Measurement there(probe, fixed, world);
+    const Measurement there(pair, world);
     for (const Asked& asked : all_asked)
       for (std::size_t i = 0; i < poses.size(); ++i) {
         if (stop()) throw Cancelled();
@@ -87,20 +85,20 @@ std::vector<double> depths(const Body& probe, const Body& fixed, const World& wo
 
 }  // namespace
 
-std::vector<TradeExtreme> measure_extremes(const Body& probe, const Body& fixed,
-                                           std::span<const Pose> poses, std::uint64_t seed,
-                                           const Stop& stop) {
+std::vector<TradeExtreme> measure_extremes(const Pair& pair, std::span<const Pose> poses,
+                                           std::uint64_t seed, const Stop& stop) {
   // Also as given from a body made anew: its triangles are in another order.
-  const std::vector<double> given = depths(probe, fixed, as_given, poses, seed, stop);
+  const std::vector<double> given = depths(pair, as_given, poses, seed, stop);
   std::vector<TradeExtreme> out;
   for (const World& world : extremes) {
-    const std::vector<double> there = depths(probe, fixed, world, poses, seed, stop);
+    const std::vector<double> there = depths(pair, world, poses, seed, stop);
     std::size_t at = 0;
     for (const Asked& asked : all_asked) {
       TradeExtreme extreme{world.name, asked.kind, asked.method, {}};
       for (std::size_t i = 0; i < poses.size(); ++i, ++at)
         extreme.change.push_back(there[at] == given[at] ? 0 : there[at] / given[at] - 1);
-      if (asked.kind == TradeKind::search || probe.solid || fixed.solid) out.push_back(extreme);
+      if (asked.kind == TradeKind::search || pair.probe().solid || pair.fixed().solid)
+        out.push_back(extreme);
     }
   }
   return out;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/penetration/pair.hpp"
 #include "engine/study/study_parts.hpp"
 #include "engine/study/trade_results.hpp"
 
@@ -16,8 +15,7 @@ namespace sonde {
 /// meshes lie 10⁴ radii of the probe away from their origins: nothing should, but for rounding. At
 /// each pose the static search of both methods and the lower bound, without a budget and with one
 /// seed. Throws Cancelled.
-std::vector<TradeExtreme> measure_extremes(const Body& probe, const Body& fixed,
-                                           std::span<const Pose> poses, std::uint64_t seed,
-                                           const Stop& stop);
+std::vector<TradeExtreme> measure_extremes(const Pair& pair, std::span<const Pose> poses,
+                                           std::uint64_t seed, const Stop& stop);
 
 }  // namespace sonde

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/error.hpp"
+#include "engine/geometry/body.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/study/contact_stability.hpp"
 
@@ -53,7 +54,7 @@ SimulatedDeviceParameters held_by(const DeviceProfile& device, const HandGrip& g
 /// The push of the hand: against the contact's own wrench, a quarter of what the device gives and
 /// half of its torque.
 Wrench push_into(const TuningRequest& request, const Separation& s) {
-  const Wrench spring = spring_wrench(request.probe->mass, s, unit_gains(request));
+  const Wrench spring = spring_wrench(request.pair.probe().mass, s, unit_gains(request));
   const double force = spring.force.norm(), torque = spring.torque.norm();
   double scale = INFINITY;
   if (force > 0) scale = 0.25 * request.device.max_force.value / force;
@@ -79,9 +80,13 @@ double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
 TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
                      const TuningSituation& situation, const HandGrip& grip,
                      const JointGains& joint = {}) {
-  TuningSetup out;
-  out.loop = {request.probe,         request.fixed,       request.method, request.coupling,
-              held_by(device, grip), request.sample_time, request.budget};
+  TuningSetup out{.loop = {.pair = request.pair,
+                           .method = request.method,
+                           .coupling = request.coupling,
+                           .device = held_by(device, grip),
+                           .sample_time = request.sample_time,
+                           .budget = request.budget},
+                  .situation = situation};
   // Hands are those of the profile as it is, whatever is assumed of the device.
   const SimulatedDeviceParameters hand = held_by(request.device, grip);
   out.loop.device.rotation.hand_stiffness = hand.rotation.hand_stiffness;
@@ -91,7 +96,6 @@ TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
     out.loop.coupling.max_torque = std::min(request.coupling.max_torque, device.max_torque.value);
   else  // what the device has no motors for is not missed
     out.loop.coupling.max_torque = INFINITY;
-  out.situation = situation;
   out.low = request.low;
   out.high = request.high;
   out.ratio = request.ratio;
@@ -182,7 +186,7 @@ Json numbers(const Pose& X) {
 
 Json about(const TuningRequest& request, const TuningSituation& situation) {
   const Separation& s = situation.contact.separation;
-  const MassProperties& mass = request.probe->mass;
+  const MassProperties& mass = request.pair.probe().mass;
   const StiffnessRatio felt = stiffness_ratio(mass, s.device, situation.contact.stiffness.object);
   const StiffnessRatio summed = summed_penalty_ratio(mass, s);
   const Mat6 unit = situation.contact.stiffness.stiffness(unit_gains(request));
@@ -330,11 +334,10 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
                                const std::function<void(double)>& progress) {
   SituationOptions options{.method = request.method, .seed = request.seed, .progress = progress};
   options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
-  const auto found = request.path.empty()
-                         ? find_situations(request.probe, request.fixed, request.X_FM,
-                                           tried_of_kind, options, stop)
-                         : situations_along(request.probe, request.fixed, request.path,
-                                            tried_of_kind, options, stop);
+  const auto found =
+      request.path.empty()
+          ? find_situations(request.pair, request.X_FM, tried_of_kind, options, stop)
+          : situations_along(request.pair, request.path, tried_of_kind, options, stop);
   if (found.empty())
     throw InputError(request.path.empty() ? "no contact of the two bodies was found"
                                           : "the probe is in contact at no pose of the trajectory");

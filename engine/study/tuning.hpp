@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,15 +14,14 @@ namespace sonde {
 
 /// What a study of a coupling's gains is asked for.
 struct TuningRequest {
-  std::shared_ptr<const Body> probe;
-  std::shared_ptr<const Body> fixed;
-  Pose X_FM;          ///< of the scene: contacts are looked for near this turn of the probe
-  Coupling coupling;  ///< of the scene: which mode to study, and its limits
+  Pair pair;
+  Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
+  Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
   Method method = Method::pdg;
   double sample_time = 1e-3;   ///< s
   Budget budget{.steps = 60};  ///< of a tick; counted work
-  DeviceProfile device;
-  std::vector<TimedPose> path;  ///< contacts are taken from it; empty: they are looked for
+  DeviceProfile device = {};
+  std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
   std::uint64_t seed = 1;
   double ratio = 1.02;         ///< to which limits are known
   double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the

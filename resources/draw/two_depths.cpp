@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/geometry/body.hpp"
 #include "engine/penetration/static_search.hpp"
 
 namespace sonde::draw {
@@ -95,11 +96,11 @@ std::string picture() {
   PolygonSoup probe, fixed;
   add(probe, bar);
   for (const Box& b : slot) add(fixed, b);
-  const auto a = make_body(probe, Model::solid, "bar"), b = make_body(fixed, Model::solid, "slot");
+  const Pair pair(make_body(probe, Model::solid, "bar"), make_body(fixed, Model::solid, "slot"));
   StaticOptions options;
-  const Separation pdg = separate_static(*a, *b, device, options);
+  const Separation pdg = separate_static(pair, device, options);
   options.method = Method::pdt;
-  const Separation pdt = separate_static(*a, *b, device, options);
+  const Separation pdt = separate_static(pair, device, options);
   for (const Separation& s : {pdg, pdt})
     if (s.status != Status::penetrating) throw std::runtime_error(s.reason);
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"720\" height=\"500\" "

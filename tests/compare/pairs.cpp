@@ -29,10 +29,9 @@ void put_on_a_device(CompareSetup& setup) {
 CompareSetup of_scene(const std::string& name) {
   const std::filesystem::path folder(SONDE_SCENES);
   const Scene scene = read_scene(folder / (name + ".sonde.json"));
-  CompareSetup out;
+  const Pair pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit));
+  CompareSetup out{.render = {.pair = pair}};
   out.scene = name;
-  out.render.probe = load(scene.probe, scene.unit);
-  out.render.fixed = load(scene.fixed, scene.unit);
   out.render.coupling = scene.coupling;
   out.render.budget.steps = steps_of_a_tick;
   out.path = read_trajectory(*scene.trajectory);
@@ -87,12 +86,11 @@ std::vector<TimedPose> press_and_slide(const Body& probe, const Body& fixed, std
 ComparedPair made(const std::string& name, const MakeBody& probe, const MakeBody& fixed,
                   std::uint64_t seed, const std::optional<Vec3>& side = {}) {
   return {name, [=] {
-            CompareSetup out;
+            CompareSetup out{.render = {.pair = {probe(), fixed()}}};
             out.scene = name;
-            out.render.probe = probe();
-            out.render.fixed = fixed();
             out.render.budget.steps = steps_of_a_tick;
-            out.path = press_and_slide(*out.render.probe, *out.render.fixed, seed, side);
+            out.path =
+                press_and_slide(out.render.pair.probe(), out.render.pair.fixed(), seed, side);
             put_on_a_device(out);
             return out;
           }};

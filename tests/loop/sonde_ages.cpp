@@ -48,8 +48,7 @@ void run(const Options& o) {
     const Scene scene = read_scene(file);
     if (!scene.trajectory) throw InputError::in(file, "the scene names no trajectory");
     const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
-    const auto probe = load(scene.probe, scene.unit);
-    const auto fixed = load(scene.fixed, scene.unit);
+    const Pair pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit));
     for (const double rate : o.rates)
       for (const double speed : o.speeds) {
         RowAgeOptions study{.budget = {.steps = o.steps, .microseconds = 0},
@@ -57,7 +56,7 @@ void run(const Options& o) {
                             .rate_hz = rate,
                             .speed = speed,
                             .ages = o.ages};
-        for (const RowAge& r : measure_row_age(probe, fixed, path, study))
+        for (const RowAge& r : measure_row_age(pair, path, study))
           print(scene.name, rate, speed, r, o.csv);
         std::fflush(stdout);
       }

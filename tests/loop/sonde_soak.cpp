@@ -96,8 +96,8 @@ bool run(const Options& o) {
   ServoSettings settings = scene.servo;
   if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
   PathThereAndBack hand(path);
-  Servo servo(load(scene.probe, scene.unit), load(scene.fixed, scene.unit), Method::pdg,
-              scene.coupling, settings);
+  const Pair pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit));
+  Servo servo(pair, Method::pdg, scene.coupling, settings);
   servo.start(path.front().pose, hand.hand());
 
   Seen seen;

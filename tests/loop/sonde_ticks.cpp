@@ -37,8 +37,9 @@ double thread_us() {
 std::vector<Tick> follow(const TickCase& c, const Options& o) {
   const Method method = o.method == "pdt" ? Method::pdt : Method::pdg;
   std::vector<Tick> ticks(c.path.size());
+  const Pair pair(c.probe, c.fixed);
   for (int run = 0; run < o.runs; ++run) {
-    CoherentSolver solver(c.probe, c.fixed, method);
+    CoherentSolver solver(pair, method);
     if (solver.reset(c.path.front().pose).status == Status::failed)
       throw std::runtime_error(solver.last().reason);
     for (std::size_t i = 0; i < c.path.size(); ++i) {

@@ -118,7 +118,7 @@ void check_search(Method method, std::size_t every, double share_within_5) {
   for (std::size_t i = 0; i < rows().size(); i += every) {
     const Row& row = rows()[i];
     const PairSpec& spec = *specs.at(row.pair);
-    const Measured m = measure(row, *spec.probe(), *spec.fixed(), options);
+    const Measured m = measure(row, {spec.probe(), spec.fixed()}, options);
     EXPECT_TRUE(m.free) << name(row);
     EXPECT_LE(m.lower_bound.value_or(0), row.best) << name(row);
     EXPECT_GT(m.got.depth, row.best * (1 - repeats_to)) << name(row) << ": mend the reference";

@@ -14,21 +14,20 @@ double Measured::excess() const {
   return got.depth / reference - 1;
 }
 
-Measured measure(const Row& row, const Body& probe, const Body& fixed,
-                 const StaticOptions& options) {
+Measured measure(const Row& row, const Pair& pair, const StaticOptions& options) {
   Measured out;
   out.row = row;
   out.reference = options.method == Method::pdg ? row.best : row.pdt;
   StaticOptions search = options;
   search.want_lower_bound = false;
   const double started = now_us();
-  out.got = separate_static(probe, fixed, row.pose, search);
+  out.got = separate_static(pair, row.pose, search);
   const double searched = now_us();
-  out.lower_bound = depth_lower_bound(probe, fixed, row.pose);
+  out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), row.pose);
   out.bound_us = now_us() - searched;
   out.time_us = searched - started;
   out.free = out.got.status != Status::failed &&
-             !overlap(probe, fixed, Transform(out.got.separated), Doubt::exact);
+             !overlap(pair.probe(), pair.fixed(), Transform(out.got.separated), Doubt::exact);
   return out;
 }
 

@@ -21,8 +21,7 @@ struct Measured {
   double excess() const;
 };
 
-Measured measure(const Row& row, const Body& probe, const Body& fixed,
-                 const StaticOptions& options);
+Measured measure(const Row& row, const Pair& pair, const StaticOptions& options);
 
 /// The row with what is better than its reference taken over; false where nothing is.
 bool mend(Row& row, const Measured& by, Method method);

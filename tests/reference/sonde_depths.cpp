@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 #include "engine/scene/output_file.hpp"
 #include "tests/reference/cases.hpp"
@@ -43,15 +44,13 @@ class Bodies {
  public:
   /// False, with a word on stderr, where the pair's meshes are missing.
   bool load(const std::string& pair) {
-    if (pair == pair_) return probe != nullptr;
-    pair_ = pair;
-    probe = fixed = nullptr;
-    sketches = {};
+    if (pair == name_) return bodies.has_value();
+    name_ = pair;
+    bodies.reset();
     for (const PairSpec& spec : pair_specs()) try {
         if (spec.name != pair) continue;
-        fixed = spec.fixed();
-        probe = spec.probe();
-        sketches = make_sketches(*probe, *fixed);
+        auto fixed = spec.fixed();
+        bodies.emplace(spec.probe(), std::move(fixed));
         return true;
       } catch (const std::exception& error) {
         std::fprintf(stderr, "sonde-depths: %s is missing: %s\n", pair.c_str(), error.what());
@@ -60,11 +59,10 @@ class Bodies {
     std::fprintf(stderr, "sonde-depths: no pair is called %s\n", pair.c_str());
     return false;
   }
-  std::shared_ptr<const Body> probe, fixed;
-  Sketches sketches;
+  std::optional<Pair> bodies;
 
  private:
-  std::string pair_;
+  std::string name_;
 };
 
 std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options) {
@@ -74,9 +72,7 @@ std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options
     Row& row = rows[i];
     if (!options.only.empty() && options.only != row.pair) continue;
     if (!bodies.load(row.pair)) continue;
-    StaticOptions search = options.search;
-    search.sketches = bodies.sketches;
-    out.push_back(measure(row, *bodies.probe, *bodies.fixed, search));
+    out.push_back(measure(row, *bodies.bodies, options.search));
     if (options.mend) mend(row, out.back(), options.search.method);
   }
   return out;

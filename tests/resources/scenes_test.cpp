@@ -74,8 +74,9 @@ TEST_P(Scenes, PathIsDeepSomewhere) {
   quick.starts = 0;
   quick.want_lower_bound = false;
   double deepest = 0;
+  const Pair pair(probe_, fixed_);
   for (std::size_t row = 0; row < path_.size(); row += path_.size() / 10) {
-    const Separation s = separate_static(*probe_, *fixed_, path_[row].pose, quick);
+    const Separation s = separate_static(pair, path_[row].pose, quick);
     EXPECT_NE(s.status, Status::failed) << "at " << path_[row].t << " s: " << s.reason;
     deepest = std::max(deepest, s.depth);
   }

@@ -65,7 +65,7 @@ BodyPairCut cut_bodies(const ConformingScene& scene, const Cutting& cutting, con
 
 std::vector<Felt> follow(const BodyPairCut& bodies, const std::vector<Pose>& path,
                          const Skew& skew) {
-  CoherentSolver solver(bodies.probe, bodies.fixed);
+  CoherentSolver solver({bodies.probe, bodies.fixed});
   const Pose world{skew.world, Vec3::Zero()}, probe{skew.probe.conjugate(), Vec3::Zero()};
   std::vector<Felt> out;
   for (const Pose& X : path) {

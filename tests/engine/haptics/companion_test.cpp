@@ -20,7 +20,7 @@ class CompanionTest : public testing::Test {
  protected:
   std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
   std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
-  Companion companion{probe, fixed};
+  Companion companion{{probe, fixed}};
 
   static Pose at_depth(double depth, double x = 0) {
     return {Quat::Identity(), Vec3(x, 0, 0.075 - depth)};
@@ -84,8 +84,8 @@ TEST_F(CompanionTest, a_pose_that_is_no_pose_has_no_answer) {
 class ThroughAWall : public CompanionTest {
  protected:
   std::shared_ptr<const Body> slab = test::body(test::box({0.3, 0.3, 0.01}));
-  CoherentSolver follower{probe, slab, Method::pdg};
-  Companion search{probe, slab};
+  CoherentSolver follower{{probe, slab}, Method::pdg};
+  Companion search{{probe, slab}};
 
   /// The device goes straight down to this height of the probe's centre.
   std::pair<Separation, CompanionResult> down_to(double z) {
@@ -118,7 +118,7 @@ TEST_F(ThroughAWall, what_is_followed_and_what_is_found_are_told_apart) {
 
 TEST_F(CompanionTest, ends_with_requests_waiting) {
   for (int i = 0; i < 20; ++i) {
-    Companion brief(probe, fixed);
+    Companion brief({probe, fixed});
     brief.request(at_depth(0.002));
     brief.request(at_depth(0.003));
   }

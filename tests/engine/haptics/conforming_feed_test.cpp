@@ -33,8 +33,8 @@ struct Fault {
 /// Rows of 1 to `oldest` ticks ago, solved at the device pose of now, beside the solver in step.
 Fault fault_of_old_rows(const BodyPairCut& bodies, const std::vector<Pose>& path) {
   const MassProperties& mass = bodies.probe->mass;
-  ContactFeed feed(bodies.probe, bodies.fixed, Method::pdg);
-  CoherentSolver solver(bodies.probe, bodies.fixed);
+  ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
+  CoherentSolver solver({bodies.probe, bodies.fixed});
   std::vector<LocalContacts> rows;
   Fault out;
   double largest_force = 0, largest_torque = 0;

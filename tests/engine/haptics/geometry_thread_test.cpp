@@ -24,8 +24,10 @@ class GeometryThreadTest : public testing::Test {
       if (geometry.newest().tick >= tick) return true;
     return false;
   }
-  GeometryThread geometry{test::body(test::box({0.02, 0.03, 0.05})),
-                          test::body(test::box({0.3, 0.3, 0.1})), Method::pdg, Budget{}};
+  GeometryThread geometry{
+      {test::body(test::box({0.02, 0.03, 0.05})), test::body(test::box({0.3, 0.3, 0.1}))},
+      Method::pdg,
+      Budget{}};
 };
 
 TEST_F(GeometryThreadTest, has_the_rows_of_the_start_at_once) {

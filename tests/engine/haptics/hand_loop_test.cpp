@@ -54,7 +54,7 @@ class Bench {
 
   std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
   std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
-  ContactFeed feed{probe, fixed, Method::pdg};
+  ContactFeed feed{{probe, fixed}, Method::pdg};
   HandLoop loop;
 
  private:
@@ -67,7 +67,7 @@ TEST(HandLoop, with_rows_of_the_tick_before_the_wrench_is_that_of_the_loop_in_st
     coupling.mode = mode;
     coupling.b_t = 0.5;
     Bench bench(at_once(), coupling);
-    HapticLoop in_step(bench.probe, bench.fixed, Method::pdg, coupling);
+    HapticLoop in_step({bench.probe, bench.fixed}, Method::pdg, coupling);
     in_step.reset(at_depth(-0.001), {});
     int contact = 0;
     for (int i = 0; i < 400; ++i) {
@@ -104,7 +104,7 @@ TEST(HandLoop, AnAnswerThatHasNotConvergedGivesItsForceUpBeyondWhatItMayBeOffBy)
   coupling.k = 500;
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = test::body(test::box({0.3, 0.3, 0.1}));
-  ContactFeed feed(probe, fixed, Method::pdg);
+  ContactFeed feed({probe, fixed}, Method::pdg);
   HandLoop loop(probe->mass, Method::pdg, coupling, settings);
   feed.reset(at_depth(-0.001), {});
   loop.restart(at_depth(-0.001));

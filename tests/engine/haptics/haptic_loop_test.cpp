@@ -16,16 +16,16 @@ constexpr double dt = 1e-3;
 
 using test::contact_pairs;
 using test::contact_path;
-using Pair = test::ContactPair;
+using test::ContactPair;
 
 TEST(HapticLoop, a_tick_neither_allocates_nor_frees_on_a_path_through_contact) {
   for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic})
     for (const Method method : {Method::pdg, Method::pdt})
-      for (const Pair& pair : contact_pairs()) {
+      for (const ContactPair& pair : contact_pairs()) {
         Coupling coupling;
         coupling.mode = mode;
         coupling.b_t = coupling.b_r = 0.01;
-        HapticLoop loop(pair.probe, pair.fixed, method, coupling);
+        HapticLoop loop({pair.probe, pair.fixed}, method, coupling);
         loop.reset(contact_path(pair, 0), {});
         constexpr int ticks = 300;
         int in_contact = 0;
@@ -43,12 +43,12 @@ TEST(HapticLoop, a_tick_neither_allocates_nor_frees_on_a_path_through_contact) {
 }
 
 TEST(HapticLoop, the_wrench_is_the_coupling_of_the_separation_within_the_limits) {
-  for (const Pair& pair : contact_pairs()) {
+  for (const ContactPair& pair : contact_pairs()) {
     Coupling coupling;
     coupling.k = 2000;
     coupling.max_force = 3;
     coupling.max_torque = 0.02;
-    HapticLoop loop(pair.probe, pair.fixed, Method::pdg, coupling);
+    HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, coupling);
     loop.reset(contact_path(pair, 0), {});
     int saturated = 0;
     for (int i = 0; i <= 300; ++i) {
@@ -70,7 +70,7 @@ TEST(HapticLoop, the_wrench_is_the_coupling_of_the_separation_within_the_limits)
 }
 
 /// The separation of a tick as the classic coupling sees it.
-SeparationMotion motion(const Pair& pair, const Separation& s) {
+SeparationMotion motion(const ContactPair& pair, const Separation& s) {
   if (s.status != Status::penetrating) return {};
   return separation_motion(pair.probe->mass, s.device, s.separated);
 }
@@ -87,9 +87,9 @@ Coupling damped() {
 }
 
 TEST(HapticLoop, classic_damping_acts_on_the_backward_difference_of_the_separation) {
-  for (const Pair& pair : contact_pairs()) {
+  for (const ContactPair& pair : contact_pairs()) {
     const Coupling c = damped();
-    HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+    HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
     loop.reset(contact_path(pair, 0), {});
     SeparationMotion before;
     int damped_ticks = 0;
@@ -120,10 +120,10 @@ Pose sliding(double depth, double x = 0) {
 }
 
 TEST(HapticLoop, nothing_is_damped_out_of_contact) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   Coupling c = damped();
   c.b_t = 1e6;
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(0.003), {});
   loop.tick(sliding(0.003), dt, {});
   ASSERT_EQ(loop.separation().status, Status::penetrating);
@@ -136,9 +136,9 @@ TEST(HapticLoop, nothing_is_damped_out_of_contact) {
 }
 
 TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   const Coupling c = damped();
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(-0.001), {});
   for (const double depth : {0.001, 0.003, -0.001, 0.0015}) loop.tick(sliding(depth), dt, {});
   const Vec3 t = motion(pair, loop.separation()).t;
@@ -147,9 +147,9 @@ TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
 }
 
 TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damped) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   const Coupling c = damped();
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   const auto is_spring_alone = [&] {
     const SeparationMotion now = motion(pair, loop.separation());
     EXPECT_GT(now.t.norm(), 1e-3);
@@ -169,9 +169,9 @@ TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damp
 }
 
 TEST(HapticLoop, a_pose_that_is_no_pose_gives_no_wrench_and_does_no_harm) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   const Coupling c = damped();
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(0.002), {});
   Pose bad = sliding(0.002);
   bad.p.y() = std::numeric_limits<double>::quiet_NaN();
@@ -190,18 +190,18 @@ TEST(HapticLoop, a_pose_that_is_no_pose_gives_no_wrench_and_does_no_harm) {
 }
 
 TEST(HapticLoop, before_a_reset_there_is_no_wrench) {
-  const Pair pair = contact_pairs()[0];
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, {});
+  const ContactPair pair = contact_pairs()[0];
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, {});
   loop.tick(sliding(0.002), dt, {});
   EXPECT_EQ(loop.separation().status, Status::failed);
   EXPECT_EQ(loop.wrench().force, Vec3::Zero());
 }
 
 TEST(HapticLoop, a_coupling_change_acts_on_the_next_tick) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   Coupling c;
   c.k = 100;
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(0.002), {});
   loop.tick(sliding(0.002), dt, {});
   const Vec3 soft = loop.wrench().force;
@@ -216,10 +216,10 @@ TEST(HapticLoop, a_coupling_change_acts_on_the_next_tick) {
 // A small ball held above a thin plate, whose hand goes round the plate's edge: the separated pose
 // falls off the edge, far faster than the hand moves.
 TEST(HapticLoop, a_jump_is_not_damped) {
-  const Pair pair{"ball and plate", test::body(test::sphere(0.005, 6, 8)),
-                  test::body(test::box({0.2, 0.2, 0.002})), 0};
+  const ContactPair pair{"ball and plate", test::body(test::sphere(0.005, 6, 8)),
+                         test::body(test::box({0.2, 0.2, 0.002})), 0};
   const Coupling c = damped();
-  HapticLoop loop(pair.probe, pair.fixed, Method::pdg, c);
+  HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset({Quat::Identity(), {0, 0, 0.02}}, {});
   int jumps_in_contact = 0;
   Vec3 before = Vec3::Zero();

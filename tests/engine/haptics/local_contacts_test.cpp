@@ -18,22 +18,22 @@ namespace {
 
 using test::contact_pairs;
 using test::contact_path;
-using Pair = test::ContactPair;
+using test::ContactPair;
 
-double distance(const Pair& pair, const Pose& from, const Pose& to) {
+double distance(const ContactPair& pair, const Pose& from, const Pose& to) {
   return Chart(pair.probe->mass, from).coordinates(to).norm();
 }
 
 /// How far a point of the probe is between the two poses, at most, m.
-double farthest(const Pair& pair, const Pose& from, const Pose& to) {
+double farthest(const ContactPair& pair, const Pose& from, const Pose& to) {
   const Chart chart(pair.probe->mass, from);
   return Motion(chart, Vec6::Zero(), chart.coordinates(to)).farthest(pair.probe->mass.radius);
 }
 
 TEST(LocalContacts, at_the_pose_of_the_rows_the_answer_is_that_of_the_geometry) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : contact_pairs()) {
-      ContactFeed feed(pair.probe, pair.fixed, method);
+    for (const ContactPair& pair : contact_pairs()) {
+      ContactFeed feed({pair.probe, pair.fixed}, method);
       feed.reset(contact_path(pair, 0), {});
       int in_contact = 0;
       for (int i = 0; i <= 300; ++i) {
@@ -54,8 +54,8 @@ TEST(LocalContacts, at_the_pose_of_the_rows_the_answer_is_that_of_the_geometry) 
 
 TEST(LocalContacts, depths_are_wrong_by_twice_the_motion_of_the_device_at_most) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : contact_pairs()) {
-      ContactFeed feed(pair.probe, pair.fixed, method);
+    for (const ContactPair& pair : contact_pairs()) {
+      ContactFeed feed({pair.probe, pair.fixed}, method);
       feed.reset(contact_path(pair, 0), {});
       LocalContacts old = feed.contacts();
       int compared = 0;
@@ -83,9 +83,9 @@ TEST(LocalContacts, depths_are_wrong_by_twice_the_motion_of_the_device_at_most) 
 
 // A box that comes down flat on a block: the rows are exact however old they are.
 TEST(LocalContacts, a_fast_poke_is_met_between_two_refreshes) {
-  const Pair pair = contact_pairs()[0];
+  const ContactPair pair = contact_pairs()[0];
   const auto at = [](double depth) { return Pose{Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; };
-  ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
+  ContactFeed feed({pair.probe, pair.fixed}, Method::pdg);
   const LocalContacts& free = feed.reset(at(-0.003), {});
   ASSERT_EQ(free.separation.status, Status::separated);
   ASSERT_GT(free.reach, 0.006);
@@ -105,12 +105,12 @@ TEST(LocalContacts, a_fast_poke_is_met_between_two_refreshes) {
 
 TEST(LocalContacts, a_turn_is_followed_exactly_where_a_corner_touches_a_plane) {
   // A tetrahedron that stands on a corner: its row holds at any turn about it.
-  const Pair pair = contact_pairs()[1];
+  const ContactPair pair = contact_pairs()[1];
   const auto tilted = [](double angle) {
     return Pose{Quat(Eigen::AngleAxisd(0.4 + angle, Vec3(1, 0.3, 0).normalized())),
                 Vec3(0, 0, 0.068)};
   };
-  ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
+  ContactFeed feed({pair.probe, pair.fixed}, Method::pdg);
   feed.reset(tilted(0), {});
   const LocalContacts old = feed.refresh(tilted(0), 0, 0, {});
   ASSERT_EQ(old.separation.status, Status::penetrating);
@@ -122,8 +122,8 @@ TEST(LocalContacts, a_turn_is_followed_exactly_where_a_corner_touches_a_plane) {
 }
 
 TEST(LocalContacts, the_separated_pose_goes_no_farther_than_is_trusted) {
-  for (const Pair& pair : contact_pairs()) {
-    ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
+  for (const ContactPair& pair : contact_pairs()) {
+    ContactFeed feed({pair.probe, pair.fixed}, Method::pdg);
     feed.reset(contact_path(pair, 0), {});
     LocalContacts old = feed.refresh(contact_path(pair, 0.4), 0, 0, {});
     old.reach = 1e-3;
@@ -142,8 +142,8 @@ TEST(LocalContacts, the_separated_pose_goes_no_farther_than_is_trusted) {
 }
 
 TEST(LocalContacts, what_is_no_pose_or_has_no_rows_fails) {
-  const Pair pair = contact_pairs()[0];
-  ContactFeed feed(pair.probe, pair.fixed, Method::pdg);
+  const ContactPair pair = contact_pairs()[0];
+  ContactFeed feed({pair.probe, pair.fixed}, Method::pdg);
   Pose bad = contact_path(pair, 0);
   EXPECT_EQ(separate_locally(pair.probe->mass, Method::pdg, feed.contacts(), bad).separation.status,
             Status::failed);  // never reset
@@ -156,8 +156,8 @@ TEST(LocalContacts, what_is_no_pose_or_has_no_rows_fails) {
 
 TEST(LocalContacts, neither_refreshing_nor_using_them_allocates) {
   for (const Method method : {Method::pdg, Method::pdt})
-    for (const Pair& pair : contact_pairs()) {
-      ContactFeed feed(pair.probe, pair.fixed, method);
+    for (const ContactPair& pair : contact_pairs()) {
+      ContactFeed feed({pair.probe, pair.fixed}, method);
       feed.reset(contact_path(pair, 0), {});
       int in_contact = 0;
       test::AllocationCounter counter;

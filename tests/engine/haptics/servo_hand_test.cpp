@@ -69,7 +69,7 @@ class ServoHand : public testing::Test {
   std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
   std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
   TestHand hand;
-  Servo servo{probe, fixed, Method::pdg, Coupling{}, settings()};
+  Servo servo{{probe, fixed}, Method::pdg, Coupling{}, settings()};
 };
 
 TEST_F(ServoHand, is_sampled_and_rendered_to_in_turn) {

@@ -58,7 +58,7 @@ bool is_at(const Snapshot& s, const Pose& X) { return s.separation.device.p == X
 class ServoTest : public testing::Test {
  protected:
   Bodies bodies;
-  Servo servo{bodies.probe, bodies.fixed, Method::pdg, stiffness(500), at_once()};
+  Servo servo{{bodies.probe, bodies.fixed}, Method::pdg, stiffness(500), at_once()};
 };
 
 TEST_F(ServoTest, has_no_snapshot_before_the_first_tick) {
@@ -175,7 +175,7 @@ TEST_F(ServoTest, a_paused_loop_keeps_its_last_snapshot_and_computes_nothing) {
 TEST_F(ServoTest, a_pause_is_among_the_ticks_and_is_no_stall) {
   ServoSettings settings = at_once();
   settings.safety.stalled_after = 1;  // s: a pause is longer, a busy machine's stop is not
-  Servo watched(bodies.probe, bodies.fixed, Method::pdg, stiffness(500), settings);
+  Servo watched({bodies.probe, bodies.fixed}, Method::pdg, stiffness(500), settings);
   watched.start(at_depth(0.002));
   ASSERT_TRUE(wait_for_ticks(watched, 5));
   watched.set_paused(true);
@@ -282,7 +282,7 @@ TEST(Servo, a_slow_loop_stops_without_waiting_for_its_tick) {
   const Bodies bodies;
   ServoSettings settings;
   settings.rate_hz = 1;
-  Servo servo(bodies.probe, bodies.fixed, Method::pdg, {}, settings);
+  Servo servo({bodies.probe, bodies.fixed}, Method::pdg, {}, settings);
   servo.start(at_depth(0.001));
   ASSERT_TRUE(wait_for_ticks(servo, 1));
   const auto begin = std::chrono::steady_clock::now();
@@ -300,7 +300,7 @@ TEST(Servo, a_rate_that_is_none_does_not_spin_or_hang) {
   for (const double rate : {0.0, -5.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
     ServoSettings settings;
     settings.rate_hz = rate;
-    Servo servo(bodies.probe, bodies.fixed, Method::pdg, {}, settings);
+    Servo servo({bodies.probe, bodies.fixed}, Method::pdg, {}, settings);
     servo.start(at_depth(-0.01));
     EXPECT_TRUE(wait_for_ticks(servo, 1)) << rate;
   }

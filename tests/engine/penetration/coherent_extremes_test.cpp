@@ -32,7 +32,7 @@ TEST(CoherentExtremes, a_needle_that_spins_freely_is_handed_out_free) {
     const double x = 1.0001 - 1e-4 * (1 - std::cos(2 * std::numbers::pi * i / 2000.0));
     return Pose{upright * Quat(Eigen::AngleAxisd(0.1 * i, Vec3::UnitX())), Vec3(x, 0.1, 0.1)};
   };
-  CoherentSolver solver(needle, block);
+  CoherentSolver solver({needle, block});
   ASSERT_EQ(solver.reset(device(0)).status, Status::separated);
   int in_contact = 0;
   for (int i = 1; i <= 2000; ++i) {
@@ -56,7 +56,7 @@ TEST(CoherentExtremes, far_from_the_origin_the_probe_still_comes_free) {
       return Pose{Quat(Eigen::AngleAxisd(0.3 * std::sin(phase), Vec3::UnitZ())),
                   origin + Vec3(1.2 - 0.15 * (1 - std::cos(phase)), 0.2 * std::sin(phase), 0.1)};
     };
-    CoherentSolver solver(probe, block);
+    CoherentSolver solver({probe, block});
     ASSERT_EQ(solver.reset(device(0)).status, Status::separated) << away;
     int in_contact = 0;
     for (int i = 1; i <= 300; ++i) {
@@ -74,7 +74,7 @@ TEST(CoherentExtremes, far_from_the_origin_the_probe_still_comes_free) {
 // no way round; 5 m/s at 1 kHz is 5 mm a tick. By hand: the probe's centre stays above the wall.
 void press_through(const Body& probe_body, std::shared_ptr<const Body> probe,
                    const std::shared_ptr<const Body>& wall, double speed, bool turning) {
-  CoherentSolver solver(std::move(probe), wall);
+  CoherentSolver solver({std::move(probe), wall});
   Pose device{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 1, 0).normalized())), Vec3(0.01, 0.02, 0.12)};
   const Quat turn = rotation_by({0.02, -0.03, 0.05});
   ASSERT_EQ(solver.reset(device).status, Status::separated);

@@ -64,7 +64,7 @@ struct Rules {
 /// for freedom: exact predicates on all pairs of triangles.
 void follow(const test::BodyPair& pair, const std::vector<Pose>& path, const Budget& budget,
             int check_every, Rules& rules) {
-  CoherentSolver solver(pair.a, pair.b);
+  CoherentSolver solver({pair.a, pair.b});
   ASSERT_EQ(solver.reset(path[0]).status, Status::separated) << pair.name;
   const test::Moments m = test::moments(*pair.a);
   const auto metric = [&](const Pose& x, const Pose& y) {
@@ -154,7 +154,7 @@ TEST(Coherent, rules_hold_wherever_the_work_runs_out) {
 TEST(Coherent, a_descent_cut_short_goes_on_in_the_next_ticks) {
   std::mt19937_64 random(10);
   for (const auto& pair : pairs()) {
-    CoherentSolver solver(pair.a, pair.b), twin(pair.a, pair.b);
+    CoherentSolver solver({pair.a, pair.b}), twin({pair.a, pair.b});
     const auto path = walk(random, pair, 60, 0.1);
     solver.reset(path[0]), twin.reset(path[0]);
     Budget budget;
@@ -182,7 +182,7 @@ TEST(Coherent, a_starved_tick_keeps_its_contacts) {
   std::mt19937_64 random(11);
   for (const auto& pair : pairs())
     for (const Method method : {Method::pdg, Method::pdt}) {
-      CoherentSolver solver(pair.a, pair.b, method);
+      CoherentSolver solver({pair.a, pair.b}, method);
       const auto path = walk(random, pair, 120, 0.1);
       solver.reset(path[0]);
       for (const Pose& X : path) solver.tick(X);
@@ -217,7 +217,7 @@ TEST(Coherent, a_starved_tick_keeps_its_contacts) {
 TEST(Coherent, a_probe_at_rest_stays_to_the_bit) {
   std::mt19937_64 random(13);
   for (const auto& pair : pairs()) {
-    CoherentSolver solver(pair.a, pair.b);
+    CoherentSolver solver({pair.a, pair.b});
     const auto path = walk(random, pair, 60, 0.1);
     solver.reset(path[0]);
     for (const Pose& X : path) solver.tick(X);
@@ -238,7 +238,7 @@ TEST(Coherent, translation_only_holds_wherever_the_work_runs_out) {
   std::mt19937_64 random(12);
   for (const auto& pair : pairs())
     for (const std::int64_t work : {1, 1000, 3000}) {
-      CoherentSolver solver(pair.a, pair.b, Method::pdt), twin(pair.a, pair.b, Method::pdt);
+      CoherentSolver solver({pair.a, pair.b}, Method::pdt), twin({pair.a, pair.b}, Method::pdt);
       const auto path = walk(random, pair, 120, 0.1);
       ASSERT_EQ(solver.reset(path[0]).status, Status::separated);
       twin.reset(path[0]);
@@ -279,7 +279,7 @@ TEST(Coherent, Full_rules_of_every_tick) {
 TEST(Coherent, translation_only_turns_with_the_device) {
   std::mt19937_64 random(5);
   for (const auto& pair : pairs()) {
-    CoherentSolver solver(pair.a, pair.b, Method::pdt);
+    CoherentSolver solver({pair.a, pair.b}, Method::pdt);
     const auto path = walk(random, pair, 200, 0.02);
     ASSERT_EQ(solver.reset(path[0]).status, Status::separated);
     int followed = 0, contacts = 0;
@@ -316,7 +316,7 @@ TEST(Coherent, the_same_path_gives_the_same_bits) {
   std::mt19937_64 random(6);
   for (const auto& pair : pairs()) {
     const auto path = walk(random, pair, 150, 0.03);
-    CoherentSolver one(pair.a, pair.b), two(pair.a, pair.b);
+    CoherentSolver one({pair.a, pair.b}), two({pair.a, pair.b});
     one.reset(path[0]), two.reset(path[0]);
     // One of them has a past: a reset forgets it.
     for (std::size_t i = 1; i < 80; ++i) two.tick(path[i]);
@@ -332,7 +332,7 @@ TEST(Coherent, refuses_what_it_cannot_compute_with_and_goes_on_after_it) {
   std::mt19937_64 random(7);
   const auto pair = pairs().front();
   const auto path = walk(random, pair, 150, 0.03);
-  CoherentSolver plain(pair.a, pair.b), pestered(pair.a, pair.b);
+  CoherentSolver plain({pair.a, pair.b}), pestered({pair.a, pair.b});
   EXPECT_EQ(pestered.tick(path[0]).status, Status::failed) << "not started";
   plain.reset(path[0]), pestered.reset(path[0]);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -362,7 +362,7 @@ TEST(Coherent, refuses_what_it_cannot_compute_with_and_goes_on_after_it) {
 
 TEST(Coherent, a_reset_in_overlap_searches_and_says_so) {
   const auto pair = pairs().front();
-  CoherentSolver solver(pair.a, pair.b);
+  CoherentSolver solver({pair.a, pair.b});
   const Pose X{Quat::Identity(), Vec3(0.02, 0.01, 0)};
   const Separation s = solver.reset(X);
   test::check_separation(*pair.a, *pair.b, s, "reset");
@@ -378,7 +378,7 @@ TEST(Coherent, a_tick_does_not_allocate) {
   for (const auto& pair : pairs())
     for (const Method method : {Method::pdg, Method::pdt}) {
       const auto path = walk(random, pair, 60, 0.1);
-      CoherentSolver solver(pair.a, pair.b, method);
+      CoherentSolver solver({pair.a, pair.b}, method);
       solver.reset(path[0]);
       test::AllocationCounter counter;
       for (const Pose& X : path) solver.tick(X);

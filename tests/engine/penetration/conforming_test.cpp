@@ -253,7 +253,7 @@ void search_in_every_cut(const std::vector<int>& cuts) {
         StaticOptions options;
         options.method = method;
         options.want_lower_bound = false;
-        const Separation s = separate_static(*bodies.probe, *bodies.fixed,
+        const Separation s = separate_static({bodies.probe, bodies.fixed},
                                              scene->path[static_cast<std::size_t>(tick)], options);
         ASSERT_EQ(s.status, Status::penetrating) << describe(*scene, {n}, {});
         EXPECT_NEAR(s.depth, depth, 0.01 * depth)

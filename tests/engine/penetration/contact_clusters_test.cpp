@@ -54,7 +54,7 @@ TEST(ContactClusters, a_box_flat_on_a_plate_is_one_at_the_centre_of_pressure) {
   const auto plate = blocks({{{1, 1, 0.5}, {0, 0, -0.25}}});
   const double depth = 0.004;
   const Pose X{turn(0.4, Vec3::UnitZ()), Vec3(0.02, -0.01, 0.03 - depth)};
-  CoherentSolver solver(box, plate);
+  CoherentSolver solver({box, plate});
   solver.reset({X.q, X.p + Vec3(0, 0, 0.01)});
   const Separation& s = solver.tick(X);
   EXPECT_GE(s.contacts.size, 3);
@@ -87,7 +87,7 @@ TEST(ContactClusters, a_box_in_a_groove_is_two_that_share_the_load) {
   const double depth = 0.003;
   // The corner of a square of side a stands a/√2 under its middle.
   const Pose X{up, Vec3(0.01, 0, 0.1 / std::sqrt(2.0) - depth)};
-  const Separation s = separate_static(*box, *fixed, X);
+  const Separation s = separate_static({box, fixed}, X);
   ASSERT_EQ(s.clusters.size, 2);
   EXPECT_NEAR(s.depth, depth, 2 * clearance * depth);
   for (const ContactCluster& c : s.clusters) {
@@ -111,7 +111,7 @@ TEST(ContactClusters, a_peg_in_a_hole_has_one_a_wall) {
   const auto peg = test::body(test::box({wide, wide, 0.3}));
   const Vec3 pushed(0.003, -0.002, -0.0015);
   Pose X{Quat::Identity(), Vec3(gap / 2, -gap / 2, 0.1) + pushed};
-  CoherentSolver solver(peg, hole);
+  CoherentSolver solver({peg, hole});
   ASSERT_EQ(solver.reset({X.q, Vec3(0, 0, 0.11)}).status, Status::separated);
   const Separation s = solver.tick(X);
   ASSERT_EQ(s.status, Status::penetrating);
@@ -263,7 +263,7 @@ TEST(ClusterIds, one_contact_keeps_its_id_over_many_triangles) {
   };
   for (const Case& c :
        {Case{ball, flat, 0.09}, Case{ball, bumpy, 0.07}, Case{corner, flat, 0.05}}) {
-    CoherentSolver solver(c.probe, c.fixed);
+    CoherentSolver solver({c.probe, c.fixed});
     const Slide s = slide(solver, turn(0.3, Vec3(1, 2, 3).normalized()), c.z);
     EXPECT_EQ(s.ids.size(), 1U);
     EXPECT_GE(s.contacts, 400);
@@ -273,7 +273,7 @@ TEST(ClusterIds, one_contact_keeps_its_id_over_many_triangles) {
 
 TEST(ClusterIds, a_second_contact_gets_a_new_one_and_what_returns_another) {
   const auto ball = test::body(test::sphere(0.1, 24, 32));
-  CoherentSolver solver(ball, floor_of(100, 0, true));
+  CoherentSolver solver({ball, floor_of(100, 0, true)});
   const auto ids = [&](double x, double z) {
     std::vector<std::uint64_t> out;
     for (const ContactCluster& c : solver.tick({Quat::Identity(), Vec3(x, 0, z)}).clusters)
@@ -300,7 +300,7 @@ TEST(ClusterIds, nothing_moves_and_nothing_changes_at_rest) {
   std::mt19937_64 random(3);
   for (const auto& pair : test::body_pairs(4)) {
     if (pair.name == "far") continue;  // rounding alone
-    CoherentSolver solver(pair.a, pair.b);
+    CoherentSolver solver({pair.a, pair.b});
     const double size = pair.b->mass.radius;
     solver.reset({test::random_rotation(random),
                   pair.b->mass.com + test::random_in_ball(random, 0.3 * size)});

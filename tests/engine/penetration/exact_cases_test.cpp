@@ -73,10 +73,11 @@ TEST(ExactCases, a_sphere_on_a_half_space_gains_nothing_by_turning) {
   std::mt19937_64 random(1);
   const auto probe = test::body(test::sphere(0.1, 24, 32));
   const auto fixed = half_space();
+  const Pair bodies(probe, fixed);
   const Radii radii(probe->soup);
   for (const double depth : {0.002, 0.01, 0.05, 0.09}) {
     const Pose X{test::random_rotation(random), Vec3(0.03, 0.01, 0.1 - depth)};
-    const Separation got = separate_static(*probe, *fixed, X);
+    const Separation got = separate_static(bodies, X);
     ASSERT_EQ(got.status, Status::penetrating) << got.reason;
     EXPECT_GE(got.depth, radii.inner - 0.1 + depth - 1e-12);
     EXPECT_LE(got.depth, depth + allowance(0.1, depth));
@@ -92,11 +93,12 @@ TEST(ExactCases, two_spheres) {
   std::mt19937_64 random(2);
   const auto probe = test::body(test::sphere(0.1, 16, 24)),
              fixed = test::body(test::sphere(0.15, 20, 30));
+  const Pair bodies(probe, fixed);
   const Radii a(probe->soup), b(fixed->soup);
   for (const double depth : {0.005, 0.03, 0.1, 0.2}) {
     const double apart = a.outer + b.outer - depth;
     const Vec3 way = apart * test::random_in_ball(random, 1).normalized();
-    const Separation got = separate_static(*probe, *fixed, {test::random_rotation(random), way});
+    const Separation got = separate_static(bodies, {test::random_rotation(random), way});
     ASSERT_EQ(got.status, Status::penetrating) << got.reason;
     EXPECT_GE(got.depth, a.inner + b.inner - apart - 1e-12) << depth;
     EXPECT_LE(got.depth, depth + allowance(0.1, depth)) << depth;
@@ -132,7 +134,8 @@ void compare_on_half_space(std::uint64_t seed, int poses) {
   std::mt19937_64 random(seed);
   const auto fixed = half_space();
   int trusted = 0, cases = 0;
-  for (const Named& probe : probes())
+  for (const Named& probe : probes()) {
+    const Pair bodies(probe.body, fixed);
     for (const double fraction : {0.01, 0.1, 0.4, 1.0})
       for (int i = 0; i < poses; ++i) {
         const double radius = probe.body->mass.radius;
@@ -144,9 +147,10 @@ void compare_on_half_space(std::uint64_t seed, int poses) {
         ++trusted;
         EXPECT_LE(once, fraction * radius * (1 + 1e-12));  // straight up is one of the ways
         expect_accurate(
-            separate_static(*probe.body, *fixed, X), std::min(once, again), radius, 1e-6,
+            separate_static(bodies, X), std::min(once, again), radius, 1e-6,
             probe.name + ", sunk by " + std::to_string(fraction) + " R, pose " + std::to_string(i));
       }
+  }
   EXPECT_GE(trusted, cases * 9 / 10);
 }
 
@@ -202,7 +206,7 @@ TEST(ExactCases, one_contact_in_the_linear_regime) {
       const Vec3 arm = R_FP.transpose() * (q * (corner - body.mass.com)).cross(Vec3::UnitZ());
       const double mu = arm.dot(arm.cwiseQuotient(body.mass.inertia));
       const double reference = depth / std::sqrt(1 + mu);
-      const Separation got = separate_static(body, *fixed, X);
+      const Separation got = separate_static({probe.body, fixed}, X);
       expect_accurate(got, reference, body.mass.radius, 2e-3, probe.name);
       EXPECT_EQ(got.contacts.size, 1) << probe.name;
       EXPECT_LT((got.contacts[0].normal - Vec3::UnitZ()).norm(), 1e-6);
@@ -261,24 +265,25 @@ TEST(ExactCases, translational_depth_of_convex_pairs) {
   options.method = Method::pdt;
   int cases = 0;
   for (const Named& probe : bodies)
-    for (const Named& fixed : bodies)
+    for (const Named& fixed : bodies) {
+      const Pair pair(probe.body, fixed.body);
       for (int i = 0; i < 6; ++i) {
         const Pose X{test::random_rotation(random), test::random_in_ball(random, 0.1)};
         const double reference = convex_translational_depth(*probe.body, X, *fixed.body);
         const std::string what = probe.name + " in " + fixed.name + " " + std::to_string(i);
         if (reference < -1e-9) {
-          EXPECT_EQ(separate_static(*probe.body, *fixed.body, X, options).status,
-                    Status::separated);
+          EXPECT_EQ(separate_static(pair, X, options).status, Status::separated);
           continue;
         }
         options.method = Method::pdt;
-        const Separation pdt = separate_static(*probe.body, *fixed.body, X, options);
+        const Separation pdt = separate_static(pair, X, options);
         expect_accurate(pdt, reference, probe.body->mass.radius, 1e-9, what);
         EXPECT_LT(pdt.rotation, 1e-12) << what;
-        const Separation pdg = separate_static(*probe.body, *fixed.body, X);
+        const Separation pdg = separate_static(pair, X);
         EXPECT_LE(pdg.depth, pdt.depth * (1 + 1e-12)) << what;
         ++cases;
       }
+    }
   EXPECT_GE(cases, 30);
 }
 

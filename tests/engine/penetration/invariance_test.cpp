@@ -118,10 +118,10 @@ TEST(Invariance, a_power_of_two_scales_every_bit_of_a_search) {
   for (const auto& original : pairs()) {
     const test::BodyPair pair = scaled(original, 1);
     const Pose X = overlapping_pose(random, pair);
-    const Separation one = separate_static(*pair.a, *pair.b, X, options);
+    const Separation one = separate_static({pair.a, pair.b}, X, options);
     for (const double s : powers) {
       const auto [name, a, b] = scaled(original, s);
-      expect_same_bits(one, separate_static(*a, *b, {X.q, s * X.p}, options), s, name);
+      expect_same_bits(one, separate_static({a, b}, {X.q, s * X.p}, options), s, name);
       const Distance d = distance(*pair.a, *pair.b, Transform(one.separated)),
                      e = distance(*a, *b, Transform(Pose{one.separated.q, s * one.separated.p}));
       EXPECT_EQ(s * d.distance, e.distance) << pair.name;
@@ -148,9 +148,10 @@ TEST(Invariance, a_power_of_two_scales_every_bit_of_a_path) {
   for (const auto& original : pairs()) {
     const test::BodyPair pair = scaled(original, 1);
     const auto path = path_through(pair, random, 150);
+    const Pair bodies(pair.a, pair.b);
     for (const double s : powers) {
       const test::BodyPair large = scaled(original, s);
-      CoherentSolver one(pair.a, pair.b), other(large.a, large.b);
+      CoherentSolver one(bodies), other({large.a, large.b});
       one.reset(path[0]), other.reset({path[0].q, s * path[0].p});
       for (const Pose& X : path) {
         expect_same_bits(one.tick(X), other.tick({X.q, s * X.p}), s, pair.name);
@@ -167,7 +168,8 @@ TEST(Invariance, searches_side_by_side_give_the_same_bits) {
   const Pose X = overlapping_pose(random, pair);
   StaticOptions options;
   options.budget.steps = 150;
-  const Separation alone = separate_static(*pair.a, *pair.b, X, options);
+  const Pair bodies(pair.a, pair.b);
+  const Separation alone = separate_static(bodies, X, options);
   std::vector<Separation> got(4);
   {
     std::vector<std::jthread> team;
@@ -176,7 +178,7 @@ TEST(Invariance, searches_side_by_side_give_the_same_bits) {
       team.emplace_back([&, i] {
         StaticOptions own = options;
         own.two_threads = i % 2 == 1;
-        got[i] = separate_static(*pair.a, *pair.b, X, own);
+        got[i] = separate_static(bodies, X, own);
       });
   }
   for (const Separation& s : got) expect_same_bits(alone, s, 1, "side by side");
@@ -245,20 +247,15 @@ TEST(Invariance, the_depth_at_a_given_point_does_not_depend_on_the_frame_or_the_
 }
 
 /// A pair of the reference depths, and the same with both bodies moved and made anew of shuffled
-/// triangles; sketches as the program makes them.
+/// triangles.
 struct ReferencePair {
-  std::shared_ptr<const Body> a, b;
+  Pair here;
   MovedPair other;
-  StaticOptions here, there;
+  Pair there;
   ReferencePair(const reference::PairSpec& spec, std::mt19937_64& random)
-      : a(spec.probe()), b(spec.fixed()), other(*a, *b, random) {
-    for (StaticOptions* options : {&here, &there}) {
-      options->want_lower_bound = false;
-      options->two_threads = true;
-    }
-    here.sketches = make_sketches(*a, *b);
-    there.sketches = make_sketches(*other.a, *other.b);
-  }
+      : here(spec.probe(), spec.fixed()),
+        other(here.probe(), here.fixed(), random),
+        there(other.a, other.b) {}
 };
 
 struct Agreement {
@@ -271,6 +268,9 @@ Agreement compare(const std::vector<reference::Row>& rows) {
   std::mt19937_64 random(8);
   std::map<std::string, const reference::PairSpec*> specs;
   for (const auto& spec : reference::pair_specs()) specs[spec.name] = &spec;
+  StaticOptions options;
+  options.want_lower_bound = false;
+  options.two_threads = true;
   Agreement out;
   std::string loaded;
   std::unique_ptr<const ReferencePair> pair;
@@ -278,10 +278,10 @@ Agreement compare(const std::vector<reference::Row>& rows) {
     if (loaded != row.pair)
       pair = std::make_unique<ReferencePair>(*specs.at(row.pair), random), loaded = row.pair;
     const MovedPair& other = pair->other;
-    EXPECT_EQ(other.a->solid, pair->a->solid) << row.pair;
-    EXPECT_EQ(other.b->solid, pair->b->solid) << row.pair;
-    const Separation here = separate_static(*pair->a, *pair->b, row.pose, pair->here),
-                     there = separate_static(*other.a, *other.b, other.pose(row.pose), pair->there);
+    EXPECT_EQ(other.a->solid, pair->here.probe().solid) << row.pair;
+    EXPECT_EQ(other.b->solid, pair->here.fixed().solid) << row.pair;
+    const Separation here = separate_static(pair->here, row.pose, options),
+                     there = separate_static(pair->there, other.pose(row.pose), options);
     if (!here.converged || !there.converged) {
       ++out.unconverged;
       continue;

@@ -105,14 +105,14 @@ PolygonSoup channel() {
                0.15);
 }
 
-struct Pair {
+struct Case {
   const char* name;
   PolygonSoup probe, fixed;
 };
 
 TEST(Minkowski, translational_depth_of_solids_that_need_not_be_convex) {
   std::mt19937_64 random(1);
-  const std::vector<Pair> pairs = {
+  const std::vector<Case> pairs = {
       {"box in angle bar", test::box({0.04, 0.06, 0.1}), angle_bar()},
       {"box in channel", test::box({0.05, 0.05, 0.2}), channel()},
       {"angle bar in box", angle_bar(), test::box({0.1, 0.1, 0.1})},
@@ -122,13 +122,14 @@ TEST(Minkowski, translational_depth_of_solids_that_need_not_be_convex) {
   StaticOptions options;
   options.method = Method::pdt;
   int cases = 0;
-  for (const Pair& pair : pairs) {
+  for (const Case& pair : pairs) {
     const auto probe = test::body(pair.probe), fixed = test::body(pair.fixed);
     ASSERT_TRUE(probe->solid && fixed->solid);
     ASSERT_LE(probe->soup.triangles.size() * fixed->soup.triangles.size(), 2000u);
+    const Pair bodies(probe, fixed);
     for (int i = 0; i < 4; ++i) {
       const Pose X{test::random_rotation(random), test::random_in_ball(random, 0.12)};
-      const Separation got = separate_static(*probe, *fixed, X, options);
+      const Separation got = separate_static(bodies, X, options);
       if (got.status == Status::separated) continue;
       const std::string what = std::string(pair.name) + " " + std::to_string(i);
       ASSERT_EQ(got.status, Status::penetrating) << what << ": " << got.reason;

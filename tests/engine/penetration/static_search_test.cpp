@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/proximity/intersect.hpp"
+#include "engine/proximity/sketch.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"
 #include "tests/support/real_meshes.hpp"
@@ -57,24 +58,19 @@ void check_lower_bound(const test::BodyPair& pair, const Separation& s, std::mt1
   }
 }
 
-StaticOptions with(const Sketches& sketches, Method method = Method::pdg) {
-  StaticOptions options;
-  options.method = method;
-  options.sketches = sketches;
-  return options;
-}
-
 TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(2);
-  for (const auto& pair : pairs())
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
     for (int i = 0; i < 4; ++i) {
-      const Separation s = separate_static(*pair.a, *pair.b, overlapping_pose(random, pair));
+      const Separation s = separate_static(bodies, overlapping_pose(random, pair));
       test::check_separation(*pair.a, *pair.b, s, pair.name + " " + std::to_string(i));
       EXPECT_EQ(s.lower_bound.has_value(), pair.a->solid || pair.b->solid);
       ASSERT_TRUE(s.pdt.has_value());
       EXPECT_FALSE(s.jumped);
       check_lower_bound(pair, s, random);
     }
+  }
 }
 
 // Any way out along a straight line bounds the depth from above: found here by bisection of
@@ -83,7 +79,7 @@ TEST(StaticSearch, depth_is_at_most_any_translation_out) {
   std::mt19937_64 random(3);
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    const Separation s = separate_static(*pair.a, *pair.b, X);
+    const Separation s = separate_static({pair.a, pair.b}, X);
     for (int i = 0; i < 20; ++i) {
       const Vec3 way = test::random_in_ball(random, 1).normalized();
       double step = 1e-3 * pair.a->mass.radius, out = 0;
@@ -100,10 +96,11 @@ TEST(StaticSearch, translation_only_does_not_turn_and_is_never_less) {
   options.method = Method::pdt;
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    const Separation t = separate_static(*pair.a, *pair.b, X, options);
+    const Pair bodies(pair.a, pair.b);
+    const Separation t = separate_static(bodies, X, options);
     test::check_separation(*pair.a, *pair.b, t, pair.name);
     EXPECT_LT(t.separated.q.angularDistance(X.q), 1e-7) << pair.name;
-    EXPECT_LE(separate_static(*pair.a, *pair.b, X).depth, t.depth * (1 + 1e-9)) << pair.name;
+    EXPECT_LE(separate_static(bodies, X).depth, t.depth * (1 + 1e-9)) << pair.name;
   }
 }
 
@@ -117,18 +114,16 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
   std::mt19937_64 random(5);
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    EXPECT_TRUE(
-        same_bits(separate_static(*pair.a, *pair.b, X), separate_static(*pair.a, *pair.b, X)))
-        << pair.name;
+    const Pair bodies(pair.a, pair.b), again(pair.a, pair.b);
+    EXPECT_TRUE(same_bits(separate_static(bodies, X), separate_static(again, X))) << pair.name;
     for (const int steps : {1, 20, 100}) {
       StaticOptions options;
       options.budget.steps = steps;
-      options.sketches = make_sketches(*pair.a, *pair.b);
-      const Separation s = separate_static(*pair.a, *pair.b, X, options);
+      const Separation s = separate_static(bodies, X, options);
       test::check_separation(*pair.a, *pair.b, s, pair.name);
       // A few steps more make what was found fit to be returned: one for each of ten at most.
       EXPECT_LE(s.iterations, steps + 10) << pair.name;
-      EXPECT_TRUE(same_bits(s, separate_static(*pair.a, *pair.b, X, options))) << pair.name;
+      EXPECT_TRUE(same_bits(s, separate_static(bodies, X, options))) << pair.name;
     }
   }
 }
@@ -139,7 +134,7 @@ TEST(StaticSearch, a_small_probe_deep_inside_comes_out_to_contact) {
   for (const double size : {1.0, 0.1, 0.01}) {
     const auto probe = test::body(test::box({size, 0.7 * size, 0.5 * size}));
     const Pose X{test::random_rotation(random), {1, -2, 30}};
-    const Separation s = separate_static(*probe, *block, X);
+    const Separation s = separate_static({probe, block}, X);
     test::check_separation(*probe, *block, s, std::to_string(size));
     EXPECT_NEAR(s.depth, 20, 2 * size);  // the face at 50
   }
@@ -148,14 +143,15 @@ TEST(StaticSearch, a_small_probe_deep_inside_comes_out_to_contact) {
 TEST(StaticSearch, counted_steps_leave_room_for_translations) {
   std::mt19937_64 random(9);
   int with = 0, all = 0;
-  for (const auto& pair : pairs())
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
     for (const int steps : {30, 100}) {
       StaticOptions options;
       options.budget.steps = steps;
-      const Separation s =
-          separate_static(*pair.a, *pair.b, overlapping_pose(random, pair), options);
+      const Separation s = separate_static(bodies, overlapping_pose(random, pair), options);
       ++all, with += s.pdt.has_value();
     }
+  }
   EXPECT_EQ(with, all);
 }
 
@@ -163,14 +159,13 @@ TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
   for (const auto& pair : pairs()) {
     const Pose X = overlapping_pose(random, pair);
-    for (const int steps : {0, 50, -1}) {
+    const Pair bodies(pair.a, pair.b);
+    for (const int steps : {0, 50}) {
       StaticOptions one;
-      one.budget.steps = std::max(0, steps);
-      if (steps < 0) one.sketches = make_sketches(*pair.a, *pair.b);
+      one.budget.steps = steps;
       StaticOptions two = one;
       two.two_threads = true;
-      EXPECT_TRUE(same_bits(separate_static(*pair.a, *pair.b, X, one),
-                            separate_static(*pair.a, *pair.b, X, two)))
+      EXPECT_TRUE(same_bits(separate_static(bodies, X, one), separate_static(bodies, X, two)))
           << pair.name;
     }
   }
@@ -182,20 +177,21 @@ TEST(StaticSearch, two_threads_give_the_same_bits) {
 TEST(StaticSearch, depth_changes_by_no_more_than_the_device_moved) {
   std::mt19937_64 random(6);
   int broken = 0, all = 0;
-  for (const auto& pair : pairs())
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
     for (int i = 0; i < 3; ++i) {
       const Pose X = overlapping_pose(random, pair);
       Pose Y = X;
       Y.p += test::random_in_ball(random, 0.02 * pair.a->mass.radius);
       Y.q = (Y.q * Quat(Eigen::AngleAxisd(0.02, test::random_in_ball(random, 1).normalized())))
                 .normalized();
-      const Separation x = separate_static(*pair.a, *pair.b, X),
-                       y = separate_static(*pair.a, *pair.b, Y);
+      const Separation x = separate_static(bodies, X), y = separate_static(bodies, Y);
       const double moved = test::pose_distance(*pair.a, X, Y);
       const double slack = test::promised_clearance(pair.a->mass.radius, x.depth);
       broken += std::abs(x.depth - y.depth) > moved + 2 * slack;
       ++all;
     }
+  }
   std::printf("  %d of %d pairs of poses break the law\n", broken, all);
   EXPECT_LE(broken, all / 12);
 }
@@ -205,7 +201,7 @@ TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
     Pose X;
     X.p = pair.b->mass.com - pair.a->mass.com +
           Vec3(1.01 * (pair.a->mass.radius + pair.b->mass.radius), 0, 0);
-    const Separation s = separate_static(*pair.a, *pair.b, X);
+    const Separation s = separate_static({pair.a, pair.b}, X);
     EXPECT_EQ(s.status, Status::separated) << pair.name;
     EXPECT_EQ(s.depth, 0);
     EXPECT_EQ(s.sigma, 0);
@@ -216,7 +212,7 @@ TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
   // Rings through one another, without touching, are free.
   const auto ring = test::body(test::torus(0.08, 0.02, 16, 8));
   const Pose linked{Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX())), Vec3(0.08, 0, 0)};
-  EXPECT_EQ(separate_static(*ring, *ring, linked).status, Status::separated);
+  EXPECT_EQ(separate_static({ring, ring}, linked).status, Status::separated);
 }
 
 // Reference: the balance of moments. A box that lies flat on a plate is held against turns as well,
@@ -226,7 +222,7 @@ TEST(StaticSearch, a_box_flat_on_a_plate_is_held_against_turns) {
   const auto plate = test::body(test::box({2, 2, 1}));
   for (const double deep : {0.001, 0.01}) {
     const Separation s =
-        separate_static(*box, *plate, {Quat::Identity(), Vec3(0.02, -0.01, 0.5 + 0.03 - deep)});
+        separate_static({box, plate}, {Quat::Identity(), Vec3(0.02, -0.01, 0.5 + 0.03 - deep)});
     test::check_separation(*box, *plate, s, "flat");
     EXPECT_NEAR(s.depth, deep, 1e-3 * deep);
     Vec3 moment = Vec3::Zero();
@@ -240,21 +236,21 @@ TEST(StaticSearch, a_box_flat_on_a_plate_is_held_against_turns) {
 TEST(StaticSearch, linked_rings) {
   const auto ring = test::body(test::torus(0.08, 0.02, 16, 8));
   const Pose X{Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX())), Vec3(0.125, 0.002, 0)};
-  for (const Sketches& sketches : {Sketches{}, make_sketches(*ring, *ring)}) {
-    const Separation s = separate_static(*ring, *ring, X, with(sketches));
-    test::check_separation(*ring, *ring, s, "linked");
-    EXPECT_LT(s.depth, 0.0151);  // inwards by what is too far out
-  }
+  const Separation s = separate_static({ring, ring}, X);
+  test::check_separation(*ring, *ring, s, "linked");
+  EXPECT_LT(s.depth, 0.0151);  // inwards by what is too far out
 }
 
-TEST(StaticSearch, answers_from_sketches_are_free_near_contact_and_add_up) {
+TEST(StaticSearch, answers_of_both_methods_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(22);
   for (const auto& pair : pairs()) {
-    const Sketches sketches = make_sketches(*pair.a, *pair.b);
+    const Pair bodies(pair.a, pair.b);
     for (const Method method : {Method::pdg, Method::pdt})
       for (int i = 0; i < 3; ++i) {
         const Pose X = overlapping_pose(random, pair);
-        const Separation s = separate_static(*pair.a, *pair.b, X, with(sketches, method));
+        StaticOptions options;
+        options.method = method;
+        const Separation s = separate_static(bodies, X, options);
         test::check_separation(*pair.a, *pair.b, s, pair.name);
         EXPECT_TRUE(method == Method::pdg || s.rotation == 0) << pair.name;
       }
@@ -277,10 +273,9 @@ TEST(StaticSearch, a_way_out_too_narrow_for_sketches_is_found) {
   wall({-0.2, -0.1, -0.1}, {-0.0205, 0.1, 0.1}, walls);
   wall({0.0205, -0.1, -0.1}, {0.2, 0.1, 0.1}, walls);
   const auto fixed = test::body(walls), peg = test::body(test::box({0.04, 0.12, 0.12}));
-  const Sketches sketches = make_sketches(*peg, *fixed);
-  ASSERT_TRUE(sketches);
-  const Separation s =
-      separate_static(*peg, *fixed, {Quat::Identity(), Vec3(0.001, 0, 0)}, with(sketches));
+  const Pair bodies(peg, fixed);
+  ASSERT_TRUE(bodies.sketches());
+  const Separation s = separate_static(bodies, {Quat::Identity(), Vec3(0.001, 0, 0)});
   test::check_separation(*peg, *fixed, s, "peg");
   EXPECT_NEAR(s.depth, 0.0005, 1e-6);
 }
@@ -288,7 +283,7 @@ TEST(StaticSearch, a_way_out_too_narrow_for_sketches_is_found) {
 TEST(StaticSearch, one_triangle_against_one) {
   const auto flat = test::body({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   const auto upright = test::body({{{-0.2, 0, -0.5}, {0.2, 0, -0.5}, {0, 0, 0.1}}, {{0, 1, 2}}});
-  const Separation s = separate_static(*upright, *flat, {});
+  const Separation s = separate_static({upright, flat}, {});
   test::check_separation(*upright, *flat, s, "triangles");
   EXPECT_LE(s.depth, 0.1 * (1 + 1e-3));  // the tip sticks out by that
   EXPECT_FALSE(s.lower_bound.has_value());
@@ -300,7 +295,7 @@ TEST(StaticSearch, a_mesh_in_its_own_place) {
     const Pose X{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0, 0)};
     for (const Pose& at : {Pose{}, X}) {
       const Pose same = at.p.isZero() ? at : Pose{};
-      test::check_separation(*body, *body, separate_static(*body, *body, same), body->name);
+      test::check_separation(*body, *body, separate_static({body, body}, same), body->name);
     }
   }
 }
@@ -309,7 +304,7 @@ TEST(StaticSearch, touching_is_penetrating_with_depth_zero_or_so) {
   const auto cube = test::body(test::box({1, 1, 1}));
   const double radius = cube->mass.radius;
   for (const Vec3& at : {Vec3(1, 0, 0), Vec3(1, 0.25, 0.5), Vec3(1, 1, 0), Vec3(-1, 1, 1)}) {
-    const Separation s = separate_static(*cube, *cube, {Quat::Identity(), at});
+    const Separation s = separate_static({cube, cube}, {Quat::Identity(), at});
     test::check_separation(*cube, *cube, s, "touching");
     EXPECT_LE(s.depth, 1e-8 * radius) << at.transpose();
     ASSERT_TRUE(s.lower_bound.has_value());
@@ -328,7 +323,7 @@ TEST(StaticSearch, inside_a_solid) {
         test::body(test::torus(0.08, 0.03, 12, 8))}) {
     const Pose X{test::random_rotation(random), Vec3(0.05, 0.1, 0.2)};
     ASSERT_FALSE(triangles_meet(*probe, *room, Transform(X), Doubt::contact));
-    const Separation s = separate_static(*probe, *room, X);
+    const Separation s = separate_static({probe, room}, X);
     test::check_separation(*probe, *room, s, "inside");
     double highest = 1;
     for (const Triangle& t : probe->soup.triangles)
@@ -338,7 +333,7 @@ TEST(StaticSearch, inside_a_solid) {
     EXPECT_GE(s.depth, 0.3 - 1e-9);  // the centre of mass, 0.3 under the face, must come out
     EXPECT_GT(*s.lower_bound, 0.15);
     const Pose back = inverse(X);
-    test::check_separation(*room, *probe, separate_static(*room, *probe, back), "around");
+    test::check_separation(*room, *probe, separate_static({room, probe}, back), "around");
   }
 }
 
@@ -353,7 +348,7 @@ TEST(StaticSearch, probes_without_thickness) {
     for (int i = 0; i < 6; ++i) {
       Pose X{test::random_rotation(random), Vec3::Zero()};
       X.p = Vec3(0.05, 0.03, 0.045) - X.q * probe->mass.com;
-      const Separation s = separate_static(*probe, *block, X);
+      const Separation s = separate_static({probe, block}, X);
       test::check_separation(*probe, *block, s, "thin probe " + std::to_string(i));
       EXPECT_GE(s.depth, 0.005 - 1e-9);  // the centre of mass is so deep
     }

@@ -15,9 +15,7 @@ namespace {
 const Stop never = [] { return false; };
 
 RenderSetup setup(const PolygonSoup& probe, const PolygonSoup& fixed) {
-  RenderSetup out;
-  out.probe = test::body(probe);
-  out.fixed = test::body(fixed);
+  RenderSetup out{.pair = {test::body(probe), test::body(fixed)}};
   out.coupling.k = 400;
   return out;
 }
@@ -37,11 +35,11 @@ std::vector<TimedPose> press(const Body& probe) {
 // poses elsewhere (exact_cases_test.cpp); here the two meet as wrenches.
 TEST(AnalyticWrench, OnALargeBoxTheRenderingOfPdgAgrees) {
   const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::box({0.8, 0.8, 0.4}));
-  const auto path = press(*s.probe);
+  const auto path = press(s.pair.probe());
   const AnalyticWrenches known = analytic_wrenches(s, path, 1, 8, never);
   ASSERT_EQ(known.kind, AnalyticKind::half_space);
   ASSERT_EQ(known.ticks.size(), 8u);
-  const double radius = s.probe->mass.radius;
+  const double radius = s.pair.probe().mass.radius;
   const TorqueRealism pdg = torque_realism(render(s, Method::pdg, path, never), known, radius);
   EXPECT_EQ(pdg.ticks, 8u);
   EXPECT_LT(pdg.worst_force_error, 0.01);
@@ -66,9 +64,10 @@ TEST(AnalyticWrench, NothingTurnsABall) {
 
 TEST(AnalyticWrench, OfOtherPairsNoneIsKnown) {
   const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::torus(0.08, 0.03, 40, 20));
-  const AnalyticWrenches known = analytic_wrenches(s, press(*s.probe), 1, 8, never);
+  const AnalyticWrenches known = analytic_wrenches(s, press(s.pair.probe()), 1, 8, never);
   EXPECT_EQ(known.kind, AnalyticKind::none);
-  EXPECT_EQ(torque_realism(render(s, Method::pdg, press(*s.probe), never), known, 0.04).ticks, 0u);
+  EXPECT_EQ(torque_realism(render(s, Method::pdg, press(s.pair.probe()), never), known, 0.04).ticks,
+            0u);
 }
 
 TEST(AnalyticWrench, TheSameAfterBeingWrittenAndRead) {

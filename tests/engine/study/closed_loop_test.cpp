@@ -15,12 +15,10 @@ namespace sonde {
 namespace {
 
 ClosedLoopSetup setup() {
-  ClosedLoopSetup out;
   // Off its own centre, so that handle and mesh frame are not the same.
   PolygonSoup cube = test::box({0.05, 0.05, 0.05});
   for (Vec3& x : cube.points) x += Vec3(0.01, 0.02, 0.03);
-  out.probe = test::body(cube);
-  out.fixed = test::body(test::box({1, 1, 0.2}));
+  ClosedLoopSetup out{.pair = {test::body(cube), test::body(test::box({1, 1, 0.2}))}};
   out.coupling.k = 400;
   out.device.translation.friction = 0.05;
   out.device.translation.resolution = 1e-5;
@@ -36,9 +34,9 @@ TEST(ClosedLoop, IsTheDeviceAndTheLoopTickByTick) {
   ClosedLoop loop(s);
   loop.reset(start);
 
-  HapticLoop haptic(s.probe, s.fixed, s.method, s.coupling);
+  HapticLoop haptic(s.pair, s.method, s.coupling);
   haptic.reset(start, {});
-  const Pose X_MD{Quat::Identity(), s.probe->mass.com};
+  const Pose X_MD{Quat::Identity(), s.pair.probe().mass.com};
   SimulatedDevice device(s.device, s.sample_time, start * X_MD);
   Wrench push;
   push.force = {0.2, 0, -2};
@@ -62,7 +60,8 @@ TEST(ClosedLoop, AtRestTheMotorsBalanceTheHand) {
   for (int i = 0; i < 3000; ++i) loop.step(start, push);
   const double hand = -2 + 300 * (start.p.z() - loop.X_FM().p.z());
   EXPECT_NEAR(loop.device().motors().force.z(), -hand, 1e-4);
-  const Wrench hooke = spring_wrench(s.probe->mass, loop.haptic_loop().separation(), s.coupling);
+  const Wrench hooke =
+      spring_wrench(s.pair.probe().mass, loop.haptic_loop().separation(), s.coupling);
   EXPECT_NEAR(hooke.force.z(), 400 * loop.haptic_loop().separation().depth, 1e-6);
   EXPECT_LT(kinetic_energy(s.device, loop.device().state()), 1e-10);
 }
@@ -94,9 +93,7 @@ double thread_time() {
 
 TEST(ClosedLoop, Full_along_the_spoons_path_every_tick_has_an_answer) {
   const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
-  ClosedLoopSetup setup;
-  setup.probe = load(scene.probe, scene.unit);
-  setup.fixed = load(scene.fixed, scene.unit);
+  ClosedLoopSetup setup{.pair = {load(scene.probe, scene.unit), load(scene.fixed, scene.unit)}};
   setup.coupling = scene.coupling;
   setup.device = simulated(read_device_profile(SONDE_RESOURCES "/devices/sigma.7.json"));
   setup.budget.steps = 60;

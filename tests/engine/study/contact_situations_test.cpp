@@ -50,8 +50,8 @@ SituationOptions options() {
 TEST(ContactSituations, OfABoxOnABoxAreOrderedAndTheSameEachTime) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
   const auto fixed = test::body(test::box({0.2, 0.2, 0.1}));
-  const auto first = find_situations(probe, fixed, {}, 3, options(), never);
-  const auto second = find_situations(probe, fixed, {}, 3, options(), never);
+  const auto first = find_situations({probe, fixed}, {}, 3, options(), never);
+  const auto second = find_situations({probe, fixed}, {}, 3, options(), never);
   ASSERT_EQ(first.size(), second.size());
   ASSERT_FALSE(first.empty());
   std::map<ContactKind, int> of_kind;
@@ -76,19 +76,19 @@ TEST(ContactSituations, AlongAPathAreThoseOfThePath) {
   std::vector<TimedPose> path;
   for (int i = 0; i < 40; ++i)
     path.push_back({i * 1e-3, {Quat::Identity(), {0.01, 0, 0.08 - i * 5e-4}}});
-  const auto found = situations_along(probe, fixed, path, 2, options(), never);
+  const auto found = situations_along({probe, fixed}, path, 2, options(), never);
   ASSERT_FALSE(found.empty());
   for (const ContactSituation& each : found) {
     EXPECT_EQ(each.separation.clusters.size, 1);  // face on face
     EXPECT_EQ(each.separation.device.p.x(), 0.01);
   }
   for (TimedPose& at : path) at.pose.p.z() += 1;
-  EXPECT_TRUE(situations_along(probe, fixed, path, 2, options(), never).empty());
+  EXPECT_TRUE(situations_along({probe, fixed}, path, 2, options(), never).empty());
 }
 
 TEST(ContactSituations, StopWhenAsked) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
-  EXPECT_THROW(find_situations(probe, probe, {}, 3, options(), [] { return true; }), Cancelled);
+  EXPECT_THROW(find_situations({probe, probe}, {}, 3, options(), [] { return true; }), Cancelled);
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ Vec3 lowest(const Body& body, const Quat& q) {
   return out;
 }
 
-Separation sunk(const Body& probe, const Body& fixed, const Quat& q, double depth) {
+Separation sunk(const Pair& pair, const Quat& q, double depth) {
   StaticOptions options;
   options.method = Method::pdt;
-  const Vec3 at(0, 0, 0.05 - depth - lowest(probe, q).z());
-  return separate_static(probe, fixed, {q, at}, options);
+  const Vec3 at(0, 0, 0.05 - depth - lowest(pair.probe(), q).z());
+  return separate_static(pair, {q, at}, options);
 }
 
 // Reference: a corner d below a large block's top. U = ½k d², and turning by δφ raises the corner
@@ -31,11 +31,12 @@ Separation sunk(const Body& probe, const Body& fixed, const Quat& q, double dept
 TEST(ContactTorque, OfACornerIsWhatTheEnergyGives) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
+  const Pair pair(probe, fixed);
   std::mt19937_64 random(3);
   for (int i = 0; i < 20; ++i) {
     const Quat q = test::random_rotation(random);
     const Vec3 want = lowest(*probe, q).cross(Vec3(0, 0, 0.004));
-    const Vec3 got = ContactTorque(*probe, *fixed).at(sunk(*probe, *fixed, q, 0.004));
+    const Vec3 got = ContactTorque(*probe, *fixed).at(sunk(pair, q, 0.004));
     EXPECT_LT((got - want).norm(), 2e-3 * 0.004 * probe->mass.radius) << i;
   }
 }
@@ -44,7 +45,7 @@ TEST(ContactTorque, OfACornerIsWhatTheEnergyGives) {
 TEST(ContactTorque, AFaceOnAFaceHasNone) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
-  const Separation s = sunk(*probe, *fixed, Quat::Identity(), 0.004);
+  const Separation s = sunk({probe, fixed}, Quat::Identity(), 0.004);
   ASSERT_EQ(s.status, Status::penetrating);
   EXPECT_LT(ContactTorque(*probe, *fixed).at(s).norm(), 2e-3 * 0.004 * probe->mass.radius);
 }
@@ -52,7 +53,7 @@ TEST(ContactTorque, AFaceOnAFaceHasNone) {
 TEST(ContactTorque, OutOfContactThereIsNone) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
-  EXPECT_EQ(ContactTorque(*probe, *fixed).at(sunk(*probe, *fixed, Quat::Identity(), -0.01)),
+  EXPECT_EQ(ContactTorque(*probe, *fixed).at(sunk({probe, fixed}, Quat::Identity(), -0.01)),
             Vec3::Zero().eval());
 }
 

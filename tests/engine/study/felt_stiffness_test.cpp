@@ -22,7 +22,7 @@ TEST(FeltStiffness, OfABoxPressedFlatIsThatOfItsThreeDegrees) {
   const auto probe = test::body(test::box({0.06, 0.04, 0.02}));
   const auto fixed = test::body(test::box({1, 1, 0.2}));
   const Pose O{Quat::Identity(), {0, 0, 0.11 - 1e-3}}, Q{Quat::Identity(), {0, 0, 0.11 + 1e-7}};
-  const auto felt = felt_stiffness(probe, fixed, Method::pdg, O, Q, 2e-5);
+  const auto felt = felt_stiffness({probe, fixed}, Method::pdg, O, Q, 2e-5);
   ASSERT_TRUE(felt);
   // It resists pressing with 1 and turns out of the plane with Î; nothing else.
   const Vec3 square = Vec3(0.06, 0.04, 0.02).cwiseAbs2();
@@ -64,7 +64,7 @@ struct Contacts {
     options.walks = walks;
     options.hardness = [](const FeltStiffness& felt) { return felt.object.norm(); };
     const Pose X{Quat::Identity(), Vec3::Zero()};
-    found = find_situations(probe, fixed, X, 100, options, never);
+    found = find_situations({probe, fixed}, X, 100, options, never);
   }
 };
 
@@ -115,7 +115,7 @@ void expect_felt_stiffness_bounded(const Contacts& contacts) {
 void expect_energy_bounded(const Contacts& contacts, std::uint64_t seed, int each) {
   std::mt19937_64 random(seed);
   const MassProperties& mass = contacts.probe->mass;
-  CoherentSolver solver(contacts.probe, contacts.fixed);
+  CoherentSolver solver({contacts.probe, contacts.fixed});
   int compared = 0;
   for (const ContactSituation& s : contacts.found)
     for (int i = 0; i < each; ++i) {

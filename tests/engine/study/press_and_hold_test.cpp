@@ -15,9 +15,8 @@ namespace {
 constexpr double no_motors = 1e6;
 
 ClosedLoopSetup setup(double k) {
-  ClosedLoopSetup out;
-  out.probe = test::body(test::box({0.05, 0.05, 0.05}));
-  out.fixed = test::body(test::box({1, 1, 0.2}));
+  ClosedLoopSetup out{
+      .pair = {test::body(test::box({0.05, 0.05, 0.05})), test::body(test::box({1, 1, 0.2}))}};
   out.coupling.k = k;
   out.coupling.max_force = out.coupling.max_torque = no_motors;
   out.device.translation = {.inertia = 0.1, .damping = 1, .limit = no_motors};

@@ -12,9 +12,8 @@ namespace {
 const Stop never = [] { return false; };
 
 RenderSetup setup() {
-  RenderSetup out;
-  out.probe = test::body(test::box({0.02, 0.03, 0.05}));
-  out.fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  RenderSetup out{
+      .pair = {test::body(test::box({0.02, 0.03, 0.05})), test::body(test::box({0.3, 0.3, 0.1}))}};
   out.coupling.k = 400;
   out.coupling.max_force = 0.5;  // does not act
   return out;

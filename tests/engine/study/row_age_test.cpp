@@ -13,13 +13,13 @@
 namespace sonde {
 namespace {
 
-struct Pair {
+struct Bodies {
   const char* name;
   std::shared_ptr<const Body> probe, fixed;
   double bottom;
 };
 
-std::vector<Pair> pairs() {
+std::vector<Bodies> pairs() {
   std::mt19937_64 random(11);
   const auto block = test::body(test::box({0.3, 0.3, 0.1}));
   return {
@@ -31,7 +31,7 @@ std::vector<Pair> pairs() {
 }
 
 /// A second: down, about in contact, and up.
-std::vector<TimedPose> path(const Pair& pair) {
+std::vector<TimedPose> path(const Bodies& pair) {
   std::vector<TimedPose> out;
   for (int i = 0; i <= 1000; ++i) {
     const double turn = 2 * std::numbers::pi * i / 1000.0;
@@ -43,10 +43,10 @@ std::vector<TimedPose> path(const Pair& pair) {
 }
 
 TEST(RowAge, young_rows_are_in_step_and_old_ones_better_a_held_wrench) {
-  for (const Pair& pair : pairs()) {
+  for (const Bodies& pair : pairs()) {
     RowAgeOptions options;
     options.ages = {0, 1, 5};
-    const auto found = measure_row_age(pair.probe, pair.fixed, path(pair), options);
+    const auto found = measure_row_age({pair.probe, pair.fixed}, path(pair), options);
     ASSERT_EQ(found.size(), 3u);
     for (const RowAge& r : found) {
       SCOPED_TRACE(testing::Message() << pair.name << ", age " << r.age);
@@ -64,13 +64,13 @@ TEST(RowAge, young_rows_are_in_step_and_old_ones_better_a_held_wrench) {
 }
 
 TEST(RowAge, twice_the_speed_at_twice_the_rate_is_the_same) {
-  const Pair pair = pairs()[1];
+  const Bodies pair = pairs()[1];
   RowAgeOptions slow, fast;
   slow.ages = fast.ages = {2};
   fast.rate_hz = 2 * slow.rate_hz;
   fast.speed = 2;
-  const RowAge a = measure_row_age(pair.probe, pair.fixed, path(pair), slow)[0];
-  const RowAge b = measure_row_age(pair.probe, pair.fixed, path(pair), fast)[0];
+  const RowAge a = measure_row_age({pair.probe, pair.fixed}, path(pair), slow)[0];
+  const RowAge b = measure_row_age({pair.probe, pair.fixed}, path(pair), fast)[0];
   EXPECT_EQ(a.ticks, b.ticks);
   EXPECT_NEAR(a.force_error.p99, b.force_error.p99, 1e-6 * a.largest_force);
   EXPECT_NEAR(2 * a.probe_speed, b.probe_speed, 1e-6 * b.probe_speed);

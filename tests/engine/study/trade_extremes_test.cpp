@@ -22,7 +22,7 @@ std::vector<Pose> some_poses() {
 TEST(TradeExtremes, AnswersDoNotDependOnSizeAndHardlyOnPlace) {
   const auto ring = test::body(test::torus(0.06, 0.02, 24, 12));
   const auto box = test::body(test::box({0.05, 0.04, 0.08}));
-  const auto all = measure_extremes(*box, *ring, some_poses(), 1, never);
+  const auto all = measure_extremes({box, ring}, some_poses(), 1, never);
   ASSERT_EQ(all.size(), 9u) << "three worlds, two methods and the bound";
   for (const TradeExtreme& extreme : all) {
     ASSERT_EQ(extreme.change.size(), 2u);
@@ -34,7 +34,7 @@ TEST(TradeExtremes, AnswersDoNotDependOnSizeAndHardlyOnPlace) {
         // A search stops at a residual of 1e-4, and leaves a clearance of 1e-4 of the depth.
         EXPECT_NEAR(change, 0, 1e-3);
       } else {  // other points may be found to prove it by, but none that proves too much
-        const Separation s = separate_static(*box, *ring, some_poses()[i]);
+        const Separation s = separate_static({box, ring}, some_poses()[i]);
         EXPECT_GT(change, -1);
         EXPECT_LE((1 + change) * s.lower_bound.value(), s.depth);
       }
@@ -45,10 +45,10 @@ TEST(TradeExtremes, AnswersDoNotDependOnSizeAndHardlyOnPlace) {
 TEST(TradeExtremes, SurfacesHaveNoBoundAndFailuresAreNoNumbers) {
   std::mt19937_64 random(5);
   const auto soup = test::body(test::random_soup(random, 30, 0.1));
-  const auto all = measure_extremes(*soup, *soup, some_poses(), 1, never);
+  const auto all = measure_extremes({soup, soup}, some_poses(), 1, never);
   EXPECT_EQ(all.size(), 6u);
   for (const TradeExtreme& extreme : all) EXPECT_EQ(extreme.kind, TradeKind::search);
-  EXPECT_THROW(measure_extremes(*soup, *soup, some_poses(), 1, [] { return true; }), Cancelled);
+  EXPECT_THROW(measure_extremes({soup, soup}, some_poses(), 1, [] { return true; }), Cancelled);
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ const Stop never = [] { return false; };
 Pose pressed(double depth) { return {Quat::Identity(), Vec3(0.1, 0.05, 1.5 - depth)}; }
 
 TradeSetup cubes() {
-  TradeSetup setup;
-  setup.probe = test::body(test::box({1, 1, 1}));
-  setup.fixed = test::body(test::box({2, 2, 2}));
+  TradeSetup setup{.pair = {test::body(test::box({1, 1, 1})), test::body(test::box({2, 2, 2}))}};
   setup.poses = {pressed(0.1), pressed(0.3)};
   for (int i = 0; i < 30; ++i) setup.path.push_back({0.001 * i, pressed(0.01 * i - 0.05)});
   setup.scene = "cubes";
@@ -110,7 +108,8 @@ TEST_F(Trade, WithoutAPathOrASolidThereIsNothingOfThem) {
   TradeSetup setup = cubes();
   setup.path.clear();
   std::mt19937_64 random(5);
-  setup.probe = setup.fixed = test::body(test::random_soup(random, 12, 1));
+  const auto soup = test::body(test::random_soup(random, 12, 1));
+  setup.pair = {soup, soup};
   setup.poses = {Pose{Quat::Identity(), Vec3(0.01, 0.02, 0.03)}};
   const nlohmann::json about = nlohmann::json::parse(trade_study(setup).about);
   for (const auto& setting : about.at("settings")) EXPECT_EQ(setting.at("kind"), "static");

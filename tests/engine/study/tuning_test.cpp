@@ -28,9 +28,8 @@ DeviceProfile profile(const std::string& id = "sigma.7") {
 /// A small box pressed on a large one, in one situation; of the assumed values only the mass: there
 /// is little to do.
 TuningRequest boxes() {
-  TuningRequest request;
-  request.probe = test::body(test::box({0.06, 0.05, 0.04}));
-  request.fixed = test::body(test::box({0.2, 0.2, 0.1}));
+  TuningRequest request{
+      .pair = {test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({0.2, 0.2, 0.1}))}};
   request.X_FM = {Quat::Identity(), {0, 0, 0.1}};
   request.device = profile();
   for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
@@ -136,9 +135,7 @@ TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
 
 TuningRequest spoon_in_cup() {
   const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
-  TuningRequest request;
-  request.probe = load(scene.probe, scene.unit);
-  request.fixed = load(scene.fixed, scene.unit);
+  TuningRequest request{.pair = {load(scene.probe, scene.unit), load(scene.fixed, scene.unit)}};
   request.X_FM = relative_pose(scene);
   request.coupling = scene.coupling;
   request.device = profile();

@@ -69,8 +69,8 @@ Press press(const WallCase& wall, const Coupling& c, double stiffness) {
 }
 
 bool stable(const WallCase& wall, const std::shared_ptr<const Body>& fixed, double stiffness) {
-  ClosedLoopSetup setup{
-      wall.probe, fixed, Method::pdg, coupling(wall, stiffness), {}, wall.axis.sample_time, {}};
+  ClosedLoopSetup setup{{wall.probe, fixed},   Method::pdg, coupling(wall, stiffness), {},
+                        wall.axis.sample_time, {}};
   const HandleMotion moving{
       .inertia = wall.axis.inertia, .damping = wall.axis.damping, .limit = 1e6};
   setup.device.translation = wall.turning ? immobile : moving;

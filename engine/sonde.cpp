@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/sonde.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "engine/geometry/body.hpp"
+#include "engine/haptics/coupler.hpp"
+#include "engine/penetration/coherent.hpp"
+
+namespace sonde {
+namespace {
+
+std::string numbered(const char* what, std::size_t i) {
+  return std::string(what) + " " + std::to_string(i);
+}
+
+/// The triangles as the readers of files would give them, checked as they would.
+PolygonSoup checked(std::span<const Vec3> vertices,
+                    std::span<const std::array<std::uint32_t, 3>> triangles,
+                    const std::string& name) {
+  if (triangles.empty()) throw InputError::in(name, "no triangles");
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!vertices[i].allFinite())
+      throw InputError::in(name, numbered("vertex", i) + " is not finite");
+  PolygonSoup out{{vertices.begin(), vertices.end()}, {}};
+  out.polygons.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const std::uint32_t corner : triangles[i])
+      if (corner >= vertices.size())
+        throw InputError::in(name, numbered("triangle", i) + ": there is no " +
+                                       numbered("vertex", corner) + ", only " +
+                                       std::to_string(vertices.size()));
+    out.polygons.push_back({triangles[i].begin(), triangles[i].end()});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model model, double scale,
+                                      const Progress& progress) {
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw InputError::in(file.string(), "the scale must be positive and finite");
+  return load_body(file.string(), model, scale, progress);
+}
+
+std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
+                                      std::span<const std::array<std::uint32_t, 3>> triangles,
+                                      Model model, const std::string& name) {
+  return make_body(checked(vertices, triangles, name), model, name);
+}
+
+BodyFacts facts(const Body& body) {
+  return {.name = body.name,
+          .triangles = body.soup.triangles.size(),
+          .degenerate = body.degenerate,
+          .solid = body.solid,
+          .why = body.why,
+          .turned = body.turned,
+          .mass = body.mass};
+}
+
+Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
+  return separate_static(pair, X_FM, options);
+}
+
+struct Follower::State {
+  CoherentSolver solver;
+};
+
+Follower::Follower(const Pair& pair, Method method)
+    : state_(std::make_unique<State>(State{CoherentSolver(pair, method)})) {}
+Follower::~Follower() = default;
+Follower::Follower(Follower&&) noexcept = default;
+Follower& Follower::operator=(Follower&&) noexcept = default;
+
+const Separation& Follower::start(const Pose& X_FM, const StaticOptions& options) {
+  return state_->solver.reset(X_FM, options);
+}
+
+const Separation& Follower::follow(const Pose& X_FM, const Budget& budget) noexcept {
+  return state_->solver.tick(X_FM, budget);
+}
+
+const Separation& Follower::last() const noexcept { return state_->solver.last(); }
+
+Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling) noexcept {
+  return Coupler(pair.probe().mass, coupling).wrench(now, 0);
+}
+
+Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
+              const Coupling& coupling) noexcept {
+  Coupler coupler(pair.probe().mass, coupling);
+  coupler.wrench(before, 0);
+  return coupler.wrench(now, dt);
+}
+
+}  // namespace sonde
