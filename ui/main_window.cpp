@@ -4,11 +4,9 @@
 #include <vtkPolyData.h>
 
 #include <QAction>
-#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QImage>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPixmap>
@@ -84,7 +82,8 @@ MainWindow::MainWindow(QWidget* parent)
       what_happens_(new ElidedLabel(this)),
       device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
-      opener_(std::make_unique<Opener>(*this, prompts_)) {
+      opener_(std::make_unique<Opener>(*this, prompts_)),
+      escape_([this] { set_force(false); }) {
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
@@ -122,7 +121,6 @@ MainWindow::MainWindow(QWidget* parent)
   frame_timer_.start(frame_ms);
   clock_.start();
   restore_window();
-  QApplication::instance()->installEventFilter(this);
   viewport_->canvas()->setFocus();
 }
 
@@ -184,11 +182,10 @@ void MainWindow::ask_path() {
 
 void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
-  const bool force = !session() || session()->force_on();
   stage_ = std::move(stage);
   force_log_.end();
   Session& now = *stage_.session;
-  now.set_force(force);  // what Esc took away stays away
+  now.set_force(force_);  // what Esc took away stays away
   shown_.reset();
   companion_.reset();
   viewport_->show_stage(stage_);
@@ -236,16 +233,9 @@ void MainWindow::set_paused(bool paused) {
 }
 
 void MainWindow::set_force(bool on) {
+  force_ = on;  // also while the first pair is being read
   if (session()) session()->set_force(on);
-  emit force_changed(session() && on);
-}
-
-/// Whatever has the focus, a dialog or a list that is open: those still get the key.
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::KeyPress &&
-      static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape)
-    set_force(false);
-  return QMainWindow::eventFilter(watched, event);
+  emit force_changed(on);
 }
 
 void MainWindow::reset() {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
+#include "ui/escape_key.hpp"
 #include "ui/force_log.hpp"
 #include "ui/stage.hpp"
 
@@ -74,7 +75,6 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void connect_devices();
@@ -102,11 +102,13 @@ class MainWindow : public QMainWindow {
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   std::unique_ptr<Opener> opener_;
+  EscapeKey escape_;
   QTimer frame_timer_;
   QElapsedTimer clock_;
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
   std::optional<CompanionResult> companion_;
+  bool force_ = true;
   bool trail_ = false;
   std::size_t frames_ = 0;
   qint64 rate_since_ = 0;
