@@ -195,7 +195,7 @@ void MainWindow::show_stage(Stage stage) {
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
   readout_->set_coupling(open.coupling());
-  readout_->take(LengthUnit(open.probe().mass.radius), open.probe().solid || open.fixed().solid);
+  readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
   setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(open.opened().name)));
   // As it is by now: that may have taken a while, and Esc works meanwhile.
   emit paused_changed(session()->paused());
@@ -277,7 +277,8 @@ void MainWindow::draw_if_changed() {
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / trail_seconds;
   const double trail = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
-  viewport_->draw(next, trail);
+  const bool known = companion_ && same(companion_->device, next.separation.device);
+  viewport_->draw(next, trail, known ? &*companion_ : nullptr);
   count_frame();
 }
 
@@ -297,6 +298,8 @@ void MainWindow::ask_companion() {
     rest_since_ = now;
   }
   if (const auto result = session()->companion()) {
+    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
+    if (drawn && !(companion_ && same(companion_->device, result->device))) viewport_->invalidate();
     companion_ = result;
     companion_due_ = companion_asked_ + std::max(companion_ms, qint64(1e-2 * result->time_us));
   }

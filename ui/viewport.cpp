@@ -87,6 +87,7 @@ struct Viewport::Scenery {
   vtkSmartPointer<vtkActor> fixed_actor;
   std::unique_ptr<ProbeView> probe;
   std::unique_ptr<GhostView> ghost;
+  std::unique_ptr<FoundView> nearest, straight;
   SeparationView screw;
   ContactView contacts;
   WrenchView wrench;
@@ -99,8 +100,16 @@ struct Viewport::Scenery {
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
   double radius = 1;           ///< of the fixed body, about centre
   Pose last_device;
-  bool ghost_shown = true;
-  bool hint_shown = true;
+  std::array<bool, 7> shown{true, true, true, true, false, false, true};  ///< by Layer
+
+  std::array<std::pair<Layer, Overlay*>, 6> overlays() {
+    return {{{Layer::ghost, ghost.get()},
+             {Layer::nearest, nearest.get()},
+             {Layer::straight, straight.get()},
+             {Layer::wrench, &wrench},
+             {Layer::screw, &screw},
+             {Layer::contacts, &contacts}}};
+  }
 };
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique<Scenery>(*this)) {
@@ -146,7 +155,13 @@ void Viewport::show_stage(const Stage& stage) {
   s.fixed_actor->VisibilityOn();
   s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface, session.probe().solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
-  s.ghost->set_visible(s.ghost_shown);
+  const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
+    return std::make_unique<FoundView>(*s.bodies, *stage.probe_surface, session.probe().solid, way,
+                                       QLatin1String(name), colour);
+  };
+  s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
+  s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  apply_layers();
   set_coupling(session.coupling());
 
   // A scene's camera says where to look from; how near depends on the window's shape.
@@ -169,7 +184,11 @@ void Viewport::update_legend() {
   const Scenery& s = *scenery_;
   std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
                                  {colour::fixed, s.descriptions[1]}};
-  if (shown(Layer::ghost)) legend.push_back({colour::ghost, QStringLiteral("separated probe")});
+  if (shown(Layer::ghost))
+    legend.push_back({colour::ghost, QStringLiteral("separated probe, as held")});
+  if (shown(Layer::nearest)) legend.push_back({colour::nearest, QStringLiteral("nearest way out")});
+  if (shown(Layer::straight))
+    legend.push_back({colour::straight, QStringLiteral("nearest without a turn (PD_t)")});
   if (shown(Layer::contacts))
     legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {
@@ -179,17 +198,14 @@ void Viewport::update_legend() {
   s.hints->set_legend(std::move(legend));
 }
 
-void Viewport::draw(const Snapshot& snapshot, double trail) {
+void Viewport::draw(const Snapshot& snapshot, double trail, const CompanionResult* searched) {
   Scenery& s = *scenery_;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;
   const Vec3 com = s.last_device * s.mass.com;
-  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail};
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail, searched};
   s.probe->show(frame);
-  s.ghost->show(frame);
-  s.screw.show(frame);
-  s.contacts.show(frame);
-  s.wrench.show(frame);
+  for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.
   const double away = std::max((com - s.centre).norm(),
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
@@ -202,7 +218,7 @@ void Viewport::draw(const Snapshot& snapshot, double trail) {
 void Viewport::update_text(const Snapshot& snapshot) {
   Scenery& s = *scenery_;
   std::vector<PlacedLabel> labels;
-  for (const Overlay* overlay : {static_cast<Overlay*>(&s.wrench), static_cast<Overlay*>(&s.screw)})
+  for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
       labels.push_back({on_screen(label.at), label.text, label.colour});
   s.hints->set_banner(snapshot.paused ? QStringLiteral("Paused – Space goes on") : QString());
@@ -214,44 +230,19 @@ void Viewport::update_text(const Snapshot& snapshot) {
 
 void Viewport::set_shown(Layer layer, bool shown) {
   Scenery& s = *scenery_;
-  switch (layer) {
-    case Layer::ghost:
-      s.ghost_shown = shown;
-      if (s.ghost) s.ghost->set_visible(shown);
-      break;
-    case Layer::screw:
-      s.screw.set_visible(shown);
-      break;
-    case Layer::contacts:
-      s.contacts.set_visible(shown);
-      break;
-    case Layer::wrench:
-      s.wrench.set_visible(shown);
-      break;
-    case Layer::hint:
-      s.hint_shown = shown;
-      s.hints->set_hint_visible(shown);
-      break;
-  }
+  s.shown[static_cast<std::size_t>(layer)] = shown;
+  if (layer == Layer::hint) s.hints->set_hint_visible(shown);
+  apply_layers();
   if (s.probe) update_legend();
   invalidate();
 }
 
-bool Viewport::shown(Layer layer) const {
-  const Scenery& s = *scenery_;
-  switch (layer) {
-    case Layer::ghost:
-      return s.ghost_shown;
-    case Layer::screw:
-      return s.screw.visible();
-    case Layer::contacts:
-      return s.contacts.visible();
-    case Layer::wrench:
-      return s.wrench.visible();
-    case Layer::hint:
-      return s.hint_shown;
-  }
-  return false;
+bool Viewport::shown(Layer layer) const { return scenery_->shown[static_cast<std::size_t>(layer)]; }
+
+void Viewport::apply_layers() {
+  Scenery& s = *scenery_;
+  for (const auto& [layer, overlay] : s.overlays())
+    if (overlay) overlay->set_visible(shown(layer));
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }

@@ -62,6 +62,28 @@ INSTANTIATE_TEST_SUITE_P(Layers, LayerTest,
                                            LayerCase{"show_wrench", 100}),
                          [](const auto& info) { return std::string(info.param.action); });
 
+/// Where the cubes overlap by 10 mm, held and nearest are one: a turn of the held pose's colour
+/// into that of the way shows that it is drawn.
+TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
+  open_cubes();
+  ASSERT_TRUE(wait_until([this] {
+    return window->companion() && window->companion()->nearest && window->companion()->pdt;
+  }));
+  window->set_paused(true);
+  wait(100);
+  const QImage without = picture();
+  for (const char* name : {"show_nearest", "show_straight"}) {
+    auto* action = window->findChild<QAction*>(name);
+    ASSERT_TRUE(action);
+    EXPECT_FALSE(action->shortcut().isEmpty());
+    EXPECT_FALSE(action->isChecked());
+    action->trigger();
+    EXPECT_GT(pixels_between(without, picture()), 500) << name;
+    action->trigger();
+    EXPECT_LT(pixels_between(without, picture()), 20) << name;
+  }
+}
+
 TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
   open_cubes();
   window->set_paused(true);

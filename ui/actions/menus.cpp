@@ -132,12 +132,17 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
   MainWindow* w = &window;
   const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
-  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe"), key("1"), Layer::ghost);
+  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe, as held"), key("1"),
+            Layer::ghost);
   add_layer(window, menu, "show_screw", QStringLiteral("Separation as a screw"), key("2"),
             Layer::screw);
   add_layer(window, menu, "show_contacts", QStringLiteral("Contacts"), key("3"), Layer::contacts);
   add_layer(window, menu, "show_wrench", QStringLiteral("Force and torque"), key("4"),
             Layer::wrench);
+  add_layer(window, menu, "show_nearest", QStringLiteral("Nearest way out"), key("5"),
+            Layer::nearest);
+  add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
+            key("6"), Layer::straight);
   add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),

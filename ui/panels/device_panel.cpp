@@ -31,7 +31,7 @@ QString in_colour(const QColor& colour, const QString& words) {
 }
 
 const QColor& colour_of(DeviceState state) {
-  if (state == DeviceState::ready) return colour::bound;
+  if (state == DeviceState::ready) return colour::ready;
   return state == DeviceState::silent ? colour::contact : colour::force;
 }
 

@@ -5,6 +5,7 @@
 #include <QString>
 #include <vector>
 
+#include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/format.hpp"
 
@@ -17,6 +18,7 @@ struct Frame {
   const LengthUnit& unit;
   double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
   double trail = 1;  ///< where the ghost is on its way from O (0) to Q (1)
+  const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
 /// Text that belongs to a point of the scene.
