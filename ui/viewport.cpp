@@ -28,6 +28,8 @@
 namespace sonde::ui {
 namespace {
 
+constexpr double least_area = 120;  // pixels: in less there is nothing to be seen
+
 void set_background(vtkRenderer& renderer) {
   const QColor top = colour::background_top, bottom = colour::background_bottom;
   renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
@@ -99,7 +101,7 @@ struct Viewport::Scenery {
   Eigen::AlignedBox3d probe_box, fixed_box;
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
   double radius = 1;           ///< of the fixed body, about centre
-  Pose last_device;
+  Pose last_device, last_separated;
   std::array<bool, 7> shown{true, true, true, true, false, false, true};  ///< by Layer
 
   std::array<std::pair<Layer, Overlay*>, 6> overlays() {
@@ -145,7 +147,7 @@ void Viewport::show_stage(const Stage& stage) {
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
   s.radius = session.fixed().mass.radius;
-  s.last_device = session.opened().start;
+  s.last_device = s.last_separated = session.opened().start;
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
@@ -202,6 +204,7 @@ void Viewport::draw(const Snapshot& snapshot, double trail, const CompanionResul
   Scenery& s = *scenery_;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;
+  s.last_separated = snapshot.separation.separated;
   const Vec3 com = s.last_device * s.mass.com;
   const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail, searched};
   s.probe->show(frame);
@@ -220,8 +223,9 @@ void Viewport::update_text(const Snapshot& snapshot) {
   std::vector<PlacedLabel> labels;
   for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
-      labels.push_back({on_screen(label.at), label.text, label.colour});
-  s.hints->set_banner(snapshot.paused ? QStringLiteral("Paused – Space goes on") : QString());
+      labels.push_back(
+          {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
+  s.hints->set_banner(snapshot.paused ? HintView::pause_banner() : QString());
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
@@ -252,7 +256,17 @@ void Viewport::fit() {
   std::vector<Vec3> corners;
   add_corners(corners, s.fixed_box, Pose{});
   add_corners(corners, s.probe_box, s.last_device);
-  camera().frame(corners, aspect());
+  add_corners(corners, s.probe_box, s.last_separated);
+  // Below the legend or beside it: where it comes out larger.
+  const std::vector<QRectF> areas = s.hints->clear_areas();
+  const QRectF* best = nullptr;
+  double nearest = 0;
+  for (const QRectF& area : areas) {
+    if (area.width() < least_area || area.height() < least_area) continue;
+    const double distance = camera().frame(corners, size(), area);
+    if (!best || distance < nearest) best = &area, nearest = distance;
+  }
+  camera().frame(corners, size(), best ? *best : QRectF(rect()));
   invalidate();
 }
 
@@ -267,6 +281,12 @@ QPointF Viewport::on_screen(const Vec3& point) const {
   camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
   if (!(std::abs(out[3]) > 0)) return {};
   return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+}
+
+QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
+  QPolygonF polygon;
+  for (const Vec3& point : points) polygon << on_screen(point);
+  return polygon;
 }
 
 double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }

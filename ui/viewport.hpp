@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPolygonF>
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
+#include <vector>
 
 #include "engine/geometry/body.hpp"
 #include "engine/haptics/companion.hpp"
@@ -62,6 +64,7 @@ class Viewport : public QWidget {
   void update_text(const Snapshot& snapshot);
   void update_legend();
   void apply_layers();
+  QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
 
   std::unique_ptr<Scenery> scenery_;

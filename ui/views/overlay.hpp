@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <utility>
 #include <vector>
 
 #include "engine/haptics/companion.hpp"
@@ -21,11 +22,12 @@ struct Frame {
   const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
-/// Text that belongs to a point of the scene.
+/// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc.
 struct Label {
   Vec3 at;
   QString text;
   QColor colour;
+  std::vector<Vec3> stroke{};
 };
 
 /// Something drawn from a snapshot. Its actors are made once and hidden while there is nothing to
@@ -51,8 +53,9 @@ class Overlay {
  protected:
   virtual void draw(const Frame& frame) = 0;
   virtual void hide() = 0;
-  void label(const Vec3& at, const QString& text, const QColor& colour) {
-    labels_.push_back({at, text, colour});
+  void label(const Vec3& at, const QString& text, const QColor& colour,
+             std::vector<Vec3> stroke = {}) {
+    labels_.push_back({at, text, colour, std::move(stroke)});
   }
 
  private:

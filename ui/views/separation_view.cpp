@@ -83,7 +83,7 @@ void SeparationView::draw_screw(const Frame& frame, const SeparationMotion& moti
     label(from + screw.axis * slide,
           QStringLiteral("screw's slide %1%2")
               .arg(frame.unit.text(std::abs(screw.slide)), drawn(magnify_shift_)),
-          colour::ghost);
+          colour::ghost, {from, from + screw.axis * slide});
   }
   Vec3 start = com - screw.point;
   start -= screw.axis * screw.axis.dot(start);
@@ -99,7 +99,7 @@ void SeparationView::draw_screw(const Frame& frame, const SeparationMotion& moti
         QStringLiteral("moves %1, turns %2°%3")
             .arg(frame.unit.text(motion.t.norm()), number(screw.turn * degrees),
                  drawn(magnify_turn_)),
-        colour::ghost);
+        colour::ghost, arc_points(screw.point, screw.axis, start, angle));
 }
 
 void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& motion,
@@ -110,7 +110,7 @@ void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& moti
         QStringLiteral("moves %1%2, turns %3°")
             .arg(frame.unit.text(motion.t.norm()), drawn(magnify_shift_),
                  number(motion.theta.norm() * degrees)),
-        colour::ghost);
+        colour::ghost, {com, tip});
 }
 
 void SeparationView::hide() {
