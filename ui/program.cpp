@@ -147,6 +147,7 @@ int run(int argc, char** argv) {
   QLocale::setDefault(QLocale::c());
   QApplication::setOrganizationName(QStringLiteral("sonde"));
   QApplication::setApplicationName(QStringLiteral("sonde-view"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Sonde"));  // in the titles of dialogs
   apply_theme(application);
   MainWindow window;
   const auto ask = std::exchange(window.prompts().report_error, say);
