@@ -23,6 +23,7 @@
 #include "ui/views/hint_view.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/trail_view.hpp"
 #include "ui/views/wrench_view.hpp"
 
 namespace sonde::ui {
@@ -77,7 +78,8 @@ struct Viewport::Scenery {
         hints(new HintView(&owner)),
         screw(*above, shapes),
         contacts(*above, shapes),
-        wrench(*above, shapes) {}
+        wrench(*above, shapes),
+        trail(*above) {}
 
   // The overlays have a depth buffer of their own: no body hides a contact.
   vtkNew<vtkRenderer> bodies;
@@ -93,6 +95,7 @@ struct Viewport::Scenery {
   SeparationView screw;
   ContactView contacts;
   WrenchView wrench;
+  TrailView trail;
 
   // Of the session on show.
   MassProperties mass;
@@ -102,12 +105,13 @@ struct Viewport::Scenery {
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
   double radius = 1;           ///< of the fixed body, about centre
   Pose last_device, last_separated;
-  std::array<bool, 7> shown{true, true, true, true, false, false, true};  ///< by Layer
+  std::array<bool, 8> shown{true, true, true, true, false, false, false, true};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 6> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 7> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
+             {Layer::trail, &trail},
              {Layer::wrench, &wrench},
              {Layer::screw, &screw},
              {Layer::contacts, &contacts}}};
@@ -120,6 +124,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   Scenery& s = *scenery_;
   s.widget->setObjectName(QStringLiteral("canvas"));
   s.widget->setFocusPolicy(Qt::StrongFocus);
+  setFocusProxy(s.widget);
   s.widget->setAcceptDrops(false);  // drops belong to the window
   s.window->SetMultiSamples(0);     // see show_stage
   s.widget->setRenderWindow(s.window);
@@ -163,6 +168,7 @@ void Viewport::show_stage(const Stage& stage) {
   };
   s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
   s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  s.trail.clear();
   apply_layers();
   set_coupling(session.coupling());
 
@@ -200,13 +206,13 @@ void Viewport::update_legend() {
   s.hints->set_legend(std::move(legend));
 }
 
-void Viewport::draw(const Snapshot& snapshot, double trail, const CompanionResult* searched) {
+void Viewport::draw(const Snapshot& snapshot, double swing, const CompanionResult* searched) {
   Scenery& s = *scenery_;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;
   s.last_separated = snapshot.separation.separated;
   const Vec3 com = s.last_device * s.mass.com;
-  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail, searched};
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.

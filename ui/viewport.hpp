@@ -17,7 +17,7 @@
 namespace sonde::ui {
 
 /// What can be shown or hidden in the view.
-enum class Layer { ghost, screw, contacts, wrench, nearest, straight, hint };
+enum class Layer { ghost, screw, contacts, wrench, nearest, straight, trail, hint };
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
 /// told to, at most once a frame.
@@ -30,9 +30,9 @@ class Viewport : public QWidget {
   void show_stage(const Stage& stage);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
-  /// Draws one picture. `trail`: where the ghost is on its way, 1 where it has arrived.
+  /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
   /// `searched`: what is known of the snapshot's device pose, if anything.
-  void draw(const Snapshot& snapshot, double trail, const CompanionResult* searched = nullptr);
+  void draw(const Snapshot& snapshot, double swing, const CompanionResult* searched = nullptr);
 
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
   void invalidate() { dirty_ = true; }

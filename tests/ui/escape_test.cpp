@@ -59,6 +59,11 @@ const Opening openings[] = {
     {"tuning_folder", by_prompt([](const Prompts& p) { p.ask_tuning_folder(); })},
     {"keys", by_action("keys")},
     {"about", by_action("about")},
+    {"manual",
+     [](MainWindow& window) {
+       window.findChild<QAction*>("manual")->trigger();
+       wait_until([&] { return !window.findChild<QDialog*>("manual")->isVisible(); });
+     }},
     {"menu",
      [](MainWindow& window) {
        QMenu& menu = *window.menuBar()->actions()[0]->menu();
@@ -107,7 +112,10 @@ void press_escape(const QWindow& window) {
 
 QWidget* topmost() {
   if (QWidget* popup = QApplication::activePopupWidget()) return popup;
-  return QApplication::activeModalWidget();
+  if (QWidget* modal = QApplication::activeModalWidget()) return modal;
+  for (QWidget* other : QApplication::topLevelWidgets())
+    if (other->objectName() == "manual" && other->isVisible()) return other;
+  return nullptr;
 }
 
 class EscapeTest : public WindowTest, public testing::WithParamInterface<Opening> {

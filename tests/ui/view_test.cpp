@@ -121,7 +121,7 @@ TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
   }
 }
 
-TEST_F(WindowTest, the_trail_moves_the_ghost) {
+TEST_F(WindowTest, the_ghost_swings) {
   open_cubes();
   // Until the force has come in, its arrow grows.
   ASSERT_TRUE(wait_until([this] { return shown().hand.share >= 1; }));
@@ -129,7 +129,7 @@ TEST_F(WindowTest, the_trail_moves_the_ghost) {
   const std::size_t still = window->frames();
   wait(200);
   EXPECT_LE(window->frames(), still + 2) << "drawn although nothing changed";
-  window->findChild<QAction*>("trail")->trigger();
+  window->findChild<QAction*>("swing")->trigger();
   EXPECT_TRUE(wait_until([&] { return window->frames() > still + 8; }));
 }
 

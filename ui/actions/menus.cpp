@@ -2,15 +2,16 @@
 #include "ui/actions/menus.hpp"
 
 #include <QAction>
-#include <QDesktopServices>
+#include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QUndoStack>
-#include <QUrl>
 #include <functional>
 
 #include "ui/main_window.hpp"
+#include "ui/manual.hpp"
 #include "ui/resources.hpp"
 #include "ui/stiffness_control.hpp"
 #include "ui/viewport.hpp"
@@ -60,6 +61,7 @@ void show_keys(MainWindow& window) {
                        QString(action->text()).remove('&').toHtmlEscaped());
   QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Mouse and keys"),
                   QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, &window);
+  box.setObjectName(QStringLiteral("keys_box"));
   box.exec();
 }
 
@@ -74,9 +76,12 @@ void show_about(MainWindow& window) {
 void open_manual(MainWindow& window) {
   const QString page = resource(QStringLiteral("docs/index.md"));
   if (page.isEmpty())
-    window.prompts().report_error(QStringLiteral("The manual is not installed."));
-  else
-    QDesktopServices::openUrl(QUrl::fromLocalFile(page));
+    return window.prompts().report_error(QStringLiteral("The manual is not installed."));
+  auto* manual = window.findChild<Manual*>(QStringLiteral("manual"));
+  if (!manual) manual = new Manual(QFileInfo(page).absolutePath(), &window);
+  manual->show();
+  manual->raise();
+  manual->activateWindow();
 }
 
 void add_file_menu(MainWindow& window, QToolBar& bar) {
@@ -148,7 +153,12 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
                     [w](bool) { w->viewport().fit(); }));
   bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
-                           [w](bool on) { w->set_trail(on); }));
+                           [w](bool on) { w->viewport().set_shown(Layer::trail, on); }));
+  add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
+             [w](bool on) { w->set_swing(on); });
+  menu.addSeparator();
+  for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+    menu.addAction(dock->toggleViewAction());
 }
 
 void add_help_menu(MainWindow& window) {

@@ -78,8 +78,6 @@ DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device")
   build_loop(*layout);
   build_axes(*layout);
   layout->addStretch();
-  content->ensurePolished();
-  scroll->setMinimumWidth(std::max(290, content->minimumSizeHint().width() + 18));
   show_settings(MouseHolder{}, {});
   show_report(MouseHolder{}, {});
 }

@@ -59,7 +59,6 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QDockWidget(QStringLiteral("Readou
   build_wrench(*layout);
   build_loop(*layout);
   layout->addStretch();
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + 4);
 }
 
 QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* object,

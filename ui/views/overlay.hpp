@@ -18,7 +18,7 @@ struct Frame {
   const MassProperties& mass;  ///< the probe's
   const LengthUnit& unit;
   double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
-  double trail = 1;  ///< where the ghost is on its way from O (0) to Q (1)
+  double swing = 1;  ///< where the ghost is on its way from O (0) to Q (1)
   const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 

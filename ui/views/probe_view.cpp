@@ -71,7 +71,7 @@ GhostView::~GhostView() { renderer_->RemoveActor(actor_); }
 void GhostView::draw(const Frame& frame) {
   const Separation& separation = frame.snapshot.separation;
   if (separation.status != Status::penetrating) return hide();
-  place(*actor_, on_the_way(frame.mass, separation.device, separation.separated, frame.trail));
+  place(*actor_, on_the_way(frame.mass, separation.device, separation.separated, frame.swing));
   actor_->VisibilityOn();
 }
 

@@ -24,7 +24,7 @@ class ProbeView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// The separated probe, a translucent ghost; with a trail it swings from the device pose to there.
+/// The separated probe, a translucent ghost; it may swing from the device pose to there.
 class GhostView : public Overlay {
  public:
   GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
