@@ -29,11 +29,11 @@ QString ForceLog::add(const Snapshot& tick) {
   now_ = why;
   const QString at = QString::number(tick.time, 'f', 3);
   if (why == Withheld::nothing) {
-    const QString line = at + QStringLiteral(" s: the force may come in again");
+    QString line = at + QStringLiteral(" s: the force may come in again");
     qCInfo(force).noquote() << line;
     return line;
   }
-  const QString line = at + QStringLiteral(" s: no force: ") + QString::fromUtf8(words(why));
+  QString line = at + QStringLiteral(" s: no force: ") + QString::fromUtf8(words(why));
   qCWarning(force).noquote() << line;
   return line;
 }

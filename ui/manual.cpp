@@ -24,7 +24,7 @@ class Pages : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
   QVariant loadResource(int type, const QUrl& name) override {
-    const QVariant found = QTextBrowser::loadResource(type, name);
+    QVariant found = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::MarkdownResource) return found;
     static const bool drawn = QImageReader::supportedImageFormats().contains("svg");
     if (drawn) return found;

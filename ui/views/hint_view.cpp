@@ -179,10 +179,10 @@ std::vector<QRectF> HintView::clear_areas() const {
 std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
   std::vector<LabelToPlace> labels;
-  for (const PlacedLabel& label : labels_)
-    labels.push_back({label.at,
-                      {metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4},
-                      label.stroke});
+  for (const PlacedLabel& label : labels_) {
+    const QSizeF size(metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
+    labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
+  }
   std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_)};
   if (hint_visible_) taken.push_back(laid_out_hint().plate);
   return place_labels(labels, taken, size());
@@ -190,7 +190,8 @@ std::vector<QRectF> HintView::label_boxes() const {
 
 QRegion HintView::label_region() const {
   QRegion region;
-  for (const QRectF& box : label_boxes()) region += box.toAlignedRect().adjusted(-1, -1, 1, 1);
+  for (const QRectF& box : label_boxes())
+    if (!box.isEmpty()) region += box.toAlignedRect().adjusted(-1, -1, 1, 1);
   return region;
 }
 
@@ -198,6 +199,7 @@ void HintView::draw_labels(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   const std::vector<QRectF> boxes = label_boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (labels_[i].text.isEmpty()) continue;
     draw_plate(painter, boxes[i]);
     painter.setPen(labels_[i].colour);
     painter.drawText(QPointF(boxes[i].left() + 6, boxes[i].top() + 2 + metrics.ascent()),

@@ -22,7 +22,8 @@ struct Frame {
   const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
-/// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc.
+/// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc. With
+/// no text, the line alone: no other label may lie on it.
 struct Label {
   Vec3 at;
   QString text;
