@@ -46,11 +46,12 @@ void Camera::look_at(const Vec3& target, const Vec3& direction, const Vec3& up, 
   camera_->OrthogonalizeViewUp();
 }
 
-void Camera::frame(const std::vector<Vec3>& points, double aspect) {
-  if (points.empty()) return;
+double Camera::frame(const std::vector<Vec3>& points, const QSize& picture, const QRectF& part) {
+  if (points.empty()) return 0;
   constexpr double room = 1.14;  // for arrows and labels
   const ViewAxes view = axes();
-  const Vec2 slope(std::tan(half_angle(*camera_)) * aspect, std::tan(half_angle(*camera_)));
+  const Vec2 slope = std::tan(half_angle(*camera_)) / std::max(picture.height(), 1) *
+                     Vec2(part.width(), part.height());
   Vec3 middle = Eigen::AlignedBox3d(points.front()).center();
   double distance = 0;
   // Nearer points reach further out on screen: the middle of the picture is found in a few rounds.
@@ -70,7 +71,13 @@ void Camera::frame(const std::vector<Vec3>& points, double aspect) {
     const Vec2 off = on_screen.center() * distance;
     middle += view.right * off.x() + view.up * off.y();
   }
-  look_at(middle, view.towards, view.up, std::max(distance, 1e-9));
+  distance = std::max(distance, 1e-9);
+  look_at(middle, view.towards, view.up, distance);
+  // What is looked at goes to the middle of the part: the picture is shifted, not the eye. VTK's
+  // unit is half a picture, upwards, and says where the picture's middle is seen from there.
+  camera_->SetWindowCenter(1 - 2 * part.center().x() / std::max(picture.width(), 1),
+                           2 * part.center().y() / std::max(picture.height(), 1) - 1);
+  return distance;
 }
 
 void Camera::orbit(double about_up, double about_right) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QRectF>
+#include <QSize>
 #include <vector>
 
 #include "engine/geometry/pose.hpp"
@@ -32,9 +34,9 @@ class Camera {
   double metres_per_pixel(const Vec3& at, int height) const;
 
   void look_at(const Vec3& target, const Vec3& direction, const Vec3& up, double distance);
-  /// Keeps its direction and shows all points, as large as they fit a picture of that aspect
-  /// (width / height).
-  void frame(const std::vector<Vec3>& points, double aspect);
+  /// Keeps its direction and shows all points in a part of a picture of that size (pixels, from the
+  /// upper left), as large as they fit. Returns how far the eye is from what it looks at.
+  double frame(const std::vector<Vec3>& points, const QSize& picture, const QRectF& part);
   /// The scene turns with the cursor: about the picture's up and right axes.
   void orbit(double about_up, double about_right);
   void pan(const Vec3& shift);

@@ -133,10 +133,11 @@ int Demo::finish() {
   if (!window_.save_picture(QString::fromStdString(picture_))) return 3;
   const Snapshot& s = *window_.shown();
   std::printf("%s\n", picture_.c_str());
-  std::printf("depth %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
+  std::printf("depth held %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
               s.separation.translation, s.separation.rotation);
   if (const auto& c = window_.companion()) {
-    if (c->pdt_valid) std::printf("PD_t %.4g m, ", c->pdt);
+    if (c->nearest) std::printf("nearest way out %.4g m, ", c->nearest->depth);
+    if (c->pdt) std::printf("PD_t %.4g m, ", c->pdt->depth);
     if (c->lower_bound) std::printf("lower bound %.4g m, ", *c->lower_bound);
   }
   std::printf("|F| %.3g N, |tau| %.3g N·m, tick %.0f us, servo %.0f Hz, %.0f frames/s\n",

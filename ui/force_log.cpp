@@ -17,7 +17,7 @@ bool is_fault(Withheld why) {
 
 }  // namespace
 
-void ForceLog::add(const Snapshot& tick) {
+QString ForceLog::add(const Snapshot& tick) {
   if (tick.time < time_) *this = ForceLog{};
   time_ = tick.time;
   const Withheld why = tick.hand.withheld;
@@ -25,14 +25,17 @@ void ForceLog::add(const Snapshot& tick) {
     fault_ = why;
     fault_time_ = tick.time;
   }
-  if (why == now_) return;
+  if (why == now_) return {};
   now_ = why;
   const QString at = QString::number(tick.time, 'f', 3);
-  if (why == Withheld::nothing)
-    qCInfo(force).noquote() << at + QStringLiteral(" s: the force may come in again");
-  else
-    qCWarning(force).noquote() << at + QStringLiteral(" s: no force: ") +
-                                      QString::fromUtf8(words(why));
+  if (why == Withheld::nothing) {
+    QString line = at + QStringLiteral(" s: the force may come in again");
+    qCInfo(force).noquote() << line;
+    return line;
+  }
+  QString line = at + QStringLiteral(" s: no force: ") + QString::fromUtf8(words(why));
+  qCWarning(force).noquote() << line;
+  return line;
 }
 
 void ForceLog::end() {

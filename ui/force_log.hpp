@@ -11,8 +11,9 @@ namespace sonde::ui {
 /// screen, where it would be gone before anybody could read it.
 class ForceLog {
  public:
-  /// Each tick, in its order. One that is earlier than the last is the first of another run.
-  void add(const Snapshot& tick);
+  /// Each tick, in its order. One that is earlier than the last is the first of another run. What
+  /// there is to say of it, empty where nothing has changed.
+  QString add(const Snapshot& tick);
   /// The loop has ended, with its program or for another scene; the next tick is of another run.
   void end();
   /// The fault of the last seconds before `time` (s since the start); empty where there was none.

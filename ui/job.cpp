@@ -2,16 +2,16 @@
 #include "ui/job.hpp"
 
 #include <QElapsedTimer>
-#include <QProgressDialog>
 #include <atomic>
 #include <utility>
+
+#include "ui/progress_dialog.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr int patience_ms = 600;  // before a dialog appears
 constexpr int poll_ms = 8;
-constexpr int steps = 1000;
 
 }  // namespace
 
@@ -54,13 +54,8 @@ void Job::start(const QString& what, std::function<void(const Progress&)> work,
   auto task = std::make_shared<Task>();
   task->since.start();
   done_ = std::move(done);
-  dialog_ = new QProgressDialog(what, QStringLiteral("Cancel"), 0, steps, window_);
-  dialog_->setObjectName(QStringLiteral("progress_dialog"));
-  dialog_->setWindowModality(Qt::WindowModal);
-  dialog_->setMinimumDuration(1 << 30);  // we show it ourselves: its own guess is erratic
-  dialog_->setAutoClose(false);
-  dialog_->setAutoReset(false);
-  connect(dialog_, &QProgressDialog::canceled, this,
+  dialog_ = new ProgressDialog(what, window_);
+  connect(dialog_, &QDialog::rejected, this,
           [this] { finish(std::make_exception_ptr(Cancelled())); });
   Task* shared = task.get();  // outlives the thread: its destructor joins
   task->thread = std::thread([shared, work = std::move(work)] {
@@ -91,7 +86,7 @@ void Job::poll() {
   }
   if (current_->since.elapsed() < patience_ms) return;
   if (!dialog_->isVisible()) dialog_->show();
-  dialog_->setValue(static_cast<int>(current_->fraction * (steps - 1)));
+  dialog_->set_fraction(current_->fraction);
 }
 
 void Job::finish(std::exception_ptr error) {

@@ -11,10 +11,11 @@
 
 #include "engine/error.hpp"
 
-class QProgressDialog;
 class QWidget;
 
 namespace sonde::ui {
+
+class ProgressDialog;
 
 /// What to tell the user of an error; empty of Cancelled.
 QString reason_of(const std::exception_ptr& error);
@@ -45,7 +46,7 @@ class Job : public QObject {
   std::shared_ptr<Task> current_;
   std::vector<std::shared_ptr<Task>> abandoned_;  ///< still running out
   std::function<void(std::exception_ptr)> done_;
-  QProgressDialog* dialog_ = nullptr;
+  ProgressDialog* dialog_ = nullptr;
 };
 
 }  // namespace sonde::ui

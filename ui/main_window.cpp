@@ -8,11 +8,11 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QImage>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPixmap>
 #include <QSaveFile>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QUndoStack>
@@ -31,9 +31,11 @@
 #include "ui/mouse_probe.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
+#include "ui/panels/log_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
 #include "ui/panels/stiffness_panel.hpp"
 #include "ui/resources.hpp"
+#include "ui/status_text.hpp"
 #include "ui/stiffness_control.hpp"
 #include "ui/timing_text.hpp"
 #include "ui/viewport.hpp"
@@ -44,7 +46,7 @@ namespace {
 constexpr int frame_ms = 16;
 constexpr qint64 numbers_ms = 120;    // faster than that nobody reads
 constexpr qint64 companion_ms = 100;  // it shares the machine with the servo
-constexpr double trail_seconds = 1.6;
+constexpr double swing_seconds = 1.6;
 
 bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
 
@@ -54,17 +56,6 @@ bool same_picture(const Snapshot& a, const Snapshot& b) {
          same(a.separation.device, b.separation.device) &&
          same(a.separation.separated, b.separation.separated) && a.wrench.force == b.wrench.force &&
          a.wrench.torque == b.wrench.torque && a.paused == b.paused;
-}
-
-QString nature(const char* role, const Body& body) {
-  QString text = QStringLiteral("%1: %2 (%3)")
-                     .arg(QLatin1String(role),
-                          body.solid ? QStringLiteral("solid") : QStringLiteral("surface"),
-                          QString::fromStdString(body.why));
-  if (body.turned) text += QStringLiteral(", was inside out and has been turned");
-  if (body.degenerate > 0)
-    text += QStringLiteral(", %1 triangles without area set aside").arg(body.degenerate);
-  return text;
 }
 
 }  // namespace
@@ -77,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
       mouse_(new MouseProbe(*viewport_, this)),
       coupling_panel_(new CouplingPanel(*undo_, this)),
       readout_(new ReadoutPanel(this)),
+      log_(new LogPanel(this)),
       devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
       device_panel_(new DevicePanel(this)),
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_, *undo_, prompts_,
@@ -84,7 +76,8 @@ MainWindow::MainWindow(QWidget* parent)
       what_happens_(new ElidedLabel(this)),
       device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
-      opener_(std::make_unique<Opener>(*this, prompts_)) {
+      opener_(std::make_unique<Opener>(*this, prompts_)),
+      escape_([this] { set_force(false); }) {
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
@@ -95,6 +88,9 @@ MainWindow::MainWindow(QWidget* parent)
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
   readout_->raise();
+  addDockWidget(Qt::BottomDockWidgetArea, log_);
+  log_->hide();
+  connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
   what_happens_->setObjectName(QStringLiteral("what_happens"));
   rates_->setObjectName(QStringLiteral("rates"));
   device_status_->setObjectName(QStringLiteral("device_status"));
@@ -114,15 +110,18 @@ MainWindow::MainWindow(QWidget* parent)
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
   connect_devices();
-  stiffness_->ticked = [this](const Snapshot& tick) { force_log_.add(tick); };
+  stiffness_->ticked = [this](const Snapshot& tick) { log_->add(force_log_.add(tick)); };
+  stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
   opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
-  opener_->failed = [this](const QString& reason) { emit open_failed(reason); };
+  opener_->failed = [this](const QString& reason) {
+    log_->add(reason);
+    emit open_failed(reason);
+  };
   connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
   frame_timer_.setTimerType(Qt::PreciseTimer);
   frame_timer_.start(frame_ms);
   clock_.start();
   restore_window();
-  QApplication::instance()->installEventFilter(this);
   viewport_->canvas()->setFocus();
 }
 
@@ -130,7 +129,7 @@ MainWindow::~MainWindow() { force_log_.end(); }  // the session ends with the wi
 
 void MainWindow::connect_devices() {
   devices_->changed = [this] { show_holder(); };
-  devices_->report_error = [this](const QString& reason) { prompts_.report_error(reason); };
+  devices_->report_error = [this](const QString& reason) { complain(reason); };
   device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
   device_panel_->path_wanted = [this] { ask_path(); };
   device_panel_->settings_changed = [this](const DeviceSettings& settings) {
@@ -139,8 +138,17 @@ void MainWindow::connect_devices() {
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
 }
 
+/// What a box says is gone with the box.
+void MainWindow::complain(const QString& reason) {
+  log_->add(reason);
+  prompts_.report_error(reason);
+}
+
+/// The first window leaves room for its frame and for the desktop's own bars.
 void MainWindow::restore_window() {
-  resize(1280, 800);
+  constexpr double part = 0.9;
+  resize((QApplication::primaryScreen()->availableSize() * part).boundedTo({1440, 900}));
+  resizeDocks({coupling_panel_, readout_}, {300, 345}, Qt::Horizontal);
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   restoreState(settings.value(QStringLiteral("docks")).toByteArray());
@@ -177,18 +185,17 @@ void MainWindow::ask_path() {
       remember_folder_of(file);
       devices_->choose(path_holder(file.toStdString()));
     } catch (const InputError& bad) {
-      prompts_.report_error(QString::fromUtf8(bad.what()));
+      complain(QString::fromUtf8(bad.what()));
     }
   show_device();
 }
 
 void MainWindow::show_stage(Stage stage) {
   statusBar()->clearMessage();
-  const bool force = !session() || session()->force_on();
   stage_ = std::move(stage);
   force_log_.end();
   Session& now = *stage_.session;
-  now.set_force(force);  // what Esc took away stays away
+  now.set_force(force_);  // what Esc took away stays away
   shown_.reset();
   companion_.reset();
   viewport_->show_stage(stage_);
@@ -198,8 +205,11 @@ void MainWindow::show_stage(Stage stage) {
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
   readout_->set_coupling(open.coupling());
-  readout_->take(LengthUnit(open.probe().mass.radius), open.probe().solid || open.fixed().solid);
-  setWindowTitle(QStringLiteral("%1 – Sonde").arg(QString::fromStdString(open.opened().name)));
+  readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
+  const QString name = QString::fromStdString(open.opened().name);
+  setWindowTitle(QStringLiteral("%1 – Sonde").arg(name));
+  log_->add(
+      QStringLiteral("Opened %1.   %2").arg(name, natures(session()->probe(), session()->fixed())));
   // As it is by now: that may have taken a while, and Esc works meanwhile.
   emit paused_changed(session()->paused());
   emit force_changed(session()->force_on());
@@ -236,16 +246,9 @@ void MainWindow::set_paused(bool paused) {
 }
 
 void MainWindow::set_force(bool on) {
+  force_ = on;  // also while the first pair is being read
   if (session()) session()->set_force(on);
-  emit force_changed(session() && on);
-}
-
-/// Whatever has the focus, a dialog or a list that is open: those still get the key.
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::KeyPress &&
-      static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape)
-    set_force(false);
-  return QMainWindow::eventFilter(watched, event);
+  emit force_changed(on);
 }
 
 void MainWindow::reset() {
@@ -266,6 +269,7 @@ void MainWindow::on_frame() {
   if (!session()) return;
   stiffness_->frame(clock_.elapsed());
   draw_if_changed();
+  ++rate_frames_;
   if (!shown_) return;
   const qint64 now = clock_.elapsed();
   ask_companion();
@@ -283,17 +287,13 @@ void MainWindow::draw_if_changed() {
   const bool changed = !shown_ || !same_picture(*shown_, next);
   shown_ = next;
   readout_->sample(next);
-  const bool swings = trail_ && next.separation.status == Status::penetrating;
+  const bool swings = swing_ && next.separation.status == Status::penetrating;
   if (!changed && !swings && !viewport_->dirty()) return;
-  const double turn = double(clock_.elapsed()) / 1000 / trail_seconds;
-  const double trail = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
-  viewport_->draw(next, trail);
-  count_frame();
-}
-
-void MainWindow::count_frame() {
+  const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
+  const double swing = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
+  const bool known = companion_ && same(companion_->device, next.separation.device);
+  viewport_->draw(next, swing, known ? &*companion_ : nullptr);
   ++frames_;
-  ++rate_frames_;
 }
 
 /// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown. As
@@ -307,6 +307,8 @@ void MainWindow::ask_companion() {
     rest_since_ = now;
   }
   if (const auto result = session()->companion()) {
+    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
+    if (drawn && !(companion_ && same(companion_->device, result->device))) viewport_->invalidate();
     companion_ = result;
     companion_due_ = companion_asked_ + std::max(companion_ms, qint64(1e-2 * result->time_us));
   }
@@ -332,33 +334,17 @@ void MainWindow::show_numbers() {
 
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
-  QString happens;
-  if (s.paused)
-    happens = QStringLiteral("Paused.");
-  else if (s.hand.withheld == Withheld::failed)
-    happens =
-        QStringLiteral("No force (%1: %2).")
-            .arg(QString::fromUtf8(words(s.hand.withheld)), QLatin1String(s.separation.reason));
-  else if (s.hand.withheld != Withheld::nothing)
-    happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
-  else if (s.separation.status == Status::separated)
-    happens = QStringLiteral("Free.");
-  else
-    happens = QStringLiteral("In contact.");
-  if (const char* way = companion_ ? words(way_out(s.separation, *companion_)) : ""; *way != 0)
-    happens += QLatin1Char(' ') + QString::fromUtf8(way);
+  QString happens = happening(s, companion_);
+  if (companion_) log_->add(QString::fromUtf8(words(way_out(s.separation, *companion_))));
   if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
-  what_happens_->show_text(QStringLiteral("%1   %2   %3")
-                               .arg(happens, nature("Probe", session()->probe()),
-                                    nature("Fixed body", session()->fixed())));
-  const QString view = frame_rate_ < 1 ? QStringLiteral("at rest")
-                                       : QStringLiteral("%1 frames/s").arg(frame_rate_, 0, 'f', 0);
+  what_happens_->show_text(
+      QStringLiteral("%1   %2").arg(happens, natures(session()->probe(), session()->fixed())));
   rates_->setToolTip(timing_text(session()->timing()));
-  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3")
+  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s")
                       .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
                       .arg(s.tick_us, 0, 'f', 0)
-                      .arg(view));
+                      .arg(frame_rate_, 0, 'f', 0));
 }
 
 /// Also with nothing open: what is plugged in shows at once.
@@ -388,7 +374,7 @@ bool MainWindow::save_picture(const QString& file) {
     statusBar()->showMessage(QStringLiteral("Saved %1").arg(file), 4000);
     return true;
   }
-  prompts_.report_error(QStringLiteral("%1: %2").arg(file, out.errorString()));
+  complain(QStringLiteral("%1: %2").arg(file, out.errorString()));
   return false;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
+#include "ui/escape_key.hpp"
 #include "ui/force_log.hpp"
 #include "ui/stage.hpp"
 
@@ -21,13 +22,14 @@ class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
 class ElidedLabel;
+class LogPanel;
 class MouseProbe;
 class Opener;
 class ReadoutPanel;
 class StiffnessControl;
 class Viewport;
 
-/// The window: a view, four docks, and sixty times a second the newest snapshot.
+/// The window: a view, five docks, and sixty times a second the newest snapshot.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -56,12 +58,15 @@ class MainWindow : public QMainWindow {
   /// False at once with Esc, from anywhere in the window; true lets the force come back.
   void set_force(bool on);
   void reset();
-  void set_trail(bool on) { trail_ = on; }
+  /// The separated probe goes to and fro between the hand and where it is held.
+  void set_swing(bool on) { swing_ = on; }
   /// Docks and overlays included. False, and a message, where the file cannot be written.
   bool save_picture(const QString& file);
   void ask_picture();
 
+  /// Of the frame clock: how often the newest state was on screen, drawn anew or not.
   double frames_per_second() const { return frame_rate_; }
+  /// Drawn anew, since the start.
   std::size_t frames() const { return frames_; }
 
  signals:
@@ -74,7 +79,6 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void connect_devices();
@@ -82,7 +86,7 @@ class MainWindow : public QMainWindow {
   void show_holder();
   void on_frame();
   void draw_if_changed();
-  void count_frame();
+  void complain(const QString& reason);
   void ask_companion();
   void show_numbers();
   void show_status();
@@ -96,18 +100,21 @@ class MainWindow : public QMainWindow {
   MouseProbe* mouse_;
   CouplingPanel* coupling_panel_;
   ReadoutPanel* readout_;
+  LogPanel* log_;
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   std::unique_ptr<Opener> opener_;
+  EscapeKey escape_;
   QTimer frame_timer_;
   QElapsedTimer clock_;
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
   std::optional<CompanionResult> companion_;
-  bool trail_ = false;
+  bool force_ = true;
+  bool swing_ = false;
   std::size_t frames_ = 0;
   qint64 rate_since_ = 0;
   std::size_t rate_frames_ = 0;

@@ -140,11 +140,14 @@ int run(int argc, char** argv) {
   }
   qInstallMessageHandler(on_message);
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
+  // Esc in a dialog of the system's own would never come by here, and the force would stay.
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // else readers take "1.5" for 1 where the comma is decimal
   QLocale::setDefault(QLocale::c());
   QApplication::setOrganizationName(QStringLiteral("sonde"));
   QApplication::setApplicationName(QStringLiteral("sonde-view"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Sonde"));  // in the titles of dialogs
   apply_theme(application);
   MainWindow window;
   const auto ask = std::exchange(window.prompts().report_error, say);

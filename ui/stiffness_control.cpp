@@ -42,6 +42,9 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
     tuning_ = std::move(tuning);
     panel_->show_tuning(tuning_);
   };
+  tuner_.failed = [this](const QString& reason) {
+    if (failed) failed(reason);
+  };
   sets_.switched = [this] { show_sets(); };
   panel_->load_asked = [this] { ask_load(); };
   panel_->compute_asked = [this] { ask_compute(); };

@@ -34,6 +34,8 @@ class StiffnessControl : public QObject {
 
   /// Called with each tick of the session, in its order.
   std::function<void(const Snapshot&)> ticked;
+  /// A study could not be read or made: the reason was reported already.
+  std::function<void(const QString& reason)> failed;
 
   /// Another session was opened; null for none.
   void attach(Session* session);

@@ -16,7 +16,10 @@ inline const QColor ghost{87, 211, 255};  ///< the separated probe and the motio
 inline const QColor contact{255, 225, 77};
 inline const QColor force{255, 92, 84};
 inline const QColor torque{255, 128, 200};
-inline const QColor bound{140, 220, 130};
+inline const QColor nearest{140, 220, 130};   ///< the nearest way out, searched for
+inline const QColor straight{235, 235, 225};  ///< the way out without a turn, PD_t
+inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
+inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};
 inline const QColor background_top{46, 53, 62};

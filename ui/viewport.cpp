@@ -23,10 +23,13 @@
 #include "ui/views/hint_view.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/trail_view.hpp"
 #include "ui/views/wrench_view.hpp"
 
 namespace sonde::ui {
 namespace {
+
+constexpr double least_area = 120;  // pixels: in less there is nothing to be seen
 
 void set_background(vtkRenderer& renderer) {
   const QColor top = colour::background_top, bottom = colour::background_bottom;
@@ -75,7 +78,8 @@ struct Viewport::Scenery {
         hints(new HintView(&owner)),
         screw(*above, shapes),
         contacts(*above, shapes),
-        wrench(*above, shapes) {}
+        wrench(*above, shapes),
+        trail(*above) {}
 
   // The overlays have a depth buffer of their own: no body hides a contact.
   vtkNew<vtkRenderer> bodies;
@@ -87,9 +91,11 @@ struct Viewport::Scenery {
   vtkSmartPointer<vtkActor> fixed_actor;
   std::unique_ptr<ProbeView> probe;
   std::unique_ptr<GhostView> ghost;
+  std::unique_ptr<FoundView> nearest, straight;
   SeparationView screw;
   ContactView contacts;
   WrenchView wrench;
+  TrailView trail;
 
   // Of the session on show.
   MassProperties mass;
@@ -98,9 +104,18 @@ struct Viewport::Scenery {
   Eigen::AlignedBox3d probe_box, fixed_box;
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
   double radius = 1;           ///< of the fixed body, about centre
-  Pose last_device;
-  bool ghost_shown = true;
-  bool hint_shown = true;
+  Pose last_device, last_separated;
+  std::array<bool, 8> shown{true, true, true, true, false, false, false, true};  ///< by Layer
+
+  std::array<std::pair<Layer, Overlay*>, 7> overlays() {
+    return {{{Layer::ghost, ghost.get()},
+             {Layer::nearest, nearest.get()},
+             {Layer::straight, straight.get()},
+             {Layer::trail, &trail},
+             {Layer::wrench, &wrench},
+             {Layer::screw, &screw},
+             {Layer::contacts, &contacts}}};
+  }
 };
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique<Scenery>(*this)) {
@@ -109,6 +124,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   Scenery& s = *scenery_;
   s.widget->setObjectName(QStringLiteral("canvas"));
   s.widget->setFocusPolicy(Qt::StrongFocus);
+  setFocusProxy(s.widget);
   s.widget->setAcceptDrops(false);  // drops belong to the window
   s.window->SetMultiSamples(0);     // see show_stage
   s.widget->setRenderWindow(s.window);
@@ -136,7 +152,7 @@ void Viewport::show_stage(const Stage& stage) {
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
   s.radius = session.fixed().mass.radius;
-  s.last_device = session.opened().start;
+  s.last_device = s.last_separated = session.opened().start;
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
@@ -146,7 +162,14 @@ void Viewport::show_stage(const Stage& stage) {
   s.fixed_actor->VisibilityOn();
   s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface, session.probe().solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
-  s.ghost->set_visible(s.ghost_shown);
+  const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
+    return std::make_unique<FoundView>(*s.bodies, *stage.probe_surface, session.probe().solid, way,
+                                       QLatin1String(name), colour);
+  };
+  s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
+  s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  s.trail.clear();
+  apply_layers();
   set_coupling(session.coupling());
 
   // A scene's camera says where to look from; how near depends on the window's shape.
@@ -169,7 +192,11 @@ void Viewport::update_legend() {
   const Scenery& s = *scenery_;
   std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
                                  {colour::fixed, s.descriptions[1]}};
-  if (shown(Layer::ghost)) legend.push_back({colour::ghost, QStringLiteral("separated probe")});
+  if (shown(Layer::ghost))
+    legend.push_back({colour::ghost, QStringLiteral("separated probe, as held")});
+  if (shown(Layer::nearest)) legend.push_back({colour::nearest, QStringLiteral("nearest way out")});
+  if (shown(Layer::straight))
+    legend.push_back({colour::straight, QStringLiteral("nearest without a turn (PD_t)")});
   if (shown(Layer::contacts))
     legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {
@@ -179,17 +206,15 @@ void Viewport::update_legend() {
   s.hints->set_legend(std::move(legend));
 }
 
-void Viewport::draw(const Snapshot& snapshot, double trail) {
+void Viewport::draw(const Snapshot& snapshot, double swing, const CompanionResult* searched) {
   Scenery& s = *scenery_;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;
+  s.last_separated = snapshot.separation.separated;
   const Vec3 com = s.last_device * s.mass.com;
-  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), trail};
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched};
   s.probe->show(frame);
-  s.ghost->show(frame);
-  s.screw.show(frame);
-  s.contacts.show(frame);
-  s.wrench.show(frame);
+  for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.
   const double away = std::max((com - s.centre).norm(),
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
@@ -202,10 +227,11 @@ void Viewport::draw(const Snapshot& snapshot, double trail) {
 void Viewport::update_text(const Snapshot& snapshot) {
   Scenery& s = *scenery_;
   std::vector<PlacedLabel> labels;
-  for (const Overlay* overlay : {static_cast<Overlay*>(&s.wrench), static_cast<Overlay*>(&s.screw)})
+  for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
-      labels.push_back({on_screen(label.at), label.text, label.colour});
-  s.hints->set_banner(snapshot.paused ? QStringLiteral("Paused – Space goes on") : QString());
+      labels.push_back(
+          {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
+  s.hints->set_banner(snapshot.paused ? HintView::pause_banner() : QString());
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
@@ -214,44 +240,19 @@ void Viewport::update_text(const Snapshot& snapshot) {
 
 void Viewport::set_shown(Layer layer, bool shown) {
   Scenery& s = *scenery_;
-  switch (layer) {
-    case Layer::ghost:
-      s.ghost_shown = shown;
-      if (s.ghost) s.ghost->set_visible(shown);
-      break;
-    case Layer::screw:
-      s.screw.set_visible(shown);
-      break;
-    case Layer::contacts:
-      s.contacts.set_visible(shown);
-      break;
-    case Layer::wrench:
-      s.wrench.set_visible(shown);
-      break;
-    case Layer::hint:
-      s.hint_shown = shown;
-      s.hints->set_hint_visible(shown);
-      break;
-  }
+  s.shown[static_cast<std::size_t>(layer)] = shown;
+  if (layer == Layer::hint) s.hints->set_hint_visible(shown);
+  apply_layers();
   if (s.probe) update_legend();
   invalidate();
 }
 
-bool Viewport::shown(Layer layer) const {
-  const Scenery& s = *scenery_;
-  switch (layer) {
-    case Layer::ghost:
-      return s.ghost_shown;
-    case Layer::screw:
-      return s.screw.visible();
-    case Layer::contacts:
-      return s.contacts.visible();
-    case Layer::wrench:
-      return s.wrench.visible();
-    case Layer::hint:
-      return s.hint_shown;
-  }
-  return false;
+bool Viewport::shown(Layer layer) const { return scenery_->shown[static_cast<std::size_t>(layer)]; }
+
+void Viewport::apply_layers() {
+  Scenery& s = *scenery_;
+  for (const auto& [layer, overlay] : s.overlays())
+    if (overlay) overlay->set_visible(shown(layer));
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }
@@ -261,7 +262,17 @@ void Viewport::fit() {
   std::vector<Vec3> corners;
   add_corners(corners, s.fixed_box, Pose{});
   add_corners(corners, s.probe_box, s.last_device);
-  camera().frame(corners, aspect());
+  add_corners(corners, s.probe_box, s.last_separated);
+  // Below the legend or beside it: where it comes out larger.
+  const std::vector<QRectF> areas = s.hints->clear_areas();
+  const QRectF* best = nullptr;
+  double nearest = 0;
+  for (const QRectF& area : areas) {
+    if (area.width() < least_area || area.height() < least_area) continue;
+    const double distance = camera().frame(corners, size(), area);
+    if (!best || distance < nearest) best = &area, nearest = distance;
+  }
+  camera().frame(corners, size(), best ? *best : QRectF(rect()));
   invalidate();
 }
 
@@ -276,6 +287,12 @@ QPointF Viewport::on_screen(const Vec3& point) const {
   camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
   if (!(std::abs(out[3]) > 0)) return {};
   return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+}
+
+QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
+  QPolygonF polygon;
+  for (const Vec3& point : points) polygon << on_screen(point);
+  return polygon;
 }
 
 double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }

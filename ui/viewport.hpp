@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPolygonF>
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
+#include <vector>
 
 #include "engine/geometry/body.hpp"
+#include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/camera.hpp"
 #include "ui/opening.hpp"
@@ -14,7 +17,7 @@
 namespace sonde::ui {
 
 /// What can be shown or hidden in the view.
-enum class Layer { ghost, screw, contacts, wrench, hint };
+enum class Layer { ghost, screw, contacts, wrench, nearest, straight, trail, hint };
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
 /// told to, at most once a frame.
@@ -27,8 +30,9 @@ class Viewport : public QWidget {
   void show_stage(const Stage& stage);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
-  /// Draws one picture. `trail`: where the ghost is on its way, 1 where it has arrived.
-  void draw(const Snapshot& snapshot, double trail);
+  /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
+  /// `searched`: what is known of the snapshot's device pose, if anything.
+  void draw(const Snapshot& snapshot, double swing, const CompanionResult* searched = nullptr);
 
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
   void invalidate() { dirty_ = true; }
@@ -59,6 +63,8 @@ class Viewport : public QWidget {
   struct Scenery;
   void update_text(const Snapshot& snapshot);
   void update_legend();
+  void apply_layers();
+  QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
 
   std::unique_ptr<Scenery> scenery_;

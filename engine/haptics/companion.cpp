@@ -15,26 +15,30 @@
 namespace sonde {
 namespace {
 
-/// Few starts and a bounded time: the answer should follow the hand, and closing should not wait.
-StaticOptions modest_search() {
+/// A bounded time: the answer should follow the hand, and closing should not wait.
+std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method) {
   StaticOptions options;
-  options.method = Method::pdt;
-  options.starts = 6;
+  options.method = method;
+  if (method == Method::pdt) options.starts = 6;
   options.budget.microseconds = 300'000;
   options.want_lower_bound = false;
-  return options;
+  const Separation separation = separate_static(pair, X_FM, options);
+  if (separation.status == Status::failed) return {};
+  return FoundWay{separation.depth, separation.separated};
 }
 
 CompanionResult compute(const Pair& pair, const Pose& X_FM) {
   const auto begin = std::chrono::steady_clock::now();
   CompanionResult out;
   out.device = X_FM;
-  const Separation separation = separate_static(pair, X_FM, modest_search());
-  out.pdt_valid = separation.status != Status::failed;
-  if (out.pdt_valid) {
-    out.pdt = separation.depth;
-    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM);
+  out.pdt = search(pair, X_FM, Method::pdt);
+  out.nearest = out.pdt;
+  if (out.pdt && out.pdt->depth > 0) {
+    // A search of its own has other starts, and less time: PD_t may be what it misses.
+    const auto turned = search(pair, X_FM, Method::pdg);
+    if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
   }
+  if (out.pdt) out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM);
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
   out.time_us = time.count();
   return out;
@@ -45,12 +49,12 @@ CompanionResult compute(const Pair& pair, const Pose& X_FM) {
 WayOut way_out(const Separation& followed, const CompanionResult& search) {
   const bool same_pose = search.device.p == followed.device.p &&
                          search.device.q.coeffs() == followed.device.q.coeffs();
-  if (!same_pose || !search.pdt_valid || followed.status == Status::failed) return WayOut::unknown;
+  if (!same_pose || !search.nearest || followed.status == Status::failed) return WayOut::unknown;
   // Both are iterated: what differs by less is no other way.
   constexpr double clearly = 0.98;
-  if (followed.status == Status::separated || search.pdt >= clearly * followed.depth)
+  if (followed.status == Status::separated || search.nearest->depth >= clearly * followed.depth)
     return WayOut::nearest;
-  return search.pdt > 0 ? WayOut::nearer_blocked : WayOut::free_blocked;
+  return search.nearest->depth > 0 ? WayOut::nearer_blocked : WayOut::free_blocked;
 }
 
 const char* words(WayOut way) {

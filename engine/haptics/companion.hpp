@@ -9,12 +9,18 @@
 
 namespace sonde {
 
+/// A separated pose that a global search has found.
+struct FoundWay {
+  double depth = 0;  ///< √σ from the device pose, m; 0 where that is free
+  Pose separated;
+};
+
 /// What is too slow for a tick, computed for the newest pose in a thread of its own, only while
 /// wanted.
 struct CompanionResult {
-  Pose device;     ///< the pose it is about
-  double pdt = 0;  ///< PD_t at that pose, m (0 where free)
-  bool pdt_valid = false;
+  Pose device;                        ///< the pose it is about
+  std::optional<FoundWay> nearest;    ///< the nearest that either search found: PD_g's upper bound
+  std::optional<FoundWay> pdt;        ///< without a turn; none where the search failed
   std::optional<double> lower_bound;  ///< of √PD_g, m
   double time_us = 0;
 };
@@ -30,7 +36,7 @@ WayOut way_out(const Separation& followed, const CompanionResult& search);
 /// In a sentence, for the window; "" where there is nothing to say.
 const char* words(WayOut way);
 
-/// A thread that computes PD_t and the lower bound for the newest pose asked about.
+/// A thread that searches for the ways out of the newest pose asked about.
 class Companion {
  public:
   explicit Companion(const Pair& pair);

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
 #include <QUrl>
+#include <QWindow>
 
 #include "tests/ui/window_fixture.hpp"
 
@@ -59,6 +64,28 @@ TEST_F(WindowTest, two_meshes_ask_their_unit_and_suit_the_gains) {
       << status->text().toStdString();
   // On the side of the eye, a gap of a twentieth of the radius away.
   EXPECT_GT((com() - session.fixed().mass.com).dot(window->viewport().camera().axes().towards), 0);
+}
+
+/// Reading took no time: what was to say so must not come up later, over the question.
+TEST_F(WindowTest, the_question_for_the_unit_stays_on_top_and_can_be_answered) {
+  window->prompts().ask_unit = dialogs(*window).ask_unit;
+  bool alone = false;
+  constexpr int long_enough_ms = 5000;  // four seconds are Qt's own patience before progress shows
+  QTimer::singleShot(long_enough_ms, window.get(), [&] {
+    QWidget* question = QApplication::activeModalWidget();
+    alone = question && question->objectName() == "unit_dialog";
+    for (QWidget* other : QApplication::topLevelWidgets())
+      if (other != question && other != window.get() && other->isVisible()) alone = false;
+    if (alone) {
+      auto* ok = question->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+      QTest::mouseClick(question->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                        ok->mapTo(question, ok->rect().center()));
+    }
+    while (QWidget* stuck = QApplication::activeModalWidget()) stuck->close();
+  });
+  open({path("large.off"), path("large.off")});
+  EXPECT_TRUE(alone);
+  EXPECT_EQ(opened, 1) << "the question did not take the click";
 }
 
 class DropTest : public WindowTest {

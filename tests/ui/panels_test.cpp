@@ -114,12 +114,14 @@ TEST_F(PanelTest, the_mode_shows_its_own_gains) {
 
 TEST_F(PanelTest, every_number_is_there_with_its_unit) {
   const auto text = [this](const char* name) { return find<QLabel>(name)->text(); };
-  ASSERT_TRUE(wait_until([&] { return text("depth_value").endsWith("mm"); }))
+  ASSERT_TRUE(wait_until([&] { return text("depth_value").contains("from the hand"); }))
       << text("depth_value").toStdString();
   ASSERT_TRUE(wait_until([&] { return text("pdt_value").contains("mm"); }))
       << text("pdt_value").toStdString();
   EXPECT_TRUE(text("bound_value").contains("mm"));
+  EXPECT_TRUE(text("nearest_value").contains("mm"));
   EXPECT_TRUE(text("translation_value").contains("mm"));
+  EXPECT_TRUE(text("screw_value").contains("slide"));
   EXPECT_TRUE(text("rotation_value").contains('%'));
   EXPECT_TRUE(text("force_value").contains(" N"));
   EXPECT_TRUE(text("torque_value").contains("N·m"));
@@ -137,12 +139,19 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
   Snapshot snapshot = shown();
   snapshot.separation.depth = 0.0118;
   snapshot.separation.status = Status::penetrating;
-  CompanionResult free{.device = snapshot.separation.device, .pdt_valid = true, .lower_bound = 0.0};
+  const Pose hand = snapshot.separation.device;
+  CompanionResult free{.device = hand,
+                       .nearest = FoundWay{.depth = 0, .separated = hand},
+                       .pdt = FoundWay{.depth = 0, .separated = hand},
+                       .lower_bound = 0.0};
   auto* readout = find<ReadoutPanel>("readout_panel");
   readout->show_numbers(snapshot, free);
-  EXPECT_EQ(find<QLabel>("pdt_value")->text(), "free, way blocked");
+  EXPECT_EQ(find<QLabel>("nearest_value")->text(), "free at the hand");
+  EXPECT_EQ(find<QLabel>("pdt_value")->text(), "free at the hand");
   EXPECT_EQ(find<QLabel>("bound_value")->text(), "–");
-  EXPECT_TRUE(find<QLabel>("depth_value")->text().contains("mm"));
+  EXPECT_EQ(find<QLabel>("why_value")->text(), words(WayOut::free_blocked));
+  EXPECT_TRUE(find<QLabel>("depth_value")->text().contains("11.800 mm"))
+      << find<QLabel>("depth_value")->text().toStdString();
   free.device.p.x() += 1e-3;  // of a pose before: no judgement
   readout->show_numbers(snapshot, free);
   EXPECT_TRUE(find<QLabel>("pdt_value")->text().contains("mm"));

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <algorithm>
 #include <ostream>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/demo.hpp"
+#include "ui/views/hint_view.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -43,6 +45,7 @@ TEST_P(LayerTest, is_drawn_and_can_be_hidden) {
   auto* action = window->findChild<QAction*>(GetParam().action);
   ASSERT_TRUE(action);
   ASSERT_TRUE(action->isChecked());
+  window->viewport().camera().zoom(1.3);  // the arrow is small beside the legend and the hint
   // A still picture: nothing else may differ between the two.
   window->set_paused(true);
   wait(100);
@@ -62,6 +65,28 @@ INSTANTIATE_TEST_SUITE_P(Layers, LayerTest,
                                            LayerCase{"show_wrench", 100}),
                          [](const auto& info) { return std::string(info.param.action); });
 
+/// Where the cubes overlap by 10 mm, held and nearest are one: a turn of the held pose's colour
+/// into that of the way shows that it is drawn.
+TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
+  open_cubes();
+  ASSERT_TRUE(wait_until([this] {
+    return window->companion() && window->companion()->nearest && window->companion()->pdt;
+  }));
+  window->set_paused(true);
+  wait(100);
+  const QImage without = picture();
+  for (const char* name : {"show_nearest", "show_straight"}) {
+    auto* action = window->findChild<QAction*>(name);
+    ASSERT_TRUE(action);
+    EXPECT_FALSE(action->shortcut().isEmpty());
+    EXPECT_FALSE(action->isChecked());
+    action->trigger();
+    EXPECT_GT(pixels_between(without, picture()), 500) << name;
+    action->trigger();
+    EXPECT_LT(pixels_between(without, picture()), 20) << name;
+  }
+}
+
 TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
   open_cubes();
   window->set_paused(true);
@@ -74,7 +99,29 @@ TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
   EXPECT_GT(pixels_between(with, window->viewport().grab().toImage()), 1000);
 }
 
-TEST_F(WindowTest, the_trail_moves_the_ghost) {
+/// Every vertex, by the projection that places labels: in one of the areas that the texts leave.
+TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
+  wait(100);
+  for (const bool hint : {true, false}) {
+    window->viewport().set_shown(Layer::hint, hint);
+    window->findChild<QAction*>("fit")->trigger();
+    QRectF drawn;
+    const auto add = [&](const Body& body, const Pose& pose) {
+      for (const Vec3& vertex : body.soup.vertices)
+        drawn |= QRectF(window->viewport().on_screen(pose * vertex), QSizeF(1e-3, 1e-3));
+    };
+    add(window->session()->fixed(), Pose{});
+    add(window->session()->probe(), window->session()->device_pose());
+    const auto areas =
+        static_cast<HintView*>(window->findChild<QWidget*>("hint_view"))->clear_areas();
+    EXPECT_TRUE(std::any_of(areas.begin(), areas.end(),
+                            [&](const QRectF& area) { return area.contains(drawn); }));
+    EXPECT_GT(drawn.height(), 150) << "as large as there is room";
+  }
+}
+
+TEST_F(WindowTest, the_ghost_swings) {
   open_cubes();
   // Until the force has come in, its arrow grows.
   ASSERT_TRUE(wait_until([this] { return shown().hand.share >= 1; }));
@@ -82,7 +129,7 @@ TEST_F(WindowTest, the_trail_moves_the_ghost) {
   const std::size_t still = window->frames();
   wait(200);
   EXPECT_LE(window->frames(), still + 2) << "drawn although nothing changed";
-  window->findChild<QAction*>("trail")->trigger();
+  window->findChild<QAction*>("swing")->trigger();
   EXPECT_TRUE(wait_until([&] { return window->frames() > still + 8; }));
 }
 

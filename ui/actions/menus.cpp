@@ -2,15 +2,16 @@
 #include "ui/actions/menus.hpp"
 
 #include <QAction>
-#include <QDesktopServices>
+#include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QUndoStack>
-#include <QUrl>
 #include <functional>
 
 #include "ui/main_window.hpp"
+#include "ui/manual.hpp"
 #include "ui/resources.hpp"
 #include "ui/stiffness_control.hpp"
 #include "ui/viewport.hpp"
@@ -60,6 +61,7 @@ void show_keys(MainWindow& window) {
                        QString(action->text()).remove('&').toHtmlEscaped());
   QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Mouse and keys"),
                   QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, &window);
+  box.setObjectName(QStringLiteral("keys_box"));
   box.exec();
 }
 
@@ -74,9 +76,12 @@ void show_about(MainWindow& window) {
 void open_manual(MainWindow& window) {
   const QString page = resource(QStringLiteral("docs/index.md"));
   if (page.isEmpty())
-    window.prompts().report_error(QStringLiteral("The manual is not installed."));
-  else
-    QDesktopServices::openUrl(QUrl::fromLocalFile(page));
+    return window.prompts().report_error(QStringLiteral("The manual is not installed."));
+  auto* manual = window.findChild<Manual*>(QStringLiteral("manual"));
+  if (!manual) manual = new Manual(QFileInfo(page).absolutePath(), &window);
+  manual->show();
+  manual->raise();
+  manual->activateWindow();
 }
 
 void add_file_menu(MainWindow& window, QToolBar& bar) {
@@ -132,18 +137,28 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
   MainWindow* w = &window;
   const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
-  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe"), key("1"), Layer::ghost);
+  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe, as held"), key("1"),
+            Layer::ghost);
   add_layer(window, menu, "show_screw", QStringLiteral("Separation as a screw"), key("2"),
             Layer::screw);
   add_layer(window, menu, "show_contacts", QStringLiteral("Contacts"), key("3"), Layer::contacts);
   add_layer(window, menu, "show_wrench", QStringLiteral("Force and torque"), key("4"),
             Layer::wrench);
+  add_layer(window, menu, "show_nearest", QStringLiteral("Nearest way out"), key("5"),
+            Layer::nearest);
+  add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
+            key("6"), Layer::straight);
   add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
                     [w](bool) { w->viewport().fit(); }));
   bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
-                           [w](bool on) { w->set_trail(on); }));
+                           [w](bool on) { w->viewport().set_shown(Layer::trail, on); }));
+  add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
+             [w](bool on) { w->set_swing(on); });
+  menu.addSeparator();
+  for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+    menu.addAction(dock->toggleViewAction());
 }
 
 void add_help_menu(MainWindow& window) {

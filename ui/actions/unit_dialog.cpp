@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <algorithm>
 #include <array>
 
 #include "engine/scene/scene.hpp"
@@ -24,8 +25,7 @@ constexpr std::array<Unit, 6> units{{{"m", "metres"},
                                      {"in", "inches"},
                                      {"ft", "feet"}}};
 
-QString size_text(const Vec3& metres) {
-  const LengthUnit unit(metres.maxCoeff() / 2);
+QString size_text(const Vec3& metres, const LengthUnit& unit) {
   QString sides;
   for (const double side : metres)
     sides += (sides.isEmpty() ? QString() : QStringLiteral(" × ")) + number(side / unit.metres());
@@ -74,8 +74,11 @@ double UnitDialog::metres() const {
 }
 
 void UnitDialog::show_sizes() {
-  sizes_->setText(QStringLiteral("probe %1<br>fixed body %2")
-                      .arg(size_text(probe_size_ * metres()), size_text(fixed_size_ * metres())));
+  // One unit for both: they are there to be compared.
+  const LengthUnit unit(std::max(probe_size_.maxCoeff(), fixed_size_.maxCoeff()) * metres() / 2);
+  sizes_->setText(
+      QStringLiteral("probe %1<br>fixed body %2")
+          .arg(size_text(probe_size_ * metres(), unit), size_text(fixed_size_ * metres(), unit)));
 }
 
 }  // namespace sonde::ui

@@ -112,7 +112,6 @@ void CouplingPanel::build() {
   mouse_layout->addWidget(gain);
   layout->addWidget(mouse);
   layout->addStretch();
-  setMinimumWidth(290);
   connect(defaults, &QPushButton::clicked, this, [this] { request(defaults_, "Gains as opened"); });
   connect(modes_, &QButtonGroup::idClicked, this, [this](int id) {
     Coupling wanted = coupling_;

@@ -31,7 +31,7 @@ QString in_colour(const QColor& colour, const QString& words) {
 }
 
 const QColor& colour_of(DeviceState state) {
-  if (state == DeviceState::ready) return colour::bound;
+  if (state == DeviceState::ready) return colour::ready;
   return state == DeviceState::silent ? colour::contact : colour::force;
 }
 
@@ -78,8 +78,6 @@ DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device")
   build_loop(*layout);
   build_axes(*layout);
   layout->addStretch();
-  content->ensurePolished();
-  scroll->setMinimumWidth(std::max(290, content->minimumSizeHint().width() + 18));
   show_settings(MouseHolder{}, {});
   show_report(MouseHolder{}, {});
 }

@@ -6,24 +6,38 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <numbers>
 
 #include "ui/panels/bar.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/theme.hpp"
+#include "ui/views/separation_view.hpp"
 
 namespace sonde::ui {
 namespace {
-
-const QColor rotation_colour(168, 140, 255);
 
 QString in_colour(const QColor& colour, const QString& text) {
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(colour.name(), text);
 }
 
+constexpr double degrees = 180 / std::numbers::pi;
+
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
 
 bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
+
+QString large(const QString& text) {
+  return QStringLiteral("<span style='font-size:20pt; font-weight:bold'>%1</span>").arg(text);
+}
+
+/// What was followed to is a way out too, and may be nearer than what a short search finds.
+double nearest_known(const Separation& followed, const CompanionResult& search) {
+  const double found = search.nearest ? search.nearest->depth : 0;
+  const bool both = same(search.device, followed.device) && followed.status == Status::penetrating;
+  return both ? std::min(found, followed.depth) : found;
+}
 
 QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
   auto* form = new QFormLayout(group);
@@ -40,11 +54,11 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QDockWidget(QStringLiteral("Readou
   setObjectName(QStringLiteral("readout_panel"));
   const auto [scroll, content, layout] = scrolled(*this);
   layout->setSpacing(4);
-  build_depth(*layout);
+  build_held(*layout);
+  build_ways(*layout);
   build_wrench(*layout);
   build_loop(*layout);
   layout->addStretch();
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + 4);
 }
 
 QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* object,
@@ -56,45 +70,63 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   number->setTextFormat(Qt::RichText);
   // As wide as the widest number: the dock keeps its width while they change.
   number->setMinimumWidth(
-      number->fontMetrics().horizontalAdvance(QStringLiteral("8888.888 mm (888 %)")));
+      number->fontMetrics().horizontalAdvance(QStringLiteral("88.8°, 8888.888 mm (88 %)")));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);
   return number;
 }
 
-void ReadoutPanel::build_depth(QVBoxLayout& layout) {
-  auto* group = new QGroupBox(QStringLiteral("Penetration depth √σ"), this);
+void ReadoutPanel::build_held(QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Probe held at"), this);
   auto* form = form_in(layout, group);
   depth_ = new QLabel(QStringLiteral("–"), group);
   depth_->setObjectName(QStringLiteral("depth_value"));
   depth_->setToolTip(QStringLiteral(
-      "Root of PD_g: how far the probe's points move, in the mean, to leave the fixed body."));
-  QFont large = depth_->font();
-  large.setPointSizeF(20);
-  large.setBold(true);
-  depth_->setFont(large);
+      "How far the separated pose that holds the probe is from the pose of the hand: √σ, what the "
+      "probe's points move in the mean. The force pulls there. It was followed along a free path "
+      "from where the probe came, so it need not be the nearest way out."));
   form->addRow(depth_);
   split_ = new Bar(group);
   form->addRow(split_);
   translation_ =
-      value(*form, in_colour(colour::ghost, QStringLiteral("by translation")), "translation_value",
+      value(*form, in_colour(colour::ghost, QStringLiteral("moves")), "translation_value",
             QStringLiteral("How far the centre of mass moves, and its share of σ."));
-  rotation_ =
-      value(*form, in_colour(rotation_colour, QStringLiteral("by rotation")), "rotation_value",
-            QStringLiteral("How far the turn moves the points, and its share of σ."));
-  pdt_ = value(*form, QStringLiteral("PD_t (global search)"), "pdt_value",
-               QStringLiteral("The depth if the probe may not turn, and its ratio to √σ. It knows "
-                              "nothing of the way the probe came, and may be the shorter way "
-                              "through a thin wall, or none at all where the hand is free beyond "
-                              "it. Grey while computed for the newest pose."));
-  bound_ =
-      value(*form, QStringLiteral("lower bound"), "bound_value",
-            QStringLiteral("No motion shorter than this separates the two; and its ratio to √σ."));
+  rotation_ = value(*form, in_colour(colour::turn, QStringLiteral("turns")), "rotation_value",
+                    QStringLiteral("How far it turns about its centre of mass; how far that moves "
+                                   "the points, and its share of σ."));
+  screw_ = value(*form, QStringLiteral("as one screw"), "screw_value",
+                 QStringLiteral("The same motion as one turn about an axis and one slide along it. "
+                                "The axis is not through the centre of mass, which goes round it: "
+                                "the slide is less than what the centre of mass moves."));
   contacts_ = value(*form, QStringLiteral("contacts"), "contacts_value",
                     QStringLiteral("Places of contact that carry the separation."));
-  depth_plot_ = new HistoryPlot(QStringLiteral("depth"), colour::ghost, group);
+  depth_plot_ = new HistoryPlot(QStringLiteral("held"), colour::ghost, group);
   form->addRow(depth_plot_);
+}
+
+void ReadoutPanel::build_ways(QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Penetration depth, searched"), this);
+  auto* form = form_in(layout, group);
+  nearest_ =
+      value(*form, in_colour(colour::nearest, QStringLiteral("nearest way out")), "nearest_value",
+            QStringLiteral("Root of PD_g: the least that was found, by a search in all directions "
+                           "or by following, whether or not the probe can come there from where "
+                           "it was. Grey while computed for the newest pose. Key 5 draws it."));
+  pdt_ = value(*form, in_colour(colour::straight, QStringLiteral("without a turn")), "pdt_value",
+               QStringLiteral("PD_t: the least that was found if the probe may not turn, and its "
+                              "ratio to the nearest way out. Key 6 draws it."));
+  bound_ = value(*form, QStringLiteral("at least"), "bound_value",
+                 QStringLiteral("A lower bound: no shorter motion separates the two. And its ratio "
+                                "to the nearest way out."));
+  why_ = new QLabel(group);
+  why_->setObjectName(QStringLiteral("why_value"));
+  why_->setWordWrap(true);
+  why_->setForegroundRole(QPalette::PlaceholderText);
+  // Room for two lines, so that nothing below moves when they come and go.
+  why_->setMinimumHeight(2 * why_->fontMetrics().lineSpacing());
+  why_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  form->addRow(why_);
 }
 
 void ReadoutPanel::build_wrench(QVBoxLayout& layout) {
@@ -126,7 +158,9 @@ void ReadoutPanel::build_loop(QVBoxLayout& layout) {
                 QStringLiteral("Ticks that missed their deadline, since the start."));
 }
 
-void ReadoutPanel::take(const LengthUnit& unit, bool any_solid) {
+void ReadoutPanel::take(const MassProperties& probe, bool any_solid) {
+  mass_ = probe;
+  const LengthUnit unit(probe.radius);
   unit_ = unit;
   any_solid_ = any_solid;
   depth_plot_->set_unit(1 / unit.metres(), unit.name());
@@ -141,58 +175,75 @@ void ReadoutPanel::sample(const Snapshot& snapshot) {
 
 void ReadoutPanel::show_numbers(const Snapshot& snapshot,
                                 const std::optional<CompanionResult>& companion) {
-  show_depth(snapshot.separation);
-  show_companion(snapshot.separation, companion);
+  show_held(snapshot);
+  show_ways(snapshot.separation, companion);
   show_wrench(snapshot.wrench);
   show_loop(snapshot);
   depth_plot_->update();
   force_plot_->update();
 }
 
-void ReadoutPanel::show_depth(const Separation& separation) {
+void ReadoutPanel::show_held(const Snapshot& snapshot) {
+  const Separation& separation = snapshot.separation;
+  const bool held = separation.status == Status::penetrating;
   if (separation.status == Status::failed) {
-    depth_->setText(QStringLiteral("not found"));
+    depth_->setText(large(QStringLiteral("not found")));
     split_->set({});
-    for (QLabel* label : {translation_, rotation_, contacts_}) label->setText(QStringLiteral("–"));
+    for (QLabel* label : {translation_, rotation_, screw_, contacts_})
+      label->setText(QStringLiteral("–"));
     return;
   }
-  depth_->setText(separation.status == Status::separated ? QStringLiteral("free")
-                                                         : unit_.text(separation.depth));
+  depth_->setText(held ? large(unit_.text(separation.depth)) + QStringLiteral(" from the hand")
+                       : large(QStringLiteral("free")));
   const double sigma = separation.sigma;
   const double turned =
       sigma > 0 ? separation.rotation * separation.rotation / sigma : 0;  // share of σ
   const double moved = sigma > 0 ? separation.translation * separation.translation / sigma : 0;
-  split_->set({{moved, colour::ghost}, {turned, rotation_colour}});
+  split_->set({{moved, colour::ghost}, {turned, colour::turn}});
   const auto share = [&](double length, double part) {
     return sigma > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(part))
                      : unit_.text(length);
   };
+  const SeparationMotion motion = separation_motion(mass_, separation.device, separation.separated);
+  const Screw screw = screw_of(motion, separation.device * mass_.com);
+  const QString angle = number(motion.theta.norm() * degrees) + QStringLiteral("°");
   translation_->setText(share(separation.translation, moved));
-  rotation_->setText(share(separation.rotation, turned));
+  rotation_->setText(QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)));
+  screw_->setText(held ? QStringLiteral("%1, slide %2").arg(angle, unit_.text(screw.slide))
+                       : QStringLiteral("–"));
   contacts_->setText(QString::number(separation.clusters.size));
 }
 
-void ReadoutPanel::show_companion(const Separation& separation,
-                                  const std::optional<CompanionResult>& companion) {
+void ReadoutPanel::show_ways(const Separation& separation,
+                             const std::optional<CompanionResult>& companion) {
+  const QString none = any_solid_ ? QStringLiteral("…") : QStringLiteral("none: two surfaces");
   if (!companion) {
-    pdt_->setText(QStringLiteral("…"));
-    bound_->setText(any_solid_ ? QStringLiteral("…") : QStringLiteral("none: two surfaces"));
+    for (QLabel* label : {nearest_, pdt_}) label->setText(QStringLiteral("…"));
+    bound_->setText(none);
+    why_->clear();
     return;
   }
-  const QColor shade = same(companion->device, separation.device) ? colour::text : colour::faint;
-  const double depth = separation.depth;
-  const auto beside = [&](double length) {
-    return in_colour(shade, depth > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length),
-                                                                      percent(length / depth))
-                                      : unit_.text(length));
+  const bool fresh = same(companion->device, separation.device);
+  const auto in_shade = [&](const QString& text) {
+    return in_colour(fresh ? colour::text : colour::faint, text);
   };
-  if (way_out(separation, *companion) == WayOut::free_blocked) {
-    pdt_->setText(QStringLiteral("free, way blocked"));
+  const WayOut way = way_out(separation, *companion);
+  why_->setText(QString::fromUtf8(words(way)));
+  if (way == WayOut::free_blocked) {
+    nearest_->setText(QStringLiteral("free at the hand"));
+    pdt_->setText(QStringLiteral("free at the hand"));
     bound_->setText(QStringLiteral("–"));
     return;
   }
-  pdt_->setText(companion->pdt_valid ? beside(companion->pdt)
-                                     : in_colour(shade, QStringLiteral("not found")));
+  const double nearest = nearest_known(separation, *companion);
+  const auto beside = [&](double length) {
+    return in_shade(
+        nearest > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(length / nearest))
+                    : unit_.text(length));
+  };
+  const QString not_found = QStringLiteral("not found");
+  nearest_->setText(in_shade(companion->nearest ? unit_.text(nearest) : not_found));
+  pdt_->setText(companion->pdt ? beside(companion->pdt->depth) : in_shade(not_found));
   bound_->setText(companion->lower_bound ? beside(*companion->lower_bound)
                                          : QStringLiteral("none: two surfaces"));
 }

@@ -17,14 +17,15 @@ namespace sonde::ui {
 class Bar;
 class HistoryPlot;
 
-/// The dock of numbers: depth and its two parts, PD_t and the lower bound beside it, force and
-/// torque against the device's limits, and how the servo keeps time.
+/// The dock of numbers: how far from the hand the probe is held, by what motion; beside it the
+/// nearest ways out that were searched for; force and torque against the device's limits; and how
+/// the servo keeps time.
 class ReadoutPanel : public QDockWidget {
  public:
   explicit ReadoutPanel(QWidget* parent = nullptr);
 
-  /// A new pair was opened: the unit of its lengths, and whether there can be a lower bound.
-  void take(const LengthUnit& unit, bool any_solid);
+  /// A new pair was opened: the probe, and whether there can be a lower bound.
+  void take(const MassProperties& probe, bool any_solid);
   void set_coupling(const Coupling& coupling) { coupling_ = coupling; }
   /// Adds to the curves: called with every frame.
   void sample(const Snapshot& snapshot);
@@ -33,20 +34,21 @@ class ReadoutPanel : public QDockWidget {
 
  private:
   QLabel* value(QFormLayout& form, const QString& name, const char* object, const QString& doc);
-  void build_depth(QVBoxLayout& layout);
+  void build_held(QVBoxLayout& layout);
+  void build_ways(QVBoxLayout& layout);
   void build_wrench(QVBoxLayout& layout);
   void build_loop(QVBoxLayout& layout);
-  void show_depth(const Separation& separation);
-  void show_companion(const Separation& separation,
-                      const std::optional<CompanionResult>& companion);
+  void show_held(const Snapshot& snapshot);
+  void show_ways(const Separation& separation, const std::optional<CompanionResult>& companion);
   void show_wrench(const Wrench& wrench);
   void show_loop(const Snapshot& snapshot);
 
+  MassProperties mass_;
   LengthUnit unit_;
   bool any_solid_ = false;
   Coupling coupling_;
-  QLabel *depth_, *translation_, *rotation_, *pdt_, *bound_, *force_, *torque_, *contacts_, *tick_,
-      *rate_, *late_, *steps_;
+  QLabel *depth_, *translation_, *rotation_, *screw_, *nearest_, *why_, *pdt_, *bound_, *force_,
+      *torque_, *contacts_, *tick_, *rate_, *late_, *steps_;
   Bar *split_, *force_bar_, *torque_bar_;
   HistoryPlot *depth_plot_, *force_plot_;
 };

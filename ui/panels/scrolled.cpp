@@ -11,7 +11,7 @@ Scrolled scrolled(QDockWidget& dock) {
   auto* scroll = new QScrollArea(&dock);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(160);  // on a small screen the view comes first
   auto* content = new QWidget(scroll);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(10, 8, 10, 8);

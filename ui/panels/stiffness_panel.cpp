@@ -66,7 +66,6 @@ StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidg
   build_recommendation(*layout);
   build_source(*layout, device_ids);
   layout->addStretch();
-  setMinimumWidth(330);
   show_tuning({});
   show_buzz({}, 0);
 }

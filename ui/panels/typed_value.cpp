@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/typed_value.hpp"
 
+#include <QKeyEvent>
+#include <QMainWindow>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,29 @@ QString TypedValue::textFromValue(double value) const {
   if (setting_.integer || (std::abs(value) >= 1000 && std::abs(value) < 1e7))
     return QString::number(value, 'f', 0);
   return QString::number(value, 'g', 4);
+}
+
+/// A box takes every key that types something, and so the window's own letters.
+bool TypedValue::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool letter =
+        (key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z) || key.key() == Qt::Key_Space;
+    const bool plain = !(key.modifiers() & ~Qt::ShiftModifier);
+    if (plain && letter && key.key() != Qt::Key_E) {  // 2e3
+      event->ignore();
+      return false;
+    }
+  }
+  return QDoubleSpinBox::event(event);
+}
+
+void TypedValue::keyPressEvent(QKeyEvent* event) {
+  QDoubleSpinBox::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return;
+  for (QWidget* up = parentWidget(); up; up = up->parentWidget())
+    if (auto* main = qobject_cast<QMainWindow*>(up); main && main->centralWidget())
+      return main->centralWidget()->setFocus(Qt::OtherFocusReason);
 }
 
 QString TypedValue::bare(const QString& text) const {

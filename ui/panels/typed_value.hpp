@@ -9,6 +9,7 @@ namespace sonde::ui {
 
 /// A box to type the value of a setting into: unit shown, '.' or ',' taken as the decimal point,
 /// steps of a tenth (of the value where the setting is logarithmic, else of the range's tenth).
+/// Keys that are no part of a number stay the window's, and Enter gives the keyboard back to it.
 class TypedValue : public QDoubleSpinBox {
  public:
   TypedValue(const Setting& setting, QWidget* parent);
@@ -16,6 +17,10 @@ class TypedValue : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QString bare(const QString& text) const;

@@ -31,8 +31,9 @@ void ContactView::draw(const Frame& frame) {
     marker.on_fixed.set(contact.on_fixed, 5 * frame.pixel);
     // The two points all but coincide: the smaller ball of the probe shows when they do not.
     marker.on_probe.set(contact.on_probe, 3.5 * frame.pixel);
-    marker.normal.set(contact.on_fixed, contact.on_fixed + contact.normal * length,
-                      1.3 * frame.pixel);
+    const Vec3 tip = contact.on_fixed + contact.normal * length;
+    marker.normal.set(contact.on_fixed, tip, 1.3 * frame.pixel);
+    label(tip, {}, colour::contact, {contact.on_fixed, tip});  // nothing to say, not to be covered
   }
   for (int i = shown; i < ContactSet::capacity; ++i) {
     Marker& marker = *markers_[static_cast<std::size_t>(i)];

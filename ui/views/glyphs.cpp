@@ -71,6 +71,15 @@ void place(vtkActor& actor, const Pose& pose) {
   set_matrix(actor, pose.q.toRotationMatrix(), pose.p);
 }
 
+std::vector<Vec3> arc_points(const Vec3& centre, const Vec3& axis, const Vec3& start,
+                             double angle) {
+  constexpr int pieces = 16;
+  std::vector<Vec3> points;
+  for (int i = 0; i <= pieces; ++i)
+    points.push_back(centre + Eigen::AngleAxisd(angle * i / pieces, axis) * start);
+  return points;
+}
+
 Vec3 any_normal(const Vec3& axis) {
   const Vec3 other = std::abs(axis.x()) < 0.8 ? Vec3::UnitX() : Vec3::UnitY();
   return axis.cross(other).normalized();

@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QColor>
+#include <vector>
 
 #include "engine/geometry/pose.hpp"
 
@@ -77,6 +78,9 @@ class Arc {
   vtkSmartPointer<vtkPolyData> path_;
   vtkSmartPointer<vtkActor> tube_, head_;
 };
+
+/// Points along an arc as Arc draws it.
+std::vector<Vec3> arc_points(const Vec3& centre, const Vec3& axis, const Vec3& start, double angle);
 
 /// A unit vector normal to a unit vector.
 Vec3 any_normal(const Vec3& axis);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/theme.hpp"
+#include "ui/views/label_layout.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -16,6 +17,13 @@ const QColor plate(14, 17, 21, 165);
 QFont small_font(const QWidget& widget) {
   QFont font = widget.font();
   font.setPointSizeF(9);
+  return font;
+}
+
+QFont banner_font(const QWidget& widget) {
+  QFont font = widget.font();
+  font.setPointSizeF(12);
+  font.setBold(true);
   return font;
 }
 
@@ -46,12 +54,6 @@ const std::vector<std::pair<QString, QString>>& HintView::keys() {
       {"Middle drag", "pans"},
       {"Ctrl+wheel", "zooms"},
       {"Esc", "no force"},
-      {"R", "reset"},
-      {"Space", "pause"},
-      {"F", "fit"},
-      {"T", "trail"},
-      {"S", "screenshot"},
-      {"H", "hide this"},
   };
   return list;
 }
@@ -123,16 +125,21 @@ void HintView::draw_legend(QPainter& painter) const {
 }
 
 /// The pieces of the hint flow into lines, as words do; the plate grows upwards from the bottom.
-void HintView::draw_hint(QPainter& painter) const {
-  const QFontMetricsF metrics(font());
-  const double line = metrics.height() + 3, gap = 16, right = width() - margin - 10.0;
+struct HintView::Hint {
   struct Piece {
-    QPointF at;
+    QPointF at;  ///< from the plate's upper left
     const QString* text;
     QColor colour;
   };
   std::vector<Piece> pieces;
-  double x = margin + 10, y = 0;
+  QRectF plate;
+};
+
+HintView::Hint HintView::laid_out_hint() const {
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height() + 3, gap = 16, right = width() - margin - 10.0;
+  Hint hint;
+  double x = margin + 10, y = 4 + metrics.ascent();
   for (const auto& [key, action] : keys()) {
     const double key_width = metrics.horizontalAdvance(key) + 5;
     const double wide = key_width + metrics.horizontalAdvance(action);
@@ -140,39 +147,51 @@ void HintView::draw_hint(QPainter& painter) const {
       x = margin + 10;
       y += line;
     }
-    pieces.push_back({{x, y}, &key, colour::text});
-    pieces.push_back({{x + key_width, y}, &action, colour::faint});
+    hint.pieces.push_back({{x, y}, &key, colour::text});
+    hint.pieces.push_back({{x + key_width, y}, &action, colour::faint});
     x += wide + gap;
   }
-  const double tall = y + line + 8;
-  const double top = height() - margin - tall;
-  draw_plate(painter, {margin, top, width() - 2.0 * margin, tall});
-  for (const Piece& piece : pieces) {
+  const double tall = y + metrics.descent() + 7;
+  hint.plate = {margin, height() - margin - tall, width() - 2.0 * margin, tall};
+  return hint;
+}
+
+void HintView::draw_hint(QPainter& painter) const {
+  const Hint hint = laid_out_hint();
+  draw_plate(painter, hint.plate);
+  for (const Hint::Piece& piece : hint.pieces) {
     painter.setPen(piece.colour);
-    painter.drawText(piece.at + QPointF(0, top + 4 + metrics.ascent()), *piece.text);
+    painter.drawText(piece.at + QPointF(0, hint.plate.top()), *piece.text);
   }
+}
+
+std::vector<QRectF> HintView::clear_areas() const {
+  const double bottom = hint_visible_ ? laid_out_hint().plate.top() : height();
+  const QRectF legend = legend_box();
+  const double under_banner = banner_box(pause_banner()).bottom();
+  const auto between = [&](double left, double top) {
+    return QRectF(QPointF(left, top), QPointF(width(), bottom)).adjusted(4, 4, -4, -4);
+  };
+  return {between(0, std::max(legend.bottom(), under_banner)),
+          between(legend.right(), under_banner)};
 }
 
 std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
-  std::vector<QRectF> boxes{legend_box()};
+  std::vector<LabelToPlace> labels;
   for (const PlacedLabel& label : labels_) {
-    QRectF box(label.at.x() + 10, label.at.y() - metrics.height() / 2 - 2,
-               metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
-    box.moveLeft(std::clamp(box.left(), 2.0, std::max(2.0, width() - box.width() - 2)));
-    box.moveTop(std::clamp(box.top(), 2.0, std::max(2.0, height() - box.height() - 2)));
-    // A label that would lie on another, or on the legend, steps down.
-    for (const QRectF& other : boxes)
-      if (box.intersects(other)) box.moveTop(other.bottom() + 2);
-    boxes.push_back(box);
+    const QSizeF size(metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
+    labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
   }
-  boxes.erase(boxes.begin());  // the legend's
-  return boxes;
+  std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_)};
+  if (hint_visible_) taken.push_back(laid_out_hint().plate);
+  return place_labels(labels, taken, size());
 }
 
 QRegion HintView::label_region() const {
   QRegion region;
-  for (const QRectF& box : label_boxes()) region += box.toAlignedRect().adjusted(-1, -1, 1, 1);
+  for (const QRectF& box : label_boxes())
+    if (!box.isEmpty()) region += box.toAlignedRect().adjusted(-1, -1, 1, 1);
   return region;
 }
 
@@ -180,6 +199,7 @@ void HintView::draw_labels(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   const std::vector<QRectF> boxes = label_boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (labels_[i].text.isEmpty()) continue;
     draw_plate(painter, boxes[i]);
     painter.setPen(labels_[i].colour);
     painter.drawText(QPointF(boxes[i].left() + 6, boxes[i].top() + 2 + metrics.ascent()),
@@ -187,12 +207,18 @@ void HintView::draw_labels(QPainter& painter) const {
   }
 }
 
+QRectF HintView::ruler_box() const {
+  if (!(ruler_pixels_ > 0)) return {};
+  const double wide = std::max(ruler_pixels_, QFontMetricsF(font()).horizontalAdvance(ruler_text_));
+  return {width() - margin - 4 - wide, margin, wide, QFontMetricsF(font()).height() + 14};
+}
+
 void HintView::draw_ruler(QPainter& painter) const {
   if (!(ruler_pixels_ > 0)) return;
   const QFontMetricsF metrics(font());
   const double right = width() - margin - 4;
   const double left = right - ruler_pixels_;
-  const double y = margin + QFontMetricsF(font()).height() + 12.0;
+  const double y = ruler_box().bottom() - 2;
   painter.setPen(QPen(colour::text, 2));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - 5), QPointF(left, y));
@@ -201,16 +227,21 @@ void HintView::draw_ruler(QPainter& painter) const {
   painter.drawText(QPointF((left + right - wide) / 2, y - 8), ruler_text_);
 }
 
+QString HintView::pause_banner() { return QStringLiteral("Paused – Space goes on"); }
+
+QRectF HintView::banner_box(const QString& text) const {
+  if (text.isEmpty()) return {};
+  const QFontMetricsF metrics(banner_font(*this));
+  const double wide = metrics.horizontalAdvance(text) + 20;
+  const double top = 2 * margin + QFontMetricsF(font()).height() + 14.0;
+  return {width() - margin - wide, top, wide, metrics.height() + 8};
+}
+
 void HintView::draw_banner(QPainter& painter) const {
   if (banner_.isEmpty()) return;
-  QFont large = font();
-  large.setPointSizeF(15);
-  large.setBold(true);
-  painter.setFont(large);
-  const QFontMetricsF metrics(large);
-  const double wide = metrics.horizontalAdvance(banner_) + 28;
-  const QRectF box((width() - wide) / 2, 2.0 * margin, wide, metrics.height() + 12);
+  const QRectF box = banner_box(banner_);
   draw_plate(painter, box);
+  painter.setFont(banner_font(*this));
   painter.setPen(colour::contact);
   painter.drawText(box, Qt::AlignCenter, banner_);
   painter.setFont(font());

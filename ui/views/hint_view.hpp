@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QPolygonF>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -16,11 +17,12 @@ struct LegendLine {
   QString text;
 };
 
-/// A label with its place on screen.
+/// A label, the point on screen it is about, and the line there that it may not cover.
 struct PlacedLabel {
   QPointF at;
   QString text;
   QColor colour;
+  QPolygonF stroke{};
 };
 
 /// All text in the view, drawn by Qt on a clear sheet above the picture: legend (what the colours
@@ -33,18 +35,28 @@ class HintView : public QWidget {
   void set_labels(std::vector<PlacedLabel> labels);
   /// A bar of that many pixels, with its length in words.
   void set_ruler(double pixels, const QString& text);
-  /// One large line in the middle: "Paused"; empty for none.
+  /// One large line under the ruler: "Paused"; empty for none.
   void set_banner(const QString& text);
   void set_hint_visible(bool visible);
 
-  /// Each way to move, as "keys" and "what it does".
+  /// Parts of the view with no legend, ruler, banner or hint in them: below the legend, and beside
+  /// it. The banner's place counts, banner or not.
+  std::vector<QRectF> clear_areas() const;
+
+  static QString pause_banner();
+
+  /// What no menu lists, as "keys" and "what it does".
   static const std::vector<std::pair<QString, QString>>& keys();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  struct Hint;
+  Hint laid_out_hint() const;
   QRectF legend_box() const;
+  QRectF ruler_box() const;
+  QRectF banner_box(const QString& text) const;
   void draw_legend(QPainter& painter) const;
   void draw_hint(QPainter& painter) const;
   std::vector<QRectF> label_boxes() const;

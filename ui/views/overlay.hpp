@@ -3,8 +3,10 @@
 
 #include <QColor>
 #include <QString>
+#include <utility>
 #include <vector>
 
+#include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/format.hpp"
 
@@ -16,14 +18,17 @@ struct Frame {
   const MassProperties& mass;  ///< the probe's
   const LengthUnit& unit;
   double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
-  double trail = 1;  ///< where the ghost is on its way from O (0) to Q (1)
+  double swing = 1;  ///< where the ghost is on its way from O (0) to Q (1)
+  const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
-/// Text that belongs to a point of the scene.
+/// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc. With
+/// no text, the line alone: no other label may lie on it.
 struct Label {
   Vec3 at;
   QString text;
   QColor colour;
+  std::vector<Vec3> stroke{};
 };
 
 /// Something drawn from a snapshot. Its actors are made once and hidden while there is nothing to
@@ -49,8 +54,9 @@ class Overlay {
  protected:
   virtual void draw(const Frame& frame) = 0;
   virtual void hide() = 0;
-  void label(const Vec3& at, const QString& text, const QColor& colour) {
-    labels_.push_back({at, text, colour});
+  void label(const Vec3& at, const QString& text, const QColor& colour,
+             std::vector<Vec3> stroke = {}) {
+    labels_.push_back({at, text, colour, std::move(stroke)});
   }
 
  private:

@@ -37,6 +37,20 @@ vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface
   return actor;
 }
 
+namespace {
+
+vtkSmartPointer<vtkActor> ghost_actor(vtkRenderer& renderer, vtkPolyData& surface,
+                                      const QColor& colour, bool solid) {
+  auto actor = body_actor(renderer, surface, colour, solid);
+  actor->GetProperty()->SetOpacity(ghost_opacity);
+  // Where the ghost and the probe all but coincide, the probe is what one sees.
+  actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+  actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+  return actor;
+}
+
+}  // namespace
+
 ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
     : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::probe, solid)) {}
 
@@ -50,23 +64,40 @@ void ProbeView::draw(const Frame& frame) {
 void ProbeView::hide() { actor_->VisibilityOff(); }
 
 GhostView::GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
-    : renderer_(&renderer), actor_(body_actor(renderer, surface, colour::ghost, solid)) {
-  actor_->GetProperty()->SetOpacity(ghost_opacity);
-  // Where the ghost and the probe all but coincide, the probe is what one sees.
-  actor_->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
-  actor_->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
-}
+    : renderer_(&renderer), actor_(ghost_actor(renderer, surface, colour::ghost, solid)) {}
 
 GhostView::~GhostView() { renderer_->RemoveActor(actor_); }
 
 void GhostView::draw(const Frame& frame) {
   const Separation& separation = frame.snapshot.separation;
   if (separation.status != Status::penetrating) return hide();
-  place(*actor_, on_the_way(frame.mass, separation.device, separation.separated, frame.trail));
+  place(*actor_, on_the_way(frame.mass, separation.device, separation.separated, frame.swing));
   actor_->VisibilityOn();
 }
 
 void GhostView::hide() { actor_->VisibilityOff(); }
+
+FoundView::FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way,
+                     const QString& name, const QColor& colour)
+    : renderer_(&renderer),
+      actor_(ghost_actor(renderer, surface, colour, solid)),
+      way_(way),
+      name_(name),
+      colour_(colour) {}
+
+FoundView::~FoundView() { renderer_->RemoveActor(actor_); }
+
+void FoundView::draw(const Frame& frame) {
+  const FoundWay* way =
+      frame.searched && frame.searched->*way_ ? &*(frame.searched->*way_) : nullptr;
+  if (!way || !(way->depth > 0)) return hide();
+  place(*actor_, way->separated);
+  actor_->VisibilityOn();
+  label(way->separated * frame.mass.com,
+        QStringLiteral("%1, %2").arg(name_, frame.unit.text(way->depth)), colour_);
+}
+
+void FoundView::hide() { actor_->VisibilityOff(); }
 
 Pose on_the_way(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ, double part) {
   const Vec3 from = X_FO * mass.com;

@@ -24,7 +24,7 @@ class ProbeView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// The separated probe, a translucent ghost; with a trail it swings from the device pose to there.
+/// The separated probe, a translucent ghost; it may swing from the device pose to there.
 class GhostView : public Overlay {
  public:
   GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
@@ -35,6 +35,25 @@ class GhostView : public Overlay {
   void hide() override;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkActor> actor_;
+};
+
+/// A way out that was searched for: the probe there, translucent, with its depth beside it.
+class FoundView : public Overlay {
+ public:
+  /// Which of the ways: a member of what was searched.
+  using Way = std::optional<FoundWay> CompanionResult::*;
+  FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, const QString& name,
+            const QColor& colour);
+  ~FoundView() override;
+
+ private:
+  void draw(const Frame& frame) override;
+  void hide() override;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkActor> actor_;
+  Way way_;
+  QString name_;
+  QColor colour_;
 };
 
 /// An actor for a body of that colour. Of a solid the back faces are left out: they are never seen,

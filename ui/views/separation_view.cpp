@@ -64,12 +64,13 @@ void SeparationView::draw(const Frame& frame) {
   choose_magnification(magnify_shift_, motion.t.norm() / std::max(reach, 1e-12), 0.06, 1.2);
   choose_magnification(magnify_turn_, screw.turn, 0.3, 3.5);
   if (screw.turn > least_turn && (screw.point - com).norm() < far_axis * reach)
-    draw_screw(frame, screw, com);
+    draw_screw(frame, motion, screw, com);
   else
     draw_arrow(frame, motion, com);
 }
 
-void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Vec3& com) {
+void SeparationView::draw_screw(const Frame& frame, const SeparationMotion& motion,
+                                const Screw& screw, const Vec3& com) {
   const double reach = frame.mass.radius;
   const double thick = 1.7 * frame.pixel;
   const Vec3 half = screw.axis * reach * 1.25;
@@ -77,7 +78,13 @@ void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Ve
   const double slide = screw.slide * magnify_shift_;
   // The slide is beside the arc, not inside it: from where the axis leaves the probe's ball.
   const Vec3 from = screw.point + screw.axis * (0.25 * reach);
-  if (std::abs(slide) > 6 * frame.pixel) slide_.set(from, from + screw.axis * slide, thick);
+  if (std::abs(slide) > 6 * frame.pixel) {
+    slide_.set(from, from + screw.axis * slide, thick);
+    label(from + screw.axis * slide,
+          QStringLiteral("screw's slide %1%2")
+              .arg(frame.unit.text(std::abs(screw.slide)), drawn(magnify_shift_)),
+          colour::ghost, {from, from + screw.axis * slide});
+  }
   Vec3 start = com - screw.point;
   start -= screw.axis * screw.axis.dot(start);
   const double arm = 0.45 * reach;
@@ -87,11 +94,12 @@ void SeparationView::draw_screw(const Frame& frame, const Screw& screw, const Ve
   turn_.set(screw.point, screw.axis, start, angle, thick);
   const Vec3 end =
       screw.point + std::cos(angle) * start + std::sin(angle) * screw.axis.cross(start);
+  // How far the centre of mass goes is what the readout says too; along the axis it is less.
   label(end,
-        QStringLiteral("slide %1%2, turn %3°%4")
-            .arg(frame.unit.text(screw.slide), drawn(magnify_shift_), number(screw.turn * degrees),
+        QStringLiteral("moves %1, turns %2°%3")
+            .arg(frame.unit.text(motion.t.norm()), number(screw.turn * degrees),
                  drawn(magnify_turn_)),
-        colour::ghost);
+        colour::ghost, arc_points(screw.point, screw.axis, start, angle));
 }
 
 void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& motion,
@@ -102,7 +110,7 @@ void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& moti
         QStringLiteral("moves %1%2, turns %3°")
             .arg(frame.unit.text(motion.t.norm()), drawn(magnify_shift_),
                  number(motion.theta.norm() * degrees)),
-        colour::ghost);
+        colour::ghost, {com, tip});
 }
 
 void SeparationView::hide() {

@@ -28,7 +28,8 @@ class SeparationView : public Overlay {
  private:
   void draw(const Frame& frame) override;
   void hide() override;
-  void draw_screw(const Frame& frame, const Screw& screw, const Vec3& com);
+  void draw_screw(const Frame& frame, const SeparationMotion& motion, const Screw& screw,
+                  const Vec3& com);
   void draw_arrow(const Frame& frame, const SeparationMotion& motion, const Vec3& com);
 
   Arrow axis_;

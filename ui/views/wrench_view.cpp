@@ -32,7 +32,7 @@ void WrenchView::draw(const Frame& frame) {
   if (force * scale_.metres_per_newton > least_shown * frame.mass.radius) {
     const Vec3 tip = com + wrench.force * scale_.metres_per_newton;
     force_.set(com, tip, 3 * frame.pixel);
-    label(tip, QStringLiteral("%1 N%2").arg(number(force), limited), colour::force);
+    label(tip, QStringLiteral("%1 N%2").arg(number(force), limited), colour::force, {com, tip});
   }
   const double angle = std::min(torque / scale_.newton_metres_per_quarter * std::numbers::pi / 2,
                                 1.9 * std::numbers::pi);
@@ -41,7 +41,8 @@ void WrenchView::draw(const Frame& frame) {
     const Vec3 start = any_normal(axis) * (0.62 * frame.mass.radius);
     torque_.set(com, axis, start, angle, 2.4 * frame.pixel);
     const Vec3 end = com + std::cos(angle) * start + std::sin(angle) * axis.cross(start);
-    label(end, QStringLiteral("%1 N·m").arg(number(torque)), colour::torque);
+    label(end, QStringLiteral("%1 N·m").arg(number(torque)), colour::torque,
+          arc_points(com, axis, start, angle));
   }
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+
+class QPlainTextEdit;
+
+namespace sonde::ui {
+
+/// The dock of messages: all that the status line said or had no room for, with the time of day, to
+/// be read again and copied.
+class LogPanel : public QDockWidget {
+ public:
+  explicit LogPanel(QWidget* parent = nullptr);
+  /// One line; nothing where it is empty, or the same as the one before.
+  void add(const QString& message);
+  QString text() const;
+  /// A few lines: the view is above it.
+  QSize sizeHint() const override { return {360, 130}; }
+
+ private:
+  QPlainTextEdit* lines_;
+  QString last_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "engine/haptics/companion.hpp"
+#include "engine/haptics/servo.hpp"
+
+namespace sonde::ui {
+
+/// What both bodies are taken for, and why.
+QString natures(const Body& probe, const Body& fixed);
+
+/// What the probe does now, and what keeps the force away, if anything.
+QString happening(const Snapshot& snapshot, const std::optional<CompanionResult>& companion);
+
+}  // namespace sonde::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QPolygonF>
+#include <QRectF>
+#include <vector>
+
+namespace sonde::ui {
+
+/// A label to be placed: beside the point it is about, and off the line it belongs to.
+struct LabelToPlace {
+  QPointF at;
+  QSizeF size;
+  QPolygonF stroke{};  ///< an arrow or an arc on screen; no label may lie on it
+};
+
+/// A box for each label, inside the view: beside its point, clear of what is taken, of all strokes,
+/// and of the labels before it. Where there is no such place near, the one that covers least.
+std::vector<QRectF> place_labels(const std::vector<LabelToPlace>& labels,
+                                 const std::vector<QRectF>& taken, const QSizeF& view);
+
+}  // namespace sonde::ui
