@@ -14,6 +14,10 @@ constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
 
 /// A turn of more than this, as |Δv|, is beyond what linearised contacts can say anything about.
 constexpr double largest_turn = 0.3;
+/// Times that a leap is thought over for what would be in its way.
+constexpr int most_cuts = 6;
+/// Of what the rows of the first guess promised: a leap that gains less is not worth while.
+constexpr double worth = 0.1;
 
 /// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
 /// and it is no longer than trusted.
@@ -34,6 +38,7 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 struct LeapDescent::Pace {
   double trust;    ///< m: no leap is longer
   double bending;  ///< κ, 1/m: contacts bend into a leap by about κ|leap|²
+  bool complete;   ///< rows are of the bodies themselves: what they lack is looked for
   double moved = 0;
 };
 
@@ -60,8 +65,27 @@ Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
   return free * y;
 }
 
+std::optional<Vec6> LeapDescent::around(const Chart& chart, const Vec6& first, double margin,
+                                        ContactRows& rows, double trust, const Vec6& y) {
+  Vec6 step = first;
+  Effort unlimited;
+  for (int round = 0; round < most_cuts; ++round) {
+    const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
+    if (!look.news) {
+      // The rows know all that is in the way, and it bends into it; or there is no room for more.
+      if (!look.clear && rows.size() == static_cast<int>(ContactRows::capacity)) ++limited_;
+      return std::nullopt;
+    }
+    step = worth_trying(chart, y, rows.solve(margin, ContactRows::Narrow::keep).y - y, trust);
+    if (!(-y.dot(step) > worth * -y.dot(first))) return std::nullopt;
+    if (is_free(chart, y + step)) return step;
+  }
+  ++limited_;
+  return std::nullopt;
+}
+
 bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double margin,
-                       ContactRows& rows, Pace& pace, Vec6& y) const {
+                       ContactRows& rows, Pace& pace, Vec6& y) {
   const Vec6 step = worth_trying(chart, y, nearest.y - y, pace.trust);
   const double length = step.norm();
   const auto take = [&](const Vec6& leap) {
@@ -79,7 +103,15 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
   const double room = std::min(pace.bending * length * length, 0.3 * length) + margin;
   const Vec6 lifted =
       worth_trying(chart, y, rows.solve(room, ContactRows::Narrow::open).y - y, pace.trust);
-  if (-y.dot(lifted) > 0.1 * -y.dot(step) && take(lifted)) return true;
+  if (-y.dot(lifted) > worth * -y.dot(step) && take(lifted)) return true;
+  // The rows may lack what is in the way: the nearest pairs are a guess of it.
+  if (const auto round =
+          pace.complete ? around(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
+    y += *round;
+    pace.moved = round->norm();
+    pace.trust = 1.2 * std::max(pace.moved, 0.5 * pace.trust);
+    return true;
+  }
   pace.bending *= 4;
   for (const double part : {0.4, 0.16})
     if (take(part * step)) {
@@ -97,7 +129,9 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   rows.forget();  // the same run gives the same bits, whatever was run before
   Descent::Outcome out;
   out.y = start;
-  Pace pace{.trust = goal.reach * start.norm(), .bending = 0.5 / radius};
+  Pace pace{.trust = goal.reach * start.norm(),
+            .bending = 0.5 / radius,
+            .complete = goal.guide != Guide::outlines};
   Effort effort = deadline.effort();
   for (;;) {
     const double length = out.y.norm(), allowed = allowed_clearance(radius, length);

@@ -41,16 +41,25 @@ class LeapDescent {
   /// From the free pose at y straight towards the origin, by bisection: a nearer free pose, or y.
   Vec6 pull_in(const Chart& chart, const Vec6& y) const;
 
+  /// Leaps so far that were cut short since there was no room for more rows, or what was in the way
+  /// had been thought over often enough. None makes an end converged: it is so by rows that hold
+  /// it.
+  int limited() const { return limited_; }
+
  private:
   struct Pace;
   ContactRows& rows(Guide guide);
   /// Towards the nearest point of the rows, as far as it is free; false where no part of it is.
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
-            Pace& pace, Vec6& y) const;
+            Pace& pace, Vec6& y);
+  /// A free leap round what is in the way of the first, by rows of all that is (ContactRows::cut).
+  std::optional<Vec6> around(const Chart& chart, const Vec6& first, double margin,
+                             ContactRows& rows, double trust, const Vec6& y);
 
   const Body& probe_;
   const Body& fixed_;
   Method method_;
+  int limited_ = 0;
   std::array<std::optional<ContactRows>, 3> rows_;  // made when first asked for
 };
 

@@ -26,6 +26,10 @@ int Places::agreeing() const {
   return starts;
 }
 
+bool Places::is_known(const Vec6& y, double share) const {
+  return !empty() && (y - places_.front().y).norm() < share * best_;
+}
+
 std::vector<Vec6> Places::nearest(std::size_t count) const {
   std::vector<Vec6> out;
   for (const Place& place : places_) {

@@ -4,6 +4,8 @@
 // there is of it, which the first test of each scene compares with its closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <string>
 #include <tuple>
 
@@ -264,6 +266,56 @@ void search_in_every_cut(const std::vector<int>& cuts) {
 TEST(Conforming, SearchFindsTheSameDepthHoweverItIsCut) { search_in_every_cut({1, 4}); }
 TEST(Conforming, Full_SearchFindsTheSameDepthHoweverItIsCut) {
   search_in_every_cut({1, 3, 8, 16, 24, 40});
+}
+
+/// Every point moved by chance, by no more than so much (m), and the same for the same point: no
+/// two triangles of a face lie in one plane, and none can be joined.
+PolygonSoup shaken(PolygonSoup soup, double by) {
+  for (Vec3& x : soup.points) {
+    std::uint64_t seed = 1;
+    for (const double at : x) seed = seed * 1000003 + std::uint64_t(std::llround(at * 1e9));
+    std::mt19937_64 random(seed);
+    x += by * Vec3(test::uniform(random, -1, 1), test::uniform(random, -1, 1),
+                   test::uniform(random, -1, 1));
+  }
+  return soup;
+}
+
+/// Reference: the coarsest mesh of the same shapes. The rod has to go back into its hole, where
+/// there is 1 % of room.
+void search_unjoined_faces(const std::vector<int>& cuts) {
+  constexpr double shake = 1e-7;
+  const ConformingScene block = test::block_on_slab(), rod = test::cylinder_in_hole();
+  for (const auto& [scene, tick] : {std::pair{&block, std::size_t{100}}, {&rod, 60}})
+    for (const Method method : {Method::pdg, Method::pdt}) {
+      double want = 0;
+      for (const int n : cuts)
+        for (const auto& skew : {Skew{}, test::askew()}) {
+          const Cutting of_probe{n, Cutting::Kind::random};
+          const Cutting of_fixed{n == 1 ? 1 : n + 3, Cutting::Kind::random, 1001};
+          const auto probe =
+              test::body(test::turned(shaken(scene->probe(of_probe), shake), skew.probe));
+          const auto fixed =
+              test::body(test::turned(shaken(scene->fixed(of_fixed), shake), skew.world));
+          const Pose X = Pose{skew.world, Vec3::Zero()} * scene->path[tick] *
+                         Pose{skew.probe.conjugate(), Vec3::Zero()};
+          StaticOptions options;
+          options.method = method;
+          options.want_lower_bound = false;
+          const Separation s = separate_static(Pair(probe, fixed), X, options);
+          ASSERT_EQ(s.status, Status::penetrating) << describe(*scene, of_probe, skew);
+          EXPECT_TRUE(s.converged) << describe(*scene, of_probe, skew);
+          if (want == 0) want = s.depth;
+          EXPECT_NEAR(s.depth, want, 0.01 * want) << describe(*scene, of_probe, skew);
+        }
+    }
+}
+
+TEST(Conforming, SearchFindsTheSameDepthInFacesThatCannotBeJoined) {
+  search_unjoined_faces({1, 5, 10});
+}
+TEST(Conforming, Full_SearchFindsTheSameDepthInFacesThatCannotBeJoined) {
+  search_unjoined_faces({1, 5, 10, 20});
 }
 
 }  // namespace

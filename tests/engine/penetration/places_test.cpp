@@ -55,5 +55,15 @@ TEST(Places, what_led_nowhere_does_not_count) {
   EXPECT_EQ(places.agreeing(), 0);
 }
 
+TEST(Places, what_is_near_the_best_is_known) {
+  Places places;
+  EXPECT_FALSE(places.is_known(Vec6::Zero(), 0.1));
+  places.note(place(2, 0));
+  places.note(place(1, 1));
+  EXPECT_TRUE(places.is_known(1.05 * Vec6::Unit(1), 0.1));
+  EXPECT_FALSE(places.is_known(1.15 * Vec6::Unit(1), 0.1));
+  EXPECT_FALSE(places.is_known(2 * Vec6::Unit(0), 0.1)) << "only the best counts";
+}
+
 }  // namespace
 }  // namespace sonde

@@ -155,6 +155,78 @@ TEST(StaticSearch, counted_steps_leave_room_for_translations) {
   EXPECT_EQ(with, all);
 }
 
+/// The icosahedron's faces cut into 16 each, on a sphere.
+PolygonSoup icosphere(double radius) {
+  const double p = std::numbers::phi;
+  std::vector<Vec3> at;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-p, p}) at.insert(at.end(), {{0, x, y}, {x, y, 0}, {y, 0, x}});
+  const auto add = [&](const auto& self, PolygonSoup& out, const Vec3& a, const Vec3& b,
+                       const Vec3& c, int cuts) -> void {
+    if (cuts == 0) {
+      const std::size_t n = out.points.size();
+      for (const Vec3& x : {a, b, c}) out.points.push_back(radius * x.normalized());
+      out.polygons.push_back({n, n + 1, n + 2});
+      return;
+    }
+    const Vec3 ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
+    self(self, out, a, ab, ca, cuts - 1);
+    self(self, out, ab, b, bc, cuts - 1);
+    self(self, out, ca, bc, c, cuts - 1);
+    self(self, out, ab, bc, ca, cuts - 1);
+  };
+  PolygonSoup out;
+  const auto joined = [&](std::size_t i, std::size_t j) { return (at[i] - at[j]).norm() < 2.1; };
+  for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t j = i + 1; j < at.size(); ++j)
+      for (std::size_t k = j + 1; k < at.size(); ++k) {
+        if (!joined(i, j) || !joined(j, k) || !joined(k, i)) continue;
+        const bool outward = at[i].dot(at[j].cross(at[k])) > 0;
+        const std::size_t second = outward ? j : k, third = outward ? k : j;
+        add(add, out, at[i].normalized(), at[second].normalized(), at[third].normalized(), 2);
+      }
+  return out;
+}
+
+// A translation is one of the answers: what a search for it alone finds with the same seed is never
+// beaten by it. One inside the other in the middle every direction is as good, but for the facets.
+TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_good) {
+  const auto ball = test::body(icosphere(1)), shell = test::body(icosphere(3));
+  ASSERT_EQ(ball->soup.triangles.size(), 320U);
+  const Pair bodies(ball, shell);
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    StaticOptions options;
+    options.seed = seed;
+    options.want_lower_bound = false;
+    const Separation g = separate_static(bodies, {}, options);
+    options.method = Method::pdt;
+    const Separation t = separate_static(bodies, {}, options);
+    EXPECT_LE(g.depth, t.depth * (1 + 1e-12)) << seed;
+    ASSERT_TRUE(g.pdt);
+    EXPECT_NEAR(*g.pdt, t.depth, 1e-12 * t.depth) << seed;
+  }
+}
+
+// What is found with so many steps is found with more: the depth never rises with the budget. And
+// what is returned touches, whatever the steps ended in (check_separation).
+TEST(StaticSearch, more_steps_never_give_a_worse_answer) {
+  std::mt19937_64 random(10);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Pair bodies(pair.a, pair.b);
+    StaticOptions options;
+    options.want_lower_bound = false;
+    double before = std::numeric_limits<double>::infinity();
+    for (int steps = 1; steps < 400; steps += 1 + steps / 6) {
+      options.budget.steps = steps;
+      const Separation s = separate_static(bodies, X, options);
+      test::check_separation(*pair.a, *pair.b, s, pair.name);
+      EXPECT_LE(s.depth, before * (1 + 1e-12)) << pair.name << ", " << steps << " steps";
+      before = s.depth;
+    }
+  }
+}
+
 TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
   for (const auto& pair : pairs()) {
