@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/status_text.hpp"
 
+#include "engine/geometry/body.hpp"
+
 namespace sonde::ui {
 namespace {
 
