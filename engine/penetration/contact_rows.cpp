@@ -168,17 +168,23 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
   const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
-  const double ample = list_reach_.choose(wanted);
   const PairList::Displacement often = usual(X, centre);
   const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
   const double near = std::max(reach, 2 * least_asked_);
-  const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
-                                    std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
   const auto affordable =
       static_cast<std::int64_t>(good_share_for_list * static_cast<double>(effort.left()));
-  const bool fits = effort.within(share_for_list,
-                                  [&](Effort& part) { return list_.build(X, centre, room, part); });
-  list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
+  const auto list = [&](double ample, std::int64_t most) {
+    const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
+                                      std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
+    const bool fits = effort.within(share_for_list, [&](Effort& part) {
+      return part.at_most(most, [&](Effort& e) { return list_.build(X, centre, room, e); });
+    });
+    list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
+    return fits;
+  };
+  const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
+  bool fits = list(ample, ample > least ? list_reach_.most_work() : effort.left());
+  if (!fits && ample > least) fits = list(least, effort.left());
   if (!fits) sliding_ *= 0.5, turning_ *= 0.5;  // there is no room for so much of it
 }
 

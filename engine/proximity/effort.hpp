@@ -44,7 +44,17 @@ class Effort {
     const double by_clock = 100 * std::max(0.0, until_ - now_us());
     return std::min(left_, static_cast<std::int64_t>(std::min(by_clock, 1e15)));
   }
-  /// Does a piece of work, task(Effort&), that may take a share of what is left and no more.
+  /// Does a piece of work, task(Effort&), that may take so much and no more.
+  template <class Task>
+  auto at_most(std::int64_t work, const Task& task) {
+    Effort part(*this);
+    const std::int64_t most = part.left_ = std::min(work, left_);
+    const auto out = task(part);
+    left_ -= most - std::max<std::int64_t>(0, part.left_);
+    unwatched_ = between_looks;  // the clock is looked at next time
+    return out;
+  }
+  /// The same, of a share of what is left.
   template <class Task>
   auto within(double share, const Task& task) {
     if (!is_limited()) return task(*this);

@@ -17,9 +17,13 @@ constexpr double most_ample = 32;
 /// From one list to the next.
 constexpr double growth = 1.2;
 
+/// A little further out there may be ten times as many pairs: a list that takes so many times the
+/// work of the cheapest of late is left, but none that takes some 80 µs.
+constexpr double dearest = 1.6, cheap_enough = 8000;
+
 /// What a list costs: a tick feels a long one more than many short ones do, so the power is above
-/// that of the mean. (1.3 to 1.6 differ by less than the noise on seven scenes; 1 doubles the
-/// longest ticks of linked-tori and spoon-in-cup, 2 doubles the median of nut-on-bolt.)
+/// that of the mean. (With 1 the p99.9 of spoon-in-cup was 1.5 times as long, with 2.2 the median
+/// of nut-on-bolt in contact 1.5 times.)
 double cost(std::int64_t work, double travel) {
   const auto w = static_cast<double>(work);
   return w * std::sqrt(w) / travel;
@@ -30,7 +34,7 @@ double cost(std::int64_t work, double travel) {
 ListReach::ListReach(double radius)
     : radius_(radius),
       limit_(radius),
-      reach_(radius),
+      reach_(0),
       too_far_(farthest_listed * radius),
       factor_(growth) {}
 
@@ -38,6 +42,12 @@ bool ListReach::is_too_far(double wanted) noexcept {
   if (wanted < too_far_) return false;
   too_far_ *= 1.01;
   return true;
+}
+
+double ListReach::least(double wanted) noexcept { return least_ample * wanted; }
+
+std::int64_t ListReach::most_work() const noexcept {
+  return static_cast<std::int64_t>(std::max(dearest * cheapest_, cheap_enough));
 }
 
 double ListReach::choose(double wanted) const noexcept {
@@ -56,11 +66,14 @@ void ListReach::learn(double wanted, double chosen, bool fits, std::int64_t work
   }
   limit_ = std::min(1.5 * limit_, radius_);
   too_far_ = std::min(1.02 * too_far_, farthest_listed * radius_);
+  const auto took = static_cast<double>(work);
+  // One of the least reach cannot be had cheaper.
+  cheapest_ = chosen <= least(wanted) ? took : std::min(took, 1.1 * cheapest_);
   const double last = cost_;
   cost_ = cost(work, chosen - wanted);
   if (work > affordable || chosen >= most_ample * wanted)
     factor_ = 1 / growth;
-  else if (chosen <= least_ample * wanted)
+  else if (chosen <= least(wanted))
     factor_ = growth;
   else if (chosen == reach_ && last > 0 && cost_ > last)
     factor_ = 1 / factor_;

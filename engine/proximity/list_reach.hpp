@@ -16,8 +16,11 @@ class ListReach {
 
   /// Is a list for travel of `wanted`, m, not worth making? It is given another try some time.
   bool is_too_far(double wanted) noexcept;
-  /// The reach to try, m, where so much is wanted at least.
+  /// The reach to try, m, where so much is wanted at least; and the least one worth trying.
   double choose(double wanted) const noexcept;
+  static double least(double wanted) noexcept;
+  /// A list that takes more work is to be left and made with the least reach.
+  std::int64_t most_work() const noexcept;
   /// What became of the list that was chosen: the units of work that it took, and those that it
   /// should take at most. What does not fit is made smaller, and after that given up.
   void learn(double wanted, double chosen, bool fits, std::int64_t work,
@@ -25,11 +28,12 @@ class ListReach {
 
  private:
   double radius_;
-  double limit_;     // m: so far it was found to fit, with time further
-  double reach_;     // m
-  double too_far_;   // m
-  double cost_ = 0;  // of the last one for its travel; 0: there is none
-  double factor_;    // from one reach to the next
+  double limit_;         // m: so far it was found to fit, with time further
+  double reach_;         // m
+  double too_far_;       // m
+  double cost_ = 0;      // of the last one for its travel; 0: there is none
+  double factor_;        // from one reach to the next
+  double cheapest_ = 0;  // work of late, rising with time
 };
 
 }  // namespace sonde

@@ -78,6 +78,16 @@ TEST(ListReach, what_does_not_fit_shrinks_and_is_given_up_and_tried_again_some_t
   EXPECT_LT(ticks, 1000);
 }
 
+TEST(ListReach, what_costs_much_more_than_others_of_late_is_left) {
+  ListReach reach(radius);
+  reach.learn(wanted, ListReach::least(wanted), true, 100'000, unlimited);
+  EXPECT_GT(reach.most_work(), 100'000) << "no list is cheaper here";
+  EXPECT_LT(reach.most_work(), 200'000);
+  for (int i = 0; i < 10; ++i) reach.learn(wanted, 4 * wanted, true, 1000, unlimited);
+  EXPECT_LT(reach.most_work(), 10'000);
+  EXPECT_GT(reach.most_work(), 1000);
+}
+
 TEST(ListReach, outlasts_the_step_it_is_made_for) {
   ListReach reach(radius);
   for (int i = 0; i < 40; ++i) {
