@@ -183,8 +183,10 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
     return fits;
   };
   const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
-  bool fits = list(ample, ample > least ? list_reach_.most_work() : effort.left());
-  if (!fits && ample > least) fits = list(least, effort.left());
+  const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
+  bool fits = list(ample, most);
+  // Where the tick's effort was what did not do, more of it would be lost on another.
+  if (!fits && ample > least && list_.work_of_build() >= most) fits = list(least, effort.left());
   if (!fits) sliding_ *= 0.5, turning_ *= 0.5;  // there is no room for so much of it
 }
 
