@@ -21,7 +21,7 @@ constexpr std::size_t most_kept = 32;
 /// over: what is lost tick by tick is not to be had back while the probe is pressed.
 constexpr double kept_share = 0.95;
 /// Of the effort that is left to a tick: a list that takes more is not made.
-constexpr double share_for_list = 0.6;
+constexpr double share_for_list = 0.75;
 /// One that takes more is made smaller the next time.
 constexpr double good_share_for_list = 0.25;
 /// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
@@ -184,10 +184,9 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
   };
   const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
   const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
-  bool fits = list(ample, most);
+  const bool fits = list(ample, most);
   // Where the tick's effort was what did not do, more of it would be lost on another.
-  if (!fits && ample > least && list_.work_of_build() >= most) fits = list(least, effort.left());
-  if (!fits) sliding_ *= 0.5, turning_ *= 0.5;  // there is no room for so much of it
+  if (!fits && ample > least && list_.work_of_build() >= most) list(least, effort.left());
 }
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
@@ -197,6 +196,8 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
   if (listed < reach) {
     const Vec3 centre = stillest(X);
     list_pairs(X, reach, centre, usual(X, centre), effort);
+    // Where there is no room for so much, less is expected the next time.
+    if (list_.reach_at(X) < reach) sliding_ *= 0.5, turning_ *= 0.5;
   }
   const NearPairs near =
       list_.reach_at(X) >= reach

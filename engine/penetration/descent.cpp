@@ -188,7 +188,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
         std::clamp((out.iterations == 0 ? 2 : 0.5) * pace.scale, 16 * margin, widest);
     if (!known && !rows_.gather(chart, y, reach, 4 * margin, effort)) {
       if (out.iterations > 0) return out;
-      rows_.look_less_far(16 * margin);
+      rows_.look_less_far(4 * margin);
       rows_.carry(chart, y);
       report(out, y, rows_.solve(margin, ContactRows::Narrow::keep));
       return out;

@@ -10,7 +10,7 @@ namespace sonde {
 namespace {
 
 // In the units of Effort: of a block of pairs, of one pair.
-constexpr int work_to_look = 5, work_to_take = 8, work_to_advance = 20;
+constexpr int work_to_look = 5, work_to_take = 4, work_to_advance = 20;
 
 Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
