@@ -24,7 +24,7 @@ namespace sonde {
 /// fixed body too. Nothing here allocates but the constructor.
 class PairList {
  public:
-  static constexpr std::size_t enough = 16384;
+  static constexpr std::size_t enough = 8192;
   PairList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// No point of A, r away from a point of it that is the centre, is further than linear + r·turn
