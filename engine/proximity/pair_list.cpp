@@ -62,17 +62,17 @@ void PairList::start(const Transform& X, const Vec3& centre) noexcept {
 }
 
 void PairList::take(Candidates& of) noexcept {
-  of.batch.flush(
-      std::numeric_limits<double>::infinity(),
-      [&](const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& points) {
-        const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
-        const double arm = of.arm[static_cast<std::size_t>(lane)];
-        if (distance > of.room.of(arm)) return;
-        of.fit = of.fit && count_ < capacity_;
-        if (!of.fit) return;
-        const bool apart = points.distance[lane] > 0;
-        append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
-      });
+  const double widest = of.room.of(*std::max_element(of.arm.begin(), of.arm.end()));
+  of.batch.flush(widest + 2 * of.rounding, [&](const TriangleBatch::Pair& pair, int lane,
+                                               const ClosestPoints8& points) {
+    const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
+    const double arm = of.arm[static_cast<std::size_t>(lane)];
+    if (distance > of.room.of(arm)) return;
+    of.fit = of.fit && count_ < capacity_;
+    if (!of.fit) return;
+    const bool apart = points.distance[lane] > 0;
+    append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
+  });
 }
 
 bool PairList::build(const Transform& X, const Vec3& centre, const Displacement& room,
