@@ -22,8 +22,8 @@ constexpr std::size_t most_kept = 32;
 constexpr double kept_share = 0.95;
 /// Of the effort that is left to a tick: a list that takes more is not made.
 constexpr double share_for_list = 0.75;
-/// One that takes more is made smaller the next time.
-constexpr double good_share_for_list = 0.25;
+/// One that takes more, as much as some ticks have, is made smaller the next time.
+constexpr double good_share_for_list = 8;
 /// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
 /// missing.
 constexpr double least_share_of_reach = 0.1;
@@ -168,25 +168,30 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
   const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
+  if (list_.is_unfinished() && list_.reach_when_finished(X, ahead) > reach) {
+    effort.within(share_for_list, [&](Effort& part) { return list_.go_on(part); });
+    return;
+  }
   const PairList::Displacement often = usual(X, centre);
   const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
   const double near = std::max(reach, 2 * least_asked_);
-  const auto affordable =
-      static_cast<std::int64_t>(good_share_for_list * static_cast<double>(effort.left()));
+  const auto affordable = static_cast<std::int64_t>(
+      std::min(1e18, good_share_for_list * static_cast<double>(effort.left())));
   const auto list = [&](double ample, std::int64_t most) {
     const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
                                       std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
     const bool fits = effort.within(share_for_list, [&](Effort& part) {
       return part.at_most(most, [&](Effort& e) { return list_.build(X, centre, room, e); });
     });
-    list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
-    return fits;
+    // What the tick's effort was too little for goes on in the next ones.
+    const bool cut_short = list_.is_unfinished() && list_.work_of_build() < most;
+    if (!cut_short) list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
+    return fits || cut_short;
   };
   const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
   const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
   const bool fits = list(ample, most);
-  // Where the tick's effort was what did not do, more of it would be lost on another.
-  if (!fits && ample > least && list_.work_of_build() >= most) list(least, effort.left());
+  if (!fits && ample > least) list(least, effort.left());
 }
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,

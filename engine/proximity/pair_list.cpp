@@ -77,34 +77,45 @@ void PairList::take(Candidates& of) noexcept {
 
 bool PairList::build(const Transform& X, const Vec3& centre, const Displacement& room,
                      Effort& effort) noexcept {
-  const Placement at(a_, b_, X);
-  PairStack<SlotPair> stack;
-  SlotPairs found;
   start(X, centre);
-  Candidates candidates{{a_, b_, X}, room, guard(X)};
+  planned_ = room;
+  to_visit_.clear();
+  to_visit_.push(roots(a_.tree, b_.tree));
+  return go_on(effort);
+}
+
+bool PairList::go_on(Effort& effort) noexcept {
+  const Placement at(a_, b_, X_);
+  SlotPairs found;
+  Candidates candidates{{a_, b_, X_}, planned_, guard(X_)};
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
   // What is found below a pair goes by the arm of its box of A, which is the longer one.
   const auto sort_out = [&](const SlotPair& p, double arm) {
-    if (!at.is_leaf(p)) return stack.push(p);
+    if (!at.is_leaf(p)) return to_visit_.push(p);
     spend(work_to_take);
     candidates.arm[static_cast<std::size_t>(candidates.batch.size())] = arm;
     candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
     if (candidates.batch.full()) take(candidates);
   };
-  sort_out(at.roots(), longest_arm_);
-  while (candidates.fit && !stack.empty()) {
-    const SlotPair p = stack.pop();
+  unfinished_ = false;
+  while (candidates.fit && !unfinished_ && !to_visit_.empty()) {
+    const SlotPair p = to_visit_.pop();
     const double arm = arm_of(p.a);
-    const float limit = at.above(room.of(arm));
+    const float limit = at.above(planned_.of(arm));
     if (p.bound > limit) continue;
+    if (at.is_leaf(p)) {  // the roots alone
+      sort_out(p, arm);
+      continue;
+    }
     at.open_by_faces(p, limit, found);
     for (const SlotPair& child : found) sort_out(child, arm);
-    if (!spend(work_to_open(found.count))) return clear(), false;
+    unfinished_ = !spend(work_to_open(found.count));
   }
   take(candidates);
   if (!candidates.fit) return clear(), false;
+  if (unfinished_) return false;
   fill_last();
-  room_ = room;
+  room_ = planned_;
   return true;
 }
 
@@ -159,13 +170,13 @@ double PairList::guard(const Transform& X) const noexcept {
                         X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
-double PairList::reach_after(const Transform& X, const Displacement& more) const noexcept {
-  if (room_.linear < 0) return -1;
+double PairList::left(const Displacement& room, const Transform& X,
+                      const Displacement& more) const noexcept {
   // The least of what is left for any arm. Distances were rounded at the list's pose, and are again
   // at this one.
   const Displacement since = displacement(X_, X);
-  const Displacement left{room_.linear - since.linear - more.linear,
-                          room_.turn - since.turn - more.turn};
+  const Displacement left{room.linear - since.linear - more.linear,
+                          room.turn - since.turn - more.turn};
   return std::min(left.linear, left.of(longest_arm_)) - 2 * guard(X);
 }
 

@@ -11,6 +11,7 @@
 #include "engine/proximity/near_pairs.hpp"
 #include "engine/proximity/pair_lanes.hpp"
 #include "engine/proximity/pair_sweep.hpp"
+#include "engine/proximity/placement.hpp"
 #include "engine/proximity/sweep.hpp"
 #include "engine/proximity/trespass.hpp"
 
@@ -37,8 +38,9 @@ class PairList {
   static Displacement along(const Motion& motion, const Vec3& centre) noexcept;
 
   /// Takes down every pair at a distance of at most room.of(its arm) at X, the arm being that of
-  /// the triangle of A about the centre (A's mesh frame). False (and an empty list) where there are
-  /// more than it holds, or the effort ran out.
+  /// the triangle of A about the centre (A's mesh frame). False (and nothing is covered) where
+  /// there are more than it holds, or the effort ran out: then go_on() can finish it, some other
+  /// time.
   bool build(const Transform& X, const Vec3& centre, const Displacement& room,
              Effort& effort) noexcept;
   /// Every pair that may be within reach at X.
@@ -46,7 +48,14 @@ class PairList {
     return build(X, a_.mass.com, {reach, 0}, effort);
   }
 
-  void clear() noexcept { count_ = 0, room_.linear = -1; }
+  bool go_on(Effort& effort) noexcept;
+  bool is_unfinished() const noexcept { return unfinished_; }
+  /// As reach_at after so much more travel, of the list once it is finished.
+  double reach_when_finished(const Transform& X, const Displacement& more) const noexcept {
+    return left(planned_, X, more);
+  }
+
+  void clear() noexcept { count_ = 0, room_.linear = -1, unfinished_ = false; }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
   /// What the last list took to make, in the units of Effort.
@@ -86,7 +95,11 @@ class PairList {
     std::uint32_t item;
     double until;  ///< of the path: about where it may be stopped
   };
-  double reach_after(const Transform& X, const Displacement& more) const noexcept;
+  double reach_after(const Transform& X, const Displacement& more) const noexcept {
+    return room_.linear < 0 ? -1 : left(room_, X, more);
+  }
+  double left(const Displacement& room, const Transform& X,
+              const Displacement& more) const noexcept;
   Displacement displacement(const Transform& from, const Transform& X) const noexcept;
   /// What rounding may add to a distance at either pose, m.
   double guard(const Transform& X) const noexcept;
@@ -126,7 +139,10 @@ class PairList {
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Displacement room_;  // of the list; linear negative: there is none
+  Displacement room_;             // of the list; linear negative: there is none
+  Displacement planned_;          // of the list that is being made
+  PairStack<SlotPair> to_visit_;  // for it
+  bool unfinished_ = false;
   Transform X_;        // of the list
   Transform last_;     // the pose last looked at
   double linear_ = 0;  // m: of the centre, from pose to pose looked at

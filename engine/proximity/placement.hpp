@@ -177,6 +177,7 @@ template <class Entry>
 class PairStack {
  public:
   bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
   void push(const Entry& e) { items_[size_++] = e; }
   Entry pop() { return items_[--size_]; }
 
