@@ -9,6 +9,8 @@ namespace {
 Q_LOGGING_CATEGORY(force, "sonde.force")
 
 constexpr double readable = 4;  // s
+/// s: the force fades with a time of 0.05 s, and what is over sooner is not felt as none.
+constexpr double brief = 0.02;
 
 bool is_fault(Withheld why) {
   return why == Withheld::untrusted || why == Withheld::not_finite || why == Withheld::failed ||
@@ -21,6 +23,8 @@ QString ForceLog::add(const Snapshot& tick) {
   if (tick.time < time_) *this = ForceLog{};
   time_ = tick.time;
   const Withheld why = tick.hand.withheld;
+  if (why != Withheld::unsettled) settled_time_ = tick.time;
+  if (why == Withheld::unsettled && tick.time - settled_time_ < brief) return {};
   if (is_fault(why)) {
     fault_ = why;
     fault_time_ = tick.time;

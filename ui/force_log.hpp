@@ -12,7 +12,8 @@ namespace sonde::ui {
 class ForceLog {
  public:
   /// Each tick, in its order. One that is earlier than the last is the first of another run. What
-  /// there is to say of it, empty where nothing has changed.
+  /// there is to say of it, empty where nothing has changed. A pose that is not settled is worth a
+  /// word only where that lasts: the force fades, it is not cut.
   QString add(const Snapshot& tick);
   /// The loop has ended, with its program or for another scene; the next tick is of another run.
   void end();
@@ -23,6 +24,7 @@ class ForceLog {
   Withheld now_ = Withheld::nothing;
   Withheld fault_ = Withheld::nothing;  ///< the last one
   double fault_time_ = 0;               ///< s, of its last tick
+  double settled_time_ = 0;  ///< s, of the last tick whose pose was settled
   double time_ = 0;
 };
 

@@ -40,6 +40,18 @@ TEST_F(ForceLogTest, a_fault_of_one_tick_is_in_the_log_and_stays_to_be_read) {
   EXPECT_TRUE(log.recent(30).isEmpty());
 }
 
+TEST_F(ForceLogTest, a_pose_that_is_not_settled_is_worth_a_word_where_that_lasts) {
+  for (int i = 0; i < 1000; ++i)
+    add(1 + 0.001 * i, i % 20 < 10 ? Withheld::nothing : Withheld::unsettled);
+  EXPECT_TRUE(logged.isEmpty()) << logged.join('\n').toStdString();
+  EXPECT_TRUE(log.recent(2).isEmpty());
+  for (int i = 0; i < 40; ++i) add(2 + 0.001 * i, Withheld::unsettled);
+  add(2.04, Withheld::nothing);
+  ASSERT_EQ(logged.size(), 2) << logged.join('\n').toStdString();
+  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::unsettled))));
+  EXPECT_TRUE(log.recent(3).contains(QString::fromUtf8(words(Withheld::unsettled))));
+}
+
 TEST_F(ForceLogTest, what_was_asked_for_is_logged_once_and_is_no_fault) {
   for (int i = 1; i < 100; ++i) add(0.001 * i, Withheld::stopped);
   EXPECT_EQ(logged.size(), 1);
