@@ -20,7 +20,7 @@ constexpr std::size_t most_kept = 32;
 /// Of its gap, or of the margin, a step may take so little from a pair that it need not be thought
 /// over: what is lost tick by tick is not to be had back while the probe is pressed.
 constexpr double kept_share = 0.95;
-/// Of the effort that is left to a tick: a list that takes more is not made.
+/// Of the effort that is left to a tick: a list that takes more goes on in the next ones.
 constexpr double share_for_list = 0.75;
 /// One that takes more, as much as some ticks have, is made smaller the next time.
 constexpr double good_share_for_list = 8;

@@ -115,6 +115,8 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
     if (-y.dot(risen) > 0.1 * size2) step = risen;
   }
   step = within_chart(chart, y, step);
+  // At the rim of the chart nothing may be left of it.
+  if (!(step.squaredNorm() > 0)) return Vec6::Zero();
   // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
@@ -233,6 +235,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       rise = look.news ? 0 : rise + 1.2 * look.lost;
       step = next_step(chart, y, nearest, margin, rise, pace);
     }
+    if (!(step.squaredNorm() > 0)) return out;
     step = pace.damped(step);
     const Vec6 target = y + step;
     const Sweep swept = sweep_to(chart, y, target, effort);
