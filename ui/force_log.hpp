@@ -24,7 +24,7 @@ class ForceLog {
   Withheld now_ = Withheld::nothing;
   Withheld fault_ = Withheld::nothing;  ///< the last one
   double fault_time_ = 0;               ///< s, of its last tick
-  double settled_time_ = 0;  ///< s, of the last tick whose pose was settled
+  double settled_time_ = 0;             ///< s, of the last tick whose pose was settled
   double time_ = 0;
 };
 
