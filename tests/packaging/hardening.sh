@@ -19,7 +19,8 @@ check() {
   grep -qE '__[a-z]+_chk@' <<<"$symbols" || complain "$file: no checked functions of libc"
 }
 checked=0
-for file in "$PREFIX"/bin/* "$PREFIX/$LIBDIR"/libsonde.so.*.*; do
+for file in "$PREFIX"/bin/* "$PREFIX/$LIBDIR"/libsonde.so.*.* \
+  $(find "$PREFIX" -name '_sonde*.so'); do
   check "$file"
   checked=$((checked + 1))
 done
