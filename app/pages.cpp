@@ -108,7 +108,7 @@ std::string positionals(const CLI::App& app) {
 
 std::string synopsis(const CLI::App& program) {
   const auto commands = commands_of(program);
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   if (commands.empty()) return bold(name) + " [options]" + positionals(program) + "\n";
   std::string out;
   for (const CLI::App* command : commands)
@@ -168,7 +168,7 @@ std::string word_cases(const CLI::App& program) {
 
 std::string manual_page(const CLI::App& program, const std::string& version,
                         const std::string& see_also) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string out = ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n";
   out += ".TH " + capitals(name) + " 1 \"\" \"sonde " + version + "\" \"User Commands\"\n";
   out += ".nh\n.SH NAME\n" + text(name) + " \\- " + text(in_one_line(program.get_description())) +
@@ -185,7 +185,7 @@ std::string manual_page(const CLI::App& program, const std::string& version,
 }
 
 std::string bash_completion(const CLI::App& program) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string function = "_" + name;
   std::ranges::replace(function, '-', '_');
   std::vector<std::string> commands;

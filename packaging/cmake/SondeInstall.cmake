@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed where, by components: program (sonde, its resources), view (sonde-view), library
-# (libsonde.so), development (header, CMake and pkg-config files).
+# (libsonde.so), development (header, CMake and pkg-config files), python (the module).
 
 include(CMakePackageConfigHelpers)
 find_program(GZIP_PROGRAM gzip REQUIRED)
@@ -98,3 +98,16 @@ install(FILES "${PROJECT_BINARY_DIR}/sonde.pc" DESTINATION "${CMAKE_INSTALL_LIBD
         COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/tests/engine/depth_of_two_files.cpp"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libsonde-dev/examples" COMPONENT development)
+
+# -- python
+
+if(SONDE_BUILD_PYTHON)
+  set(SONDE_PYTHON_PACKAGES "lib/python3/dist-packages/sonde")
+  install(TARGETS sonde_python LIBRARY DESTINATION "${SONDE_PYTHON_PACKAGES}" COMPONENT python)
+  install(FILES "${PROJECT_SOURCE_DIR}/app/python/package/__init__.py"
+                "${PROJECT_SOURCE_DIR}/app/python/package/__init__.pyi"
+                "${PROJECT_SOURCE_DIR}/app/python/package/py.typed"
+          DESTINATION "${SONDE_PYTHON_PACKAGES}" COMPONENT python)
+  install(FILES "${PROJECT_SOURCE_DIR}/app/python/depth_along_path.py"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-sonde/examples" COMPONENT python)
+endif()

@@ -48,6 +48,11 @@ if(SONDE_BUILD_VIEW)
                 "This package has the desktop program.")
 endif()
 
+if(SONDE_BUILD_PYTHON)
+  sonde_package(python python3-sonde "penetration depth of two polygon soups - Python module"
+                "This package has the Python module, over NumPy arrays.")
+endif()
+
 set(same "(= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "sonde ${same}") # its scenes and manual
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsonde${soname} ${same}, libeigen3-dev")
@@ -58,11 +63,22 @@ file(WRITE "${PROJECT_BINARY_DIR}/debian/shlibs"
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/shlibs"
                                                "${SONDE_PACKAGING}/debian/triggers")
 
+if(SONDE_BUILD_PYTHON) # the compiled part is of one version of Python, whose name for it it has
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  math(EXPR next "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+endif()
+
 get_property(compressed GLOBAL PROPERTY SONDE_COMPRESSED)
 add_custom_target(sonde_compressed ALL DEPENDS ${compressed})
 # All that a package is made of, and nothing else.
 add_custom_target(sonde_installed DEPENDS sonde sonde_shared sonde_pages sonde_compressed)
 if(SONDE_BUILD_VIEW)
   add_dependencies(sonde_installed sonde-view)
+endif()
+if(SONDE_BUILD_PYTHON)
+  add_dependencies(sonde_installed sonde_python)
 endif()
 include(CPack)

@@ -19,6 +19,8 @@ cp /etc/resolv.conf "$root/etc/"
 cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
 mkdir "$root/packages"
 cp "$packages"/*.deb "$poses" "$root/packages/"
+names=()
+for package in "$packages"/*.deb; do names+=("$(dpkg-deb -f "$package" Package)"); done
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"; }
 of_sonde() { inside find / -xdev -not -path '/proc/*' -not -path '/packages*' -iname '*sonde*'; }
 
@@ -30,6 +32,10 @@ grep -q '^0,penetrating,' "$work/result.csv" || complain "no depth"
 inside xvfb-run -a -s '-screen 0 1280x800x24' sonde-view \
   /usr/share/sonde/scenes/linked-tori.sonde.json --screenshot /packages/picture.png
 [[ -s $root/packages/picture.png ]] || complain "no picture"
+if [[ " ${names[*]} " == *" python3-sonde "* ]]; then
+  inside python3 -c 'import sonde; print(sonde.__version__)' >"$work/version"
+  [[ $(<"$work/version") == "$VERSION" ]] || complain "the Python module is of another version"
+fi
 inside sh -c "apt-get purge -qq -y 'sonde*' 'libsonde*' '*-sonde'" >"$work/log" 2>&1 ||
   complain "$(cat "$work/log")"
 left=$(of_sonde | grep -v -e '^/root/' -e '^/var/cache/apt' || true)
