@@ -16,6 +16,8 @@ cmp installed.csv built.csv
 "$sonde" tune "$PREFIX/share/sonde/scenes/terrain.sonde.json" --device nothing --out t 2>err && exit 1
 grep -q 'known are:.* sigma\.7' err || complain "profiles are not found: $(cat err)"
 
-if knowing=$(grep -rlF -e "$SOURCE" -e "$BUILD" "$PREFIX"); then
+known=(-e "$BUILD")
+for folder in app engine resources ui; do known+=(-e "$SOURCE/$folder"); done
+if knowing=$(grep -rlF "${known[@]}" "$PREFIX"); then
   complain "the folder of the build is named in $knowing"
 fi
