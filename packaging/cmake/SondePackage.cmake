@@ -69,6 +69,8 @@ if(SONDE_BUILD_PYTHON) # the compiled part is of one version of Python, whose na
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${SONDE_PACKAGING}/debian/python/postinst"
+                                                "${SONDE_PACKAGING}/debian/python/prerm")
 endif()
 
 get_property(compressed GLOBAL PROPERTY SONDE_COMPRESSED)
