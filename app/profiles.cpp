@@ -11,11 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Profiles of the installed program, or of the tree that it was built in.
+/// Profiles of the installed program; in a build folder a link leads to those of the source tree.
 std::vector<fs::path> profile_folders() {
   std::error_code error;
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return {here / "../share/sonde/devices", fs::path(SONDE_SOURCE_RESOURCES) / "devices"};
+  return {here / "../share/sonde/devices"};
 }
 
 }  // namespace

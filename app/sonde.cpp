@@ -5,7 +5,7 @@
 #include <iostream>
 #include <new>
 
-#include "app/commands.hpp"
+#include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "engine/error.hpp"
 
@@ -44,17 +44,8 @@ int after_parse_error(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App program("Penetration depth of two polygon soups, and the force it makes.", "sonde");
-  program.set_version_flag("--version", "sonde " SONDE_VERSION);
-  program.require_subcommand(1);
-  program.footer(
-      "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 a fault of ours, 130 interrupted.");
-  const sonde::app::Command commands[] = {
-      sonde::app::add_info_command(program),   sonde::app::add_query_command(program),
-      sonde::app::add_replay_command(program), sonde::app::add_trade_command(program),
-      sonde::app::add_tune_command(program),   sonde::app::add_compare_command(program),
-      sonde::app::add_merge_command(program),  sonde::app::add_devices_command(program),
-  };
+  CLI::App program(sonde::app::program_summary, sonde::app::program_name);
+  const auto commands = sonde::app::declare_command_line(program);
   try {
     program.parse(argc, argv);
     for (const auto& command : commands)

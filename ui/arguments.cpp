@@ -8,17 +8,17 @@
 
 namespace sonde::ui {
 
-Parsed parse_arguments(int argc, char** argv) {
-  Parsed parsed;
-  Arguments& arguments = parsed.arguments;
-  std::string unit;
-  CLI::App app("Feel how two polygon soups touch: the desktop program.", "sonde-view");
+void declare_command_line(CLI::App& app, Arguments& arguments) {
+  app.name("sonde-view");
+  app.description("Feel how two polygon soups touch: the desktop program.");
   app.set_version_flag("--version", SONDE_VERSION);
   app.add_option("files", arguments.files,
                  "A scene (NAME.sonde.json), or two meshes: the probe and the fixed body")
       ->type_name("SCENE | PROBE FIXED")
       ->expected(0, 2);
-  app.add_option("--unit", unit, "Unit of two meshes: m, cm, mm, um, in or ft")
+  app.add_option_function<std::string>(
+         "--unit", [&](const std::string& unit) { arguments.unit = unit_in_metres(unit); },
+         "Unit of two meshes: m, cm, mm, um, in or ft")
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
   app.add_option(
          "--device", arguments.device,
@@ -34,13 +34,19 @@ Parsed parse_arguments(int argc, char** argv) {
       ->type_name("PICTURE")
       ->excludes(picture);
   app.footer("With no files: the scene spoon-in-cup.");
+}
+
+Parsed parse_arguments(int argc, char** argv) {
+  Parsed parsed;
+  Arguments& arguments = parsed.arguments;
+  CLI::App app;
+  declare_command_line(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     parsed.exit_code = app.exit(error) == 0 ? 0 : 2;
     return parsed;
   }
-  if (!unit.empty()) arguments.unit = unit_in_metres(unit);
   if (app.count("--device") > 0 && arguments.device.empty()) {
     std::cerr << "sonde-view: --device wants a name, a path or auto\n";
     parsed.exit_code = 2;

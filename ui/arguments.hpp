@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace sonde::ui {
 
 /// The command line of sonde-view, checked.
@@ -15,6 +19,9 @@ struct Arguments {
   std::string screenshot;          ///< a picture to write, then end; empty for none
   std::string demo;                ///< a picture to write after playing the scene's trajectory
 };
+
+/// Declares the whole command line of sonde-view, to be parsed into `arguments`.
+void declare_command_line(CLI::App& app, Arguments& arguments);
 
 /// Either arguments, or an exit code where there is nothing left to do (help, version: 0; wrong
 /// usage: 2), after saying so.

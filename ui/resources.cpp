@@ -9,12 +9,8 @@
 namespace sonde::ui {
 
 QString resource(const QString& name) {
-  const QString installed = QCoreApplication::applicationDirPath() + "/../share/sonde";
-  for (const QString& folder : {installed, QStringLiteral(SONDE_SOURCE_RESOURCES)}) {
-    const QFileInfo file(QDir(folder), name);
-    if (file.exists()) return file.canonicalFilePath();
-  }
-  return {};
+  const QDir folder(QCoreApplication::applicationDirPath() + "/../share/sonde");
+  return QFileInfo(folder, name).canonicalFilePath();
 }
 
 namespace {

@@ -7,8 +7,8 @@
 
 namespace sonde::ui {
 
-/// A file or folder of the program's resources: beside the installed program
-/// (../share/sonde), else in the source tree. Empty where there is none.
+/// A file or folder of the program's resources, in ../share/sonde beside the program: installed
+/// there, or a link to the source tree. Empty where there is none.
 QString resource(const QString& name);
 
 /// Where device profiles are looked for: the user's own (devices/ in the user's folder for Sonde's

@@ -24,6 +24,8 @@ struct MassProperties {
   double radius = 0;  ///< R: largest distance of a vertex of a triangle from com, m
 };
 
+// Not of the public face from here on (engine/sonde.hpp).
+
 MassProperties mass_by_volume(const Soup& soup, const Progress& progress = {});
 MassProperties mass_by_area(const Soup& soup, const Progress& progress = {});
 

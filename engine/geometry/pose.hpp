@@ -28,6 +28,8 @@ inline Pose inverse(const Pose& X_BA) {
   return {q, -(q * X_BA.p)};
 }
 
+// Not of the public face from here on (engine/sonde.hpp).
+
 /// Pose as a rotation matrix and a translation: what the geometric kernels multiply points with.
 /// Every kernel and every test of freedom goes through this one conversion, so that all of them
 /// see the same transformed vertices, to the bit.

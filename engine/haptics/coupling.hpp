@@ -27,6 +27,8 @@ struct Wrench {
   bool saturated = false;  ///< a device limit acted
 };
 
+// Not of the public face from here on (engine/sonde.hpp).
+
 /// The separation from O to Q in the terms of the coupling.
 struct SeparationMotion {
   Vec3 t = Vec3::Zero();      ///< displacement of the centre of mass, fixed frame, m

@@ -19,6 +19,8 @@ struct StaticOptions {
   bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
 };
 
+// Not of the public face from here on (engine/sonde.hpp).
+
 /// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,
 /// searched globally on the pair's sketches and from many starts, each descended on the contact
 /// space. The separated pose is verified free with exact predicates. Never throws on geometry: a

@@ -10,6 +10,7 @@ target_compile_options(sonde_options INTERFACE -Wall -Wextra -Wconversion -ffp-c
 if(SONDE_WARNINGS_AS_ERRORS)
   target_compile_options(sonde_options INTERFACE -Werror)
 endif()
+target_link_libraries(sonde_options INTERFACE sonde_hardening)
 if(SONDE_SANITIZE)
   target_compile_options(sonde_options INTERFACE -fsanitize=${SONDE_SANITIZE}
                                                  -fno-omit-frame-pointer)

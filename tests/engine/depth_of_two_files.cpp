@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How deep two meshes are in each other, as their files place them: resources/docs/library.md.
 #include <cstdio>
+#include <sonde/sonde.hpp>
 #include <stdexcept>
-
-#include "engine/sonde.hpp"
 
 int main(int argc, char** argv) try {
   if (argc != 3) throw std::invalid_argument("give two meshes: the probe and the fixed body");

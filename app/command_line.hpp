@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/options.hpp"
+
+namespace sonde::app {
+
+inline constexpr const char* program_name = "sonde";
+inline constexpr const char* program_summary =
+    "Penetration depth of two polygon soups, and the force it makes.";
+
+/// Declares the whole command line of `sonde`, and says what each of its commands does.
+std::vector<Command> declare_command_line(CLI::App& program);
+
+}  // namespace sonde::app

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The compiled part of the Python module: bodies, depths and followers over NumPy arrays. All work
+// is done with the GIL released; depth() is what `sonde query` does, to the bit.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/python/depths.hpp"
+#include "app/static_searches.hpp"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace sonde::python {
+namespace {
+
+using Faces = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// pybind11 keeps no pointer to const.
+struct SharedBody {
+  std::shared_ptr<const sonde::Body> body;
+  BodyFacts facts;
+};
+
+template <class Value>
+Value chosen(const std::string& what, const std::string& word,
+             const std::vector<std::pair<std::string, Value>>& known) {
+  std::string words;
+  for (const auto& [name, value] : known) {
+    if (name == word) return value;
+    words += (words.empty() ? "" : ", ") + name;
+  }
+  throw std::invalid_argument(what + " is \"" + word + "\"; it is one of " + words);
+}
+Model model_of(const std::string& word) {
+  return chosen<Model>(
+      "model", word,
+      {{"auto", Model::automatic}, {"solid", Model::solid}, {"surface", Model::surface}});
+}
+Method method_of(const std::string& word) {
+  return chosen<Method>("method", word, {{"pdg", Method::pdg}, {"pdt", Method::pdt}});
+}
+Budget budget_of(int steps, double microseconds) {
+  if (steps < 0 || !(microseconds >= 0))
+    throw std::invalid_argument("a budget must be zero (none) or more");
+  return {.steps = steps, .microseconds = microseconds};
+}
+
+SharedBody shared(std::shared_ptr<const sonde::Body> body) {
+  BodyFacts known = sonde::facts(*body);
+  return {std::move(body), std::move(known)};
+}
+
+void need_columns(const py::array& array, const char* what) {
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw std::invalid_argument(std::string(what) + " must be of shape (n, 3)");
+}
+
+SharedBody body_of(const Numbers& vertices, const Faces& faces, const std::string& model,
+                   const std::string& name) {
+  need_columns(vertices, "vertices");
+  need_columns(faces, "faces");
+  std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = Eigen::Map<const Vec3>(vertices.data() + 3 * i);
+  std::vector<std::array<std::uint32_t, 3>> triangles(static_cast<std::size_t>(faces.shape(0)));
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::int64_t corner = faces.data()[3 * i + j];
+      if (corner < 0 || static_cast<std::size_t>(corner) >= points.size())
+        throw InputError::in(name, "face " + std::to_string(i) + ": there is no vertex " +
+                                       std::to_string(corner) + ", only " +
+                                       std::to_string(points.size()));
+      triangles[i][j] = static_cast<std::uint32_t>(corner);
+    }
+  const Model chosen_model = model_of(model);
+  const py::gil_scoped_release released;
+  return shared(make_body(points, triangles, chosen_model, name));
+}
+
+SharedBody body_in(const std::string& file, const std::string& model, double scale) {
+  const Model chosen_model = model_of(model);
+  const py::gil_scoped_release released;
+  return shared(read_body(file, chosen_model, scale));
+}
+
+Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
+             const std::string& method, std::uint64_t seed, unsigned threads, int budget_steps,
+             double budget_us) {
+  const std::vector<Pose> given = poses_of(poses);
+  app::SolverOptions options;
+  options.method = method_of(method) == Method::pdt ? "pdt" : "pdg";
+  options.budget = budget_of(budget_steps, budget_us);
+  options.seed = seed;
+  options.threads = std::min(threads, 1024U);
+  std::vector<Separation> rows(given.size());
+  {
+    const py::gil_scoped_release released;
+    const Pair pair(a.body, b.body);
+    app::ProgressLine quiet(true);
+    const auto results = app::search_all(pair, given, options, quiet);
+    std::ranges::transform(results, rows.begin(), &app::TimedSeparation::separation);
+  }
+  return depths_of(rows);
+}
+
+/// The coherent solver: a search starts it, at the first pose or wherever it is asked to.
+class PathFollower {
+ public:
+  PathFollower(const SharedBody& a, const SharedBody& b, const std::string& method,
+               std::uint64_t seed)
+      : method_(method_of(method)), seed_(seed), pair_(a.body, b.body), follower_(pair_, method_) {}
+
+  Depths follow(const Numbers& poses, int budget_steps, double budget_us) {
+    const std::vector<Pose> given = poses_of(poses);
+    const Budget budget = budget_of(budget_steps, budget_us);
+    std::vector<Separation> rows;
+    rows.reserve(given.size());
+    {
+      const py::gil_scoped_release released;
+      for (const Pose& pose : given) rows.push_back(next(pose, budget));
+    }
+    return depths_of(rows);
+  }
+  void restart() { started_ = false; }
+
+ private:
+  Separation next(const Pose& pose, const Budget& budget) {
+    if (started_) return follower_.follow(pose, budget);
+    const Separation& first =
+        follower_.start(pose, {.method = method_, .budget = budget, .seed = seed_});
+    started_ = first.status != Status::failed;
+    return first;
+  }
+  Method method_;
+  std::uint64_t seed_;
+  Pair pair_;
+  sonde::Follower follower_;
+  bool started_ = false;
+};
+
+py::array_t<double> three(const Vec3& v) { return py::array_t<double>(3, v.data()); }
+
+void declare_body(py::module_& module) {
+  py::class_<SharedBody>(module, "Body", "A rigid body made of triangles; it does not change.")
+      .def(py::init(&body_of), "vertices"_a, "faces"_a, "model"_a = "auto", "name"_a = "body",
+           "A body of vertices (n, 3), metres, and faces (m, 3), indices of vertices,\n"
+           "counter-clockwise seen from outside. model: \"solid\" (the inside counts),\n"
+           "\"surface\" (the triangles alone) or \"auto\" (solid where closed).\n"
+           "Raises InputError where it cannot be a body.")
+      .def_static("read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0,
+                  "Reads an OFF, OBJ, PLY or STL file; scale is its unit in metres.\n"
+                  "Raises InputError, with the file and the line.")
+      .def_property_readonly("name", [](const SharedBody& b) { return b.facts.name; })
+      .def_property_readonly(
+          "triangles", [](const SharedBody& b) { return b.facts.triangles; },
+          "Triangles that have an area.")
+      .def_property_readonly(
+          "solid", [](const SharedBody& b) { return b.facts.solid; }, "Its inside counts.")
+      .def_property_readonly(
+          "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is solid, or not.")
+      .def_property_readonly(
+          "measure", [](const SharedBody& b) { return b.facts.mass.measure; },
+          "Volume of a solid, m^3; area of a surface, m^2.")
+      .def_property_readonly(
+          "centre_of_mass", [](const SharedBody& b) { return three(b.facts.mass.com); },
+          "In the mesh frame, m, shape (3,).")
+      .def_property_readonly(
+          "inertia", [](const SharedBody& b) { return three(b.facts.mass.inertia); },
+          "Principal moments by measure, m^2, ascending, shape (3,).");
+}
+
+void declare_depths(py::module_& module) {
+  py::class_<Depths>(module, "Depths", "Results as arrays, one row for each pose.")
+      .def_readonly("status", &Depths::status, "\"separated\", \"penetrating\" or \"failed\".")
+      .def_readonly("reason", &Depths::reason, "Why a pose failed; else empty.")
+      .def_readonly("depth", &Depths::depth, "sqrt(PD_g), m; NaN where it failed.")
+      .def_readonly("sigma", &Depths::sigma, "depth squared, m^2.")
+      .def_readonly("pose", &Depths::pose, "The separated pose, (n, 7): px,py,pz,qw,qx,qy,qz.")
+      .def_readonly("lower_bound", &Depths::lower_bound, "Of the depth, m; NaN where none.")
+      .def_readonly("contacts", &Depths::contacts, "Clusters of contacts that carry it.")
+      .def_readonly("residual", &Depths::residual, "|y - J^T lambda| / |y|.")
+      .def_readonly("iterations", &Depths::iterations)
+      .def_readonly("converged", &Depths::converged, "False: the budget ran out first.")
+      .def_readonly("jumped", &Depths::jumped, "The separated pose went over an edge.")
+      .def("__len__", [](const Depths& d) { return d.reason.size(); });
+}
+
+void declare_follower(py::module_& module) {
+  py::class_<PathFollower>(module, "Follower",
+                           "The separated pose of a probe that moves, pose by pose along free\n"
+                           "paths: it never pops through. One thread at a time.")
+      .def(py::init<const SharedBody&, const SharedBody&, const std::string&, std::uint64_t>(),
+           "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1)
+      .def("follow", &PathFollower::follow, "poses"_a, "budget_steps"_a = 0, "budget_us"_a = 0.0,
+           "Goes on to the next poses, (7,) or (n, 7). The first is searched for.")
+      .def("restart", &PathFollower::restart, "The next pose is searched for again.");
+}
+
+}  // namespace
+}  // namespace sonde::python
+
+PYBIND11_MODULE(_sonde, module) {
+  using namespace sonde::python;
+  module.doc() = "How deep two polygon soups are in each other.";
+  module.attr("__version__") = SONDE_VERSION;
+  py::register_exception<sonde::InputError>(module, "InputError", PyExc_ValueError);
+  declare_body(module);
+  declare_depths(module);
+  declare_follower(module);
+  module.def("depth", &depth, "probe"_a, "fixed"_a, "poses"_a, py::kw_only(), "method"_a = "pdg",
+             "seed"_a = 1, "threads"_a = 0, "budget_steps"_a = 0, "budget_us"_a = 0.0,
+             "The penetration depth of the probe at each of the poses, (7,) or (n, 7):\n"
+             "px,py,pz,qw,qx,qy,qz, the probe's mesh frame in the fixed body's, metres.\n"
+             "Every pose is searched for itself, on `threads` threads (0: all there are);\n"
+             "the results do not depend on how many. The same bits as `sonde query`.");
+}

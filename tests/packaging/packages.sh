@@ -1,0 +1,31 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The packages are made, lintian finds neither error nor warning in them, together they hold what
+# `cmake --install` installs, the program runs from them, and dpkg removes all of it again.
+source "$(dirname "$0")/support.sh"
+
+need lintian
+"$SOURCE/packaging/make-packages" "$BUILD" "$work/packages" >"$work/log" 2>&1 ||
+  complain "$(cat "$work/log")"
+
+# dpkg works on a root of its own, that has nothing but its records: what is to be there first is not.
+root=$work/root
+mkdir -p "$root/var/lib/dpkg/"{info,updates,triggers} "$root/var/log"
+touch "$root/var/lib/dpkg/status"
+in_root() {
+  local as_root=()
+  [[ $EUID -eq 0 ]] || { need fakeroot; as_root=(fakeroot); }
+  "${as_root[@]}" dpkg --root="$root" --force-depends --force-script-chrootless --log=/dev/null "$@" \
+    >"$work/log" 2>&1 || complain "$(cat "$work/log")"
+}
+in_root --install "$work"/packages/*.deb
+cd "$work"
+"$root/usr/bin/sonde" query "$root/usr/share/sonde/scenes/spoon-in-cup.sonde.json" \
+  --poses "$poses" --quiet >result.csv
+grep -q '^0,penetrating,' result.csv || complain "no depth: $(cat result.csv)"
+mapfile -t names < <(dpkg-query --admindir="$root/var/lib/dpkg" -W -f '${Package}\n')
+[[ ${#names[@]} -ge 3 ]] || complain "packages: ${names[*]}"
+in_root --purge "${names[@]}"
+if left=$(find "$root" -mindepth 1 -not -path "$root/var*" | grep .); then
+  complain "left behind: $left"
+fi

@@ -1,0 +1,27 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The shared library shows the functions of the public header and nothing else, and its soname is that
+# of the version.
+source "$(dirname "$0")/support.sh"
+
+library=$PREFIX/$LIBDIR/libsonde.so.$VERSION
+readelf -d "$library" | grep -q "SONAME.*\[libsonde\.so\.${VERSION%%.*}\]" || complain "soname"
+nm -DC --defined-only "$library" | cut -d' ' -f3- |
+  sed -E 's/\(.*//; s/\[abi:[^]]*\]//g' | sort -u >"$work/shown"
+sort -u >"$work/expected" <<'END'
+sonde::Follower::Follower
+sonde::Follower::follow
+sonde::Follower::last
+sonde::Follower::operator=
+sonde::Follower::start
+sonde::Follower::~Follower
+sonde::Pair::Pair
+sonde::facts
+sonde::make_body
+sonde::read_body
+sonde::separate
+sonde::wrench
+END
+diff "$work/expected" "$work/shown"
+# Each only as the header declares it; constructors and destructors have two names each.
+same_output 18 sh -c "nm -D --defined-only '$library' | wc -l"
