@@ -33,7 +33,7 @@ Parsed parse_arguments(int argc, char** argv) {
                  "Play the scene's trajectory, write a picture of its deepest pose, then end")
       ->type_name("PICTURE")
       ->excludes(picture);
-  app.footer("With no files: the scene spoon-in-cup.");
+  app.footer("With no files: a page to begin from; for a picture, the scene spoon-in-cup.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ui/viewport.hpp"
 
@@ -38,6 +39,8 @@ bool MouseProbe::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseMove:
       return drag(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
+      if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) settle();
+      return true;
     case QEvent::MouseButtonDblClick:
     case QEvent::ContextMenu:
       return true;
@@ -53,7 +56,21 @@ bool MouseProbe::eventFilter(QObject* watched, QEvent* event) {
 bool MouseProbe::press(const QMouseEvent& event) {
   viewport_.canvas()->setFocus(Qt::MouseFocusReason);
   last_ = event.localPos();
+  settle();  // of a drag whose end somebody else got
+  if (event.button() == Qt::LeftButton) before_ = pose_;
   return true;
+}
+
+void MouseProbe::settle() {
+  const std::optional<Pose> before = std::exchange(before_, std::nullopt);
+  if (!before || (before->p == pose_.p && before->q.coeffs() == pose_.q.coeffs())) return;
+  if (settled) settled(*before, false);
+}
+
+void MouseProbe::step(const std::function<void()>& move) {
+  const Pose before = pose_;
+  move();
+  if (settled && !before_) settled(before, true);
 }
 
 bool MouseProbe::drag(const QMouseEvent& event) {
@@ -110,7 +127,7 @@ bool MouseProbe::wheel(const QWheelEvent& event) {
     viewport_.invalidate();
   } else {
     const Vec3 away = -viewport_.camera().axes().towards;
-    translate(away * (notches * wheel_step * mass_.radius * gain_));
+    step([&] { translate(away * (notches * wheel_step * mass_.radius * gain_)); });
   }
   return true;
 }
@@ -140,10 +157,12 @@ bool MouseProbe::key(const QKeyEvent& event) {
     default:
       return false;
   }
-  if (event.modifiers() & Qt::ShiftModifier)
-    rotate(turn * nudge_turn * gain_);
-  else
-    translate(shift * nudge_step * mass_.radius * gain_);
+  step([&] {
+    if (event.modifiers() & Qt::ShiftModifier)
+      rotate(turn * nudge_turn * gain_);
+    else
+      translate(shift * nudge_step * mass_.radius * gain_);
+  });
   return true;
 }
 

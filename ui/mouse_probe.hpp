@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointF>
 #include <functional>
+#include <optional>
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
@@ -31,6 +32,9 @@ class MouseProbe : public QObject {
 
   /// Called with each new device pose X_FM.
   std::function<void(const Pose&)> moved;
+  /// A drag has ended that began at that pose, or a key or the wheel has moved the probe a step
+  /// from there: many of those in quick succession are one motion.
+  std::function<void(const Pose& before, bool one_of_many)> settled;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,6 +44,8 @@ class MouseProbe : public QObject {
   bool drag(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  void settle();
+  void step(const std::function<void()>& move);
   void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);
   void drag_camera(QPointF by);
   void pan_camera(QPointF by);
@@ -51,6 +57,7 @@ class MouseProbe : public QObject {
   Viewport& viewport_;
   MassProperties mass_;
   Pose pose_;
+  std::optional<Pose> before_;  ///< where the drag began that is going on
   QPointF last_;
   double gain_ = 1;
 };

@@ -103,7 +103,8 @@ struct Viewport::Scenery {
   std::array<QString, 2> descriptions;
   Eigen::AlignedBox3d probe_box, fixed_box;
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
-  double radius = 1;           ///< of the fixed body, about centre
+  Quat q_FW = Quat::Identity();
+  double radius = 1;  ///< of the fixed body, about centre
   Pose last_device, last_separated;
   std::array<bool, 8> shown{true, true, true, true, false, false, false, true};  ///< by Layer
 
@@ -141,7 +142,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
 
 Viewport::~Viewport() = default;
 
-void Viewport::show_stage(const Stage& stage) {
+void Viewport::show_stage(const Stage& stage, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
   const bool software = software_drawn(*s.widget);
@@ -151,8 +152,9 @@ void Viewport::show_stage(const Stage& stage) {
   s.mass = session.probe().mass;
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
+  s.q_FW = session.opened().scene.fixed.pose.q.conjugate();
   s.radius = session.fixed().mass.radius;
-  s.last_device = s.last_separated = session.opened().start;
+  s.last_device = s.last_separated = session.opened().here.value_or(session.opened().start);
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
@@ -172,13 +174,30 @@ void Viewport::show_stage(const Stage& stage) {
   apply_layers();
   set_coupling(session.coupling());
 
+  if (same_view) return invalidate();
   // A scene's camera says where to look from; how near depends on the window's shape.
   const auto& place = session.opened().camera;
   if (place)
     camera().look_at(place->target, place->position - place->target, place->up, 1);
   else
-    camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 1);
+    look_by_default();
   fit();
+}
+
+/// With the scene's up, which need not be the mesh's.
+void Viewport::look_by_default() {
+  const Quat& q_FW = scenery_->q_FW;
+  camera().look_at(scenery_->centre, q_FW * default_view_direction(), q_FW * Vec3::UnitZ(), 1);
+}
+
+CameraPlace Viewport::place() const {
+  return {camera().eye(), camera().target(), camera().axes().up};
+}
+
+void Viewport::look(const CameraPlace& place) {
+  const Vec3 direction = place.position - place.target;
+  camera().look_at(place.target, direction, place.up, direction.norm());
+  invalidate();
 }
 
 void Viewport::set_coupling(const Coupling& coupling) {

@@ -26,8 +26,8 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Takes the bodies of a new session and turns the camera to them.
-  void show_stage(const Stage& stage);
+  /// Takes the bodies of a new session and turns the camera to them, unless that is to stay.
+  void show_stage(const Stage& stage, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
@@ -42,6 +42,8 @@ class Viewport : public QWidget {
   bool shown(Layer layer) const;
 
   Camera camera() const;
+  CameraPlace place() const;
+  void look(const CameraPlace& place);
   void fit();
   double metres_per_pixel(const Vec3& at) const;
   /// Where a point of the scene is in the view, in Qt's pixels from the upper left.
@@ -64,6 +66,7 @@ class Viewport : public QWidget {
   void update_text(const Snapshot& snapshot);
   void update_legend();
   void apply_layers();
+  void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
 

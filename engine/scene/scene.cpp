@@ -161,6 +161,8 @@ struct Reader {
   }
 };
 
+}  // namespace
+
 std::string name_of_scene(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   for (const std::string_view ending : {".json", ".sonde"})
@@ -168,8 +170,6 @@ std::string name_of_scene(const std::filesystem::path& file) {
       name.resize(name.size() - ending.size());
   return name;
 }
-
-}  // namespace
 
 Coupling read_coupling(const std::filesystem::path& file) {
   return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));

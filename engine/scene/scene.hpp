@@ -53,6 +53,9 @@ Scene read_scene(const std::filesystem::path& file);
 /// The same of the text of a file, wherever it comes from.
 Scene scene_in(const std::string& text, const std::filesystem::path& file);
 
+/// The name of a scene in that file: the file's, with no folder and no ".sonde.json".
+std::string name_of_scene(const std::filesystem::path& file);
+
 /// Reads a file that holds a scene's `coupling` object alone. Errors as read_scene.
 Coupling read_coupling(const std::filesystem::path& file);
 
