@@ -57,11 +57,28 @@ bool MouseProbe::press(const QMouseEvent& event) {
   viewport_.canvas()->setFocus(Qt::MouseFocusReason);
   last_ = event.localPos();
   settle();  // of a drag whose end somebody else got
-  if (event.button() == Qt::LeftButton) before_ = pose_;
+  if (event.button() != Qt::LeftButton) return true;
+  before_ = pose_;
+  const auto handles = viewport_.handles(pose_);
+  if (handles && event.modifiers() == Qt::NoModifier)
+    grip_ = grip_at(
+        *handles, [this](const Vec3& x) { return viewport_.on_screen(x); }, last_);
   return true;
 }
 
+void MouseProbe::drag_handle(QPointF by) {
+  const auto handles = viewport_.handles(pose_);
+  if (!handles) return;
+  const auto on_screen = [this](const Vec3& x) { return viewport_.on_screen(x); };
+  const double far = follow(*handles, *grip_, on_screen, by);
+  const Vec3 axis = handles->axes.col(grip_->axis);
+  if (!grip_->turns) return translate(axis * far);
+  rotate(axis * far);
+  grip_->at = handles->centre + Eigen::AngleAxisd(far, axis) * (grip_->at - handles->centre);
+}
+
 void MouseProbe::settle() {
+  grip_.reset();
   const std::optional<Pose> before = std::exchange(before_, std::nullopt);
   if (!before || (before->p == pose_.p && before->q.coeffs() == pose_.q.coeffs())) return;
   if (settled) settled(*before, false);
@@ -76,7 +93,9 @@ void MouseProbe::step(const std::function<void()>& move) {
 bool MouseProbe::drag(const QMouseEvent& event) {
   const QPointF by = event.localPos() - last_;
   last_ = event.localPos();
-  if (event.buttons() & Qt::LeftButton)
+  if (event.buttons() & Qt::LeftButton && grip_)
+    drag_handle(by);
+  else if (event.buttons() & Qt::LeftButton)
     drag_probe(by, last_, event.modifiers());
   else if (event.buttons() & Qt::RightButton)
     drag_camera(by);

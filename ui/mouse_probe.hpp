@@ -8,6 +8,7 @@
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
+#include "ui/document/handles.hpp"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -47,6 +48,7 @@ class MouseProbe : public QObject {
   void settle();
   void step(const std::function<void()>& move);
   void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);
+  void drag_handle(QPointF by);
   void drag_camera(QPointF by);
   void pan_camera(QPointF by);
   void translate(const Vec3& by);
@@ -58,6 +60,7 @@ class MouseProbe : public QObject {
   MassProperties mass_;
   Pose pose_;
   std::optional<Pose> before_;  ///< where the drag began that is going on
+  std::optional<Grip> grip_;    ///< of a handle that is being dragged
   QPointF last_;
   double gain_ = 1;
 };

@@ -18,6 +18,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/document/defect_view.hpp"
+#include "ui/document/handle_view.hpp"
 #include "ui/theme.hpp"
 #include "ui/views/contact_view.hpp"
 #include "ui/views/hint_view.hpp"
@@ -79,7 +81,8 @@ struct Viewport::Scenery {
         screw(*above, shapes),
         contacts(*above, shapes),
         wrench(*above, shapes),
-        trail(*above) {}
+        trail(*above),
+        handles(*above, shapes) {}
 
   // The overlays have a depth buffer of their own: no body hides a contact.
   vtkNew<vtkRenderer> bodies;
@@ -96,6 +99,8 @@ struct Viewport::Scenery {
   ContactView contacts;
   WrenchView wrench;
   TrailView trail;
+  HandleView handles;
+  std::unique_ptr<DefectView> defects;
 
   // Of the session on show.
   MassProperties mass;
@@ -106,16 +111,19 @@ struct Viewport::Scenery {
   Quat q_FW = Quat::Identity();
   double radius = 1;  ///< of the fixed body, about centre
   Pose last_device, last_separated;
-  std::array<bool, 8> shown{true, true, true, true, false, false, false, true};  ///< by Layer
+  std::array<bool, 10> shown{true,  true,  true, true,  false,
+                             false, false, true, false, false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 7> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 9> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
              {Layer::trail, &trail},
              {Layer::wrench, &wrench},
              {Layer::screw, &screw},
-             {Layer::contacts, &contacts}}};
+             {Layer::contacts, &contacts},
+             {Layer::handles, &handles},
+             {Layer::defects, defects.get()}}};
   }
 };
 
@@ -170,6 +178,7 @@ void Viewport::show_stage(const Stage& stage, bool same_view) {
   };
   s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
   s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.above, stage);
   s.trail.clear();
   apply_layers();
   set_coupling(session.coupling());
@@ -222,6 +231,10 @@ void Viewport::update_legend() {
     legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
     legend.push_back({colour::torque, s.wrench.torque_legend()});
   }
+  if (shown(Layer::defects)) {
+    legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
+    legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
+  }
   s.hints->set_legend(std::move(legend));
 }
 
@@ -272,6 +285,18 @@ void Viewport::apply_layers() {
   Scenery& s = *scenery_;
   for (const auto& [layer, overlay] : s.overlays())
     if (overlay) overlay->set_visible(shown(layer));
+}
+
+void Viewport::set_handles_local(bool local) {
+  scenery_->handles.set_local(local);
+  invalidate();
+}
+
+std::optional<Handles> Viewport::handles(const Pose& X_FM) const {
+  if (!shown(Layer::handles)) return std::nullopt;
+  const Vec3& com = scenery_->mass.com;
+  return handles_at(X_FM, com, scenery_->handles.local(),
+                    HandleView::pixels * metres_per_pixel(X_FM * com));
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }

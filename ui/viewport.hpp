@@ -5,19 +5,32 @@
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/geometry/body.hpp"
 #include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/camera.hpp"
+#include "ui/document/handles.hpp"
 #include "ui/opening.hpp"
 #include "ui/stage.hpp"
 
 namespace sonde::ui {
 
 /// What can be shown or hidden in the view.
-enum class Layer { ghost, screw, contacts, wrench, nearest, straight, trail, hint };
+enum class Layer {
+  ghost,
+  screw,
+  contacts,
+  wrench,
+  nearest,
+  straight,
+  trail,
+  hint,
+  handles,
+  defects
+};
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
 /// told to, at most once a frame.
@@ -40,6 +53,11 @@ class Viewport : public QWidget {
 
   void set_shown(Layer layer, bool shown);
   bool shown(Layer layer) const;
+
+  /// Along the probe's own axes, rather than the fixed body's.
+  void set_handles_local(bool local);
+  /// The handles of a probe there, as they are drawn; none where they are not.
+  std::optional<Handles> handles(const Pose& X_FM) const;
 
   Camera camera() const;
   CameraPlace place() const;

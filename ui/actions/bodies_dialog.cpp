@@ -182,7 +182,7 @@ void BodiesDialog::show_sizes() {
   warning_->setText(apart
                         ? QStringLiteral("One is %1 times larger than the other: is a unit wrong?")
                               .arg(number(ratio))
-                        : QStringLiteral("Sizes are what to look at: how large is it really?"));
+                        : QStringLiteral("Are these bodies really as large as that?"));
 }
 
 }  // namespace sonde::ui

@@ -192,6 +192,11 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             Layer::nearest);
   add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
             key("6"), Layer::straight);
+  add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
+            Layer::defects);
+  add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
+  add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
+             key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
   add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),

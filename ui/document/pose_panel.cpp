@@ -59,7 +59,7 @@ QString shown(double value) {
 }  // namespace
 
 PosePanel::PosePanel(QWidget* parent)
-    : QDockWidget(QStringLiteral("Place of the probe"), parent),
+    : QDockWidget(QStringLiteral("Pose"), parent),
       unit_(new QComboBox(this)),
       turn_(new QComboBox(this)) {
   setObjectName(QStringLiteral("pose_panel"));

@@ -19,8 +19,8 @@
 namespace sonde::ui {
 namespace {
 
-constexpr int columns = 4;
-constexpr QSize picture_size{150, 100};
+constexpr int columns = 3;  // as many as fit between the docks of a small screen
+constexpr QSize picture_size{132, 88};
 const QString ending = QStringLiteral(".sonde.json");
 
 QLabel* heading(const QString& text, QWidget* parent, double larger) {
@@ -53,7 +53,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scroll);
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(24, 18, 24, 18);
+  layout->setContentsMargins(16, 16, 16, 16);
   layout->setSpacing(10);
   layout->addWidget(heading(QStringLiteral("Feel how two bodies touch"), content, 1.6));
   auto* buttons = new QHBoxLayout;
@@ -67,10 +67,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   };
   add("Open two meshes…", "start_meshes", meshes_wanted);
   add("Open a scene…", "start_scene", scene_wanted);
-  auto* drop = new QLabel(QStringLiteral("or drop a scene, a mesh or two meshes here"), content);
-  buttons->addWidget(drop);
   buttons->addStretch();
   layout->addLayout(buttons);
+  layout->addWidget(
+      new QLabel(QStringLiteral("or drop a scene, one mesh or two meshes here"), content));
   layout->addWidget(heading(QStringLiteral("Scenes to try"), content, 1.15));
   layout->addWidget(gallery());
   layout->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
