@@ -67,7 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       prompts_(dialogs(*this)),
       opener_(std::make_unique<Opener>(*this, prompts_)),
-      documents_(std::make_unique<DocumentControl>(*this, *opener_, prompts_, document_view())),
+      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, document_view())),
       viewport_(new Viewport(this)),
       mouse_(new MouseProbe(*viewport_, this)),
       coupling_panel_(new CouplingPanel(documents_->document().stack(), this)),

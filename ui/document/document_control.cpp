@@ -49,13 +49,8 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 
 }  // namespace
 
-DocumentControl::DocumentControl(QWidget& window, Opener& opener, Prompts& prompts,
-                                 DocumentView view)
-    : window_(window),
-      opener_(opener),
-      prompts_(prompts),
-      view_(std::move(view)),
-      recovery_(recovery_folder()) {
+DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
+    : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
   document_.changed = [this](const Content& from, const Content& to) { apply(from, to); };
   connect(&document_.stack(), &QUndoStack::indexChanged, this, [this] { tell(); });
   watch_.changed = [this](const QString& file) { file_changed(file); };

@@ -15,8 +15,6 @@
 #include "ui/document/recovery.hpp"
 #include "ui/stage.hpp"
 
-class QWidget;
-
 namespace sonde::ui {
 
 class Opener;
@@ -38,7 +36,7 @@ struct DocumentView {
 /// disk; and the commands that change it.
 class DocumentControl : public QObject {
  public:
-  DocumentControl(QWidget& window, Opener& opener, Prompts& prompts, DocumentView view);
+  DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
 
   Document& document() { return document_; }
 
@@ -90,7 +88,6 @@ class DocumentControl : public QObject {
   QStringList files() const;
   void tell() const;
 
-  QWidget& window_;
   Opener& opener_;
   Prompts& prompts_;
   DocumentView view_;

@@ -69,7 +69,9 @@ PosePanel::PosePanel(QWidget* parent)
 }
 
 void PosePanel::build() {
-  const auto [scroll, content, layout] = scrolled(*this);
+  const Scrolled dock = scrolled(*this);
+  QWidget* const content = dock.content;
+  QVBoxLayout* const layout = dock.layout;
   auto* grid = new QGridLayout;
   layout->addLayout(grid);
   unit_->setObjectName(QStringLiteral("pose_unit"));
