@@ -13,7 +13,7 @@ namespace sonde::ui {
 
 /// The command line of sonde-view, checked.
 struct Arguments {
-  std::vector<std::string> files;  ///< none: the default scene; one: a scene; two: probe and fixed
+  std::vector<std::string> files;  ///< none: the start page; one: a scene; two: probe and fixed
   std::optional<double> unit;      ///< metres
   std::string device;              ///< what is to hold the probe; empty: the scene or the mouse
   std::string screenshot;          ///< a picture to write, then end; empty for none

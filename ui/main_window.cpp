@@ -15,7 +15,6 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
-#include <QUndoStack>
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
@@ -27,7 +26,11 @@
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/device_control.hpp"
+#include "ui/document/document_control.hpp"
+#include "ui/document/pose_panel.hpp"
+#include "ui/document/start_page.hpp"
 #include "ui/elided_label.hpp"
+#include "ui/format.hpp"
 #include "ui/mouse_probe.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
@@ -63,20 +66,22 @@ bool same_picture(const Snapshot& a, const Snapshot& b) {
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       prompts_(dialogs(*this)),
-      undo_(new QUndoStack(this)),
+      opener_(std::make_unique<Opener>(*this, prompts_)),
+      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, document_view())),
       viewport_(new Viewport(this)),
       mouse_(new MouseProbe(*viewport_, this)),
-      coupling_panel_(new CouplingPanel(*undo_, this)),
+      coupling_panel_(new CouplingPanel(documents_->document().stack(), this)),
       readout_(new ReadoutPanel(this)),
       log_(new LogPanel(this)),
+      pose_panel_(new PosePanel(this)),
+      start_page_(new StartPage(viewport_)),
       devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
       device_panel_(new DevicePanel(this)),
-      stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_, *undo_, prompts_,
-                                      *this)),
+      stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
+                                      documents_->document().stack(), prompts_, *this)),
       what_happens_(new ElidedLabel(this)),
       device_status_(new QLabel(this)),
       rates_(new QLabel(this)),
-      opener_(std::make_unique<Opener>(*this, prompts_)),
       escape_([this] { set_force(false); }) {
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
@@ -84,6 +89,8 @@ MainWindow::MainWindow(QWidget* parent)
   setCentralWidget(viewport_);
   addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
   tabifyDockWidget(coupling_panel_, device_panel_);
+  tabifyDockWidget(coupling_panel_, pose_panel_);
+  start_page_->hide();
   coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
@@ -98,18 +105,24 @@ MainWindow::MainWindow(QWidget* parent)
   statusBar()->addWidget(what_happens_, 1);
   statusBar()->addPermanentWidget(device_status_);
   statusBar()->addPermanentWidget(rates_);
-  add_menus(*this, *undo_);
+  add_menus(*this);
   mouse_->moved = [this](const Pose& pose) {
     if (session()) session()->set_device_pose(pose);
   };
   coupling_panel_->changed = [this](const Coupling& coupling) {
     if (session()) session()->set_coupling(coupling);
+    documents_->set_coupling(coupling);
     readout_->set_coupling(coupling);
     viewport_->set_coupling(coupling);
     stiffness_->show_gains(coupling);
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  mouse_->settled = [this](const Pose& before, bool one_of_many) {
+    documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
+                           one_of_many);
+  };
   connect_devices();
+  connect_documents();
   stiffness_->ticked = [this](const Snapshot& tick) { log_->add(force_log_.add(tick)); };
   stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
   opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
@@ -125,7 +138,10 @@ MainWindow::MainWindow(QWidget* parent)
   viewport_->canvas()->setFocus();
 }
 
-MainWindow::~MainWindow() { force_log_.end(); }  // the session ends with the window
+MainWindow::~MainWindow() {
+  documents_->changed = nullptr;  // what goes now is not shown any more
+  force_log_.end();               // the session ends with the window
+}
 
 void MainWindow::connect_devices() {
   devices_->changed = [this] { show_holder(); };
@@ -133,9 +149,45 @@ void MainWindow::connect_devices() {
   device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
   device_panel_->path_wanted = [this] { ask_path(); };
   device_panel_->settings_changed = [this](const DeviceSettings& settings) {
-    devices_->set_settings(settings);
+    documents_->set_device_settings(settings);
   };
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+DocumentView MainWindow::document_view() {
+  return {.session = [this] { return session(); },
+          .show = [this](Stage stage, bool same) { show_stage(std::move(stage), same); },
+          .empty = [this] { show_nothing(); },
+          .place = [this](const Pose& pose) { place(pose); },
+          .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
+          .show_device_settings =
+              [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
+          .camera = [this] { return viewport_->place(); },
+          .look = [this](const CameraPlace& place) { viewport_->look(place); },
+          .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
+}
+
+void MainWindow::connect_documents() {
+  DocumentControl* documents = documents_.get();
+  documents->changed = [this] { show_document(); };
+  pose_panel_->placed = [documents](const Pose& pose) {
+    documents->place(pose, QStringLiteral("Place the probe"));
+  };
+  pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
+  pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
+  pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
+  pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
+  start_page_->scene_wanted = [documents] { documents->ask_scene(); };
+  start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
+  start_page_->chosen = [this](const QStringList& files) { open(files); };
+}
+
+void MainWindow::show_document() {
+  Document& document = documents_->document();
+  const QString name = QString::fromStdString(document.content().scene.name);
+  setWindowTitle(document.empty() ? QStringLiteral("Sonde")
+                                  : QStringLiteral("%1[*] – Sonde").arg(name));
+  setWindowModified(document.modified());
 }
 
 /// What a box says is gone with the box.
@@ -155,6 +207,7 @@ void MainWindow::restore_window() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!documents_->may_leave()) return event->ignore();
   QSettings settings;
   settings.setValue(QStringLiteral("geometry"), saveGeometry());
   settings.setValue(QStringLiteral("docks"), saveState());
@@ -164,19 +217,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::open(const QStringList& files, std::optional<double> unit) {
   statusBar()->showMessage(QStringLiteral("Opening %1 …").arg(QFileInfo(files.value(0)).fileName()),
                            4000);
-  opener_->open_files(files, unit);
-}
-
-void MainWindow::ask_scene() {
-  const QString file = prompts_.ask_scene();
-  if (file.isEmpty()) return;
-  remember_folder_of(file);
-  opener_->open_scene(file);
-}
-
-void MainWindow::ask_meshes() {
-  if (const auto files = prompts_.ask_meshes())
-    opener_->open_meshes(files->first, files->second, std::nullopt);
+  documents_->open(files, unit);
 }
 
 void MainWindow::ask_path() {
@@ -190,24 +231,40 @@ void MainWindow::ask_path() {
   show_device();
 }
 
-void MainWindow::show_stage(Stage stage) {
+void MainWindow::show_start_page() { start_page_->present(); }
+
+void MainWindow::show_nothing() {
+  devices_->attach(nullptr);
+  stiffness_->attach(nullptr);
+  force_log_.end();
+  shown_.reset();
+  companion_.reset();
+  stage_ = {};
+  show_start_page();
+}
+
+void MainWindow::show_stage(Stage stage, bool same_document) {
   statusBar()->clearMessage();
+  start_page_->hide();
   stage_ = std::move(stage);
   force_log_.end();
   Session& now = *stage_.session;
   now.set_force(force_);  // what Esc took away stays away
   shown_.reset();
   companion_.reset();
-  viewport_->show_stage(stage_);
-  coupling_panel_->take(now.coupling());
-  stiffness_->attach(session());
+  viewport_->show_stage(stage_, same_document);
+  if (same_document)
+    coupling_panel_->apply(documents_->document().content().scene.coupling);
+  else
+    documents_->opened(now), coupling_panel_->take(now.coupling());
+  stiffness_->attach(session(), same_document);
   // Last: it may have something to report, and a frame be drawn meanwhile.
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
   readout_->set_coupling(open.coupling());
   readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
   const QString name = QString::fromStdString(open.opened().name);
-  setWindowTitle(QStringLiteral("%1 – Sonde").arg(name));
+  pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
   log_->add(
       QStringLiteral("Opened %1.   %2").arg(name, natures(session()->probe(), session()->fixed())));
   // As it is by now: that may have taken a while, and Esc works meanwhile.
@@ -253,9 +310,15 @@ void MainWindow::set_force(bool on) {
 
 void MainWindow::reset() {
   if (!session()) return;
+  const Pose before = session()->device_pose();
+  place(session()->opened().start);
+  documents_->moved_from(before, QStringLiteral("Reset"), false);
+}
+
+void MainWindow::place(const Pose& X_FM) {
   force_log_.end();
-  session()->reset();
-  mouse_->take(session()->probe().mass, session()->opened().start);
+  session()->place(X_FM);
+  mouse_->take(session()->probe().mass, X_FM);
   shown_.reset();
   emit paused_changed(false);
 }
@@ -329,6 +392,7 @@ void MainWindow::show_numbers() {
     rate_frames_ = 0;
   }
   readout_->show_numbers(*shown_, companion_);
+  pose_panel_->show_pose(session()->device_pose());
   show_status();
 }
 
@@ -394,7 +458,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
   event->acceptProposedAction();
   // Whoever drops is still holding a drag: answer it first, then ask and open.
-  QTimer::singleShot(0, this, [this, files] { open(files); });
+  QTimer::singleShot(0, this, [this, files] { documents_->drop(files); });
 }
 
 }  // namespace sonde::ui

@@ -14,22 +14,25 @@
 
 class QAction;
 class QLabel;
-class QUndoStack;
 
 namespace sonde::ui {
 
 class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
+class DocumentControl;
+struct DocumentView;
 class ElidedLabel;
 class LogPanel;
 class MouseProbe;
 class Opener;
+class PosePanel;
 class ReadoutPanel;
+class StartPage;
 class StiffnessControl;
 class Viewport;
 
-/// The window: a view, five docks, and sixty times a second the newest snapshot.
+/// The window: a view, six docks, and sixty times a second the newest snapshot.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -38,9 +41,7 @@ class MainWindow : public QMainWindow {
 
   /// One scene, or the probe and the fixed body. Ends in opened() or open_failed().
   void open(const QStringList& files, std::optional<double> unit = std::nullopt);
-  void ask_scene();
-  void ask_meshes();
-
+  DocumentControl& documents() { return *documents_; }
   Session* session() { return stage_.session.get(); }
   Viewport& viewport() { return *viewport_; }
   Prompts& prompts() { return prompts_; }
@@ -58,6 +59,8 @@ class MainWindow : public QMainWindow {
   /// False at once with Esc, from anywhere in the window; true lets the force come back.
   void set_force(bool on);
   void reset();
+  /// Nothing is open: the page to begin from.
+  void show_start_page();
   /// The separated probe goes to and fro between the hand and where it is held.
   void set_swing(bool on) { swing_ = on; }
   /// Docks and overlays included. False, and a message, where the file cannot be written.
@@ -82,7 +85,12 @@ class MainWindow : public QMainWindow {
 
  private:
   void connect_devices();
-  void show_stage(Stage stage);
+  void connect_documents();
+  DocumentView document_view();
+  void place(const Pose& X_FM);
+  void show_stage(Stage stage, bool same_document = false);
+  void show_nothing();
+  void show_document();
   void show_holder();
   void on_frame();
   void draw_if_changed();
@@ -95,18 +103,20 @@ class MainWindow : public QMainWindow {
 
   Prompts prompts_;
   Stage stage_;
-  QUndoStack* undo_;
+  std::unique_ptr<Opener> opener_;
+  std::unique_ptr<DocumentControl> documents_;
   Viewport* viewport_;
   MouseProbe* mouse_;
   CouplingPanel* coupling_panel_;
   ReadoutPanel* readout_;
   LogPanel* log_;
+  PosePanel* pose_panel_;
+  StartPage* start_page_;
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
-  std::unique_ptr<Opener> opener_;
   EscapeKey escape_;
   QTimer frame_timer_;
   QElapsedTimer clock_;

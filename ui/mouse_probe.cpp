@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ui/viewport.hpp"
 
@@ -38,6 +39,8 @@ bool MouseProbe::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseMove:
       return drag(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
+      if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) settle();
+      return true;
     case QEvent::MouseButtonDblClick:
     case QEvent::ContextMenu:
       return true;
@@ -53,13 +56,46 @@ bool MouseProbe::eventFilter(QObject* watched, QEvent* event) {
 bool MouseProbe::press(const QMouseEvent& event) {
   viewport_.canvas()->setFocus(Qt::MouseFocusReason);
   last_ = event.localPos();
+  settle();  // of a drag whose end somebody else got
+  if (event.button() != Qt::LeftButton) return true;
+  before_ = pose_;
+  const auto handles = viewport_.handles(pose_);
+  if (handles && event.modifiers() == Qt::NoModifier)
+    grip_ = grip_at(
+        *handles, [this](const Vec3& x) { return viewport_.on_screen(x); }, last_);
   return true;
+}
+
+void MouseProbe::drag_handle(QPointF by) {
+  const auto handles = viewport_.handles(pose_);
+  if (!handles) return;
+  const auto on_screen = [this](const Vec3& x) { return viewport_.on_screen(x); };
+  const double far = follow(*handles, *grip_, on_screen, by);
+  const Vec3 axis = handles->axes.col(grip_->axis);
+  if (!grip_->turns) return translate(axis * far);
+  rotate(axis * far);
+  grip_->at = handles->centre + Eigen::AngleAxisd(far, axis) * (grip_->at - handles->centre);
+}
+
+void MouseProbe::settle() {
+  grip_.reset();
+  const std::optional<Pose> before = std::exchange(before_, std::nullopt);
+  if (!before || (before->p == pose_.p && before->q.coeffs() == pose_.q.coeffs())) return;
+  if (settled) settled(*before, false);
+}
+
+void MouseProbe::step(const std::function<void()>& move) {
+  const Pose before = pose_;
+  move();
+  if (settled && !before_) settled(before, true);
 }
 
 bool MouseProbe::drag(const QMouseEvent& event) {
   const QPointF by = event.localPos() - last_;
   last_ = event.localPos();
-  if (event.buttons() & Qt::LeftButton)
+  if (event.buttons() & Qt::LeftButton && grip_)
+    drag_handle(by);
+  else if (event.buttons() & Qt::LeftButton)
     drag_probe(by, last_, event.modifiers());
   else if (event.buttons() & Qt::RightButton)
     drag_camera(by);
@@ -110,7 +146,7 @@ bool MouseProbe::wheel(const QWheelEvent& event) {
     viewport_.invalidate();
   } else {
     const Vec3 away = -viewport_.camera().axes().towards;
-    translate(away * (notches * wheel_step * mass_.radius * gain_));
+    step([&] { translate(away * (notches * wheel_step * mass_.radius * gain_)); });
   }
   return true;
 }
@@ -140,10 +176,12 @@ bool MouseProbe::key(const QKeyEvent& event) {
     default:
       return false;
   }
-  if (event.modifiers() & Qt::ShiftModifier)
-    rotate(turn * nudge_turn * gain_);
-  else
-    translate(shift * nudge_step * mass_.radius * gain_);
+  step([&] {
+    if (event.modifiers() & Qt::ShiftModifier)
+      rotate(turn * nudge_turn * gain_);
+    else
+      translate(shift * nudge_step * mass_.radius * gain_);
+  });
   return true;
 }
 

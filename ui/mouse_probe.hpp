@@ -4,9 +4,11 @@
 #include <QObject>
 #include <QPointF>
 #include <functional>
+#include <optional>
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
+#include "ui/document/handles.hpp"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -31,6 +33,9 @@ class MouseProbe : public QObject {
 
   /// Called with each new device pose X_FM.
   std::function<void(const Pose&)> moved;
+  /// A drag has ended that began at that pose, or a key or the wheel has moved the probe a step
+  /// from there: many of those in quick succession are one motion.
+  std::function<void(const Pose& before, bool one_of_many)> settled;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,7 +45,10 @@ class MouseProbe : public QObject {
   bool drag(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  void settle();
+  void step(const std::function<void()>& move);
   void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);
+  void drag_handle(QPointF by);
   void drag_camera(QPointF by);
   void pan_camera(QPointF by);
   void translate(const Vec3& by);
@@ -51,6 +59,8 @@ class MouseProbe : public QObject {
   Viewport& viewport_;
   MassProperties mass_;
   Pose pose_;
+  std::optional<Pose> before_;  ///< where the drag began that is going on
+  std::optional<Grip> grip_;    ///< of a handle that is being dragged
   QPointF last_;
   double gain_ = 1;
 };

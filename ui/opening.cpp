@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "engine/geometry/read_mesh.hpp"
+#include "engine/scene/number_text.hpp"
 #include "engine/scene/settings.hpp"
+#include "engine/scene/write_scene.hpp"
 #include "ui/camera.hpp"
 #include "ui/resources.hpp"
 
@@ -48,6 +51,25 @@ Vec3 start_direction() {
   return towards + right;
 }
 
+/// Turns that axis of a mesh to z, the scene's up.
+Quat turned_up(UpAxis up) {
+  constexpr double quarter = std::numbers::pi / 2;
+  if (up == UpAxis::x) return Quat(Eigen::AngleAxisd(-quarter, Vec3::UnitY()));
+  if (up == UpAxis::y) return Quat(Eigen::AngleAxisd(quarter, Vec3::UnitX()));
+  return Quat::Identity();
+}
+
+/// A factor such as 25.4 comes out of a division with a wrong last digit.
+double rounded(double x) { return parse_number(number_text(x, 15)).value_or(x); }
+
+/// The mesh's axis that is nearest to the scene's up.
+UpAxis up_of(const Quat& q_WM) {
+  const Vec3 up_M = q_WM.conjugate() * Vec3::UnitZ();
+  Eigen::Index axis = 2;
+  up_M.cwiseAbs().maxCoeff(&axis);
+  return static_cast<UpAxis>(axis);
+}
+
 void scale(PolygonSoup& soup, double factor) {
   for (Vec3& point : soup.points) point *= factor;
 }
@@ -75,15 +97,25 @@ std::optional<CameraPlace> camera_of(const Scene& scene) {
 }  // namespace
 
 Opened open_scene(const std::filesystem::path& file, const Progress& progress) {
-  const Scene scene = read_scene(file);
+  return open_scene(read_scene(file), progress);
+}
+
+Opened open_scene(const Scene& scene, const Progress& progress) {
   std::vector<TimedPose> trajectory;
-  std::optional<DeviceProfile> device;
   if (!scene.device.profile.empty())
-    device = find_device_profile(scene.device.profile, device_profile_folders());
+    find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
   if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
   auto probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
   auto fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
-  return {.pair = {std::move(probe), std::move(fixed)},
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory));
+}
+
+Opened open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory) {
+  std::optional<DeviceProfile> device;
+  if (!scene.device.profile.empty())
+    device = find_device_profile(scene.device.profile, device_profile_folders());
+  return {.pair = pair,
+          .scene = scene,
           .name = scene.name,
           .probe_file = scene.probe.mesh,
           .fixed_file = scene.fixed.mesh,
@@ -105,6 +137,8 @@ MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::pa
   pair.fixed = read_mesh(fixed, 1, part(progress, 0.5, 1));
   pair.probe_size = size_of(pair.probe);
   pair.fixed_size = size_of(pair.fixed);
+  pair.probe_edges = analyse_topology(compacted(triangulate_all(pair.probe)));
+  pair.fixed_edges = analyse_topology(compacted(triangulate_all(pair.fixed)));
   return pair;
 }
 
@@ -114,24 +148,77 @@ const char* guess_unit(const MeshPair& pair) {
   return side >= 2 ? "cm" : "m";
 }
 
-Opened build_pair(MeshPair pair, double unit, const Progress& progress) {
-  scale(pair.probe, unit);
-  scale(pair.fixed, unit);
-  const auto build = [](const PolygonSoup& soup, const std::filesystem::path& file,
-                        const Progress& report) {
-    return make_body(soup, Model::automatic, file.stem().string(), report);
+PairSetup same_unit(double metres) {
+  PairSetup setup;
+  setup.probe.unit = setup.fixed.unit = metres;
+  return setup;
+}
+
+PairSetup guess_setup(const MeshPair& pair) {
+  return same_unit(unit_in_metres(guess_unit(pair)).value_or(1));
+}
+
+double same_size_scale(const MeshPair& pair, const PairSetup& setup) {
+  const double fixed = pair.fixed_size.maxCoeff() * setup.fixed.unit * setup.fixed.scale;
+  const double probe = pair.probe_size.maxCoeff() * setup.probe.unit;
+  return probe > 0 ? fixed / probe : 1;
+}
+
+Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
+  Scene scene;
+  scene.unit = setup.fixed.unit;
+  scene.probe = {.mesh = pair.probe_file,
+                 .model = setup.probe.model,
+                 .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
+                 .pose = {turned_up(setup.probe.up), Vec3::Zero()}};
+  scene.fixed = {.mesh = pair.fixed_file,
+                 .model = setup.fixed.model,
+                 .scale = rounded(setup.fixed.scale),
+                 .pose = {turned_up(setup.fixed.up), Vec3::Zero()}};
+  scene.name = pair.probe_file.stem().string() + " against " + pair.fixed_file.stem().string();
+  return scene;
+}
+
+PairSetup setup_of(const Scene& scene) {
+  const auto body = [&scene](const SceneBody& from) {
+    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model};
   };
-  auto probe = build(pair.probe, pair.probe_file, part(progress, 0, 0.5));
-  auto fixed = build(pair.fixed, pair.fixed_file, part(progress, 0.5, 1));
-  const Coupling coupling = suited_coupling(probe->mass);
-  const Pose start = beside(*probe, *fixed, start_direction());
-  const std::string name = probe->name + " against " + fixed->name;
-  return {.pair = {std::move(probe), std::move(fixed)},
-          .name = name,
-          .probe_file = pair.probe_file,
-          .fixed_file = pair.fixed_file,
-          .start = start,
-          .coupling = coupling};
+  return {body(scene.probe), body(scene.fixed)};
+}
+
+Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now) {
+  Scene changed = scene;
+  changed.unit = now.fixed.unit;
+  changed.fixed.scale = now.fixed.scale;
+  changed.probe.scale = rounded(now.probe.scale * now.probe.unit / now.fixed.unit);
+  changed.fixed.model = now.fixed.model;
+  changed.probe.model = now.probe.model;
+  const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
+  const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
+    if (before == after && grown == 1) return pose;
+    const Quat turn = turned_up(before).conjugate() * turned_up(after);
+    const Pose placed{before == after ? pose.q : pose.q * turn, pose.p * grown};
+    return storable(placed, changed.unit);
+  };
+  changed.probe.pose = moved(scene.probe.pose, old.probe.up, now.probe.up);
+  changed.fixed.pose = moved(scene.fixed.pose, old.fixed.up, now.fixed.up);
+  return changed;
+}
+
+Opened build_pair(MeshPair pair, const PairSetup& setup, const Progress& progress) {
+  Scene scene = scene_of(pair, setup);
+  scale(pair.probe, scene.unit * scene.probe.scale);
+  scale(pair.fixed, scene.unit * scene.fixed.scale);
+  const auto build = [](const PolygonSoup& soup, const SceneBody& body, const Progress& report) {
+    return make_body(soup, body.model, body.mesh.stem().string(), report);
+  };
+  auto probe = build(pair.probe, scene.probe, part(progress, 0, 0.5));
+  auto fixed = build(pair.fixed, scene.fixed, part(progress, 0.5, 1));
+  scene.coupling = suited_coupling(probe->mass);
+  const Quat q_FW = scene.fixed.pose.q.conjugate();
+  const Pose start = beside(*probe, *fixed, q_FW * start_direction(), q_FW * scene.probe.pose.q);
+  scene.probe.pose = storable(scene.fixed.pose * start, scene.unit);
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, {});
 }
 
 Coupling suited_coupling(const MassProperties& probe) {
@@ -144,13 +231,13 @@ Coupling suited_coupling(const MassProperties& probe) {
   return coupling;
 }
 
-Pose beside(const Body& probe, const Body& fixed, const Vec3& direction) {
+Pose beside(const Body& probe, const Body& fixed, const Vec3& direction, const Quat& q_FM) {
   const Vec3 d = direction.normalized();
   const double gap = start_gap * probe.mass.radius;
-  const double along = reach(fixed, d) + reach(probe, -d) + gap;
+  const double along = reach(fixed, d) + reach(probe, q_FM.conjugate() * Vec3(-d)) + gap;
   // Sideways the centres of mass are in line.
-  const Vec3 across = fixed.mass.com - probe.mass.com;
-  return {Quat::Identity(), across - d * d.dot(across) + d * along};
+  const Vec3 across = fixed.mass.com - q_FM * probe.mass.com;
+  return {q_FM, across - d * d.dot(across) + d * along};
 }
 
 }  // namespace sonde::ui

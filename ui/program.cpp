@@ -15,6 +15,7 @@
 #include "ui/arguments.hpp"
 #include "ui/demo.hpp"
 #include "ui/device_control.hpp"
+#include "ui/document/document_control.hpp"
 #include "ui/main_window.hpp"
 #include "ui/resources.hpp"
 #include "ui/theme.hpp"
@@ -88,8 +89,8 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
   const bool unattended = !arguments.demo.empty() || !arguments.screenshot.empty();
   window.prompts().report_error = say;
   if (unattended)
-    window.prompts().ask_unit = [](const MeshPair& pair) {
-      return unit_in_metres(guess_unit(pair));
+    window.prompts().ask_bodies = [](const MeshPair&, const PairSetup& guess) {
+      return std::optional(guess);
     };
   const auto first = std::make_shared<bool>(true);
   QObject::connect(&window, &MainWindow::opened, &window,
@@ -108,6 +109,16 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
                        QApplication::exit(bad_input);
                    });
   window.open(files_to_open(arguments), arguments.unit);
+}
+
+/// What is there first: what another run has left, the files of the command line, or the page to
+/// begin from.
+void begin(MainWindow& window, const Arguments& arguments) {
+  if (arguments.demo.empty() && arguments.screenshot.empty()) {
+    if (arguments.files.empty()) window.show_start_page();
+    if (window.documents().offer_recovery() || arguments.files.empty()) return;
+  }
+  open_command_line(window, arguments);
 }
 
 /// What --device asks for holds the probe; an exit code where it cannot be found or opened.
@@ -155,8 +166,7 @@ int run(int argc, char** argv) {
   window.prompts().report_error = ask;
   window.show();
   // Through the event loop: a failure ends the loop, which must have begun.
-  QTimer::singleShot(0, &window,
-                     [&window, &parsed] { open_command_line(window, parsed.arguments); });
+  QTimer::singleShot(0, &window, [&window, &parsed] { begin(window, parsed.arguments); });
   return QApplication::exec();
 }
 

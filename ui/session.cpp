@@ -51,7 +51,7 @@ std::shared_ptr<const Hand> hand_of(const std::shared_ptr<Holding>& holding) {
 
 Session::Session(Opened opened)
     : opened_(std::move(opened)),
-      target_(opened_.start),
+      target_(opened_.here.value_or(opened_.start)),
       coupling_(opened_.coupling),
       companion_(opened_.pair),
       holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
@@ -150,14 +150,14 @@ void Session::set_paused(bool paused) {
   servo_.set_paused(paused);
 }
 
-void Session::reset() {
+void Session::place(const Pose& X_FM) {
   servo_.stop();
-  set_device_pose(opened_.start);
-  if (SimulatedHand* simulated = holding_->simulated()) simulated->place(opened_.start);
-  if (DeviceHand* device = holding_->device()) device->place(opened_.start);
+  set_device_pose(X_FM);
+  if (SimulatedHand* simulated = holding_->simulated()) simulated->place(X_FM);
+  if (DeviceHand* device = holding_->device()) device->place(X_FM);
   if (std::holds_alternative<PathHand>(holding_->by))
-    hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, opened_.start));
-  servo_.start(opened_.start, hands_.hand());
+    hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, X_FM));
+  servo_.start(X_FM, hands_.hand());
   servo_.set_coupling(coupling_);
   set_paused(false);
 }

@@ -77,10 +77,14 @@ class Session {
   bool paused() const { return paused_; }
   void set_paused(bool paused);
 
-  /// The probe goes back to its first pose, and the servo starts afresh there: following it on a
-  /// path swept free could leave the separated pose behind an obstacle. What was searched there the
-  /// first time is not searched again.
-  void reset();
+  /// The probe goes back to its start; see place(). What was searched there the first time is not
+  /// searched again.
+  void reset() { place(opened_.start); }
+  /// The probe goes to that pose at once, and the servo starts afresh there: following it on a path
+  /// swept free could leave the separated pose behind an obstacle.
+  void place(const Pose& X_FM);
+  /// Where reset() leads from now on.
+  void set_start(const Pose& X_FM) { opened_.start = X_FM; }
 
   /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
   void ask_companion(const Pose& X_FM) { companion_.request(X_FM); }

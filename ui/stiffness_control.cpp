@@ -53,7 +53,7 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
   show_gains(coupling_.coupling());
 }
 
-void StiffnessControl::attach(Session* session) {
+void StiffnessControl::attach(Session* session, bool same_gains) {
   tuner_.abandon();
   session_ = session;
   tuning_.reset();
@@ -62,7 +62,7 @@ void StiffnessControl::attach(Session* session) {
   panel_->clear_history();
   if (!session_) return;
   last_second_.take(session_->probe().mass);
-  sets_.take(session_->coupling());
+  if (!same_gains) sets_.take(session_->coupling());
   show_gains(session_->coupling());
 }
 

@@ -37,8 +37,9 @@ class StiffnessControl : public QObject {
   /// A study could not be read or made: the reason was reported already.
   std::function<void(const QString& reason)> failed;
 
-  /// Another session was opened; null for none.
-  void attach(Session* session);
+  /// Another session was opened; null for none. `same_gains`: of the same scene, so that A and B
+  /// stay.
+  void attach(Session* session, bool same_gains = false);
   /// The device that is simulated; none: another, or none.
   void set_device(const std::optional<DeviceProfile>& device);
   /// The gains have changed, by whatever.

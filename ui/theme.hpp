@@ -19,6 +19,8 @@ inline const QColor torque{255, 128, 200};
 inline const QColor nearest{140, 220, 130};   ///< the nearest way out, searched for
 inline const QColor straight{235, 235, 225};  ///< the way out without a turn, PD_t
 inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
+inline const QColor hole{255, 235, 160};      ///< where a mesh is not closed
+inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree which side is out
 inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};

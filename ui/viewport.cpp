@@ -18,6 +18,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/document/defect_view.hpp"
+#include "ui/document/handle_view.hpp"
 #include "ui/theme.hpp"
 #include "ui/views/contact_view.hpp"
 #include "ui/views/hint_view.hpp"
@@ -79,7 +81,8 @@ struct Viewport::Scenery {
         screw(*above, shapes),
         contacts(*above, shapes),
         wrench(*above, shapes),
-        trail(*above) {}
+        trail(*above),
+        handles(*above, shapes) {}
 
   // The overlays have a depth buffer of their own: no body hides a contact.
   vtkNew<vtkRenderer> bodies;
@@ -96,6 +99,8 @@ struct Viewport::Scenery {
   ContactView contacts;
   WrenchView wrench;
   TrailView trail;
+  HandleView handles;
+  std::unique_ptr<DefectView> defects;
 
   // Of the session on show.
   MassProperties mass;
@@ -103,18 +108,22 @@ struct Viewport::Scenery {
   std::array<QString, 2> descriptions;
   Eigen::AlignedBox3d probe_box, fixed_box;
   Vec3 centre = Vec3::Zero();  ///< of the fixed body
-  double radius = 1;           ///< of the fixed body, about centre
+  Quat q_FW = Quat::Identity();
+  double radius = 1;  ///< of the fixed body, about centre
   Pose last_device, last_separated;
-  std::array<bool, 8> shown{true, true, true, true, false, false, false, true};  ///< by Layer
+  std::array<bool, 10> shown{true,  true,  true, true,  false,
+                             false, false, true, false, false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 7> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 9> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
              {Layer::trail, &trail},
              {Layer::wrench, &wrench},
              {Layer::screw, &screw},
-             {Layer::contacts, &contacts}}};
+             {Layer::contacts, &contacts},
+             {Layer::handles, &handles},
+             {Layer::defects, defects.get()}}};
   }
 };
 
@@ -141,7 +150,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
 
 Viewport::~Viewport() = default;
 
-void Viewport::show_stage(const Stage& stage) {
+void Viewport::show_stage(const Stage& stage, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
   const bool software = software_drawn(*s.widget);
@@ -151,8 +160,9 @@ void Viewport::show_stage(const Stage& stage) {
   s.mass = session.probe().mass;
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
+  s.q_FW = session.opened().scene.fixed.pose.q.conjugate();
   s.radius = session.fixed().mass.radius;
-  s.last_device = s.last_separated = session.opened().start;
+  s.last_device = s.last_separated = session.opened().here.value_or(session.opened().start);
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
@@ -168,17 +178,35 @@ void Viewport::show_stage(const Stage& stage) {
   };
   s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
   s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.above, stage);
   s.trail.clear();
   apply_layers();
   set_coupling(session.coupling());
 
+  if (same_view) return invalidate();
   // A scene's camera says where to look from; how near depends on the window's shape.
   const auto& place = session.opened().camera;
   if (place)
     camera().look_at(place->target, place->position - place->target, place->up, 1);
   else
-    camera().look_at(s.centre, default_view_direction(), Vec3::UnitZ(), 1);
+    look_by_default();
   fit();
+}
+
+/// With the scene's up, which need not be the mesh's.
+void Viewport::look_by_default() {
+  const Quat& q_FW = scenery_->q_FW;
+  camera().look_at(scenery_->centre, q_FW * default_view_direction(), q_FW * Vec3::UnitZ(), 1);
+}
+
+CameraPlace Viewport::place() const {
+  return {camera().eye(), camera().target(), camera().axes().up};
+}
+
+void Viewport::look(const CameraPlace& place) {
+  const Vec3 direction = place.position - place.target;
+  camera().look_at(place.target, direction, place.up, direction.norm());
+  invalidate();
 }
 
 void Viewport::set_coupling(const Coupling& coupling) {
@@ -202,6 +230,10 @@ void Viewport::update_legend() {
   if (shown(Layer::wrench)) {
     legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
     legend.push_back({colour::torque, s.wrench.torque_legend()});
+  }
+  if (shown(Layer::defects)) {
+    legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
+    legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
   s.hints->set_legend(std::move(legend));
 }
@@ -253,6 +285,18 @@ void Viewport::apply_layers() {
   Scenery& s = *scenery_;
   for (const auto& [layer, overlay] : s.overlays())
     if (overlay) overlay->set_visible(shown(layer));
+}
+
+void Viewport::set_handles_local(bool local) {
+  scenery_->handles.set_local(local);
+  invalidate();
+}
+
+std::optional<Handles> Viewport::handles(const Pose& X_FM) const {
+  if (!shown(Layer::handles)) return std::nullopt;
+  const Vec3& com = scenery_->mass.com;
+  return handles_at(X_FM, com, scenery_->handles.local(),
+                    HandleView::pixels * metres_per_pixel(X_FM * com));
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }

@@ -5,19 +5,32 @@
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/geometry/body.hpp"
 #include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/camera.hpp"
+#include "ui/document/handles.hpp"
 #include "ui/opening.hpp"
 #include "ui/stage.hpp"
 
 namespace sonde::ui {
 
 /// What can be shown or hidden in the view.
-enum class Layer { ghost, screw, contacts, wrench, nearest, straight, trail, hint };
+enum class Layer {
+  ghost,
+  screw,
+  contacts,
+  wrench,
+  nearest,
+  straight,
+  trail,
+  hint,
+  handles,
+  defects
+};
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
 /// told to, at most once a frame.
@@ -26,8 +39,8 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Takes the bodies of a new session and turns the camera to them.
-  void show_stage(const Stage& stage);
+  /// Takes the bodies of a new session and turns the camera to them, unless that is to stay.
+  void show_stage(const Stage& stage, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
@@ -41,7 +54,14 @@ class Viewport : public QWidget {
   void set_shown(Layer layer, bool shown);
   bool shown(Layer layer) const;
 
+  /// Along the probe's own axes, rather than the fixed body's.
+  void set_handles_local(bool local);
+  /// The handles of a probe there, as they are drawn; none where they are not.
+  std::optional<Handles> handles(const Pose& X_FM) const;
+
   Camera camera() const;
+  CameraPlace place() const;
+  void look(const CameraPlace& place);
   void fit();
   double metres_per_pixel(const Vec3& at) const;
   /// Where a point of the scene is in the view, in Qt's pixels from the upper left.
@@ -64,6 +84,7 @@ class Viewport : public QWidget {
   void update_text(const Snapshot& snapshot);
   void update_legend();
   void apply_layers();
+  void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
 

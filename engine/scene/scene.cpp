@@ -161,6 +161,8 @@ struct Reader {
   }
 };
 
+}  // namespace
+
 std::string name_of_scene(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   for (const std::string_view ending : {".json", ".sonde"})
@@ -169,14 +171,15 @@ std::string name_of_scene(const std::filesystem::path& file) {
   return name;
 }
 
-}  // namespace
-
 Coupling read_coupling(const std::filesystem::path& file) {
   return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  const std::string text = read_text(file, most_bytes);
+  return scene_in(read_text(file, most_bytes), file);
+}
+
+Scene scene_in(const std::string& text, const std::filesystem::path& file) {
   const JsonNode root = parse_json(file.string(), text);
   const Reader reader{file};
   reader.expect_object(root, scene_object_keys());
@@ -184,7 +187,10 @@ Scene read_scene(const std::filesystem::path& file) {
   Scene scene;
   scene.file = file;
   scene.name = name_of_scene(file);
-  if (const JsonNode* schema = root.find("$schema")) reader.expect(*schema, Kind::string);
+  if (const JsonNode* schema = root.find("$schema")) {
+    reader.expect(*schema, Kind::string);
+    scene.schema = schema->text;
+  }
   if (const JsonNode* unit = root.find("unit")) scene.unit = reader.unit(*unit);
   scene.probe = reader.body(reader.need(root, "probe"), scene.unit);
   scene.fixed = reader.body(reader.need(root, "fixed"), scene.unit);
@@ -223,6 +229,11 @@ std::vector<std::string> scene_keys() {
 std::optional<double> unit_in_metres(const std::string& unit) {
   const auto found = std::ranges::find(units, unit, &Unit::name);
   return found == units.end() ? std::nullopt : std::optional(found->metres);
+}
+
+std::optional<std::string> unit_name(double metres) {
+  const auto found = std::ranges::find(units, metres, &Unit::metres);
+  return found == units.end() ? std::nullopt : std::optional(std::string(found->name));
 }
 
 Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }

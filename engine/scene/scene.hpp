@@ -43,12 +43,18 @@ struct Scene {
   SceneDevice device;
   /// The `view` object as JSON text, for the desktop program; "{}" where absent.
   std::string view = "{}";
+  std::string schema = {};  ///< "$schema", for editors; kept as it stands
 };
 
 /// Reads a scene. Throws InputError naming the file, the line and the reason: JSON that does not
 /// parse, a missing key, an unknown one (with the nearest known), a value out of range or a
 /// quaternion far from unit.
 Scene read_scene(const std::filesystem::path& file);
+/// The same of the text of a file, wherever it comes from.
+Scene scene_in(const std::string& text, const std::filesystem::path& file);
+
+/// The name of a scene in that file: the file's, with no folder and no ".sonde.json".
+std::string name_of_scene(const std::filesystem::path& file);
 
 /// Reads a file that holds a scene's `coupling` object alone. Errors as read_scene.
 Coupling read_coupling(const std::filesystem::path& file);
@@ -58,6 +64,8 @@ std::vector<std::string> scene_keys();
 
 /// Metres per unit, "m" | "cm" | "mm" | "um" | "in" | "ft"; no value for anything else.
 std::optional<double> unit_in_metres(const std::string& unit);
+/// Its name again, exactly.
+std::optional<std::string> unit_name(double metres);
 
 /// The pose of the probe's mesh frame in the fixed body's mesh frame, from the two poses of a
 /// scene.

@@ -50,9 +50,14 @@ std::function<void(MainWindow&)> by_prompt(Ask ask) {
 
 const Opening openings[] = {
     {"error", by_prompt([](const Prompts& p) { p.report_error("bad.off:3: no number"); })},
-    {"unit", by_prompt([](const Prompts& p) { p.ask_unit(MeshPair{}); })},
+    {"bodies", by_prompt([](const Prompts& p) { p.ask_bodies(MeshPair{}, PairSetup{}); })},
+    {"leaving", by_prompt([](const Prompts& p) { p.ask_leaving("cubes"); })},
+    {"save", by_prompt([](const Prompts& p) { p.ask_save("cubes.sonde.json"); })},
+    {"reload", by_prompt([](const Prompts& p) { p.ask_reload("cubes.sonde.json"); })},
+    {"recover", by_prompt([](const Prompts& p) { p.ask_recover("cubes"); })},
+    {"role", by_prompt([](const Prompts& p) { p.ask_role("cube.off"); })},
     {"scene", by_prompt([](const Prompts& p) { p.ask_scene(); })},
-    {"meshes", by_prompt([](const Prompts& p) { p.ask_meshes(); })},
+    {"meshes", by_prompt([](const Prompts& p) { p.ask_meshes({}); })},
     {"path", by_prompt([](const Prompts& p) { p.ask_path(); })},
     {"picture", by_prompt([](const Prompts& p) { p.ask_picture(); })},
     {"tuning", by_prompt([](const Prompts& p) { p.ask_tuning(); })},
@@ -195,7 +200,7 @@ TEST_F(EscapeTest, works_while_meshes_are_browsed_for) {
     meshes.findChild<QPushButton*>("probe_file_browse")->click();
     meshes.close();
   });
-  dialogs(*window).ask_meshes();
+  dialogs(*window).ask_meshes({});
   EXPECT_TRUE(browsed);
 }
 

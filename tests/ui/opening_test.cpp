@@ -68,12 +68,12 @@ TEST_F(WindowTest, two_meshes_ask_their_unit_and_suit_the_gains) {
 
 /// Reading took no time: what was to say so must not come up later, over the question.
 TEST_F(WindowTest, the_question_for_the_unit_stays_on_top_and_can_be_answered) {
-  window->prompts().ask_unit = dialogs(*window).ask_unit;
+  window->prompts().ask_bodies = dialogs(*window).ask_bodies;
   bool alone = false;
   constexpr int long_enough_ms = 5000;  // four seconds are Qt's own patience before progress shows
   QTimer::singleShot(long_enough_ms, window.get(), [&] {
     QWidget* question = QApplication::activeModalWidget();
-    alone = question && question->objectName() == "unit_dialog";
+    alone = question && question->objectName() == "bodies_dialog";
     for (QWidget* other : QApplication::topLevelWidgets())
       if (other != question && other != window.get() && other->isVisible()) alone = false;
     if (alone) {

@@ -82,9 +82,13 @@ class WindowTest : public ::testing::Test {
                        QString::fromStdString(folder.path().string()));
     window = std::make_unique<MainWindow>();
     window->prompts().report_error = [this](const QString& text) { complaints.push_back(text); };
-    window->prompts().ask_unit = [this](const MeshPair& pair) {
+    window->prompts().ask_bodies = [this](const MeshPair& pair, const PairSetup&) {
       guess = guess_unit(pair);
-      return answered_unit;
+      return answered_unit ? std::optional(same_unit(*answered_unit)) : std::nullopt;
+    };
+    window->prompts().ask_leaving = [this](const QString&) {
+      ++asked_to_leave;
+      return leaving;
     };
     QObject::connect(window.get(), &MainWindow::opened, [this] { ++opened; });
     QObject::connect(window.get(), &MainWindow::open_failed, [this] { ++failed; });
@@ -160,6 +164,8 @@ class WindowTest : public ::testing::Test {
   std::unique_ptr<MainWindow> window;
   std::vector<QString> complaints;
   std::optional<double> answered_unit;
+  Leaving leaving = Leaving::discard;  ///< the answer
+  int asked_to_leave = 0;
   std::string guess;
   int opened = 0, failed = 0;
 };

@@ -18,7 +18,7 @@
 #include <QTimer>
 
 #include "tests/ui/window_fixture.hpp"
-#include "ui/actions/unit_dialog.hpp"
+#include "ui/actions/bodies_dialog.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
@@ -41,7 +41,7 @@ TEST_F(WindowTest, a_dock_that_was_closed_is_in_the_view_menu) {
     if (action->text() == "&View") view = action->menu();
   ASSERT_TRUE(view);
   const auto docks = window->findChildren<QDockWidget*>();
-  EXPECT_EQ(docks.size(), 5);
+  EXPECT_EQ(docks.size(), 6);
   for (QDockWidget* dock : docks) {
     dock->close();
     ASSERT_TRUE(view->actions().contains(dock->toggleViewAction()))
@@ -112,14 +112,10 @@ TEST_F(WindowTest, both_sizes_in_the_question_for_the_unit_are_in_one_unit) {
   MeshPair pair;
   pair.probe_size = Vec3(0.5, 0.5, 0.5);
   pair.fixed_size = Vec3(5000, 5000, 5000);
-  const UnitDialog dialog(pair, window.get());
-  const auto labels = dialog.findChildren<QLabel*>();
-  const auto sizes = std::find_if(labels.begin(), labels.end(),
-                                  [](const QLabel* l) { return l->text().startsWith("probe "); });
-  ASSERT_NE(sizes, labels.end());
-  const QStringList lines = (*sizes)->text().split("<br>");
-  ASSERT_EQ(lines.size(), 2);
-  EXPECT_EQ(lines[0].section(' ', -1), lines[1].section(' ', -1));
+  const BodiesDialog dialog(pair, same_unit(1), window.get());
+  const QString probe = dialog.findChild<QLabel*>("probe_size")->text();
+  const QString fixed = dialog.findChild<QLabel*>("fixed_size")->text();
+  EXPECT_EQ(probe.section(' ', -1), fixed.section(' ', -1));
 }
 
 TEST_F(WindowTest, the_trail_shows_where_the_probe_has_been) {

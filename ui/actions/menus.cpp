@@ -10,6 +10,8 @@
 #include <QUndoStack>
 #include <functional>
 
+#include "ui/document/document_control.hpp"
+#include "ui/document/recent_files.hpp"
 #include "ui/main_window.hpp"
 #include "ui/manual.hpp"
 #include "ui/resources.hpp"
@@ -84,13 +86,40 @@ void open_manual(MainWindow& window) {
   manual->activateWindow();
 }
 
+/// Filled each time it is about to be seen.
+void add_recent_menu(MainWindow& window, QMenu& menu) {
+  QMenu* recent = menu.addMenu(QStringLiteral("Open &recent"));
+  recent->setObjectName(QStringLiteral("recent"));
+  MainWindow* w = &window;
+  QObject::connect(recent, &QMenu::aboutToShow, w, [w, recent] {
+    recent->clear();
+    for (const QStringList& files : recent_files()) {
+      QAction* action = recent->addAction(recent_name(files).replace('&', QStringLiteral("&&")));
+      action->setStatusTip(files.join(QStringLiteral(", ")));
+      QObject::connect(action, &QAction::triggered, w, [w, files] { w->open(files); });
+    }
+    if (recent->isEmpty()) recent->addAction(QStringLiteral("Nothing yet"))->setEnabled(false);
+  });
+}
+
 void add_file_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&File"));
   MainWindow* w = &window;
+  DocumentControl* documents = &window.documents();
+  add(window, menu, "new", QStringLiteral("&New"), QKeySequence::New,
+      [documents](bool) { documents->start_anew(); });
   bar.addAction(add(window, menu, "open_scene", QStringLiteral("&Open scene…"), QKeySequence::Open,
-                    [w](bool) { w->ask_scene(); }));
+                    [documents](bool) { documents->ask_scene(); }));
   bar.addAction(add(window, menu, "open_meshes", QStringLiteral("Open two &meshes…"),
-                    QKeySequence(QStringLiteral("Ctrl+M")), [w](bool) { w->ask_meshes(); }));
+                    QKeySequence(QStringLiteral("Ctrl+M")),
+                    [documents](bool) { documents->ask_meshes(); }));
+  add_recent_menu(window, menu);
+  menu.addSeparator();
+  add(window, menu, "save", QStringLiteral("&Save"), QKeySequence::Save,
+      [documents](bool) { documents->save(); });
+  add(window, menu, "save_as", QStringLiteral("Save &as…"),
+      QKeySequence(QStringLiteral("Ctrl+Shift+S")), [documents](bool) { documents->save_as(); });
+  menu.addSeparator();
   add(window, menu, "open_tuning", QStringLiteral("Open a stability m&ap…"), {},
       [w](bool) { w->stiffness().ask_load(); });
   menu.addSeparator();
@@ -101,7 +130,9 @@ void add_file_menu(MainWindow& window, QToolBar& bar) {
   bar.addSeparator();
 }
 
-void add_edit_menu(MainWindow& window, QUndoStack& stack) {
+void add_edit_menu(MainWindow& window) {
+  DocumentControl* documents = &window.documents();
+  QUndoStack& stack = documents->document().stack();
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Edit"));
   QAction* undo = stack.createUndoAction(&window, QStringLiteral("&Undo:"));
   undo->setObjectName(QStringLiteral("undo"));
@@ -111,6 +142,19 @@ void add_edit_menu(MainWindow& window, QUndoStack& stack) {
   redo->setShortcut(QKeySequence::Redo);
   menu.addAction(undo);
   menu.addAction(redo);
+  menu.addSeparator();
+  const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+  add(window, menu, "copy_pose", QStringLiteral("&Copy pose"), key("Ctrl+C"),
+      [documents](bool) { documents->copy_pose(); });
+  add(window, menu, "paste_pose", QStringLiteral("&Paste pose"), key("Ctrl+V"),
+      [documents](bool) { documents->paste_pose(); });
+  add(window, menu, "start_from_here", QStringLiteral("&Start from here"), key("Ctrl+R"),
+      [documents](bool) { documents->start_from_here(); });
+  menu.addSeparator();
+  add(window, menu, "swap_bodies", QStringLiteral("S&wap probe and fixed body"),
+      key("Ctrl+Shift+X"), [documents](bool) { documents->swap_bodies(); });
+  add(window, menu, "bodies", QStringLiteral("&Units, axes and insides…"), {},
+      [documents](bool) { documents->ask_bodies(); });
 }
 
 void add_probe_menu(MainWindow& window, QToolBar& bar) {
@@ -148,6 +192,11 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             Layer::nearest);
   add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
             key("6"), Layer::straight);
+  add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
+            Layer::defects);
+  add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
+  add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
+             key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
   add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
@@ -173,13 +222,13 @@ void add_help_menu(MainWindow& window) {
 
 }  // namespace
 
-void add_menus(MainWindow& window, QUndoStack& undo) {
+void add_menus(MainWindow& window) {
   QToolBar* bar = window.addToolBar(QStringLiteral("Actions"));
   bar->setObjectName(QStringLiteral("actions_bar"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
   add_file_menu(window, *bar);
-  add_edit_menu(window, undo);
+  add_edit_menu(window);
   add_probe_menu(window, *bar);
   add_view_menu(window, *bar);
   add_help_menu(window);

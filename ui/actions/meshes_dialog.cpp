@@ -20,7 +20,7 @@ void remember_folder_of(const QString& file) {
   QSettings().setValue(QStringLiteral("last_folder"), QFileInfo(file).absolutePath());
 }
 
-MeshesDialog::MeshesDialog(QWidget* parent) : QDialog(parent) {
+MeshesDialog::MeshesDialog(QWidget* parent, const QString& probe) : QDialog(parent) {
   setObjectName(QStringLiteral("meshes_dialog"));
   setWindowTitle(QStringLiteral("Open two meshes"));
   setMinimumWidth(520);
@@ -45,6 +45,7 @@ MeshesDialog::MeshesDialog(QWidget* parent) : QDialog(parent) {
     probe_->setText(fixed_->text());
     fixed_->setText(probe);
   });
+  probe_->setText(probe);
   check();
 }
 

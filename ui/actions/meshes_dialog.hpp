@@ -10,7 +10,7 @@ namespace sonde::ui {
 /// Asks for two mesh files: the probe and the fixed body, with a button that swaps them.
 class MeshesDialog : public QDialog {
  public:
-  explicit MeshesDialog(QWidget* parent);
+  explicit MeshesDialog(QWidget* parent, const QString& probe = {});
   QString probe() const;
   QString fixed() const;
 

@@ -52,25 +52,31 @@ void Opener::open_files(const QStringList& files, std::optional<double> unit) {
 }
 
 void Opener::ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit) {
-  if (!unit) unit = prompts_.ask_unit(*pair);
-  if (!unit) return fail(std::make_exception_ptr(Cancelled()));
-  begin(QStringLiteral("Building both bodies"), [pair, metres = *unit](const Progress& progress) {
-    return build_pair(std::move(*pair), metres, progress);
+  const std::optional<PairSetup> setup =
+      unit ? same_unit(*unit) : prompts_.ask_bodies(*pair, guess_setup(*pair));
+  if (!setup) return fail(std::make_exception_ptr(Cancelled()));
+  begin(QStringLiteral("Building both bodies"), [pair, said = *setup](const Progress& progress) {
+    return build_pair(std::move(*pair), said, progress);
   });
 }
 
 void Opener::begin(const QString& what, std::function<Opened(const Progress&)> open) {
+  make(what, std::move(open), ready, {});
+}
+
+void Opener::make(const QString& what, std::function<Opened(const Progress&)> open,
+                  std::function<void(Stage)> done, std::function<void()> given_up) {
   const auto stage = std::make_shared<Stage>();
   job_.start(
       what,
       [stage, open = std::move(open)](const Progress& progress) {
         *stage = make_stage(open(progress));
       },
-      [this, stage](std::exception_ptr error) {
-        if (error)
-          fail(error);
-        else if (ready)
-          ready(std::move(*stage));
+      [this, stage, done = std::move(done),
+       given_up = std::move(given_up)](const std::exception_ptr& error) {
+        if (!error) return done(std::move(*stage));
+        if (given_up) given_up();
+        fail(error);
       });
 }
 

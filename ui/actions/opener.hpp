@@ -22,6 +22,12 @@ class Opener : public QObject {
   void open_scene(const QString& file);
   /// With no unit, asks for it once both files are read.
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
+  /// Whatever `open` makes in the worker; `done` gets it, or `given_up` says that nothing came of
+  /// it.
+  void make(const QString& what, std::function<Opened(const Progress&)> open,
+            std::function<void(Stage)> done, std::function<void()> given_up);
+  /// Nothing more is heard of what is being opened.
+  void abandon() { job_.abandon(); }
   /// What was dropped, or given on a command line: one scene, or the probe and the fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
 

@@ -5,11 +5,79 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
+#include "ui/actions/bodies_dialog.hpp"
 #include "ui/actions/meshes_dialog.hpp"
-#include "ui/actions/unit_dialog.hpp"
 
 namespace sonde::ui {
+namespace {
+
+struct Button {
+  const char* text;
+  QMessageBox::ButtonRole role;
+};
+
+/// The place of the button that was pressed: the first one on Enter, the last one on Esc.
+int choose(QWidget* parent, const char* object, const QString& text, const QString& more,
+           const std::vector<Button>& buttons) {
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Sonde"), text, QMessageBox::NoButton,
+                  parent);
+  box.setObjectName(QLatin1String(object));
+  box.setTextFormat(Qt::PlainText);  // file names
+  box.setInformativeText(more);
+  std::vector<QAbstractButton*> made;
+  for (const Button& button : buttons)
+    made.push_back(box.addButton(QString::fromUtf8(button.text), button.role));
+  box.setDefaultButton(static_cast<QPushButton*>(made.front()));
+  box.setEscapeButton(made.back());
+  box.exec();
+  for (std::size_t i = 0; i < made.size(); ++i)
+    if (made[i] == box.clickedButton()) return static_cast<int>(i);
+  return static_cast<int>(made.size()) - 1;
+}
+
+void add_document_questions(Prompts& prompts, QWidget* parent) {
+  prompts.ask_leaving = [parent](const QString& name) {
+    return static_cast<Leaving>(choose(
+        parent, "leaving_box", QStringLiteral("“%1” has changes that are not saved.").arg(name),
+        QStringLiteral("Save them first?"),
+        {{"Save", QMessageBox::AcceptRole},
+         {"Discard", QMessageBox::DestructiveRole},
+         {"Cancel", QMessageBox::RejectRole}}));
+  };
+  prompts.ask_save = [parent](const QString& first) {
+    QFileDialog dialog(parent, QStringLiteral("Save the scene"), first,
+                       QStringLiteral("Scenes (*.sonde.json)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("sonde.json"));
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+  };
+  prompts.ask_reload = [parent](const QString& file) {
+    return choose(parent, "reload_box", QStringLiteral("%1 has changed on the disk.").arg(file),
+                  QStringLiteral("Reading it again loses the changes that are not saved."),
+                  {{"Read it again", QMessageBox::DestructiveRole},
+                   {"Keep what is open", QMessageBox::RejectRole}}) == 0;
+  };
+  prompts.ask_recover = [parent](const QString& what) {
+    return static_cast<Recovering>(choose(
+        parent, "recover_box", QStringLiteral("Sonde ended without saving this: %1").arg(what),
+        QStringLiteral("Its gains, poses and view were kept."),
+        {{"Recover", QMessageBox::AcceptRole},
+         {"Discard", QMessageBox::DestructiveRole},
+         {"Later", QMessageBox::RejectRole}}));
+  };
+  prompts.ask_role = [parent](const QString& file) -> std::optional<Role> {
+    const int role = choose(parent, "role_box", QStringLiteral("What is %1 to be?").arg(file), {},
+                            {{"The probe", QMessageBox::AcceptRole},
+                             {"The fixed body", QMessageBox::AcceptRole},
+                             {"Cancel", QMessageBox::RejectRole}});
+    if (role > 1) return std::nullopt;
+    return static_cast<Role>(role);
+  };
+}
+
+}  // namespace
 
 Prompts dialogs(QWidget& window) {
   QWidget* parent = &window;
@@ -17,17 +85,20 @@ Prompts dialogs(QWidget& window) {
   prompts.report_error = [parent](const QString& reason) {
     QMessageBox::warning(parent, QStringLiteral("Sonde"), reason);
   };
-  prompts.ask_unit = [parent](const MeshPair& pair) -> std::optional<double> {
-    UnitDialog dialog(pair, parent);
+  add_document_questions(prompts, parent);
+  prompts.ask_bodies = [parent](const MeshPair& pair,
+                                const PairSetup& guess) -> std::optional<PairSetup> {
+    BodiesDialog dialog(pair, guess, parent);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-    return dialog.metres();
+    return dialog.setup();
   };
   prompts.ask_scene = [parent] {
     return QFileDialog::getOpenFileName(parent, QStringLiteral("Open a scene"), last_folder(),
                                         QStringLiteral("Scenes (*.sonde.json);;All files (*)"));
   };
-  prompts.ask_meshes = [parent]() -> std::optional<std::pair<QString, QString>> {
-    MeshesDialog dialog(parent);
+  prompts.ask_meshes =
+      [parent](const QString& first) -> std::optional<std::pair<QString, QString>> {
+    MeshesDialog dialog(parent, first);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return std::pair{dialog.probe(), dialog.fixed()};
   };

@@ -12,14 +12,26 @@ class QWidget;
 
 namespace sonde::ui {
 
+enum class Leaving { save, discard, stay };
+enum class Recovering { open, discard, later };
+enum class Role { probe, fixed };
+
 /// Every question the window asks and every complaint it makes, so that tests and command lines can
 /// answer in a person's place.
 struct Prompts {
   std::function<void(const QString& reason)> report_error;
-  /// The unit of two meshes in metres; none: given up.
-  std::function<std::optional<double>(const MeshPair& pair)> ask_unit;
-  std::function<QString()> ask_scene;                                      ///< empty: given up
-  std::function<std::optional<std::pair<QString, QString>>()> ask_meshes;  ///< probe and fixed
+  /// What two mesh files do not say, beginning with a guess; none: given up.
+  std::function<std::optional<PairSetup>(const MeshPair& pair, const PairSetup& guess)> ask_bodies;
+  std::function<Leaving(const QString& name)> ask_leaving;  ///< of a scene that is not saved
+  std::function<QString(const QString& first)> ask_save;    ///< a scene to write; empty: given up
+  /// Whether to read a file again that has changed, and to lose what is not saved.
+  std::function<bool(const QString& file)> ask_reload;
+  std::function<Recovering(const QString& what)> ask_recover;
+  /// What one mesh alone is to be; none: given up.
+  std::function<std::optional<Role>(const QString& file)> ask_role;
+  std::function<QString()> ask_scene;  ///< empty: given up
+  /// Probe and fixed body, of which one may be known.
+  std::function<std::optional<std::pair<QString, QString>>(const QString& first)> ask_meshes;
   std::function<QString()> ask_path;           ///< a recorded path to read; empty: given up
   std::function<QString()> ask_picture;        ///< a file to write; empty: given up
   std::function<QString()> ask_tuning;         ///< a folder to read; empty: given up

@@ -121,7 +121,6 @@ void CouplingPanel::build() {
 }
 
 void CouplingPanel::take(const Coupling& coupling) {
-  undo_.clear();  // the gains of another pair are no state to go back to
   defaults_ = coupling;
   coupling_ = coupling;
   show_values();

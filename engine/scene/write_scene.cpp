@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/scene/write_scene.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/error.hpp"
+#include "engine/scene/device_settings_file.hpp"
+#include "engine/scene/number_text.hpp"
+#include "engine/scene/output_file.hpp"
+#include "engine/scene/pose_numbers.hpp"
+#include "engine/scene/settings.hpp"
+
+namespace sonde {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double step = std::numeric_limits<double>::epsilon();
+
+/// The shortest number whose product with the unit is exactly that length; there may be none.
+double in_unit(double length, double unit) {
+  const double nearest = length / unit;
+  double best = nearest;
+  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  for (int i = -2; i <= 2; ++i) {
+    const double number = nearest + i * step * std::abs(nearest);
+    const std::size_t digits = number_text(number).size();
+    if (number * unit != length || digits >= shortest) continue;
+    best = number;
+    shortest = digits;
+  }
+  return best;
+}
+
+/// Numbers that the reader's normalisation turns into that unit quaternion, to the bit. It is not
+/// idempotent: a quaternion that was read may come out a last bit different from its own numbers.
+std::array<double, 4> before_normalisation(const Quat& q) {
+  constexpr int most = 4000;
+  for (int i = 0; i < most; ++i) {
+    const double factor = 1 + step * (i % 2 == 0 ? -(i / 2) : i / 2 + 1);
+    const std::array<double, 7> n{
+        0, 0, 0, q.w() * factor, q.x() * factor, q.y() * factor, q.z() * factor};
+    if (pose_of_numbers(n).q.coeffs() == q.coeffs()) return {n[3], n[4], n[5], n[6]};
+  }
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+std::string pose_text(const Pose& pose, double unit) {
+  std::string text = "[";
+  for (const double length : pose.p) text += number_text(in_unit(length, unit)) + ", ";
+  const std::array<double, 4> q = before_normalisation(pose.q);
+  for (std::size_t i = 0; i < q.size(); ++i)
+    text += number_text(q.at(i)) + (i + 1 < q.size() ? ", " : "]");
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  try {
+    return nlohmann::json(text).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw InputError::in(text, "the name is no UTF-8, so that no scene can hold it");
+  }
+}
+
+/// By the names alone, as the reader puts them together again.
+std::string path_text(const fs::path& file, const fs::path& folder) {
+  const fs::path whole = fs::absolute(file).lexically_normal();
+  const fs::path relative = whole.lexically_relative(fs::absolute(folder).lexically_normal());
+  return quoted(relative.empty() ? whole.string() : relative.string());
+}
+
+std::string body_text(const SceneBody& body, double unit, const fs::path& folder) {
+  std::string text = "{\n    \"mesh\": " + path_text(body.mesh, folder) +
+                     ",\n    \"model\": " + quoted(name_of(body.model));
+  if (body.scale != 1) text += ",\n    \"scale\": " + number_text(body.scale);
+  return text + ",\n    \"pose\": " + pose_text(body.pose, unit) + "\n  }";
+}
+
+std::string coupling_text(const Coupling& coupling) {
+  std::string text = "{\n    \"mode\": " + quoted(name_of(coupling.mode));
+  for (const Setting& setting : coupling_settings())
+    text += ",\n    " + quoted(setting.key) + ": " + number_text(get(coupling, setting.key));
+  return text + "\n  }";
+}
+
+/// Those that differ from what a scene has that does not name them; empty where none does.
+std::string servo_text(const ServoSettings& servo) {
+  std::string text;
+  const ServoSettings defaults;
+  for (const Setting& setting : servo_settings()) {
+    const double value = get(servo, setting.key);
+    if (value == get(defaults, setting.key)) continue;
+    text += (text.empty() ? "{\n    " : ",\n    ") + quoted(setting.key) + ": " +
+            (setting.integer ? std::to_string(std::lround(value)) : number_text(value));
+  }
+  return text.empty() ? text : text + "\n  }";
+}
+
+std::string indented(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  return out;
+}
+
+std::string device_text(const SceneDevice& device, const fs::path& folder) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!device.profile.empty()) {
+    const bool is_path = device.profile.ends_with(".json");
+    json["profile"] =
+        nlohmann::json::parse(is_path ? path_text(device.profile, folder) : quoted(device.profile));
+  }
+  if (device.settings) {
+    auto settings = nlohmann::ordered_json::parse(device_settings_text(*device.settings));
+    settings.erase("servo");  // a scene says that for itself
+    json.update(settings);
+  }
+  return json.empty() ? std::string() : indented(json.dump(2));
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, const fs::path& folder) {
+  const std::optional<std::string> unit = unit_name(scene.unit);
+  if (!unit) throw std::invalid_argument("no unit of a scene is " + number_text(scene.unit) + " m");
+  std::string text = "{\n";
+  const auto add = [&text](const char* key, const std::string& value) {
+    if (value.empty()) return;
+    if (text.size() > 2) text += ",\n";
+    text.append("  \"").append(key).append("\": ").append(value);
+  };
+  if (!scene.schema.empty()) add("$schema", quoted(scene.schema));
+  add("unit", quoted(*unit));
+  add("probe", body_text(scene.probe, scene.unit, folder));
+  add("fixed", body_text(scene.fixed, scene.unit, folder));
+  if (scene.trajectory) add("trajectory", path_text(*scene.trajectory, folder));
+  add("coupling", coupling_text(scene.coupling));
+  add("servo", servo_text(scene.servo));
+  add("device", device_text(scene.device, folder));
+  if (scene.view != "{}") add("view", scene.view);
+  return text + "\n}\n";
+}
+
+void write_scene(const Scene& scene, const fs::path& file) {
+  write_whole(file, scene_text(scene, file.parent_path()));
+}
+
+Pose storable(const Pose& pose, double unit) {
+  constexpr int digits = 12;
+  Pose stored = pose;
+  for (double& length : stored.p)
+    length = parse_number(number_text(length / unit, digits)).value_or(0) * unit;
+  stored.q.normalize();
+  return stored;
+}
+
+}  // namespace sonde

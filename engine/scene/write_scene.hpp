@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/scene/scene.hpp"
+
+namespace sonde {
+
+/// The scene as the text of a file in that folder: its paths are relative to it. Read from there it
+/// gives every field again, to the bit, for poses as read_scene and storable() give them; any other
+/// position within one rounding. Throws InputError where the name of a file is no UTF-8, and
+/// std::invalid_argument where `unit` is none that a scene can name.
+std::string scene_text(const Scene& scene, const std::filesystem::path& folder);
+
+/// Writes it whole or not at all. Throws InputError naming the file and the reason.
+void write_scene(const Scene& scene, const std::filesystem::path& file);
+
+/// The pose with its position rounded to 12 digits of the unit: one that a scene in that unit can
+/// hold.
+Pose storable(const Pose& pose, double unit);
+
+}  // namespace sonde

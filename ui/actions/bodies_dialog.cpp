@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/bodies_dialog.hpp"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <array>
+
+#include "engine/scene/number_text.hpp"
+#include "engine/scene/scene.hpp"
+#include "ui/format.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double far_apart = 30;  // times larger: one of the units is probably another
+
+struct Unit {
+  const char* key;
+  const char* name;
+};
+constexpr std::array<Unit, 6> units{{{"m", "metres"},
+                                     {"cm", "centimetres"},
+                                     {"mm", "millimetres"},
+                                     {"um", "micrometres"},
+                                     {"in", "inches"},
+                                     {"ft", "feet"}}};
+
+/// A factor from a millionth to a million, shown with as many digits as it has.
+class ScaleBox : public QDoubleSpinBox {
+ public:
+  explicit ScaleBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(12);
+    setRange(1e-9, 1e9);
+    setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  }
+  QString textFromValue(double value) const override {
+    return QString::fromStdString(number_text(value, 6));
+  }
+  double valueFromText(const QString& text) const override {
+    return parse_number(text.trimmed().toStdString()).value_or(1);
+  }
+  QValidator::State validate(QString& text, int& /*position*/) const override {
+    const auto value = parse_number(text.trimmed().toStdString());
+    if (value && *value >= minimum() && *value <= maximum()) return QValidator::Acceptable;
+    return QValidator::Intermediate;
+  }
+};
+
+QString size_text(const Vec3& metres, const LengthUnit& unit) {
+  QString sides;
+  for (const double side : metres)
+    sides += (sides.isEmpty() ? QString() : QStringLiteral(" × ")) + number(side / unit.metres());
+  return sides + ' ' + unit.name();
+}
+
+QString counted(std::size_t n, const char* one, const char* more) {
+  return QStringLiteral("%1 %2").arg(n).arg(QLatin1String(n == 1 ? one : more));
+}
+
+/// What keeps the inside from counting; also what does not, and may surprise.
+QString found_text(const Topology& edges) {
+  QStringList found;
+  if (edges.open_edges > 0)
+    found << counted(edges.open_edges, "open edge: there is a hole", "open edges: there are holes");
+  if (edges.misoriented_edges > 0)
+    found << counted(edges.misoriented_edges, "edge between flipped faces",
+                     "edges between flipped faces");
+  if (edges.nonmanifold_edges > 0)
+    found << counted(edges.nonmanifold_edges, "edge of three faces or more",
+                     "edges of three faces or more");
+  if (edges.duplicate_triangles > 0)
+    found << counted(edges.duplicate_triangles, "repeated triangle", "repeated triangles");
+  const QString verdict = edges.closed ? QStringLiteral("closed: the inside counts")
+                                       : QStringLiteral("not closed: the surface alone counts");
+  return verdict + (found.isEmpty() ? QString() : QStringLiteral("\n") + found.join('\n'));
+}
+
+QString name_of_file(const std::filesystem::path& file) {
+  return QString::fromStdString(file.filename().string());
+}
+
+QLabel* plain(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setTextFormat(Qt::PlainText);  // file names
+  return label;
+}
+
+}  // namespace
+
+BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget* parent)
+    : QDialog(parent), pair_(pair), warning_(new QLabel(this)) {
+  setObjectName(QStringLiteral("bodies_dialog"));
+  setWindowTitle(QStringLiteral("What the mesh files do not say"));
+  auto* grid = new QGridLayout(this);
+  grid->setHorizontalSpacing(18);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(2, 1);
+  const char* const rows[] = {"", "Unit", "Scale", "Up is", "Inside", "Found", "Size"};
+  for (int row = 0; row < 7; ++row)
+    grid->addWidget(new QLabel(QLatin1String(rows[row]), this), row, 0, Qt::AlignTop);
+  grid->addWidget(plain(QStringLiteral("Probe: ") + name_of_file(pair.probe_file), this), 0, 1);
+  grid->addWidget(plain(QStringLiteral("Fixed body: ") + name_of_file(pair.fixed_file), this), 0,
+                  2);
+  probe_ = add_column(*grid, 1, "probe", guess.probe, pair.probe_edges);
+  fixed_ = add_column(*grid, 2, "fixed", guess.fixed, pair.fixed_edges);
+  warning_->setObjectName(QStringLiteral("size_warning"));
+  warning_->setWordWrap(true);
+  grid->addWidget(warning_, 7, 0, 1, 3);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  same_size_ = buttons->addButton(QStringLiteral("Same size"), QDialogButtonBox::ActionRole);
+  same_size_->setObjectName(QStringLiteral("same_size"));
+  same_size_->setToolTip(
+      QStringLiteral("Scales the probe so that it is as large as the fixed body"));
+  grid->addWidget(buttons, 8, 0, 1, 3);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(same_size_, &QPushButton::clicked, this,
+          [this] { probe_.scale->setValue(same_size_scale(pair_, setup())); });
+  show_sizes();
+}
+
+BodiesDialog::Column BodiesDialog::add_column(QGridLayout& grid, int at, const char* object,
+                                              const BodySetup& guess, const Topology& edges) {
+  const auto named = [object](auto* widget, const char* what) {
+    widget->setObjectName(QLatin1String(object) + QLatin1String(what));
+    return widget;
+  };
+  Column column{};
+  column.unit = named(new QComboBox(this), "_unit");
+  for (const Unit& unit : units)
+    column.unit->addItem(QLatin1String(unit.name), QLatin1String(unit.key));
+  column.unit->setCurrentIndex(
+      column.unit->findData(QString::fromStdString(unit_name(guess.unit).value_or("m"))));
+  column.scale = named(new ScaleBox(this), "_scale");
+  column.scale->setValue(guess.scale);
+  column.up = named(new QComboBox(this), "_up");
+  column.up->addItems({QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")});
+  column.up->setCurrentIndex(static_cast<int>(guess.up));
+  column.model = named(new QComboBox(this), "_model");
+  column.model->addItem(QStringLiteral("counts where the mesh is closed"));
+  column.model->addItem(QStringLiteral("counts (solid)"));
+  column.model->addItem(QStringLiteral("does not count (surface)"));
+  column.model->setCurrentIndex(static_cast<int>(guess.model));
+  column.found = named(plain(found_text(edges), this), "_found");
+  column.size = named(new QLabel(this), "_size");
+  QWidget* const widgets[] = {column.unit,  column.scale, column.up,
+                              column.model, column.found, column.size};
+  int row = 1;
+  for (QWidget* widget : widgets) grid.addWidget(widget, row++, at, Qt::AlignTop);
+  const auto changed = [this] { show_sizes(); };
+  connect(column.unit, qOverload<int>(&QComboBox::currentIndexChanged), this, changed);
+  connect(column.scale, qOverload<double>(&QDoubleSpinBox::valueChanged), this, changed);
+  return column;
+}
+
+BodySetup BodiesDialog::setup_of(const Column& column) const {
+  return {unit_in_metres(column.unit->currentData().toString().toStdString()).value_or(1),
+          column.scale->value(), static_cast<UpAxis>(column.up->currentIndex()),
+          static_cast<Model>(column.model->currentIndex())};
+}
+
+PairSetup BodiesDialog::setup() const { return {setup_of(probe_), setup_of(fixed_)}; }
+
+void BodiesDialog::show_sizes() {
+  if (!probe_.size || !fixed_.size) return;  // half built
+  const PairSetup now = setup();
+  const Vec3 probe = pair_.probe_size * now.probe.unit * now.probe.scale;
+  const Vec3 fixed = pair_.fixed_size * now.fixed.unit * now.fixed.scale;
+  // One unit for both: they are there to be compared.
+  const LengthUnit unit(std::max(probe.maxCoeff(), fixed.maxCoeff()) / 2);
+  probe_.size->setText(size_text(probe, unit));
+  fixed_.size->setText(size_text(fixed, unit));
+  const double least = std::min(probe.maxCoeff(), fixed.maxCoeff());
+  const double ratio = least > 0 ? std::max(probe.maxCoeff(), fixed.maxCoeff()) / least : 1;
+  const bool apart = ratio > far_apart;
+  same_size_->setVisible(apart);
+  warning_->setText(apart
+                        ? QStringLiteral("One is %1 times larger than the other: is a unit wrong?")
+                              .arg(number(ratio))
+                        : QStringLiteral("Are these bodies really as large as that?"));
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <array>
+#include <functional>
+
+#include "engine/geometry/pose.hpp"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace sonde::ui {
+
+/// The dock of numbers for where the probe is: its mesh frame in the fixed body's, to be read,
+/// typed, copied and pasted. A field that is being typed in is left alone.
+class PosePanel : public QDockWidget {
+ public:
+  explicit PosePanel(QWidget* parent = nullptr);
+
+  void show_pose(const Pose& X_FM);
+  /// The unit that people read in a scene of this size: "mm".
+  void suggest_unit(const QString& name);
+
+  std::function<void(const Pose&)> placed;
+  std::function<void()> copy_wanted, paste_wanted, start_wanted, swap_wanted;
+
+ private:
+  enum class Turn { roll_pitch_yaw, axis_angle };
+  void build();
+  void show_numbers();
+  void show_labels();
+  void take(std::size_t field);
+  std::array<double, 7> numbers() const;
+  Turn turn() const;
+
+  Pose pose_;
+  QComboBox *unit_, *turn_;
+  std::array<QLineEdit*, 7> fields_{};  ///< x, y, z; then the angles, or the axis and the angle
+  std::array<QLabel*, 7> labels_{};
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde::ui {
+
+/// A pose as a file of poses has it: the header px,py,pz,qw,qx,qy,qz and a row of 17 digits,
+/// metres.
+std::string pose_text(const Pose& pose);
+
+/// The pose of a text: seven numbers, apart by commas or spaces, with or without that header or
+/// brackets round them. Throws std::invalid_argument saying what is wrong.
+Pose pose_in(std::string_view text);
+
+/// The rotation as roll, pitch and yaw (rad): about the fixed x, then y, then z. Pitch is within a
+/// quarter turn.
+Vec3 roll_pitch_yaw(const Quat& q);
+Quat of_roll_pitch_yaw(const Vec3& angles);
+
+}  // namespace sonde::ui

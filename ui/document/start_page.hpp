@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <functional>
+
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+/// What is shown over the view while nothing is open: the bundled scenes with their pictures, what
+/// was opened last, and the ways to open something else. It covers its parent.
+class StartPage : public QWidget {
+ public:
+  explicit StartPage(QWidget* parent);
+
+  /// Shows itself with what was opened last by now.
+  void present();
+
+  std::function<void()> scene_wanted, meshes_wanted;
+  std::function<void(const QStringList&)> chosen;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QWidget* gallery();
+  void show_recent();
+
+  QVBoxLayout* recent_;
+};
+
+}  // namespace sonde::ui
