@@ -127,7 +127,7 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
 
 double Descent::margin(const Chart& chart, double depth) const noexcept {
   const double rounding = rounding_guard(extents_, depth, chart.device().p);
-  return std::max(0.5 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
+  return std::max(0.25 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
 }
 
 Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
