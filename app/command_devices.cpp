@@ -7,7 +7,7 @@
 
 #include "app/commands.hpp"
 #include "engine/devices/connection.hpp"
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::app {
 namespace {

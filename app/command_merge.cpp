@@ -3,7 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/study/compare_report.hpp"
 #include "engine/study/merge_study.hpp"
 #include "engine/study/trade_report.hpp"

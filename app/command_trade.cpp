@@ -5,7 +5,7 @@
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/study/overlapping_poses.hpp"
 #include "engine/study/trade.hpp"
 #include "engine/study/trade_report.hpp"

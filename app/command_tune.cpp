@@ -7,10 +7,10 @@
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
-#include "engine/scene/number_text.hpp"
 #include "engine/study/tuning.hpp"
 #include "engine/study/tuning_inputs.hpp"
 #include "engine/study/tuning_report.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde::app {
 

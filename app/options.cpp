@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "app/interrupt.hpp"
-#include "engine/error.hpp"
-#include "engine/scene/number_text.hpp"
-#include "engine/scene/output_file.hpp"
+#include "engine/base/error.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace sonde::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace sonde::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/timed.hpp"
-#include "engine/geometry/work.hpp"
+#include "engine/base/threads.hpp"
 
 namespace sonde::app {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
-#include "engine/error.hpp"
-#include "engine/scene/output_file.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/base/error.hpp"
+#include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/haptics/coupler.hpp"
 #include "engine/penetration/coherent.hpp"
 

@@ -18,7 +18,7 @@
 #include <span>
 #include <string>
 
-#include "engine/error.hpp"                      // InputError, Cancelled, Progress
+#include "engine/base/error.hpp"                 // InputError, Cancelled, Progress
 #include "engine/geometry/mass.hpp"              // MassProperties
 #include "engine/geometry/model.hpp"             // Model
 #include "engine/geometry/pose.hpp"              // Vec3, Mat3, Quat, Pose

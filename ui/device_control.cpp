@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/output_file.hpp"
+#include "engine/text/output_file.hpp"
 #include "ui/session.hpp"
 
 namespace sonde::ui {

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <optional>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/nearest.hpp"
+#include "engine/text/nearest.hpp"
 
 namespace sonde::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 class QWidget;
 

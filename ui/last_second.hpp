@@ -4,9 +4,9 @@
 #include <deque>
 #include <optional>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/geometry/mass.hpp"
 #include "engine/haptics/servo.hpp"
-#include "engine/proximity/motion.hpp"
 
 namespace sonde::ui {
 

@@ -21,7 +21,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "ui/actions/menus.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"

@@ -10,10 +10,10 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/geometry/read_mesh.hpp"
-#include "engine/scene/number_text.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "engine/text/number_text.hpp"
 #include "ui/camera.hpp"
 #include "ui/resources.hpp"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "ui/arguments.hpp"
 #include "ui/demo.hpp"
 #include "ui/device_control.hpp"

@@ -7,10 +7,10 @@
 #include <atomic>
 #include <thread>
 
-#include "engine/scene/output_file.hpp"
 #include "engine/study/tuning.hpp"
 #include "engine/study/tuning_inputs.hpp"
 #include "engine/study/tuning_report.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::ui {
 namespace {

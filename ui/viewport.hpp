@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/haptics/companion.hpp"
 #include "engine/haptics/servo.hpp"
 #include "ui/camera.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/base/error.hpp"
 #include "engine/devices/device_holder.hpp"
-#include "engine/error.hpp"
 
 namespace sonde {
 namespace {

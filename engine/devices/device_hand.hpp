@@ -4,9 +4,9 @@
 #include <atomic>
 #include <memory>
 
+#include "engine/base/triple_buffer.hpp"
 #include "engine/devices/device_motion.hpp"
 #include "engine/devices/input_device.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 

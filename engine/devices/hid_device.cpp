@@ -15,7 +15,7 @@
 #include <mutex>
 #include <system_error>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace sonde {
 namespace {

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/error.hpp"
+#include "engine/base/real_time.hpp"
+#include "engine/base/triple_buffer.hpp"
 #include "engine/devices/connection.hpp"
-#include "engine/error.hpp"
-#include "engine/haptics/real_time.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/progress.hpp"
 #include "engine/geometry/soup.hpp"
-#include "engine/geometry/work.hpp"
 
 namespace sonde {
 namespace {

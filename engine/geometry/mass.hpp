@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "engine/geometry/work.hpp"
+#include "engine/base/progress.hpp"
 
 namespace sonde {
 namespace {

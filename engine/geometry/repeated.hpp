@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/geometry/soup.hpp"
 
 namespace sonde {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/work.hpp"
+#include "engine/base/progress.hpp"
 
 namespace sonde {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {

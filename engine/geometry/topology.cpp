@@ -8,7 +8,8 @@
 #include <numeric>
 #include <span>
 
-#include "engine/geometry/work.hpp"
+#include "engine/base/progress.hpp"
+#include "engine/base/threads.hpp"
 
 namespace sonde {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/geometry/soup.hpp"
 
 namespace sonde {

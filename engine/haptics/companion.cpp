@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/static_search.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "engine/geometry/body.hpp"
-#include "engine/penetration/deadline.hpp"
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/descent.hpp"
 
 namespace sonde {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/base/triple_buffer.hpp"
 #include "engine/haptics/hand.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/geometry_thread.hpp"
 
-#include "engine/haptics/real_time.hpp"
+#include "engine/base/real_time.hpp"
 
 namespace sonde {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <thread>
 
+#include "engine/base/triple_buffer.hpp"
 #include "engine/haptics/contact_feed.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/haptic_loop.hpp"
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/haptics/coupler.hpp"
 #include "engine/penetration/coherent.hpp"
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/result.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 namespace {

@@ -10,12 +10,12 @@
 #include <thread>
 #include <utility>
 
-#include "engine/geometry/body.hpp"
+#include "engine/base/ring.hpp"
+#include "engine/base/triple_buffer.hpp"
+#include "engine/body/body.hpp"
 #include "engine/haptics/gain_glide.hpp"
 #include "engine/haptics/geometry_thread.hpp"
-#include "engine/haptics/ring.hpp"
 #include "engine/haptics/schedule.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 namespace {

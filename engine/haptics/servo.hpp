@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "engine/base/real_time.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/hand_loop.hpp"
-#include "engine/haptics/real_time.hpp"
 #include "engine/haptics/time_histogram.hpp"
 #include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/base/triple_buffer.hpp"
 #include "engine/haptics/hand.hpp"
 #include "engine/haptics/simulated_device.hpp"
-#include "engine/haptics/triple_buffer.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/coherent.hpp"
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/contact_clusters.hpp"
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"

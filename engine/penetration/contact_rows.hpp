@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/list_reach.hpp"
-#include "engine/proximity/motion.hpp"
 #include "engine/proximity/pair_list.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/penetration/deadline.hpp"
+#include "engine/base/deadline.hpp"
 #include "engine/penetration/witness.hpp"
 
 namespace sonde {

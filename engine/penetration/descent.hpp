@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "engine/geometry/body.hpp"
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact_rows.hpp"
-#include "engine/penetration/deadline.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/motion.hpp"
 
 namespace sonde {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/geometry/random.hpp"
 #include "engine/penetration/leap_descent.hpp"
 #include "engine/penetration/places.hpp"
 #include "engine/penetration/push_apart.hpp"
-#include "engine/penetration/random.hpp"
 
 namespace sonde {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/contact_rows.hpp"
 #include "engine/penetration/descent.hpp"
 

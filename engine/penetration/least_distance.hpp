@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "engine/proximity/motion.hpp"
+#include "engine/geometry/chart.hpp"
 
 namespace sonde {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/geometry/body.hpp"
-#include "engine/penetration/deadline.hpp"
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde {
 

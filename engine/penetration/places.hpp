@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/proximity/motion.hpp"
+#include "engine/geometry/chart.hpp"
 
 namespace sonde {
 

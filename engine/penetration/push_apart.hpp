@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
-#include "engine/penetration/deadline.hpp"
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/motion.hpp"
 #include "engine/proximity/trespass.hpp"
 
 namespace sonde {

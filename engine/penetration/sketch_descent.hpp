@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/motion.hpp"
 #include "engine/proximity/sketch.hpp"
 
 namespace sonde {

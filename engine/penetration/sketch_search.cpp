@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/penetration/random.hpp"
+#include "engine/geometry/random.hpp"
 
 namespace sonde {
 namespace {

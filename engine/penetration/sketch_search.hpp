@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/penetration/crew.hpp"
-#include "engine/penetration/deadline.hpp"
+#include "engine/base/crew.hpp"
+#include "engine/base/deadline.hpp"
 #include "engine/penetration/sketch_descent.hpp"
 
 namespace sonde {

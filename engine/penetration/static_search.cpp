@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
-#include "engine/penetration/crew.hpp"
+#include "engine/base/crew.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/lane.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/polish.hpp"

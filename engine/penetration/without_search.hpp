@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/separation.hpp"
 
 namespace sonde {

@@ -6,7 +6,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "engine/geometry/tree.hpp"
+#include "engine/body/tree.hpp"
 
 namespace sonde {
 

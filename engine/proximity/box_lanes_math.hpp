@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "engine/geometry/tree.hpp"
+#include "engine/body/tree.hpp"
 #include "engine/proximity/box_lanes.hpp"
 
 // What kernels are made of must be inlined into each of them, to be compiled for its instruction

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/geometry/body.hpp"
-#include "engine/proximity/effort.hpp"
+#include "engine/base/effort.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde {
 

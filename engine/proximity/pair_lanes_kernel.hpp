@@ -2,8 +2,8 @@
 // The kernel of pair_lanes.hpp, for as many lanes as the including source says (lanes.hpp).
 #pragma once
 
-#include "engine/proximity/lanes.hpp"
 #include "engine/proximity/pair_lanes.hpp"
+#include "engine/simd/lanes.hpp"
 
 namespace sonde {
 

@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/near_pairs.hpp"
 #include "engine/proximity/pair_lanes.hpp"
 #include "engine/proximity/pair_sweep.hpp"
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/sweep.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/trespass.hpp"
 
 namespace sonde {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/geometry/body.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/sweep.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/triangle_pair.hpp"
 
 namespace sonde {

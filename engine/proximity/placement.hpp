@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/box_lanes.hpp"
 #include "engine/proximity/triangle_pair.hpp"
 

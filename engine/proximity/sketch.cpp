@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "engine/geometry/work.hpp"
+#include "engine/base/threads.hpp"
 #include "engine/proximity/placement.hpp"
 #include "engine/proximity/point_distance.hpp"
 

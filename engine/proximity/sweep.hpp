@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "engine/geometry/body.hpp"
-#include "engine/proximity/effort.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/base/effort.hpp"
+#include "engine/body/body.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 

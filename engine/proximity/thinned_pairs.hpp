@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/near_pairs.hpp"
 
 namespace sonde {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "engine/proximity/lanes.hpp"
 #include "engine/proximity/triangle_lanes.hpp"
+#include "engine/simd/lanes.hpp"
 
 namespace sonde {
 

@@ -5,11 +5,11 @@
 #include <array>
 #include <set>
 
-#include "engine/error.hpp"
-#include "engine/scene/json_checks.hpp"
-#include "engine/scene/nearest.hpp"
-#include "engine/scene/number_text.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/base/error.hpp"
+#include "engine/text/json_checks.hpp"
+#include "engine/text/nearest.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/json_checks.hpp"
 #include "engine/scene/json_settings.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/text/json_checks.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/devices/device_settings.hpp"
-#include "engine/scene/located_json.hpp"
+#include "engine/text/located_json.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/scene/json_settings.hpp"
 
-#include "engine/scene/nearest.hpp"
+#include "engine/text/nearest.hpp"
 
 namespace sonde {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/scene/json_checks.hpp"
-#include "engine/scene/number_text.hpp"
 #include "engine/scene/settings.hpp"
+#include "engine/text/json_checks.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/error.hpp"
-#include "engine/scene/number_text.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/pose_numbers.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 

@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/json_checks.hpp"
 #include "engine/scene/json_settings.hpp"
-#include "engine/scene/located_json.hpp"
-#include "engine/scene/nearest.hpp"
-#include "engine/scene/number_text.hpp"
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/scene/settings.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/text/json_checks.hpp"
+#include "engine/text/located_json.hpp"
+#include "engine/text/nearest.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/body/body.hpp"
 #include "engine/devices/device_settings.hpp"
-#include "engine/geometry/body.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/servo.hpp"
 

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/number_text.hpp"
-#include "engine/scene/output_file.hpp"
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/scene/settings.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
 #include "engine/study/half_space.hpp"
 
 namespace sonde {

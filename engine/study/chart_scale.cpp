@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "engine/proximity/motion.hpp"
+#include "engine/geometry/chart.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/closed_loop.hpp"
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde {
 

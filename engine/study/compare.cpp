@@ -5,8 +5,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/study/svg_chart.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/penetration/coherent.hpp"
-#include "engine/penetration/random.hpp"
 
 namespace sonde {
 namespace {

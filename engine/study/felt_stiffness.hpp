@@ -3,10 +3,11 @@
 
 #include <optional>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/haptics/coupling.hpp"
 #include "engine/penetration/pair.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 

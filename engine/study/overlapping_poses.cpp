@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/error.hpp"
-#include "engine/penetration/random.hpp"
+#include "engine/base/error.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/proximity/intersect.hpp"
 
 namespace sonde {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/study/study_parts.hpp"
 
 namespace sonde {

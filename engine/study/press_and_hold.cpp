@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/study/chatter.hpp"
 #include "engine/study/discontinuities.hpp"
 

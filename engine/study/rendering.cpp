@@ -5,10 +5,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/haptics/haptic_loop.hpp"
-#include "engine/proximity/motion.hpp"
 #include "engine/study/contact_torque.hpp"
 
 namespace sonde {

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/geometry/body.hpp"
+#include "engine/base/processor_time.hpp"
+#include "engine/base/quantile.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/haptics/contact_feed.hpp"
 #include "engine/haptics/local_contacts.hpp"
-#include "engine/proximity/motion.hpp"
-#include "engine/study/processor_time.hpp"
-#include "engine/study/quantile.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 namespace {

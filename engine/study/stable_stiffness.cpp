@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/study/contact_situations.hpp"
 #include "engine/study/contact_stability.hpp"
 

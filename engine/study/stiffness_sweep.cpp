@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace sonde {
 namespace {

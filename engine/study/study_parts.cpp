@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
-#include "engine/geometry/work.hpp"
-#include "engine/scene/output_file.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/threads.hpp"
+#include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 namespace {

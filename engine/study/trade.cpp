@@ -4,12 +4,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/processor_time.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/penetration/coherent.hpp"
 #include "engine/penetration/lower_bound.hpp"
-#include "engine/penetration/random.hpp"
-#include "engine/study/processor_time.hpp"
 #include "engine/study/trade_extremes.hpp"
 #include "engine/study/trade_results.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/error.hpp"
-#include "engine/geometry/body.hpp"
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/lower_bound.hpp"
 #include "engine/penetration/static_search.hpp"
 

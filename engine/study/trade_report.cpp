@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/study/trade_chart.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {

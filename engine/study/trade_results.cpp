@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/error.hpp"
-#include "engine/study/quantile.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/quantile.hpp"
 
 namespace sonde {
 namespace {

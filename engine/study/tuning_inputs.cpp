@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/text_file.hpp"
 #include "engine/study/study_parts.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/study/gain_recommendation.hpp"
 #include "engine/study/svg_chart.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {

@@ -4,7 +4,7 @@ include(GoogleTest)
 # sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY]
 #            [LAUNCHER command...])
 #
-# One test program `test_NAME`, of the *_test.cpp files given (default: all in the calling folder),
+# One test program `test_NAME`, of the *_test.cpp files given (default: all below it),
 # with every GoogleTest case registered in ctest.
 #   LABELS     ci (default): runs in CI. full, soak, fuzz: longer ones, each by `ctest -L LABEL`.
 #   LIBRARIES  beside sonde::engine and GoogleTest.
@@ -15,7 +15,7 @@ include(GoogleTest)
 function(sonde_test NAME)
   cmake_parse_arguments(ARG "DISPLAY" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
   if(NOT ARG_SOURCES)
-    file(GLOB ARG_SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp")
+    file(GLOB_RECURSE ARG_SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp")
   endif()
   if(NOT ARG_SOURCES)
     return()

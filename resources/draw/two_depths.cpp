@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/static_search.hpp"
 
 namespace sonde::draw {

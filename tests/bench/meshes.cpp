@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "engine/geometry/read_mesh.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
 #include "tests/support/real_meshes.hpp"
 #include "tests/support/shapes.hpp"
 

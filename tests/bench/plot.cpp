@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde::bench {
 

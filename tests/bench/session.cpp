@@ -6,7 +6,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::bench {
 namespace {

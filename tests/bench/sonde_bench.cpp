@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "engine/scene/output_file.hpp"
+#include "engine/text/output_file.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/report.hpp"

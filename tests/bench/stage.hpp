@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "tests/bench/peer.hpp"
 #include "tests/bench/poses.hpp"
 

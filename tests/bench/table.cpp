@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/proximity/intersect.hpp"
 #include "engine/scene/device_profile.hpp"
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 #include "resources/generate/path.hpp"
 #include "tests/reference/meshes.hpp"
 #include "tests/support/shapes.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/output_file.hpp"
 #include "engine/study/compare_report.hpp"
+#include "engine/text/output_file.hpp"
 #include "tests/compare/pairs.hpp"
 
 namespace {

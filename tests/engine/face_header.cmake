@@ -6,7 +6,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(allowed
-    engine/error.hpp
+    engine/base/error.hpp
     engine/geometry/mass.hpp
     engine/geometry/model.hpp
     engine/geometry/pose.hpp

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/haptics/haptic_loop.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/support/allocation_counter.hpp"

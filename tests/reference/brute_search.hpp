@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/penetration/separation.hpp"
 
 namespace sonde::reference {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde::reference {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "engine/error.hpp"
-#include "engine/scene/number_text.hpp"
-#include "engine/scene/output_file.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/base/error.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde::reference {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde::reference {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde::reference {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "engine/scene/output_file.hpp"
+#include "engine/text/output_file.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/summary.hpp"
 

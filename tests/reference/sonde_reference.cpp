@@ -9,7 +9,7 @@
 #include <map>
 
 #include "engine/penetration/descent.hpp"
-#include "engine/scene/output_file.hpp"
+#include "engine/text/output_file.hpp"
 #include "tests/reference/reference_row.hpp"
 
 namespace sonde::reference {

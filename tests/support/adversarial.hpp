@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/proximity/motion.hpp"
+#include "engine/geometry/chart.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde::test {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/triangle_pair.hpp"
 
 namespace sonde::test {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 #include "engine/proximity/triangle_pair.hpp"
 #include "tests/support/brute_force.hpp"
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <random>
 
-#include "engine/proximity/motion.hpp"
+#include "engine/geometry/chart.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde::test {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <random>
 
-#include "engine/geometry/body.hpp"
+#include "engine/body/body.hpp"
 
 namespace sonde::test {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::test {
 namespace {

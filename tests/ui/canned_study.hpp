@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/scene/text_file.hpp"
 #include "engine/study/study_parts.hpp"
+#include "engine/text/text_file.hpp"
 
 namespace sonde::ui::test {
 

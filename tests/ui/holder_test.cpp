@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde::ui {

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/text/number_text.hpp"
 #include "ui/format.hpp"
 
 namespace sonde::ui {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/scene/write_scene.hpp"

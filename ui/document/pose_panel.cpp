@@ -12,8 +12,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/text/number_text.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/panels/scrolled.hpp"
 

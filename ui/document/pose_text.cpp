@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/scene/number_text.hpp"
 #include "engine/scene/pose_numbers.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::ui {
 namespace {

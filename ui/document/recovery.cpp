@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "engine/error.hpp"
-#include "engine/scene/output_file.hpp"
-#include "engine/scene/text_file.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
 #include "ui/document/pose_text.hpp"
 
 namespace sonde::ui {

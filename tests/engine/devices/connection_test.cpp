@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/engine/devices/descriptors.hpp"
 #include "tests/engine/devices/mock_hid.hpp"
 

@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <sstream>
 
+#include "engine/base/error.hpp"
 #include "engine/devices/space_mouse.hpp"
-#include "engine/error.hpp"
 #include "tests/engine/devices/descriptors.hpp"
 #include "tests/engine/devices/mock_hid.hpp"
 #include "tests/support/temp_folder.hpp"

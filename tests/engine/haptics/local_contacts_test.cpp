@@ -7,8 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/haptics/contact_feed.hpp"
-#include "engine/proximity/motion.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"
 #include "tests/support/shapes.hpp"

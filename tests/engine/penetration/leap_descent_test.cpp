@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/penetration/random.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/proximity/intersect.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/proximity/intersect.hpp"
-#include "engine/proximity/motion.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/half_space.hpp"
 #include "tests/support/pairs.hpp"

@@ -10,9 +10,9 @@
 #include <limits>
 #include <string>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/penetration/separation.hpp"
 #include "engine/proximity/distance.hpp"
-#include "engine/proximity/motion.hpp"
 #include "engine/proximity/point_distance.hpp"
 #include "tests/support/brute_force.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/complaint.hpp"
 #include "tests/support/temp_folder.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <clocale>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/complaint.hpp"
 
 namespace sonde {

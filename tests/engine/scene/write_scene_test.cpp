@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/device_settings_file.hpp"
 #include "engine/scene/settings.hpp"
 #include "tests/support/temp_folder.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/study/compare_report.hpp"
 #include "tests/support/xml.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/penetration/contact_clusters.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

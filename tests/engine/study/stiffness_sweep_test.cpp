@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace sonde {
 namespace {

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

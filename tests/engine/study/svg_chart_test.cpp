@@ -9,7 +9,7 @@
 #include <cmath>
 #include <locale>
 
-#include "engine/scene/number_text.hpp"
+#include "engine/text/number_text.hpp"
 #include "tests/support/xml.hpp"
 
 namespace sonde {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/penetration/static_search.hpp"
 #include "tests/support/shapes.hpp"
 

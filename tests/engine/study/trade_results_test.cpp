@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/engine/study/made_up_trade.hpp"
 
 namespace sonde {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/study/trade_results.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/temp_folder.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/study/gain_recommendation.hpp"
 #include "engine/study/tuning_report.hpp"

@@ -8,7 +8,7 @@
 
 #include <QProcess>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/document/document_control.hpp"
 

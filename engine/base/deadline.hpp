@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/base/effort.hpp"
+
+namespace sonde {
+
+/// A clock that long work asks between its steps; none: never out of time.
+struct Deadline {
+  double microseconds = 0;  ///< 0: none
+  double started = 0;       ///< from now_us()
+  /// `ahead`: or will be in so many µs.
+  bool passed(double ahead = 0) const {
+    return microseconds > 0 && now_us() - started + ahead > microseconds;
+  }
+  /// For work that can be broken off anywhere.
+  Effort effort() const { return {0, microseconds > 0 ? started + microseconds : 0}; }
+  /// The same start, and a share of the time.
+  Deadline part(double share) const { return {share * microseconds, started}; }
+};
+
+}  // namespace sonde

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/body/tree.hpp"
+#include "engine/geometry/mass.hpp"
+#include "engine/geometry/model.hpp"
+#include "engine/geometry/soup.hpp"
+#include "engine/geometry/topology.hpp"
+
+namespace sonde {
+
+/// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
+/// in the mesh frame. No two vertices are at one place, and each is a corner of a triangle.
+struct Body {
+  std::string name;
+  Soup soup;
+  bool solid = false;   ///< the interior counts (winding number ≠ 0); else only the triangles
+  std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
+  bool turned = false;  ///< was inside out and has been turned
+  std::size_t degenerate = 0;  ///< triangles set aside for having no area
+  Topology topology;           ///< with the degenerate triangles
+  /// One triangle of surface(body), the first, of each connected component.
+  std::vector<std::uint32_t> component_triangle;
+  MassProperties mass;
+  /// The surface in as few triangles as its flat parts need (facets.hpp). Empty where that is the
+  /// soup as it stands.
+  Soup facets;
+  std::size_t merged = 0;      ///< triangles of the soup that are parts of larger ones in `facets`
+  std::size_t duplicates = 0;  ///< triangles of the soup that `facets` leaves out as repeated
+  Tree tree;                   ///< over surface(body)
+  /// The same body, with its mass, in about outline_triangles triangles: a guess of its shape that
+  /// searches are guided by. None where it has few itself.
+  std::shared_ptr<const Body> outline;
+};
+constexpr std::size_t outline_triangles = 1000;
+
+/// The triangles that touch, in the order of the tree's leaves: what every query works on.
+inline const Soup& surface(const Body& body) {
+  return body.facets.triangles.empty() ? body.soup : body.facets;
+}
+
+/// The outline of a body, or itself where it has none.
+inline const Body& roughly(const Body& body) { return body.outline ? *body.outline : body; }
+
+/// Builds a body. `asked` solid throws InputError where the mesh is not closed or has no volume;
+/// automatic falls back to surface and says why. A closed mesh whose volume cannot be told from
+/// zero (flat) is a surface. Throws InputError where no triangle has an area.
+std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
+                                      const std::string& name, const Progress& progress = {});
+
+/// The memory that a body takes, in bytes: itself and all that it owns.
+std::size_t bytes(const Body& body);
+
+/// read_mesh and make_body in one.
+std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale = 1.0,
+                                      const Progress& progress = {});
+
+}  // namespace sonde

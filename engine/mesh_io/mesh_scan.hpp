@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+
+/// Walks through the lines and words of a text mesh file, knowing where it is when it must refuse.
+/// Blank lines, and what follows a comment sign, are passed over; CRLF counts as a line end.
+class MeshScanner {
+ public:
+  /// `comment` is the sign that starts a comment ('\0': none). Where `continues` is set, a
+  /// backslash at the end of a line joins the next.
+  MeshScanner(const std::string& file, std::string_view text, char comment, bool continues,
+              const Progress& progress);
+
+  /// Goes to the next line that has a word; false at the end.
+  bool next_line();
+  /// The next word of the line; empty at its end.
+  std::string_view word();
+  /// The rest of the words of the line, counted.
+  std::size_t skip_words();
+  /// Where the next line starts, in bytes.
+  std::size_t position() const { return next_; }
+  std::size_t line() const { return line_; }
+  std::size_t bytes_left() const { return text_.size() - next_; }
+
+  /// The next word as a finite coordinate: appended to `out` with a blank before it.
+  void copy_coordinate(std::string& out);
+  /// The next word as a number (finite or not), passed over.
+  void check_number();
+  /// The next word as a whole number of at least zero; `what` says what it should be.
+  std::uint64_t count(const char* what);
+  /// A word as a whole number; refuses the line where it is none.
+  std::int64_t integer(std::string_view word, const char* what) const;
+  /// A vertex index, from 0, below `vertices`.
+  std::uint64_t index(std::uint64_t vertices);
+
+  [[noreturn]] void refuse(const std::string& reason) const;
+  [[noreturn]] void refuse_at(std::size_t line, const std::string& reason) const;
+
+ private:
+  bool is_blank(char c) const;
+  void report() const;
+  void find_line_end();
+
+  const std::string& file_;
+  std::string_view text_;
+  char comment_;
+  bool continues_;
+  const Progress& progress_;
+  std::size_t at_ = 0;           ///< in the line
+  std::size_t end_ = 0;          ///< of the line, without its comment
+  std::size_t next_ = 0;         ///< start of the next line
+  std::size_t line_ = 0;         ///< number of the line, from 1
+  std::size_t next_number_ = 1;  ///< number of the next line
+  std::size_t lines_seen_ = 0;
+};
+
+/// A word for a message: short, and without control characters.
+std::string shown(std::string_view word);
+
+}  // namespace sonde

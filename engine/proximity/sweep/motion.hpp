@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/chart.hpp"
+
+namespace sonde {
+
+/// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what
+/// the sweep needs of it. |v| must stay below 1.
+class Motion {
+ public:
+  Motion(const Chart& chart, const Vec6& from, const Vec6& to);
+
+  Transform at(double s) const;  ///< X_FM
+  struct Velocity {
+    Vec3 linear;   ///< of the centre of mass, per unit of s, fixed frame
+    Vec3 angular;  ///< fixed frame
+  };
+  Velocity velocity(double s) const;
+  /// No point at distance r of the centre of mass accelerates by more than r times this, anywhere
+  /// on the path (per unit of s squared).
+  double acceleration_per_radius() const { return acceleration_; }
+  /// Anywhere on the path the acceleration of a point with the arm r from the centre of mass (mesh
+  /// frame) is bend() r, in the fixed frame, to within bend_error() |r|: how a turn bends a path is
+  /// known in size and direction, but for the third order.
+  const Mat3& bend() const { return bend_; }
+  double bend_error() const { return bend_error_; }
+  /// Length of the path of the centre of mass, m, and a bound of the angle turned through on the
+  /// path (its whole length, not its ends), rad: no point at distance r of the centre of mass
+  /// travels further than linear_distance() + r turn_bound().
+  double linear_distance() const { return com_step_.norm(); }
+  double turn_bound() const { return turn_; }
+  double farthest(double radius) const { return linear_distance() + radius * turn_bound(); }
+  /// The centre of mass in the mesh frame.
+  const Vec3& com() const { return com_M_; }
+
+ private:
+  Quat relative(double s) const;
+  Quat q_FP_, q_PM_;
+  Vec3 com_M_, com_from_, com_step_, v_from_, v_step_;
+  double acceleration_;
+  double turn_;
+  Mat3 bend_;
+  double bend_error_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/text/located_json.hpp"
+
+namespace sonde {
+
+/// What every reader of a JSON file asks of its values. The complaints are InputErrors with the
+/// file, the line and the reason.
+
+/// The text in quotes, cut where it is long.
+std::string in_quotes(std::string_view text);
+
+[[noreturn]] void fail_at(const std::filesystem::path& file, std::size_t line,
+                          const std::string& reason);
+
+void expect_kind(const std::filesystem::path& file, const JsonNode& node, JsonNode::Kind kind);
+
+/// An object with no other keys than these; else the complaint names the nearest known one.
+void expect_keys(const std::filesystem::path& file, const JsonNode& node,
+                 std::span<const std::string_view> known);
+
+/// The value of a key that an object must have. `whole` is what the file's own object is called:
+/// "the scene".
+const JsonNode& need_key(const std::filesystem::path& file, const JsonNode& object,
+                         std::string_view key, std::string_view whole);
+
+}  // namespace sonde

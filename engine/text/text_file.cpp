@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/text/text_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+
+std::string read_text(const std::filesystem::path& file, std::size_t most) {
+  const auto fail = [&](const std::string& reason) {
+    return InputError::in(file.string(), reason);
+  };
+  const auto system_reason = [] { return std::generic_category().message(errno); };
+
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  if (!stream) throw fail(system_reason());
+  // Read piece by piece, not by the file's size: a pipe has none.
+  std::string text;
+  char piece[65536];
+  while (const std::size_t n = std::fread(piece, 1, sizeof piece, stream.get())) {
+    text.append(piece, n);
+    if (text.size() > most) throw fail("longer than " + std::to_string(most) + " bytes");
+  }
+  if (std::ferror(stream.get()) != 0) throw fail(system_reason());
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.erase(0, mark.size());
+  if (text.empty()) throw fail("the file is empty");
+  return text;
+}
+
+}  // namespace sonde

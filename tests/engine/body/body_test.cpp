@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/body/body.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <algorithm>
+
+#include "tests/engine/mesh_io/mesh_files.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+std::string refusal(const PolygonSoup& soup, Model asked) {
+  try {
+    make_body(soup, asked, "a.off");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+PolygonSoup joined(PolygonSoup a, const PolygonSoup& b, const Vec3& by) {
+  const std::size_t at = a.points.size();
+  for (const Vec3& x : b.points) a.points.push_back(x + by);
+  for (auto polygon : b.polygons) {
+    for (std::size_t& i : polygon) i += at;
+    a.polygons.push_back(polygon);
+  }
+  return a;
+}
+
+PolygonSoup turned(PolygonSoup soup) {
+  for (auto& polygon : soup.polygons) std::reverse(polygon.begin(), polygon.end());
+  return soup;
+}
+
+PolygonSoup open_box() {
+  PolygonSoup box = test::box({1, 1, 1});
+  box.polygons.pop_back();
+  return box;
+}
+
+PolygonSoup two_sided_square() {
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0.1, 0.3}, {1, 1.1, 0.6}, {0, 1, 0.3}};
+  soup.polygons = {{0, 1, 2, 3}, {3, 2, 1, 0}};
+  return soup;
+}
+
+TEST(Body, ClosedIsSolid) {
+  for (const Model asked : {Model::automatic, Model::solid}) {
+    const auto body = make_body(test::box({1, 2, 3}), asked, "box");
+    EXPECT_TRUE(body->solid);
+    EXPECT_FALSE(body->turned);
+    EXPECT_EQ(body->why, "closed: the inside counts");
+    EXPECT_TRUE(body->mass.by_volume);
+    EXPECT_NEAR(body->mass.measure, 6, 1e-14);
+    EXPECT_EQ(body->name, "box");
+  }
+}
+
+TEST(Body, SurfaceWhereAskedFor) {
+  const auto body = make_body(test::box({1, 1, 1}), Model::surface, "box");
+  EXPECT_FALSE(body->solid);
+  EXPECT_EQ(body->why, "asked for: surface");
+  EXPECT_FALSE(body->mass.by_volume);
+  EXPECT_NEAR(body->mass.measure, 6, 1e-14);
+}
+
+TEST(Body, OpenIsSurface) {
+  const auto body = make_body(open_box(), Model::automatic, "box");
+  EXPECT_FALSE(body->solid);
+  EXPECT_EQ(body->why, "4 open edges: the inside does not count");
+  EXPECT_EQ(refusal(open_box(), Model::solid), "a.off: cannot be a solid: 4 open edges");
+}
+
+TEST(Body, DisagreeingOrientationIsSurface) {
+  PolygonSoup box = test::box({1, 1, 1});
+  std::reverse(box.polygons[0].begin(), box.polygons[0].end());
+  EXPECT_EQ(make_body(box, Model::automatic, "box")->why,
+            "4 edges do not agree in orientation: the inside does not count");
+  EXPECT_EQ(refusal(box, Model::solid),
+            "a.off: cannot be a solid: 4 edges do not agree in orientation");
+}
+
+TEST(Body, FlatClosedIsSurface) {
+  const auto body = make_body(two_sided_square(), Model::automatic, "flat");
+  EXPECT_FALSE(body->solid);
+  EXPECT_EQ(body->why, "closed but flat (no volume): the inside does not count");
+  EXPECT_GT(body->mass.measure, 2);
+  EXPECT_EQ(refusal(two_sided_square(), Model::solid),
+            "a.off: cannot be a solid: closed but flat (no volume)");
+}
+
+TEST(Body, AThinPlateIsStillSolid) {
+  EXPECT_TRUE(make_body(test::box({1, 1, 1e-9}), Model::solid, "plate")->solid);
+  EXPECT_TRUE(make_body(test::box({1e-20, 1e-20, 1e-29}), Model::solid, "tiny plate")->solid);
+}
+
+TEST(Body, InsideOutIsTurned) {
+  const auto body = make_body(turned(test::box({1, 2, 3})), Model::automatic, "box");
+  EXPECT_TRUE(body->solid);
+  EXPECT_TRUE(body->turned);
+  EXPECT_GT(body->mass.measure, 0);
+  EXPECT_NEAR(mass_by_volume(body->soup).measure, 6, 1e-14);
+}
+
+// Reference: V of a 3-cube with a 1-cube hollow is 26.
+TEST(Body, ACavityCountsAsEmpty) {
+  const PolygonSoup hollow =
+      joined(test::box({3, 3, 3}), turned(test::box({1, 1, 1})), Vec3::Zero());
+  const auto body = make_body(hollow, Model::automatic, "hollow");
+  EXPECT_TRUE(body->solid);
+  EXPECT_FALSE(body->turned);
+  EXPECT_NEAR(body->mass.measure, 26, 1e-13);
+  EXPECT_EQ(body->component_triangle.size(), 2u);
+}
+
+TEST(Body, DegenerateTrianglesAreSetAsideWithoutOpeningTheMesh) {
+  PolygonSoup box = test::box({2, 2, 2});
+  box.points.push_back({0, -1, -1});
+  // Splits the edge from 0 to 1 in the bottom face, and closes the gap with a sliver.
+  box.polygons[0] = {0, 2, 3, 1, 8};
+  box.polygons.push_back({0, 8, 1});
+  const auto body = make_body(box, Model::automatic, "box");
+  EXPECT_TRUE(body->solid);
+  EXPECT_EQ(body->degenerate, 1u);
+  EXPECT_EQ(body->soup.triangles.size(), 13u);
+  EXPECT_EQ(body->component_triangle.size(), 1u);
+}
+
+TEST(Body, PartsJoinedByASliverAloneAreTwo) {
+  PolygonSoup two = joined(test::box({1, 1, 1}), test::box({1, 1, 1}), {3, 0, 0});
+  two.points.push_back({1, -0.5, -0.5});
+  two.polygons.push_back({1, 16, 8});  // in one line with the edges of both
+  const auto body = make_body(two, Model::automatic, "two");
+  EXPECT_EQ(body->degenerate, 1u);
+  EXPECT_EQ(body->component_triangle.size(), 2u);
+  EXPECT_EQ(body->soup.vertices.size(), 16u);
+}
+
+// Reference: the boxes are apart in z, and come in this order in the file.
+TEST(Body, ComponentTrianglesAreTheFirstOfEachInTheOrderOfTheTree) {
+  const auto body = make_body(joined(test::sphere(1, 8, 9), test::box({1, 1, 1}), {0.5, 0, 5}),
+                              Model::automatic, "two");
+  const auto is_above = [&](const Triangle& t) { return body->soup.vertices[t[0]].z() > 2; };
+  const auto& triangles = body->soup.triangles;
+  const auto below = std::ranges::find_if_not(triangles, is_above) - triangles.begin();
+  const auto above = std::ranges::find_if(triangles, is_above) - triangles.begin();
+  EXPECT_THAT(body->component_triangle, testing::ElementsAre(below, above));
+}
+
+TEST(Body, UnusedPointsDoNotCount) {
+  PolygonSoup box = test::box({1, 1, 1});
+  box.points.push_back({100, 100, 100});
+  const auto body = make_body(box, Model::automatic, "box");
+  EXPECT_EQ(body->soup.vertices.size(), 8u);
+  EXPECT_LT(body->mass.radius, 1);
+  EXPECT_LT(body->tree.high.x(), 1);
+}
+
+TEST(Body, NothingWithAnAreaIsRefused) {
+  PolygonSoup line;
+  line.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  line.polygons = {{0, 1, 2}};
+  EXPECT_EQ(refusal(line, Model::automatic), "a.off: no triangle has an area");
+  EXPECT_EQ(refusal(PolygonSoup(), Model::automatic), "a.off: no triangle has an area");
+}
+
+TEST(Body, SizesBeyondTheEngineAreRefused) {
+  EXPECT_EQ(refusal(test::box({1e31, 1, 1}), Model::automatic),
+            "a.off: a coordinate is beyond 1e30 m");
+  EXPECT_EQ(refusal(test::box({1e-31, 1e-31, 1e-31}), Model::automatic),
+            "a.off: the mesh is smaller than 1e-30 m");
+}
+
+TEST(Body, ReportsProgressFromZeroToOne) {
+  for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
+    std::vector<double> seen;
+    make_body(mesh, Model::automatic, "mesh", [&](double f) {
+      seen.push_back(f);
+      return true;
+    });
+    EXPECT_TRUE(std::ranges::is_sorted(seen));
+    EXPECT_EQ(seen.front(), 0);
+    EXPECT_EQ(seen.back(), 1);
+  }
+}
+
+/// Builds with a progress that says stop at this call, counted from 0: did that cancel it?
+bool is_cancelled_at(std::size_t call, const PolygonSoup& mesh) {
+  std::size_t calls = 0;
+  try {
+    make_body(mesh, Model::automatic, "mesh", [&](double) { return calls++ != call; });
+  } catch (const Cancelled&) {
+    EXPECT_EQ(calls, call + 1) << "asked again after it had cancelled";
+    return true;
+  }
+  EXPECT_LE(calls, call) << "was told to stop and went on";
+  return false;
+}
+
+// The larger one is built by two threads, and the number of its calls is not always the same.
+TEST(Body, CanBeCancelledAtAnyPoint) {
+  for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
+    std::size_t calls = 0;
+    while (is_cancelled_at(calls, mesh)) ++calls;
+    EXPECT_GE(calls, 10u);
+  }
+}
+
+TEST(Body, CancellingLeavesNothingAllocated) {
+  const PolygonSoup box = test::box({1, 1, 1});
+  const std::string name = "a name too long for a string to keep in itself";
+  for (std::size_t stop = 0, cancelled = 1; cancelled > 0; ++stop) {
+    cancelled = 0;
+    std::size_t calls = 0;
+    const Progress progress = [&](double) { return calls++ < stop; };
+    test::AllocationCounter counter;
+    try {
+      make_body(box, Model::automatic, name, progress);
+    } catch (const Cancelled&) {
+      ++cancelled;
+    }
+    counter.stop();
+    EXPECT_GT(counter.allocations(), 0u);
+    EXPECT_EQ(counter.allocations(), counter.frees()) << "cancelled at call " << stop;
+  }
+}
+
+/// How often the steps before the tree report, for a torus of this many triangles.
+std::size_t reports_before_the_tree(int triangles) {
+  std::size_t n = 0;
+  make_body(test::torus(1, 0.3, triangles / 200, 100), Model::automatic, "torus", [&](double f) {
+    n += f < 0.425;
+    return true;
+  });
+  return n;
+}
+
+// So that whoever cancels need not wait: every loop over triangles or vertices reports before each
+// 65,536 of them. Seven go over the triangles (6 reports where there was 1), three over the
+// vertices (3 where there was 1).
+TEST(Body, ReportsProgressWithinEachStep) {
+  EXPECT_GE(reports_before_the_tree(330'000), reports_before_the_tree(30'000) + 7 * 5 + 3 * 2);
+}
+
+// Reference: the mass properties by themselves, which take one thread.
+TEST(Body, MassHasTheSameBitsWhereTwoThreadsBuild) {
+  const PolygonSoup mesh = test::torus(1, 0.3, 200, 100);
+  const auto body = make_body(mesh, Model::automatic, "torus");
+  const MassProperties alone = mass_by_volume(compacted(triangulate_all(mesh)));
+  EXPECT_EQ(body->mass.measure, alone.measure);
+  EXPECT_EQ(body->mass.com, alone.com);
+  EXPECT_EQ(body->mass.R_MP, alone.R_MP);
+  EXPECT_EQ(body->mass.inertia, alone.inertia);
+  EXPECT_EQ(body->mass.radius, alone.radius);
+}
+
+// A sanitizer's allocator keeps no such figures.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+std::size_t allocated_now() {
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+// Reference: what the allocator of the C library says that it has handed out.
+TEST(Body, BytesAreWhatIsAllocated) {
+  std::mt19937_64 random(1);
+  for (const PolygonSoup& mesh :
+       {test::torus(1, 0.3, 500, 200), test::random_soup(random, 20000, 1)}) {
+    const std::size_t before = allocated_now();
+    const auto body = make_body(mesh, Model::automatic, "mesh");
+    const auto allocated = static_cast<double>(allocated_now() - before);
+    EXPECT_NEAR(static_cast<double>(bytes(*body)), allocated, 0.01 * allocated);
+  }
+}
+#endif
+
+// 120 bytes a triangle is what is asked for; without the tree a closed mesh takes 24.
+TEST(Body, AClosedMeshTakesLittleMemory) {
+  const auto body = make_body(test::torus(1, 0.3, 500, 200), Model::automatic, "torus");
+  const std::size_t triangles = body->soup.triangles.size();
+  ASSERT_EQ(triangles, 200'000u);
+  EXPECT_LE(bytes(*body), 120 * triangles);
+  EXPECT_LE(sizeof(Vec3) * body->soup.vertices.capacity() +
+                sizeof(Triangle) * body->soup.triangles.capacity() +
+                sizeof(std::uint32_t) * body->component_triangle.capacity(),
+            24 * triangles + 64);
+}
+
+TEST(Body, LoadsAndScales) {
+  const test::TempFolder folder;
+  const auto file = folder.write("box.off", test::as_off(test::box({1, 2, 3})));
+  std::vector<double> seen;
+  const auto body = load_body(file.string(), Model::automatic, 0.001, [&](double f) {
+    seen.push_back(f);
+    return true;
+  });
+  EXPECT_NEAR(body->mass.measure, 6e-9, 1e-22);
+  EXPECT_EQ(body->name, file.string());
+  EXPECT_TRUE(std::ranges::is_sorted(seen));
+  EXPECT_EQ(seen.back(), 1);
+}
+
+}  // namespace
+}  // namespace sonde

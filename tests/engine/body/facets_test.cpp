@@ -1,0 +1,564 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/body/facets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "engine/body/body.hpp"
+#include "engine/proximity/inside.hpp"
+#include "engine/proximity/placement.hpp"
+#include "tests/support/conforming.hpp"
+
+namespace sonde {
+namespace {
+
+using test::Cutting;
+
+Soup sewn(const PolygonSoup& polygons) { return compacted(triangulate(polygons).soup); }
+
+Facets merged(const Soup& soup, bool solid = true) {
+  return merge_flat(soup, rounding_flatness(soup), solid);
+}
+
+double area(const Soup& soup) { return mass_by_area(soup).measure; }
+double volume(const Soup& soup) { return mass_by_volume(soup).measure; }
+
+double size_of(const Soup& soup) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& x : soup.vertices) box.extend(x);
+  return box.sizes().maxCoeff();
+}
+
+/// Distance to the nearest triangle, by closest_points on all of them.
+double distance(const Soup& soup, const Vec3& x) {
+  double least = 1e300;
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i)
+    least = std::min(least, closest_points({x, x, x}, corners(soup, i), least).distance);
+  return least;
+}
+
+/// How far a soup leaves another: at its corners, and at points of it.
+double strays(const Soup& soup, const Soup& from, std::mt19937_64& random) {
+  double most = 0;
+  const std::size_t step = soup.triangles.size() / 60 + 1;
+  for (std::uint32_t i = 0; i < soup.triangles.size(); i += static_cast<std::uint32_t>(step)) {
+    const Corners t = corners(soup, i);
+    for (const Vec3& x : t) most = std::max(most, distance(from, x));
+    for (int k = 0; k < (step > 1 ? 2 : 8); ++k) {
+      double u = test::uniform(random, 0, 1), v = test::uniform(random, 0, 1);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      most = std::max(most, distance(from, t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0])));
+    }
+  }
+  return most;
+}
+
+/// Reference: the soup itself. The same points both ways, the same area, and for what is closed the
+/// same volume; `from` names a triangle that hangs together with each; vertices are the soup's.
+void check_same_surface(const Soup& soup, const Facets& facets, const std::string& what) {
+  std::mt19937_64 random(5);
+  const double rounding = 2 * rounding_flatness(soup) + 1e-15 * size_of(soup);
+  EXPECT_LE(strays(soup, facets.soup, random), rounding) << what;
+  EXPECT_LE(strays(facets.soup, soup, random), rounding) << what;
+  EXPECT_EQ(facets.soup.vertices, soup.vertices) << what;
+  ASSERT_EQ(facets.from.size(), facets.soup.triangles.size()) << what;
+  const Components components = find_components(soup);
+  std::vector<std::uint32_t> of_vertex(soup.vertices.size());
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i)
+    for (const std::uint32_t v : soup.triangles[i]) of_vertex[v] = components.of[i];
+  for (std::size_t i = 0; i < facets.from.size(); ++i)
+    for (const std::uint32_t v : facets.soup.triangles[i])
+      EXPECT_EQ(of_vertex[v], components.of[facets.from[i]]) << what;
+  if (facets.duplicates > 0) return;
+  const double whole = area(soup);
+  EXPECT_NEAR(area(facets.soup), whole, 1e-9 * whole) << what;
+  EXPECT_NEAR(volume(facets.soup), volume(soup), 1e-9 * whole * size_of(soup)) << what;
+}
+
+const char* name(Cutting::Kind kind) {
+  switch (kind) {
+    case Cutting::Kind::regular:
+      return "regular";
+    case Cutting::Kind::random:
+      return "random";
+    default:
+      return "slivers";
+  }
+}
+constexpr Cutting::Kind kinds[] = {Cutting::Kind::regular, Cutting::Kind::random,
+                                   Cutting::Kind::slivers};
+
+Quat some_turn() { return Quat(0.8, 0.3, -0.4, 0.35).normalized(); }
+
+PolygonSoup moved(PolygonSoup soup, const Vec3& by) {
+  for (Vec3& x : soup.points) x += by;
+  return soup;
+}
+PolygonSoup joined(PolygonSoup a, const PolygonSoup& b) {
+  const std::size_t at = a.points.size();
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (auto polygon : b.polygons) {
+    for (std::size_t& i : polygon) i += at;
+    a.polygons.push_back(polygon);
+  }
+  return a;
+}
+PolygonSoup turned_inside_out(PolygonSoup soup) {
+  for (auto& polygon : soup.polygons) std::reverse(polygon.begin(), polygon.end());
+  return soup;
+}
+
+/// Triangles however their corners are numbered, as often as they are there.
+std::multiset<Triangle> triangle_set(const Soup& soup) {
+  std::multiset<Triangle> out;
+  for (Triangle t : soup.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    out.insert(t);
+  }
+  return out;
+}
+
+// Closed form: a block has six faces of two triangles.
+TEST(Facets, ABlockIsTwelveTrianglesHoweverItIsCut) {
+  const Vec3 size(0.1, 0.2, 0.3);
+  for (const Cutting::Kind kind : kinds)
+    for (const int n : {2, 5, 8, 20})
+      for (const bool askew : {false, true}) {
+        const PolygonSoup block = test::cut_block(size, {n, kind});
+        const Soup soup = sewn(askew ? test::turned(block, some_turn()) : block);
+        ASSERT_EQ(soup.triangles.size(), 12u * static_cast<std::size_t>(n * n));
+        const Facets facets = merged(soup);
+        const std::string what = std::string(name(kind)) + std::to_string(n) + (askew ? "a" : "");
+        EXPECT_EQ(facets.soup.triangles.size(), 12u) << what;
+        EXPECT_EQ(facets.merged, soup.triangles.size()) << what;
+        EXPECT_EQ(facets.duplicates, 0u) << what;
+        EXPECT_NEAR(area(facets.soup), 2 * (0.02 + 0.06 + 0.03), 1e-13) << what;
+        EXPECT_NEAR(volume(facets.soup), 0.006, 1e-15) << what;
+        check_same_surface(soup, facets, what);
+      }
+}
+
+TEST(Facets, WhatCannotBeFewerStaysAsItIs) {
+  const Soup soup = sewn(test::cut_block({1, 2, 3}, {}));
+  const Facets facets = merged(soup);
+  EXPECT_EQ(facets.merged, 0u);
+  EXPECT_EQ(triangle_set(facets.soup), triangle_set(soup));
+}
+
+// Closed forms: a flat face of n corners with h holes takes n + 2h - 2 triangles; a wall of a
+// prism, two.
+TEST(Facets, HolesAndConcaveFacesKeepTheirShape) {
+  constexpr int sides = 16;
+  for (const Cutting::Kind kind : kinds)
+    for (const bool askew : {false, true}) {
+      const auto check = [&](const PolygonSoup& polygons, std::size_t expected,
+                             const std::string& shape) {
+        const Soup soup = sewn(askew ? test::turned(polygons, some_turn()) : polygons);
+        const Facets facets = merged(soup);
+        const std::string what = shape + ", " + name(kind) + (askew ? ", askew" : "");
+        EXPECT_EQ(facets.soup.triangles.size(), expected) << what;
+        check_same_surface(soup, facets, what);
+        EXPECT_TRUE(analyse_topology(facets.soup).closed) << what;
+      };
+      const Cutting cutting{9, kind};
+      check(test::cut_bored_block(0.05, 0.03, 0.02, sides, cutting),
+            2 * (4 + sides) + 4 * 2 + 2 * sides, "bored block");
+      check(test::cut_rod(0.01, 0.05, sides, cutting), 2 * sides + 2 * (sides - 2), "rod");
+      check(test::cut_notched_block(cutting), 8 * 2 + 2 * (8 - 2), "notched block");
+      check(test::cut_wedge(cutting), 12, "wedge");
+    }
+}
+
+TEST(Facets, APegAndItsSocketAreTheSameHoweverTheyAreCut) {
+  for (const Cutting::Kind kind : kinds)
+    for (const auto& [shape, whole] :
+         {std::pair{test::cut_peg({6, kind}), test::cut_peg({1, kind})},
+          std::pair{test::cut_socket(1e-4, {6, kind}), test::cut_socket(1e-4, {1, kind})}}) {
+      const Soup soup = sewn(shape);
+      const Facets facets = merged(soup);
+      EXPECT_EQ(facets.soup.triangles.size(), merged(sewn(whole)).soup.triangles.size());
+      check_same_surface(soup, facets, name(kind));
+    }
+}
+
+// By hand: a square whose sides are cut, or one of them very often (minutes, were each vertex of a
+// side looked at from each).
+TEST(Facets, StraightSidesComeDownToTheirEnds) {
+  for (const std::uint32_t n : {2u, 3u, 4u, 5u, 7u, 8u, 9u, 100u, 100'000u}) {
+    Soup strip;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (const double y : {0.0, 1.0}) strip.vertices.emplace_back(double(i) / n, y, 0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      strip.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+      strip.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+    }
+    const Facets facets = merged(strip, false);
+    EXPECT_EQ(facets.soup.triangles.size(), 2u) << n;
+    EXPECT_NEAR(area(facets.soup), 1, 1e-12) << n;
+  }
+}
+
+/// Cells of a grid in the plane z = 0, where `is_there`.
+template <class IsThere>
+PolygonSoup cells(int n, const IsThere& is_there) {
+  PolygonSoup out;
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * (n + 1) + x); };
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x) out.points.emplace_back(x, y, 0);
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x)
+      if (is_there(x, y))
+        out.polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  return out;
+}
+
+// Closed form: the number of cells.
+TEST(Facets, FacesThatTouchAtAVertexKeepTheirShape) {
+  const auto check = [](int n, const auto& is_there, std::size_t most) {
+    const Soup soup = sewn(cells(n, is_there));
+    const Facets facets = merged(soup, false);
+    EXPECT_LE(facets.soup.triangles.size(), most);
+    EXPECT_NEAR(area(facets.soup), static_cast<double>(soup.triangles.size()) / 2, 1e-12);
+    check_same_surface(soup, facets, std::to_string(n));
+  };
+  // Two squares with a corner in common.
+  check(
+      6, [](int x, int y) { return (x < 3) == (y < 3); }, 4);
+  // A hole that touches the outline at a corner; two holes that touch each other.
+  check(
+      6, [](int x, int y) { return !(x < 2 && y < 2) && !(x / 2 == 1 && y / 2 == 1); }, 10);
+  check(
+      8, [](int x, int y) { return (x / 2 != 1 || y / 2 != 1) && (x / 2 != 2 || y / 2 != 2); }, 18);
+  // A chequerboard: nothing to gain, nothing lost.
+  check(
+      8, [](int x, int y) { return (x + y) % 2 == 0; }, 64);
+}
+
+TEST(Facets, RandomHolesKeepTheirShape) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 60; ++i) {
+    const double share = test::uniform(random, 0.2, 0.95);
+    const PolygonSoup flat =
+        cells(9, [&](int, int) { return test::uniform(random, 0, 1) < share; });
+    const Soup soup = sewn(i % 2 ? flat : test::turned(flat, some_turn()));
+    const Facets facets = merged(soup, false);
+    EXPECT_LE(facets.soup.triangles.size(), soup.triangles.size());
+    check_same_surface(soup, facets, std::to_string(i));
+  }
+}
+
+/// A ribbon about the z axis in the plane z = 0: what goes further round than once lies over
+/// itself.
+PolygonSoup spiral(double turns) {
+  PolygonSoup out;
+  constexpr std::size_t across = 5;
+  const auto n = static_cast<std::size_t>(turns * 24);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double a = 2 * std::numbers::pi * static_cast<double>(i) / 24;
+    for (std::size_t k = 0; k < across; ++k)
+      out.points.push_back((1 + 0.25 * static_cast<double>(k) + 0.01 * a) *
+                           Vec3(std::cos(a), std::sin(a), 0));
+  }
+  for (std::size_t at = 0; at < n * across; ++at)
+    if (at % across + 1 < across)
+      out.polygons.push_back({at, at + 1, at + 1 + across, at + across});
+  return out;
+}
+
+TEST(Facets, WhatFoldsOverItselfStaysAsItIs) {
+  for (const double turns : {1.25, 1.5, 2.25}) {
+    const Soup soup = sewn(spiral(turns));
+    const Facets facets = merged(soup, false);
+    EXPECT_EQ(facets.merged, 0u) << turns;
+    EXPECT_EQ(triangle_set(facets.soup), triangle_set(soup)) << turns;
+  }
+  // Less than once round it does not.
+  EXPECT_GT(merged(sewn(spiral(0.75)), false).merged, 0u);
+}
+
+/// A large square and a small one over its middle, both cut from p to q and sewn to each other
+/// there crosswise: one sheet, that lies twice on the small square. Its outline is two squares.
+PolygonSoup two_leaves(double small) {
+  PolygonSoup out;
+  const auto vertex = [&](double x, double y) {
+    out.points.emplace_back(x, y, 0);
+    return out.points.size() - 1;
+  };
+  const double slit = small / 2;
+  const std::size_t p = vertex(-slit, 0), q = vertex(slit, 0);
+  // Banks of the slit: the upper one of a leaf is the lower one of the other.
+  const std::size_t bank[2] = {vertex(0, 0.1 * small), vertex(0, -0.1 * small)};
+  for (int leaf = 0; leaf < 2; ++leaf) {
+    const double h = leaf ? small : 1;
+    const std::size_t e = vertex(h, 0), n = vertex(0, h), w = vertex(-h, 0), s = vertex(0, -h);
+    const std::size_t ne = vertex(h, h), nw = vertex(-h, h), sw = vertex(-h, -h),
+                      se = vertex(h, -h);
+    const std::size_t up = bank[leaf], down = bank[1 - leaf];
+    for (const auto& t : {std::array{q, e, ne},
+                          {q, ne, n},
+                          {q, n, up},
+                          {up, n, p},
+                          {p, n, nw},
+                          {p, nw, w},
+                          {p, w, sw},
+                          {p, sw, s},
+                          {p, s, down},
+                          {down, s, q},
+                          {q, s, se},
+                          {q, se, e}})
+      out.polygons.push_back({t[0], t[1], t[2]});
+  }
+  return out;
+}
+
+// The outline of such a sheet does not cross itself, and tells of a hole where the sheet lies
+// twice. However small that is beside the whole, there must be none.
+TEST(Facets, WhatLiesTwiceOnItselfGetsNoHole) {
+  for (const double small : {0.5, 1e-2, 1e-4, 1e-5}) {
+    const Soup soup = sewn(two_leaves(small));
+    const Facets facets = merged(soup, false);
+    const Vec3 inside(0.3 * small, 0.4 * small, 0);
+    EXPECT_LE(distance(facets.soup, inside), rounding_flatness(soup)) << small;
+  }
+}
+
+TEST(Facets, AFaceIsNotJoinedWithItsOwnBackSide) {
+  // A square sheet with another one, turned over, that hangs on one of its sides.
+  PolygonSoup sheet = cells(4, [](int, int) { return true; });
+  PolygonSoup back = turned_inside_out(sheet);
+  for (Vec3& x : back.points)
+    if (x.y() > 0) x.x() += 1e-3 * x.y();  // one side in common
+  const Soup soup = sewn(joined(sheet, back));
+  const Facets facets = merged(soup, false);
+  EXPECT_EQ(facets.soup.triangles.size(), 4u);
+  check_same_surface(soup, facets, "sheet");
+}
+
+// What a file of single precision makes of oblique faces is no longer flat: nothing is made of it,
+// but where some neighbours happen to be.
+TEST(Facets, ObliqueFacesOfSinglePrecisionAreLeftAlone) {
+  for (const Cutting::Kind kind : {Cutting::Kind::regular, Cutting::Kind::random}) {
+    PolygonSoup block = test::turned(test::cut_block({0.1, 0.2, 0.3}, {8, kind}), some_turn());
+    for (Vec3& x : block.points) x = x.cast<float>().cast<double>();
+    const Soup soup = sewn(block);
+    const Facets facets = merged(soup);
+    EXPECT_LE(facets.merged, soup.triangles.size() / 20);
+    check_same_surface(soup, facets, name(kind));
+  }
+}
+
+TEST(Facets, CurvedMeshesStayAsTheyAre) {
+  for (const PolygonSoup& polygons :
+       {test::sphere(0.3, 40, 60), test::torus(0.1, 0.03, 60, 40),
+        test::torus_knot(2, 3, 0.06, 0.025, 0.012, 200, 12), test::sphere(1e-6, 200, 300)}) {
+    const Soup soup = sewn(polygons);
+    const Facets facets = merged(soup);
+    EXPECT_EQ(facets.merged, 0u);
+    EXPECT_EQ(triangle_set(facets.soup), triangle_set(soup));
+    EXPECT_TRUE(test::body(polygons)->facets.triangles.empty());
+  }
+}
+
+// Rounding of far coordinates may cost the joining, never the shape.
+TEST(Facets, FarFromTheOrigin) {
+  const PolygonSoup block = test::cut_block({0.1, 0.2, 0.3}, {6, Cutting::Kind::random});
+  for (const double far : {1.0, 1e3, 1e6, 1e9})
+    for (const bool askew : {false, true}) {
+      const PolygonSoup there =
+          moved(askew ? test::turned(block, some_turn()) : block, {far, -0.7 * far, 0.3 * far});
+      const Soup soup = sewn(there);
+      const Facets facets = merged(soup);
+      const std::string what = std::to_string(far) + (askew ? " askew" : "");
+      if (far <= 1e3) {
+        EXPECT_EQ(facets.soup.triangles.size(), 12u) << what;
+      }
+      EXPECT_LE(rounding_flatness(soup), 1e-11 * size_of(soup)) << what;
+      std::mt19937_64 random(6);
+      const double rounding = 2e-11 * size_of(soup) + 1e-15 * far;
+      EXPECT_LE(strays(soup, facets.soup, random), rounding) << what;
+      EXPECT_LE(strays(facets.soup, soup, random), rounding) << what;
+    }
+}
+
+TEST(Facets, NothingDependsOnTheUnit) {
+  for (const double scale : {1e-9, 1e-3, 1e6}) {
+    PolygonSoup block =
+        test::turned(test::cut_block({0.1, 0.2, 0.3}, {6, Cutting::Kind::random}), some_turn());
+    for (Vec3& x : block.points) x *= scale;
+    EXPECT_EQ(merged(sewn(block)).soup.triangles.size(), 12u) << scale;
+  }
+}
+
+// Reference: the winding numbers of one copy.
+TEST(Facets, ManyCopiesOfASolidAreOne) {
+  const PolygonSoup block = test::cut_block({1, 1, 1}, {4});
+  for (const int times : {2, 3, 300}) {
+    const auto body = make_body(test::repeated(block, times), Model::automatic, "copies");
+    EXPECT_TRUE(body->solid);
+    EXPECT_EQ(body->duplicates, 192u * static_cast<std::size_t>(times - 1));
+    EXPECT_EQ(surface(*body).triangles.size(), 12u);
+    EXPECT_EQ(winding_number(*body, {0.1, 0.2, 0.3}), 1);
+    EXPECT_EQ(winding_number(*body, {1, 2, 3}), 0);
+    EXPECT_NEAR(body->mass.com.norm(), 0, 1e-12);
+    EXPECT_NEAR(body->mass.inertia.x(), 1.0 / 6, 1e-12);
+  }
+}
+
+// By hand: two, three or four copies of a part, and what is left in proportion.
+TEST(Facets, CopiesOfASolidsPartsStayInProportion) {
+  const PolygonSoup block = test::box({1, 1, 1}), other = moved(block, {3, 0, 0});
+  const auto windings = [&](int times, int times_other) {
+    const auto body =
+        make_body(joined(test::repeated(block, times), test::repeated(other, times_other)),
+                  Model::automatic, "parts");
+    EXPECT_TRUE(body->solid);
+    return std::pair(winding_number(*body, {0.1, 0.2, 0.3}),
+                     winding_number(*body, {3.1, 0.2, 0.3}));
+  };
+  EXPECT_EQ(windings(2, 4), std::pair(1, 2));
+  EXPECT_EQ(windings(2, 3), std::pair(2, 3));
+  EXPECT_EQ(windings(1, 3), std::pair(1, 3));
+}
+
+TEST(Facets, ASurfaceKeepsOneOfEachOrientation) {
+  const PolygonSoup block = test::box({1, 1, 1});
+  const Soup same = sewn(test::repeated(block, 5));
+  EXPECT_EQ(merged(same, false).soup.triangles.size(), 12u);
+  EXPECT_EQ(merged(same, false).duplicates, 48u);
+  const Soup both =
+      sewn(joined(test::repeated(block, 5), test::repeated(turned_inside_out(block), 3)));
+  const Facets facets = merged(both, false);
+  EXPECT_EQ(facets.duplicates, 72u);
+  const auto left = triangle_set(facets.soup);
+  EXPECT_EQ(left.size(), 24u);
+  EXPECT_EQ(std::set<Triangle>(left.begin(), left.end()).size(), 24u);
+  // The mass of a surface is that of what is there once.
+  const auto body =
+      make_body(test::repeated(test::cut_block({1, 1, 1}, {3}), 4), Model::surface, "copies");
+  EXPECT_NEAR(body->mass.measure, 6, 1e-12);
+}
+
+// By hand: a wall in a solid that has two sides is no boundary of it, and still there to be
+// touched.
+TEST(Facets, AWallOfTwoSidesWithinASolidStays) {
+  PolygonSoup wall;
+  wall.points = {{0, -0.3, -0.3}, {0, 0.3, -0.3}, {0, 0.3, 0.3}, {0, -0.3, 0.3}};
+  wall.polygons = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  const auto body = make_body(joined(test::cut_block({1, 1, 1}, {3}), test::repeated(wall, 3)),
+                              Model::automatic, "walled");
+  ASSERT_TRUE(body->solid);
+  EXPECT_EQ(body->duplicates, 8u);
+  EXPECT_EQ(surface(*body).triangles.size(), 12u + 4u);
+  EXPECT_EQ(winding_number(*body, {0.1, 0.05, 0.02}), 1);
+  EXPECT_EQ(winding_number(*body, {-0.1, 0.05, 0.02}), 1);
+}
+
+// Reference: where the triangles are; the parts lie apart.
+TEST(Facets, EachComponentHasItsFirstTriangle) {
+  PolygonSoup all;
+  for (int i = 0; i < 7; ++i) {
+    const Cutting cutting{1 + i, kinds[i % 3]};
+    const PolygonSoup part = i % 2 ? test::cut_rod(0.2, 0.8, 12, cutting)
+                                   : test::cut_block(Vec3::Constant(0.5), cutting);
+    all = joined(all, moved(part, {2.0 * i, 0, 0}));
+  }
+  const auto body = test::body(all);
+  const Soup& soup = surface(*body);
+  const auto part_of = [&](std::size_t triangle) {
+    return std::lround(soup.vertices[soup.triangles[triangle][0]].x() / 2);
+  };
+  ASSERT_EQ(body->component_triangle.size(), 7u);
+  std::set<long> parts;
+  for (const std::uint32_t first : body->component_triangle) {
+    ASSERT_LT(first, soup.triangles.size());
+    parts.insert(part_of(first));
+    for (std::size_t i = 0; i < first; ++i) EXPECT_NE(part_of(i), part_of(first));
+  }
+  EXPECT_EQ(parts.size(), 7u);
+}
+
+TEST(Facets, TheOrderOfTrianglesDoesNotMatter) {
+  std::mt19937_64 random(8);
+  for (const Cutting::Kind kind : kinds) {
+    const Soup soup =
+        sewn(test::turned(test::cut_bored_block(0.05, 0.03, 0.02, 16, {9, kind}), some_turn()));
+    const Facets first = merged(soup);
+    for (int i = 0; i < 5; ++i) {
+      Soup shuffled = soup;
+      std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), random);
+      for (Triangle& t : shuffled.triangles)
+        std::rotate(t.begin(), t.begin() + static_cast<long>(random() % 3), t.end());
+      const Facets other = merged(shuffled);
+      EXPECT_EQ(other.soup.triangles.size(), first.soup.triangles.size());
+      EXPECT_EQ(other.merged, first.merged);
+      const auto used = [](const Facets& facets) {
+        std::set<std::uint32_t> out;
+        for (const Triangle& t : facets.soup.triangles) out.insert(t.begin(), t.end());
+        return out;
+      };
+      EXPECT_EQ(used(other), used(first));
+      check_same_surface(shuffled, other, name(kind));
+    }
+  }
+}
+
+TEST(Facets, SameBitsTwice) {
+  for (const Cutting::Kind kind : kinds) {
+    const Soup soup = sewn(test::turned(test::cut_peg({6, kind}), some_turn()));
+    const Facets a = merged(soup), b = merged(soup);
+    EXPECT_EQ(a.soup.triangles, b.soup.triangles);
+    EXPECT_EQ(a.soup.vertices, b.soup.vertices);
+    EXPECT_EQ(a.from, b.from);
+  }
+}
+
+TEST(Facets, CanBeCancelledAtAnyTime) {
+  const Soup soup = sewn(test::cut_block({1, 1, 1}, {8}));
+  const auto merge = [&](const Progress& progress) {
+    return merge_flat(soup, rounding_flatness(soup), true, progress);
+  };
+  double last = 0;
+  int calls = 0;
+  merge([&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    ++calls;
+    return true;
+  });
+  EXPECT_EQ(last, 1);
+  EXPECT_GE(calls, 5);
+  for (int stop = 1; stop <= calls; ++stop) {
+    int left = stop;
+    EXPECT_THROW(merge([&](double) { return --left > 0; }), Cancelled) << stop;
+  }
+}
+
+TEST(Facets, OfNothingIsNothing) {
+  EXPECT_EQ(rounding_flatness({}), 0);
+  const Facets none = merge_flat({}, 0, false);
+  EXPECT_TRUE(none.soup.triangles.empty());
+  EXPECT_EQ(none.merged + none.duplicates, 0u);
+}
+
+// Reference: as for the small meshes, on some 100 000 triangles.
+TEST(Facets, Full_LargeFacesComeDownToAFewTriangles) {
+  for (const Cutting::Kind kind : kinds) {
+    const Soup block =
+        sewn(test::turned(test::cut_block({0.1, 0.2, 0.3}, {90, kind}), some_turn()));
+    const Facets facets = merged(block);
+    EXPECT_EQ(facets.soup.triangles.size(), 12u) << name(kind);
+    check_same_surface(block, facets, name(kind));
+    const Soup bored = sewn(test::cut_bored_block(0.05, 0.03, 0.02, 64, {40, kind}));
+    const Facets of_bored = merged(bored);
+    EXPECT_EQ(of_bored.soup.triangles.size(), 2u * (4 + 64) + 8 + 2 * 64) << name(kind);
+    check_same_surface(bored, of_bored, name(kind));
+  }
+}
+
+}  // namespace
+}  // namespace sonde
