@@ -5,8 +5,8 @@
 #include "engine/penetration/contact_clusters.hpp"
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/result.hpp"
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "engine/penetration/overlay.hpp"
-#include "engine/proximity/placement.hpp"
-#include "engine/proximity/triangle_batch.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/triangle_batch.hpp"
 
 namespace sonde {
 namespace {

@@ -8,9 +8,9 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/list_reach.hpp"
-#include "engine/proximity/pair_list.hpp"
+#include "engine/proximity/sweep/list_reach.hpp"
 #include "engine/proximity/sweep/motion.hpp"
+#include "engine/proximity/sweep/pair_list.hpp"
 
 namespace sonde {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde {
 

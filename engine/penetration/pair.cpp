@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/proximity/sketch.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
 namespace {

@@ -9,8 +9,8 @@ struct Body;
 struct Sketches;
 
 /// The two bodies of a search, a probe A that moves and a fixed body B, with what searches know of
-/// them both: their sketches (proximity/sketch.hpp). Immutable; copies share it, and any number of
-/// threads may use it at once.
+/// them both: their sketches (proximity/sketch/sketch.hpp). Immutable; copies share it, and any
+/// number of threads may use it at once.
 class Pair {
  public:
   /// Makes the sketches, on two threads: 10 to 50 ms on meshes of up to 30 k triangles, 0.2 s on

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/placement.hpp"
-#include "engine/proximity/triangle_batch.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/triangle_batch.hpp"
 
 namespace sonde {
 namespace {

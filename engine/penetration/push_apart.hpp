@@ -9,7 +9,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/trespass.hpp"
+#include "engine/proximity/queries/trespass.hpp"
 
 namespace sonde {
 

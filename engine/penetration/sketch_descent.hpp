@@ -7,7 +7,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/least_distance.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/sketch.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
 

@@ -15,8 +15,8 @@
 #include "engine/penetration/result.hpp"
 #include "engine/penetration/sketch_search.hpp"
 #include "engine/penetration/without_search.hpp"
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/sketch.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
 namespace {

@@ -2,8 +2,8 @@
 #include "engine/penetration/without_search.hpp"
 
 #include "engine/penetration/result.hpp"
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "engine/proximity/inside.hpp"
-#include "engine/proximity/placement.hpp"
-#include "engine/proximity/point_distance.hpp"
+#include "engine/proximity/queries/inside.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/point_distance.hpp"
 
 namespace sonde {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/random.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde {
 namespace {

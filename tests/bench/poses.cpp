@@ -8,8 +8,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -7,10 +7,10 @@
 #include <limits>
 #include <span>
 
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/near_pairs.hpp"
-#include "engine/proximity/thinned_pairs.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/near_pairs.hpp"
+#include "engine/proximity/queries/thinned_pairs.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/result.hpp"
 #include "tests/bench/sweeps.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/sweep.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/sweep/sweep.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/result.hpp"
 

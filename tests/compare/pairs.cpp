@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "engine/scene/device_profile.hpp"
 #include "engine/text/number_text.hpp"
 #include "resources/generate/path.hpp"

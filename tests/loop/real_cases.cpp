@@ -9,8 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/loop/device_path.hpp"
 #include "tests/reference/meshes.hpp"
 #include "tests/support/shapes.hpp"

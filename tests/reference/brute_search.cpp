@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "engine/penetration/descent.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::reference {

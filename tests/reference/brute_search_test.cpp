@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::reference {

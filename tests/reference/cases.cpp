@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::reference {

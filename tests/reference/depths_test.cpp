@@ -10,7 +10,7 @@
 #include <random>
 
 #include "engine/penetration/lower_bound.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/reference/brute_search.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/depths_file.hpp"

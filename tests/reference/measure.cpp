@@ -5,7 +5,7 @@
 
 #include "engine/penetration/descent.hpp"
 #include "engine/penetration/lower_bound.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde::reference {
 

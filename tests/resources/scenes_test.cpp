@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/penetration/static_search.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 

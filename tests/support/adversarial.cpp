@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/placement.hpp"
 
 namespace sonde::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde::test {
 

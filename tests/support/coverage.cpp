@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/placement.hpp"
 #include "tests/support/brute_force.hpp"
 
 namespace sonde::test {

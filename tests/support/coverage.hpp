@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/proximity/near_pairs.hpp"
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/queries/near_pairs.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde::test {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/placement.hpp"
 #include "tests/support/exact_reference.hpp"
 
 namespace sonde::test {

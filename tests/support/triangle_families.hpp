@@ -5,7 +5,7 @@
 #include <random>
 #include <span>
 
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde::test {
 

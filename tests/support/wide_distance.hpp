@@ -2,7 +2,7 @@
 // The distance of two triangles in quadruple precision, with a proof.
 #pragma once
 
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde::test {
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "engine/body/body.hpp"
-#include "engine/proximity/inside.hpp"
-#include "engine/proximity/placement.hpp"
+#include "engine/proximity/queries/inside.hpp"
+#include "engine/proximity/queries/placement.hpp"
 #include "tests/support/conforming.hpp"
 
 namespace sonde {

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "engine/proximity/near_pairs.hpp"
+#include "engine/proximity/queries/near_pairs.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

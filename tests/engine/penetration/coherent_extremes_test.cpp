@@ -9,7 +9,7 @@
 
 #include "engine/geometry/rotation.hpp"
 #include "engine/penetration/coherent.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/penetration/descent.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"

@@ -12,8 +12,8 @@
 
 #include "engine/penetration/coherent.hpp"
 #include "engine/penetration/witness.hpp"
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/depths_file.hpp"
 #include "tests/support/brute_force.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/geometry/random.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"
 

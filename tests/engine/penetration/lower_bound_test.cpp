@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/geometry/chart.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/half_space.hpp"
 #include "tests/support/pairs.hpp"

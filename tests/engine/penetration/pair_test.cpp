@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/proximity/sketch.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

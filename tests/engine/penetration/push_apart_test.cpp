@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "engine/proximity/intersect.hpp"
+#include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/conforming_scene.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -12,8 +12,8 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/separation.hpp"
-#include "engine/proximity/distance.hpp"
-#include "engine/proximity/point_distance.hpp"
+#include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/point_distance.hpp"
 #include "tests/support/brute_force.hpp"
 
 namespace sonde::test {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/proximity/intersect.hpp"
-#include "engine/proximity/sketch.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"
 #include "tests/support/real_meshes.hpp"

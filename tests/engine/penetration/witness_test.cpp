@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "engine/penetration/deep_points.hpp"
-#include "engine/proximity/placement.hpp"
-#include "engine/proximity/triangle_pair.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/boxes/box_lanes.hpp"
+
+#include "engine/proximity/boxes/box_lanes_math.hpp"
+
+namespace sonde {
+namespace {
+
+/// What there is between sixteen pairs of boxes.
+struct Outside {
+  Floats in_a[3], in_b[3];  ///< the gaps along the axes of either
+  Floats d_a[3], d_b[3];    ///< |projections| of the line of the centres
+  Floats dd;                ///< its square
+  Floats rounding;
+};
+
+SONDE_INLINE void compare(const PlacedBox& a, const Boxes& b, Outside& o) {
+  const Floats dx = a.center[0] - b.center.x, dy = a.center[1] - b.center.y,
+               dz = a.center[2] - b.center.z;
+  o.dd = dx * dx + dy * dy + dz * dz;
+  rounding({dx, dy, dz}, b, a.half[0] + a.half[1] + a.half[2], o.rounding);
+  for (int i = 0; i < 3; ++i) {
+    const Floats along = dx * a.axis[i][0] + dy * a.axis[i][1] + dz * a.axis[i][2];
+    magnitude(along, o.d_a[i]);
+    o.in_a[i] = o.d_a[i] - a.half[i];
+  }
+  for (int j = 0; j < 3; ++j) {
+    const Floats along = dx * b.axis[j].x + dy * b.axis[j].y + dz * b.axis[j].z;
+    magnitude(along, o.d_b[j]);
+    o.in_b[j] = o.d_b[j] - b.half[j];
+    for (int i = 0; i < 3; ++i) {
+      const Floats cosine =
+          b.axis[j].x * a.axis[i][0] + b.axis[j].y * a.axis[i][1] + b.axis[j].z * a.axis[i][2];
+      Floats c;
+      magnitude(cosine, c);
+      o.in_a[i] -= b.half[j] * c;
+      o.in_b[j] -= a.half[i] * c;
+    }
+  }
+}
+
+SONDE_INLINE void sum_of_outer_squares(const Floats (&gap)[3], Floats& out) {
+  const Floats zero{};
+  Floats p[3];
+  for (int i = 0; i < 3; ++i) larger(gap[i], zero, p[i]);
+  out = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+}
+
+SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, float scale,
+                               Lanes& out) {
+  Boxes b;
+  load(node, scale, box.origin, b);
+  Outside o;
+  compare(box, b, o);
+  Floats in_a, in_b, squared, faces;
+  sum_of_outer_squares(o.in_a, in_a);
+  sum_of_outer_squares(o.in_b, in_b);
+  larger(in_a, in_b, squared);
+  square_root(squared, faces);
+  // Along the line of the centres, of length |d|: |d| − Σ hᵢ |d·aᵢ| / |d| of both.
+  Floats reach = box.half[0] * o.d_a[0] + b.half[0] * o.d_b[0];
+  for (int i = 1; i < 3; ++i) reach += box.half[i] * o.d_a[i] + b.half[i] * o.d_b[i];
+  Floats length;
+  square_root(o.dd, length);
+  const Floats room = o.dd - reach;
+  const Floats none{};
+  const Floats centers = room > 0 ? room / (length + 1e-30f) : none;
+  Floats best;
+  larger(faces, centers, best);
+  Floats along = (box.center[0] - b.center.x) * box.direction[0] +
+                 (box.center[1] - b.center.y) * box.direction[1] +
+                 (box.center[2] - b.center.z) * box.direction[2];
+  for (int i = 0; i < 3; ++i) {
+    const Floats cosine = b.axis[i].x * box.direction[0] + b.axis[i].y * box.direction[1] +
+                          b.axis[i].z * box.direction[2];
+    Floats c;
+    magnitude(cosine, c);
+    along -= b.half[i] * c;
+    along -= box.half[i] *
+             __builtin_fabsf(box.axis[i][0] * box.direction[0] + box.axis[i][1] * box.direction[1] +
+                             box.axis[i][2] * box.direction[2]);
+  }
+  larger(best, along, best);
+  Floats depth = o.in_a[0];
+  for (int i = 1; i < 3; ++i) larger(depth, o.in_a[i], depth);
+  for (const Floats& gap : o.in_b) larger(depth, gap, depth);
+  best = best > o.rounding ? best - o.rounding : depth - o.rounding;
+  store(best, out.value);
+}
+
+SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out) {
+  Boxes b;
+  load(node, scale, box.origin, b);
+  Outside o;
+  compare(box, b, o);
+  Floats best = o.in_a[0];
+  for (int i = 1; i < 3; ++i) larger(best, o.in_a[i], best);
+  for (const Floats& gap : o.in_b) larger(best, gap, best);
+  store(best - o.rounding, out.value);
+}
+
+SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node& node, float scale,
+                                     Lanes& out) {
+  Boxes b;
+  load(node, scale, point.origin, b);
+  const Floats dx = point.rest[0] - b.center.x, dy = point.rest[1] - b.center.y,
+               dz = point.rest[2] - b.center.z;
+  Floats gap[3];
+  for (int i = 0; i < 3; ++i) {
+    const Floats along = dx * b.axis[i].x + dy * b.axis[i].y + dz * b.axis[i].z;
+    Floats size;
+    magnitude(along, size);
+    gap[i] = size - b.half[i];
+  }
+  Floats squared, best, off;
+  sum_of_outer_squares(gap, squared);
+  square_root(squared, best);
+  rounding({dx, dy, dz}, b, 0, off);
+  store(best - off, out.value);
+}
+
+/// Separating axes of a ray and a box: the box's normals, for the end of the ray, and the cross
+/// products of its normals with the ray.
+SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, float scale,
+                              Lanes& out) {
+  Boxes b;
+  load(node, scale, ray.from.origin, b);
+  const Floats dx = ray.from.rest[0] - b.center.x, dy = ray.from.rest[1] - b.center.y,
+               dz = ray.from.rest[2] - b.center.z;
+  Floats m[3], d[3], size[3];
+  for (int i = 0; i < 3; ++i) {
+    m[i] = dx * b.axis[i].x + dy * b.axis[i].y + dz * b.axis[i].z;
+    d[i] = ray.direction[0] * b.axis[i].x + ray.direction[1] * b.axis[i].y +
+           ray.direction[2] * b.axis[i].z;
+    magnitude(d[i], size[i]);
+  }
+  Floats best = b.half[0] * -1;
+  for (int i = 0; i < 3; ++i) {
+    Floats off;
+    magnitude(m[i], off);
+    const Floats behind = m[i] * d[i] > 0 ? off - b.half[i] : best;
+    larger(best, behind, best);
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Floats moment = m[j] * d[k] - m[k] * d[j];
+    Floats beside;
+    magnitude(moment, beside);
+    beside -= b.half[j] * size[k] + b.half[k] * size[j];
+    larger(best, beside, best);
+  }
+  Floats lost;
+  rounding({dx, dy, dz}, b, 0, lost);
+  store(best - lost, out.value);
+}
+
+// An attribute and a name cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define SONDE_BOX_KERNELS(NAME, ATTRIBUTE)                                                     \
+  namespace NAME {                                                                             \
+  ATTRIBUTE void distances(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) { \
+    distances_of(a, b, scale, out);                                                            \
+  }                                                                                            \
+  ATTRIBUTE void gaps(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) {      \
+    gaps_of(a, b, scale, out);                                                                 \
+  }                                                                                            \
+  ATTRIBUTE void points(const PlacedPoint& a, const Tree::Node& b, float scale, Lanes& out) {  \
+    point_distances_of(a, b, scale, out);                                                      \
+  }                                                                                            \
+  ATTRIBUTE void rays(const PlacedRay& a, const Tree::Node& b, float scale, Lanes& out) {      \
+    ray_gaps_of(a, b, scale, out);                                                             \
+  }                                                                                            \
+  constexpr BoxKernels kernels{distances, gaps, points, rays};                                 \
+  }
+
+// NOLINTEND(bugprone-macro-parentheses)
+SONDE_BOX_KERNELS(plain, )
+#if defined(__x86_64__)
+SONDE_BOX_KERNELS(avx2, __attribute__((target("avx2"))))
+SONDE_BOX_KERNELS(avx512, __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw"))))
+constexpr BoxKernels all[] = {plain::kernels, avx2::kernels, avx512::kernels};
+#else
+constexpr BoxKernels all[] = {plain::kernels};
+#endif
+
+}  // namespace
+
+std::span<const BoxKernels> all_box_kernels() {
+#if defined(__x86_64__)
+  return {all, supported_instruction_sets()};
+#else
+  return all;
+#endif
+}
+
+const BoxKernels& box_kernels() { return all_box_kernels().back(); }
+
+}  // namespace sonde

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/queries/intersect.hpp"
+
+#include "engine/proximity/queries/inside.hpp"
+#include "engine/proximity/queries/placement.hpp"
+
+namespace sonde {
+
+bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
+  const Placement at(a, b, X_BA);
+  PairStack<SlotPair> stack;
+  SlotPairs found;
+  constexpr int straight_down = 24;
+  int opened = 0;
+  stack.push(at.roots());
+  while (!stack.empty()) {
+    const SlotPair p = stack.pop();
+    if (at.is_leaf(p)) {
+      const Corners ta = at.corners_a(at.triangle_a(p)), tb = at.corners_b(at.triangle_b(p));
+      const Meeting m = classify(ta, tb);
+      if (m == Meeting::apart) continue;
+      if (m == Meeting::meeting || doubt == Doubt::contact || meet_exactly(ta, tb)) return true;
+      continue;
+    }
+    // Bodies that overlap show it soon, straight down; what takes longer is close but apart.
+    const Opening opening = ++opened <= straight_down ? Opening::larger : Opening::both;
+    at.open_overlapping(p, opening, found);
+    // The deeper overlap is looked at first: a first hit is likeliest there.
+    std::sort(found.begin(), found.end(),
+              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    for (const SlotPair& child : found) stack.push(child);
+  }
+  return false;
+}
+
+bool overlap(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
+  return triangles_meet(a, b, X_BA, doubt) || component_inside(a, b, X_BA);
+}
+
+}  // namespace sonde

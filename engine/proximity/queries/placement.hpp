@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "engine/body/body.hpp"
+#include "engine/proximity/boxes/box_lanes.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
+
+namespace sonde {
+
+/// Largest absolute coordinate of a body in its mesh frame, m.
+double extent(const Body& body);
+
+inline Corners corners(const Soup& soup, std::uint32_t triangle) {
+  const Triangle& t = soup.triangles[triangle];
+  return {soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]};
+}
+
+inline Corners place(const Transform& X, const Corners& c) {
+  return {X * c[0], X * c[1], X * c[2]};
+}
+
+/// The rounding error allowed for in coordinates of A placed at X in B's frame, m: well above what
+/// a rotation, a translation and a projection of such numbers can lose.
+inline double rounding_guard(double extent_a, double extent_b, const Vec3& translation) {
+  return 64 * std::numeric_limits<double>::epsilon() *
+         (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
+}
+
+/// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, from the origin `to`,
+/// all in the unit of which there are per_unit to a metre.
+struct FrameChange {
+  /// Three numbers and an idle fourth.
+  typedef float Column __attribute__((vector_size(16)));
+  Column R[3];
+  Column from, p, to;
+};
+/// A's boxes to B's frame and back, for A's mesh frame placed at X in B's. Both are relative to the
+/// middle of the smaller body: beside a large one nothing is rounded for the large one's sake.
+struct Frames {
+  FrameChange a_to_b, b_to_a;
+  Vec3 middle_a = Vec3::Zero();  ///< m, from the tree's origin, in its frame
+  Vec3 middle_b = Vec3::Zero();
+};
+Frames frames(const Tree& a, const Tree& b, const Transform& X, double per_unit);
+/// What placing a box can lose to rounding, m: box_rounding × the size of the smaller body.
+double placing_guard(const Tree& a, const Tree& b);
+
+PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale);
+
+/// A pair of boxes still to be looked at.
+struct SlotPair {
+  std::uint32_t a, b;    ///< slots of the two trees
+  float bound;           ///< what is known of the pair, in the placement's unit
+  float size_a, size_b;  ///< half the sum of the sides of either box, m
+};
+inline SlotPair roots(const Tree& a, const Tree& b) {
+  return {0, 0, 0, a.half_sum(0), b.half_sum(0)};
+}
+/// The pair with its box of A (or of B) exchanged for one of the lanes of a node below it.
+inline SlotPair down_a(const SlotPair& p, const Tree& a, std::uint32_t node, std::uint32_t lane,
+                       float bound) {
+  return {node * Tree::width + lane, p.b, bound, a.nodes[node].half_sum(lane), p.size_b};
+}
+inline SlotPair down_b(const SlotPair& p, const Tree& b, std::uint32_t node, std::uint32_t lane,
+                       float bound) {
+  return {p.a, node * Tree::width + lane, bound, p.size_a, b.nodes[node].half_sum(lane)};
+}
+
+/// Work to open a pair of boxes out of which so many come, in the units of Effort.
+constexpr int work_to_open(int found) { return 12 + 4 * found; }
+
+/// Both slots hold triangles.
+inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
+  return (a.child(p.a) & b.child(p.b) & Tree::triangle_bit) != 0;
+}
+/// Which of the two to open, where they are not both triangles: the larger box.
+inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
+  if (b.child(p.b) & Tree::triangle_bit) return true;
+  return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
+}
+
+/// The pairs that came out of one.
+struct SlotPairs {
+  std::array<SlotPair, Tree::width * Tree::width> pair;
+  int count = 0;
+  SlotPair* begin() { return pair.data(); }
+  SlotPair* end() { return pair.data() + count; }
+  void push(const SlotPair& p) { pair[static_cast<std::size_t>(count++)] = p; }
+};
+
+/// The larger box of a pair alone, which is quicker where the first overlap will do; or both.
+enum class Opening { larger, both };
+
+/// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
+/// Boxes are compared in single precision, in a unit that makes all of them of the order of 1, with
+/// its rounding error taken off.
+class Placement {
+ public:
+  Placement(const Body& a, const Body& b, const Transform& X_BA);
+
+  Corners corners_a(std::uint32_t triangle) const {
+    return place(X, corners(surface(a_), triangle));
+  }
+  Corners corners_b(std::uint32_t triangle) const { return corners(surface(b_), triangle); }
+
+  /// m → the placement's unit, rounded up or down; what is infinite stays so.
+  float above(double length) const {
+    return static_cast<float>(length * per_unit_) * (1 + 0x1p-22f);
+  }
+
+  /// A bound in the placement's unit → m, rounded down.
+  double below(float bound) const { return static_cast<double>(bound) / per_unit_ * (1 - 1e-7); }
+
+  bool is_leaf(const SlotPair& p) const { return sonde::is_leaf(a_.tree, b_.tree, p); }
+  std::uint32_t triangle_a(const SlotPair& p) const {
+    return a_.tree.child(p.a) & ~Tree::triangle_bit;
+  }
+  std::uint32_t triangle_b(const SlotPair& p) const {
+    return b_.tree.child(p.b) & ~Tree::triangle_bit;
+  }
+
+  SlotPair roots() const { return sonde::roots(a_.tree, b_.tree); }
+  /// Opens the boxes of a pair that is not a leaf, and compares what is in them. The bounds are
+  /// lower bounds of distances, or where boxes overlap negative, the more the deeper; pairs with
+  /// one above `limit` are left out.
+  void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// As open_near, with the largest separation along the six face normals for a bound: less work,
+  /// and less where boxes are apart corner to corner.
+  void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// Opens the larger box alone, without a limit: for a first way down.
+  void open_nearest(const SlotPair& p, SlotPairs& out) const;
+  /// The same with separations along the six face normals: pairs that do not overlap are left out.
+  void open_overlapping(const SlotPair& p, Opening opening, SlotPairs& out) const;
+
+  /// A direction, from B to A in B's frame, that is likely to separate boxes well: that of the best
+  /// closest points so far.
+  void try_direction(const Vec3& from_b_to_a);
+
+  Transform X;
+  double guard;  ///< see rounding_guard
+
+ private:
+  using Kernel = void (*)(const PlacedBox&, const Tree::Node&, float, Lanes&);
+  /// The sixteen boxes of a node against one of the other tree: those within the limit.
+  std::uint32_t compare(std::uint32_t slot_a, const Tree::Node& node_b, Kernel kernel, float limit,
+                        Lanes& bounds) const;
+  std::uint32_t compare(const Tree::Node& node_a, std::uint32_t slot_b, Kernel kernel, float limit,
+                        Lanes& bounds) const;
+  void open_a(const SlotPair& p, std::uint32_t lanes, Kernel kernel, float limit,
+              SlotPairs& out) const;
+  void open_b(const SlotPair& p, std::uint32_t lanes, Kernel kernel, float limit,
+              SlotPairs& out) const;
+  void open_larger(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
+  void open_both(const SlotPair& p, Kernel kernel, float limit, SlotPairs& out) const;
+
+  const Body& a_;
+  const Body& b_;
+  const BoxKernels& kernels_;
+  Frames frames_;
+  Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
+  Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
+  double per_unit_;
+  float scale_;
+  float float_guard_;
+};
+
+/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. Opening a pair takes
+/// one entry and puts up to 256, where both of its boxes are opened at once, which on the way down
+/// happens at most max_depth times; or up to 16, at most twice as often.
+template <class Entry>
+class PairStack {
+ public:
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+  void push(const Entry& e) { items_[size_++] = e; }
+  Entry pop() { return items_[--size_]; }
+
+ private:
+  Entry items_[Tree::max_depth * (Tree::width + 2) * Tree::width];
+  int size_ = 0;
+};
+
+}  // namespace sonde

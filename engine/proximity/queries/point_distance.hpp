@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/body/body.hpp"
+#include "engine/proximity/boxes/box_lanes.hpp"
+
+namespace sonde {
+
+/// A point in the frame and the unit in which the boxes of a body's tree are compared with it.
+struct PointFrame {
+  PointFrame(const Body& body, const Vec3& x);
+  PlacedPoint point;
+  double per_unit;  ///< units per metre
+  float scale;      ///< the same
+  float guard;      ///< what rounding may have taken off a distance, or added to it, units
+};
+
+/// Distance of the point x from the triangles of a body, m; both in its mesh frame. Stops early,
+/// with any value below `enough`, once that is certain. Never allocates.
+double point_distance(const Body& body, const Vec3& x, double enough = 0);
+
+/// The same, with the point of the triangles that is nearest.
+struct NearestPoint {
+  double distance;  ///< m
+  Vec3 point;       ///< mesh frame
+};
+NearestPoint nearest_point(const Body& body, const Vec3& x, double enough = 0);
+
+}  // namespace sonde

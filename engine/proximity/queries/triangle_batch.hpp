@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/proximity/queries/near_pairs.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/triangles/triangle_lanes.hpp"
+
+namespace sonde {
+
+/// Pairs of triangles of two bodies, eight of which are compared at a time.
+class TriangleBatch {
+ public:
+  static constexpr int work = 5;  ///< to compare a pair, in the units of Effort
+
+  TriangleBatch(const Body& a, const Body& b, const Transform& X_BA) : a_(a), b_(b), X_(X_BA) {}
+
+  struct Pair {
+    std::uint32_t i, j;
+    std::uint32_t tag;  // what the caller knows it by
+  };
+
+  bool full() const { return count_ == static_cast<int>(pairs_.size()); }
+  bool empty() const { return count_ == 0; }
+  int size() const { return count_; }
+
+  /// Not while it is full.
+  void add(std::uint32_t i, std::uint32_t j) {
+    add({i, j, 0}, place(X_, corners(surface(a_), i)), corners(surface(b_), j));
+  }
+  void add(const Pair& pair, const Corners& a, const Corners& b) {
+    set_lane(lanes_, count_, a, b);
+    pairs_[static_cast<std::size_t>(count_++)] = pair;
+  }
+
+  /// Compares them and calls visit(pair, lane, points) for each, also where the distance is beyond
+  /// the limit; the batch is empty then.
+  template <class Visit>
+  void flush(double limit, const Visit& visit) {
+    if (count_ == 0) return;
+    closest_points(lanes_, count_, limit, points_);
+    for (int k = 0; k < count_; ++k) visit(pairs_[static_cast<std::size_t>(k)], k, points_);
+    count_ = 0;
+  }
+
+ private:
+  const Body& a_;
+  const Body& b_;
+  const Transform& X_;
+  int count_ = 0;
+  std::array<Pair, 8> pairs_;
+  TrianglePairs8 lanes_;
+  ClosestPoints8 points_;
+};
+
+inline NearPair near_pair(const TriangleBatch::Pair& pair, int lane, const ClosestPoints8& p) {
+  return {on_a(p, lane), on_b(p, lane), normal(p, lane), p.gap[lane], pair.i, pair.j};
+}
+
+}  // namespace sonde

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#ifdef __x86_64__
-#define SONDE_LANES 8
-#include "engine/proximity/triangle_lanes_kernel.hpp"
-#endif
