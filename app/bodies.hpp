@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/progress_line.hpp"
-#include "engine/penetration/pair.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace sonde::app {

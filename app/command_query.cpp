@@ -8,7 +8,7 @@
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "app/timed.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/poses.hpp"
 
 namespace sonde::app {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/scene/settings.hpp"
 
 namespace sonde::app {

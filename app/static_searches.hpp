@@ -7,7 +7,7 @@
 #include "app/bodies.hpp"
 #include "app/options.hpp"
 #include "app/progress_line.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 
 namespace sonde::app {
 

@@ -6,7 +6,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupler.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {
 namespace {

@@ -18,14 +18,14 @@
 #include <span>
 #include <string>
 
-#include "engine/base/error.hpp"                 // InputError, Cancelled, Progress
-#include "engine/geometry/mass.hpp"              // MassProperties
-#include "engine/geometry/model.hpp"             // Model
-#include "engine/geometry/pose.hpp"              // Vec3, Mat3, Quat, Pose
-#include "engine/haptics/coupling.hpp"           // Coupling, Wrench
-#include "engine/penetration/pair.hpp"           // Pair
-#include "engine/penetration/separation.hpp"     // Method, Status, Budget, Separation
-#include "engine/penetration/static_search.hpp"  // StaticOptions
+#include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
+#include "engine/geometry/mass.hpp"                     // MassProperties
+#include "engine/geometry/model.hpp"                    // Model
+#include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
+#include "engine/haptics/coupling.hpp"                  // Coupling, Wrench
+#include "engine/penetration/contact/separation.hpp"    // Method, Status, Budget, Separation
+#include "engine/penetration/search/pair.hpp"           // Pair
+#include "engine/penetration/search/static_search.hpp"  // StaticOptions
 
 namespace sonde {
 
@@ -70,7 +70,8 @@ struct BodyFacts {
 };
 BodyFacts facts(const Body& body);
 
-// Pair (penetration/pair.hpp) is the probe and the fixed body, with what is made once for both.
+// Pair (penetration/search/pair.hpp) is the probe and the fixed body, with what is made once for
+// both.
 
 /// The penetration depth of the probe at X_FM, searched globally: the least √σ from X_FM to any
 /// pose at which the two are apart that is found; with Method::pdt, among those that do not turn

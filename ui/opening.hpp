@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/pair.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"

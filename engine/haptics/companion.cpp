@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/lower_bound.hpp"
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/search/static_search.hpp"
 
 namespace sonde {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "engine/penetration/pair.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
 
 namespace sonde {
 

@@ -5,7 +5,7 @@
 
 #include "engine/base/deadline.hpp"
 #include "engine/body/body.hpp"
-#include "engine/penetration/descent.hpp"
+#include "engine/penetration/descent/descent.hpp"
 
 namespace sonde {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "engine/haptics/local_contacts.hpp"
-#include "engine/penetration/coherent.hpp"
-#include "engine/penetration/contact_rows.hpp"
+#include "engine/penetration/contact/contact_rows.hpp"
+#include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {
 

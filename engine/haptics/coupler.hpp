@@ -3,7 +3,7 @@
 
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/gain_glide.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 
 namespace sonde {
 

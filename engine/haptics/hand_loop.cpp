@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/penetration/result.hpp"
+#include "engine/penetration/descent/result.hpp"
 
 namespace sonde {
 

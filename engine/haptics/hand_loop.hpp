@@ -7,7 +7,7 @@
 #include "engine/haptics/passivity.hpp"
 #include "engine/haptics/runaway.hpp"
 #include "engine/haptics/safety.hpp"
-#include "engine/penetration/contact_clusters.hpp"
+#include "engine/penetration/contact/contact_clusters.hpp"
 
 namespace sonde {
 

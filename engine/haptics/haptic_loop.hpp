@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 
 namespace sonde {
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "engine/geometry/chart.hpp"
-#include "engine/penetration/least_distance.hpp"
-#include "engine/penetration/result.hpp"
+#include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/descent/result.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "engine/geometry/mass.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 
 namespace sonde {
 

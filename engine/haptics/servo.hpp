@@ -8,8 +8,8 @@
 #include "engine/haptics/coupling.hpp"
 #include "engine/haptics/hand_loop.hpp"
 #include "engine/haptics/time_histogram.hpp"
-#include "engine/penetration/pair.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
 
 namespace sonde {
 

@@ -8,7 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/penetration/descent.hpp"
+#include "engine/penetration/descent/descent.hpp"
 
 namespace sonde {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/penetration/contact_rows.hpp"
+#include "engine/penetration/contact/contact_rows.hpp"
 
 namespace sonde {
 

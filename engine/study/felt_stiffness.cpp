@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {
 namespace {

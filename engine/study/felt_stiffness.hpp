@@ -5,8 +5,8 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/pair.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/study_parts.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/pair.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/scene/poses.hpp"
 
 namespace sonde {

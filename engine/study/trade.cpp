@@ -8,8 +8,8 @@
 #include "engine/base/processor_time.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
-#include "engine/penetration/coherent.hpp"
-#include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/study/trade_extremes.hpp"
 #include "engine/study/trade_results.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/pair.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/study/study_parts.hpp"
 #include "engine/study/trade_results.hpp"
 

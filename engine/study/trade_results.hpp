@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 #include "engine/study/study_parts.hpp"
 
 namespace sonde {

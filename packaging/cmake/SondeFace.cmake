@@ -51,7 +51,7 @@ target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 # The sources that define the names of the face are compiled again, to be seen; the rest comes from
 # the engine, whose names are hidden.
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
-                                "${PROJECT_SOURCE_DIR}/engine/penetration/pair.cpp")
+                                "${PROJECT_SOURCE_DIR}/engine/penetration/search/pair.cpp")
 set(sonde_map "${PROJECT_SOURCE_DIR}/packaging/sonde.map")
 set_target_properties(sonde_shared PROPERTIES
   OUTPUT_NAME sonde EXPORT_NAME engine VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 
 namespace sonde::draw {
 namespace {

@@ -11,9 +11,9 @@ set(allowed
     engine/geometry/model.hpp
     engine/geometry/pose.hpp
     engine/haptics/coupling.hpp
-    engine/penetration/pair.hpp
-    engine/penetration/separation.hpp
-    engine/penetration/static_search.hpp
+    engine/penetration/search/pair.hpp
+    engine/penetration/contact/separation.hpp
+    engine/penetration/search/static_search.hpp
     engine/sonde.hpp)
 set(source "${WORK}/face_alone.cpp")
 set(deps "${WORK}/face_alone.d")

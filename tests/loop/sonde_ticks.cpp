@@ -8,7 +8,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/loop/real_cases.hpp"
 #include "tests/loop/tick_cases.hpp"
 #include "tests/loop/tick_table.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 #include "tests/loop/tick_cases.hpp"
 
 namespace sonde::ticks {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/penetration/descent.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
 

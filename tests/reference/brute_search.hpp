@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/separation.hpp"
+#include "engine/penetration/contact/separation.hpp"
 
 namespace sonde::reference {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/reference/brute_search.hpp"
 #include "tests/reference/cases.hpp"

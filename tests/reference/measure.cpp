@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "engine/penetration/descent.hpp"
-#include "engine/penetration/lower_bound.hpp"
+#include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde::reference {

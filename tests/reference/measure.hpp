@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/reference/depths_file.hpp"
 
 namespace sonde::reference {

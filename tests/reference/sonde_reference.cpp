@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "engine/penetration/descent.hpp"
+#include "engine/penetration/descent/descent.hpp"
 #include "engine/text/output_file.hpp"
 #include "tests/reference/reference_row.hpp"
 

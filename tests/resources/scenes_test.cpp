@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"

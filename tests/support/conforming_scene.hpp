@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/support/conforming.hpp"
 
 namespace sonde::test {

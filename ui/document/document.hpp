@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/penetration/pair.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

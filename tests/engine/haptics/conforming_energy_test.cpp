@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/support/conforming_scene.hpp"
 
 namespace sonde {

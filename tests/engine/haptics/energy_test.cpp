@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/haptics/coupling.hpp"
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

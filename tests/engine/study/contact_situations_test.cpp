@@ -7,7 +7,7 @@
 #include <map>
 
 #include "engine/base/error.hpp"
-#include "engine/penetration/contact_clusters.hpp"
+#include "engine/penetration/contact/contact_clusters.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-#include "engine/penetration/coherent.hpp"
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/study/contact_situations.hpp"
 #include "tests/support/shapes.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
-#include "engine/penetration/static_search.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/contact/contact_rows.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/penetration/contact/overlay.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/triangle_batch.hpp"
+
+namespace sonde {
+namespace {
+
+/// Pairs, the deepest, that one look may find; the next look finds what is left. Where faces lie on
+/// each other many of them keep their gaps, and are not in the way.
+constexpr std::size_t most_cut = 48;
+/// Pairs that are looked at again wherever the probe has come to. Six hold it at a time; those of
+/// the last few ticks' looks find room. One that is forgotten cuts a step again.
+constexpr std::size_t most_kept = 32;
+/// Of its gap, or of the margin, a step may take so little from a pair that it need not be thought
+/// over: what is lost tick by tick is not to be had back while the probe is pressed.
+constexpr double kept_share = 0.95;
+/// Of the effort that is left to a tick: a list that takes more goes on in the next ones.
+constexpr double share_for_list = 0.75;
+/// One that takes more, as much as some ticks have, is made smaller the next time.
+constexpr double good_share_for_list = 8;
+/// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
+/// missing.
+constexpr double least_share_of_reach = 0.1;
+/// A gather turns the probe by so much more than its reach by the radius, about: rows that would
+/// come in then are not dropped (rotation by a step of the size of the reach, about the thinnest
+/// axis; with 2, steps of torus-knots went to and fro between two sets of rows).
+constexpr double turn_per_reach = 8;
+constexpr int work_to_take = 16;  // a pair, in the units of Effort
+
+}  // namespace
+
+ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
+                         const Finding& finding)
+    : probe_(probe),
+      fixed_(fixed),
+      method_(method),
+      list_(probe, fixed, finding.most_listed),
+      most_near_(finding.most_pairs),
+      pairs_(finding.most_pairs + most_kept),
+      contacts_(capacity),
+      rows_(capacity + 1),  // and the rim of the chart
+      at_(capacity),
+      trespasses_(most_cut),
+      pair_of_(capacity),
+      kept_(most_kept),
+      crowded_(probe.mass.radius),
+      list_reach_(probe.mass.radius) {}
+
+void ContactRows::forget() noexcept {
+  list_.clear();
+  sliding_ = turning_ = Vec3::Zero();
+  gathered_ = rim_ = false;
+  count_ = kept_count_ = 0;
+  crowded_ = probe_.mass.radius;
+  list_reach_ = ListReach(probe_.mass.radius);
+}
+
+void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
+  if (count_ == capacity) return;
+  pair_of_[count_] = of;
+  contacts_[count_++] = contact;
+}
+
+void ContactRows::keep(const TrianglePair& pair) noexcept {
+  const auto begin = kept_.begin(), end = begin + static_cast<std::ptrdiff_t>(kept_count_);
+  const auto found = std::find(begin, end, pair);
+  if (found != end)
+    std::rotate(found, found + 1, end);
+  else if (kept_count_ < most_kept)
+    kept_[kept_count_++] = pair;
+  else
+    std::rotate(begin, begin + 1, end), kept_.back() = pair;
+}
+
+std::size_t ContactRows::add_kept(const Transform& X, double reach, std::size_t count) noexcept {
+  TriangleBatch batch(probe_, fixed_, X);
+  std::size_t left = 0;
+  const auto look = [&] {
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (!(points.distance[k] > 0) || points.distance[k] > reach) return;
+      kept_[left++] = {pair.i, pair.j};
+      const NearPair near = near_pair(pair, k, points);
+      const auto first = pairs_.begin(), last = first + static_cast<std::ptrdiff_t>(count);
+      const bool known = std::any_of(first, last, [&](const NearPair& p) {
+        return p.triangle_a == near.triangle_a && p.triangle_b == near.triangle_b;
+      });
+      if (!known) pairs_[count++] = near;
+    });
+  };
+  for (std::size_t i = 0; i < kept_count_; ++i) {
+    batch.add(kept_[i].a, kept_[i].b);
+    if (batch.full()) look();
+  }
+  look();
+  kept_count_ = left;
+  return count;
+}
+
+bool ContactRows::is_news(const Contact& contact) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Contact& row = contacts_[i];
+    if (row.normal.dot(contact.normal) < 1 - 1e-12) continue;
+    // A turn of the size to be expected brings it no nearer than the row.
+    const double apart = (contact.on_probe - row.on_probe).norm();
+    if (contact.gap - row.gap >= turn_ * apart) return false;
+  }
+  return true;
+}
+
+void ContactRows::take(const NearPair& pair, const Transform& X, double flat) noexcept {
+  const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
+  const Corners tb = corners(surface(fixed_), pair.triangle_b);
+  Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Contact& row = contacts_[i];
+    if (gap_along(row.normal, ta, tb) < row.gap * (1 - 1e-9)) continue;
+    own.normal = row.normal;
+    own.gap = row.normal.dot(own.on_probe - own.on_fixed);
+    break;
+  }
+  if (is_news(own)) accept(own, {pair.triangle_a, pair.triangle_b});
+  if (pair.gap > flat) return;
+  for (const Contact& corner : overlay(ta, tb, own.normal))
+    if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
+}
+
+PairList::Displacement ContactRows::usual(const Transform& X, const Vec3& centre) const noexcept {
+  const Vec3 arm = X.R * (centre - probe_.mass.com);
+  return {(sliding_ + turning_.cross(arm)).norm(), turning_.norm()};
+}
+
+void ContactRows::remember(const Motion& motion) noexcept {
+  const double radius = probe_.mass.radius;
+  const Motion::Velocity v = motion.velocity(0);
+  const double last = sliding_.norm() + radius * turning_.norm();
+  if (v.linear.norm() + radius * v.angular.norm() >= 0.9 * last)
+    sliding_ = v.linear, turning_ = v.angular;
+  else
+    sliding_ *= 0.9, turning_ *= 0.9;
+}
+
+Vec3 ContactRows::stillest(const Transform& X) const noexcept {
+  const Vec3& com = probe_.mass.com;
+  if (count_ == 0) return com;
+  const auto local = [&](std::size_t i) {
+    return Vec3(X_.R.transpose() * (contacts_[i].on_probe - X_.p));
+  };
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < count_; ++i) sum += local(i);
+  const Vec3 middle = sum / static_cast<double>(count_);
+  const PairList::Displacement about_com = usual(X, com), about_middle = usual(X, middle);
+  double by_com = 0, by_middle = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    by_com += about_com.of((local(i) - com).norm());
+    by_middle += about_middle.of((local(i) - middle).norm());
+  }
+  return by_middle < by_com ? middle : com;
+}
+
+void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centre,
+                             const PairList::Displacement& ahead, Effort& effort) noexcept {
+  const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
+  // A list pays where the steps are short beside its reach; long steps walk the trees.
+  if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
+  if (list_.is_unfinished() && list_.reach_when_finished(X, ahead) > reach) {
+    effort.within(share_for_list, [&](Effort& part) { return list_.go_on(part); });
+    return;
+  }
+  const PairList::Displacement often = usual(X, centre);
+  const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
+  const double near = std::max(reach, 2 * least_asked_);
+  const auto affordable = static_cast<std::int64_t>(
+      std::min(1e18, good_share_for_list * static_cast<double>(effort.left())));
+  const auto list = [&](double ample, std::int64_t most) {
+    const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
+                                      std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
+    const bool fits = effort.within(share_for_list, [&](Effort& part) {
+      return part.at_most(most, [&](Effort& e) { return list_.build(X, centre, room, e); });
+    });
+    // What the tick's effort was too little for goes on in the next ones.
+    const bool cut_short = list_.is_unfinished() && list_.work_of_build() < most;
+    if (!cut_short) list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
+    return fits || cut_short;
+  };
+  const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
+  const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
+  const bool fits = list(ample, most);
+  if (!fits && ample > least) list(least, effort.left());
+}
+
+NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
+                                  Effort& effort) noexcept {
+  const double listed = list_.reach_at(X);
+  if (listed >= std::max(least, least_share_of_reach * reach)) reach = std::min(reach, listed);
+  if (listed < reach) {
+    const Vec3 centre = stillest(X);
+    list_pairs(X, reach, centre, usual(X, centre), effort);
+    // Where there is no room for so much, less is expected the next time.
+    if (list_.reach_at(X) < reach) sliding_ *= 0.5, turning_ *= 0.5;
+  }
+  const NearPairs near =
+      list_.reach_at(X) >= reach
+          ? list_.near(X, reach, {pairs_.data(), most_near_}, effort)
+          : near_pairs(probe_, fixed_, X, reach, {pairs_.data(), most_near_}, effort);
+  if (near.reach < 0) return near;
+  crowded_ = near.reach < reach ? near.reach : std::min(1.5 * crowded_, probe_.mass.radius);
+  return near;
+}
+
+bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
+                         Effort& effort) noexcept {
+  const Transform X(chart.pose(y));
+  asked_ = std::min(reach, crowded_);
+  least_asked_ = 4 * flat;
+  const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
+  gathered_ = near.reach >= 0 && !effort.is_spent();
+  if (!gathered_) return false;
+  count_ = 0;
+  smallest_gap_ = reach_ = near.reach;
+  X_ = X;
+  turn_ = std::max(turn_per_reach * reach_ / probe_.mass.radius, 2 * turning_.norm());
+  const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
+  std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
+    if (p.gap != q.gap) return p.gap < q.gap;
+    return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
+  });
+  if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
+  for (const NearPair& p : pairs) {
+    effort.spend(work_to_take);
+    take(p, X, flat);
+  }
+  linearise(chart, y);
+  return true;
+}
+
+bool ContactRows::again(const Chart& chart, const Vec6& y) noexcept {
+  if (!gathered_) return false;
+  const Transform X(chart.pose(y));
+  const Vec3& com = probe_.mass.com;
+  const double moved = (X * com - X_ * com).norm() + (X.R - X_.R).norm() * probe_.mass.radius;
+  if (moved > rounding_guard(extent(probe_), extent(fixed_), X.p)) return false;
+  linearise(chart, y);
+  return true;
+}
+
+void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
+  const Transform X(chart.pose(y));
+  for (std::size_t i = 0; i < count_; ++i) {
+    Contact& c = contacts_[i];
+    c.on_probe = X * (X_.R.transpose() * (c.on_probe - X_.p));
+    c.gap = c.normal.dot(c.on_probe - c.on_fixed);
+  }
+  X_ = X;
+  gathered_ = false;
+  linearise(chart, y);
+}
+
+ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
+                                   double margin, Effort& effort) noexcept {
+  const double least = kept_share * margin;
+  const Transform end = motion.at(1);
+  remember(motion);
+  if (list_.reach_at(end) <= least) {
+    const Vec3 centre = stillest(X_);
+    list_pairs(X_, least, centre, PairList::along(motion, centre), effort);
+  }
+  std::size_t found = 0;
+  if (list_.reach_at(end) > least)
+    found = list_.trespasses(end, least, trespasses_, effort);
+  else if (!effort.is_limited())
+    found = find_trespasses(probe_, fixed_, end, least, trespasses_, effort);
+  const std::size_t before = count_;
+  turn_ = std::max(turn_, motion.turn_bound());
+  Look out;
+  for (std::size_t i = 0; i < found; ++i) {
+    const auto& [a, b, gap] = trespasses_[i];
+    const Corners ta = place(X_, corners(surface(probe_), a));
+    const ClosestPoints p = closest_points(ta, corners(surface(fixed_), b));
+    effort.spend(work_to_take);
+    if (!(p.distance > 0) || gap >= kept_share * std::min(p.gap, margin)) continue;
+    out.clear = false;
+    out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
+    smallest_gap_ = std::min(smallest_gap_, p.gap);
+    keep({a, b});
+    take({p.a, p.b, p.normal, p.gap, a, b}, X_, std::numeric_limits<double>::infinity());
+  }
+  linearise(chart, y, before);
+  out.news = count_ > before;
+  if (effort.is_spent()) out.clear = false;
+  return out;
+}
+
+void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from) noexcept {
+  for (std::size_t i = from; i < count_; ++i) {
+    rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
+    at_[i] = rows_[i].normal.dot(y);
+    if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
+  }
+  // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
+  const Vec3 v = chart.v(y);
+  const double turn = v.norm();
+  rim_ = turn > 0.9 * Chart::largest_v && method_ == Method::pdg;
+  if (!rim_) return;
+  Vec6 out = Vec6::Zero();
+  out.head<3>() = chart.in_v(v / turn);
+  // In metres, as the other rows.
+  rows_[count_] = {-out / out.norm(), -std::max(Chart::largest_v, turn) / out.norm()};
+}
+
+Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
+  if (!list_.covers(motion, clearance)) {
+    const Vec3 centre = stillest(X_);
+    list_pairs(motion.at(0), clearance, centre, PairList::along(motion, centre), effort);
+  }
+  if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);
+  return sweep(probe_, fixed_, motion, clearance, effort);
+}
+
+Vec6 ContactRows::held_by_contacts(const LeastDistance& nearest) const noexcept {
+  Vec6 y = nearest.y;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
+    if (const auto row = static_cast<std::size_t>(nearest.active[i]); row >= count_)
+      y -= nearest.multiplier[i] * rows_[row].normal;
+  return y;
+}
+
+ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {
+  ContactSet out;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i) {
+    const auto row = static_cast<std::size_t>(nearest.active[i]);
+    if (!(nearest.multiplier[i] > 0) || row >= count_) continue;
+    Contact contact = contacts_[row];
+    contact.multiplier = nearest.multiplier[i];
+    out.push(contact);
+  }
+  return out;
+}
+
+LeastDistance ContactRows::solve(double margin, Narrow narrow, double rise) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double room = contacts_[i].gap - margin;
+    rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room)) + rise;
+  }
+  LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, 0.05 * margin);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
+    if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
+      keep(pair_of_[row]);
+  return nearest;
+}
+
+}  // namespace sonde

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/proximity/queries/placement.hpp"
+
+namespace sonde {
+namespace {
+
+/// What a step takes besides what is counted where it is done, in the units of Effort.
+constexpr int work_of_step = 500;
+/// Turn of one step, as |Δv|: a linearised turn is of little use beyond.
+constexpr double largest_turn = 0.3;
+/// Times that a step is thought over for what would be in its way; then it ends where its sweep
+/// does.
+constexpr int most_cuts = 6;
+
+/// The step with its turn kept within bounds. Where it would lead out of the chart it goes along
+/// the rim, to what lies there on the way from O to its end.
+Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
+  Vec6 target = y + std::min(1.0, largest_turn / std::max(chart.v(step).norm(), 1e-30)) * step;
+  const double limit = std::max(Chart::largest_v, chart.v(y).norm());
+  const double v = chart.v(target).norm();
+  if (v > limit) target.head<3>() *= limit / v;
+  return target - y;
+}
+
+Vec6 shortened(const Vec6& step, double longest) {
+  const double size = step.norm();
+  return size > longest ? Vec6(step * (longest / size)) : step;
+}
+
+}  // namespace
+
+double allowed_clearance(double radius, double depth) {
+  return std::max(1e-9 * radius, 1e-4 * std::min(radius, depth));
+}
+
+Descent::Descent(const Body& probe, const Body& fixed, Method method,
+                 const ContactRows::Finding& finding)
+    : rows_(probe, fixed, method, finding),
+      extents_(extent(probe) + extent(fixed)),
+      wary_(std::numeric_limits<double>::infinity()) {}
+
+void Descent::forget() noexcept {
+  rows_.forget();
+  wary_ = std::numeric_limits<double>::infinity();
+}
+
+void Descent::Outcome::move_to(const Vec6& to) noexcept {
+  y = to;
+  const double length = y.norm();
+  residual = length > 0 ? (y - held).norm() / length : 0;
+}
+
+void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept {
+  out.contacts = rows_.holding(nearest);
+  out.held = rows_.held_by_contacts(nearest);
+  out.move_to(y);
+}
+
+/// What the steps so far say about the next.
+struct Descent::Pace {
+  double scale;    ///< m: about how long a step is
+  double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
+  /// m: no further is a step looked at, since long paths are dear to sweep.
+  double longest = std::numeric_limits<double>::max();
+  /// m: no further does it go. What is in the way of a step is looked for up to where it would go
+  /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
+  double damped_to = std::numeric_limits<double>::max();
+  Vec6 last = Vec6::Zero();
+  int stalled = 0;  ///< steps in a row that led nowhere
+
+  /// Steps that undo each other straddle a sharp edge: they are halved until they settle on it.
+  Vec6 damped(const Vec6& step) {
+    const double size = step.norm();
+    if (step.dot(last) < -0.25 * size * last.norm())
+      damped_to = 0.5 * std::min({damped_to, size, last.norm()});
+    else
+      damped_to *= 1.5;
+    return shortened(step, damped_to);
+  }
+  void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
+    const double moved = swept.free_until * step.norm();
+    last = step;
+    stalled = moved > worth_while ? 0 : stalled + 1;
+    scale = std::max(moved, 0.1 * scale);
+    const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
+    bending =
+        cut_short ? std::min(4 * bending, 1e6 / radius) : std::max(0.5 * bending, 0.1 / radius);
+  }
+};
+
+Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
+                        double margin, double rise, const Pace& pace) noexcept {
+  const double radius = chart.mass().radius;
+  Vec6 step = nearest.y - y;
+  const double size2 = step.squaredNorm();
+  // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
+  // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
+  const double room = std::min(0.8 * size2 / y.norm(), std::max(pace.bending * size2, margin));
+  // Where so much is not to be had, a part of it is: what has come too near its contacts for a
+  // straight step to lead anywhere gets away from them again.
+  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= 0.25) {
+    const Vec6 lifted = rows_.solve(part, ContactRows::Narrow::open).y - y;
+    if (!(-y.dot(lifted) > 0.1 * size2)) continue;
+    step = lifted;
+    break;
+  }
+  if (rise > 0) {
+    const Vec6 risen = rows_.solve(margin, ContactRows::Narrow::keep, rise).y - y;
+    if (-y.dot(risen) > 0.1 * size2) step = risen;
+  }
+  step = within_chart(chart, y, step);
+  // At the rim of the chart nothing may be left of it.
+  if (!(step.squaredNorm() > 0)) return Vec6::Zero();
+  // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
+  step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
+  step = shortened(step, pace.longest);
+  const double quick = std::max(wary_, 8 * margin);
+  const double path = Motion(chart, y, y + step).farthest(radius);
+  return path > quick ? Vec6(step * (quick / path)) : step;
+}
+
+double Descent::margin(const Chart& chart, double depth) const noexcept {
+  const double rounding = rounding_guard(extents_, depth, chart.device().p);
+  return std::max(0.25 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
+}
+
+Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
+                        Effort& effort) noexcept {
+  return rows_.sweep_along(Motion(chart, y, target), 0.5 * margin(chart, y.norm()), effort);
+}
+
+std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) noexcept {
+  if (!rows_.again(chart, y)) return std::nullopt;
+  // A little above the contacts, since they bend.
+  const LeastDistance rest = rows_.solve(1.2 * margin(chart, y.norm()), ContactRows::Narrow::open);
+  if (!rest.feasible) return std::nullopt;
+  return rest.y;
+}
+
+void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
+  // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
+  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / largest_turn);
+  const Vec6 piece = out.y / pieces;
+  Vec6 near = out.y;
+  Sweep swept;
+  for (int left = pieces; left > 0 && !swept.hit; --left) {
+    const Vec6 next = left > 1 ? Vec6(near - piece) : Vec6::Zero();
+    swept = sweep_to(chart, near, next, effort);
+    near = swept.hit ? Vec6(near + swept.free_until * (next - near)) : next;
+  }
+  out.move_to(near);
+  if (!rows_.gather(chart, near, 16 * margin, 4 * margin, effort)) return;
+  report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
+}
+
+Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
+                              double expected_step, const Deadline& deadline) noexcept {
+  Effort unlimited;
+  return run(chart, start, goal, expected_step, deadline, unlimited);
+}
+
+Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
+                              double expected_step, Effort& effort) noexcept {
+  return run(chart, start, goal, expected_step, {}, effort);
+}
+
+Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
+                              double expected_step, const Deadline& deadline,
+                              Effort& effort) noexcept {
+  const double radius = chart.mass().radius;
+  Outcome out;
+  Vec6 y = start;
+  Pace pace{.scale = expected_step > 0 ? expected_step : 0.05 * radius, .bending = 0.5 / radius};
+  // A long path is dear to sweep where surfaces slide along each other: it is worked up to.
+  if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
+  // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
+  bool known = rows_.again(chart, y);
+  for (;;) {
+    const double length = y.norm();
+    const double margin = this->margin(chart, length);
+    const double widest = std::max(0.03 * radius, 16 * margin);
+    out.move_to(y);
+    const double reach =
+        std::clamp((out.iterations == 0 ? 2 : 0.5) * pace.scale, 16 * margin, widest);
+    if (!known && !rows_.gather(chart, y, reach, 4 * margin, effort)) {
+      if (out.iterations > 0) return out;
+      rows_.look_less_far(4 * margin);
+      rows_.carry(chart, y);
+      report(out, y, rows_.solve(margin, ContactRows::Narrow::keep));
+      return out;
+    }
+    known = false;
+    LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+    report(out, y, nearest);
+    const double size = (nearest.y - y).norm();
+    const auto settled = [&] {
+      // Not what the rim of the chart holds: there the descent only ends.
+      const double off = (out.held - y).norm();
+      // Where no row holds it the probe can come all the way back, however little that is.
+      const bool held = out.contacts.size > 0;
+      return (held && off <= std::max(goal.residual * length, 0.2 * margin) &&
+              rows_.smallest_gap() <= 1.9 * margin) ||
+             !(off > 0);
+    };
+    out.converged = settled();
+    // One step at least, however late: a tick that never moves would never catch up.
+    const bool late = out.iterations > 0 && deadline.passed();
+    if (out.converged) return out;
+    if (late || out.iterations >= goal.steps || pace.stalled >= 4) {
+      if (rows_.smallest_gap() > 2 * margin) close_up(chart, margin, effort, out);
+      return out;
+    }
+    ++out.iterations;
+    effort.spend(work_of_step);
+    pace.longest *= 1.5;
+    double rise = 0;
+    Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
+    for (int round = 0; round < most_cuts; ++round) {
+      const ContactRows::Look look =
+          rows_.cut(chart, y, Motion(chart, y, y + step), margin, effort);
+      if (look.clear || effort.is_spent()) break;
+      if (look.news) {
+        nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+        report(out, y, nearest);
+        out.converged = settled();
+        if (out.converged) return out;
+      }
+      // Contacts that the rows know bend into the path by so much.
+      rise = look.news ? 0 : rise + 1.2 * look.lost;
+      step = next_step(chart, y, nearest, margin, rise, pace);
+    }
+    if (!(step.squaredNorm() > 0)) return out;
+    step = pace.damped(step);
+    const Vec6 target = y + step;
+    const Sweep swept = sweep_to(chart, y, target, effort);
+    if (!swept.given_up)
+      wary_ *= 2;
+    else if (out.iterations == 1)
+      wary_ = 0.25 * Motion(chart, y, target).farthest(radius);
+    y = swept.hit ? Vec6(y + swept.free_until * step) : target;
+    pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
+  }
+}
+
+}  // namespace sonde

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/leap_descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/proximity/queries/intersect.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr ContactRows::Finding few{.most_pairs = 96, .most_listed = 0};
+constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
+
+/// A turn of more than this, as |Δv|, is beyond what linearised contacts can say anything about.
+constexpr double largest_turn = 0.3;
+/// Times that a leap is thought over for what would be in its way.
+constexpr int most_cuts = 6;
+/// Of what the rows of the first guess promised: a leap that gains less is not worth while.
+constexpr double worth = 0.1;
+
+/// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
+/// and it is no longer than trusted.
+Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
+  if (!(step.squaredNorm() > 0)) return Vec6::Zero();
+
+  step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
+  const double turn = chart.v(step).norm(), length = step.norm();
+  step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
+  const double limit = std::max(Chart::largest_v, chart.v(y).norm());
+  while (chart.v(y + step).norm() > limit) step *= 0.5;
+  return step;
+}
+
+}  // namespace
+
+/// What the leaps so far say about the next.
+struct LeapDescent::Pace {
+  double trust;    ///< m: no leap is longer
+  double bending;  ///< κ, 1/m: contacts bend into a leap by about κ|leap|²
+  bool complete;   ///< rows are of the bodies themselves: what they lack is looked for
+  double moved = 0;
+};
+
+LeapDescent::LeapDescent(const Body& probe, const Body& fixed, Method method)
+    : probe_(probe), fixed_(fixed), method_(method) {}
+
+ContactRows& LeapDescent::rows(Guide guide) {
+  std::optional<ContactRows>& rows = rows_[static_cast<std::size_t>(guide)];
+  if (rows) return *rows;
+  if (guide == Guide::outlines) return rows.emplace(roughly(probe_), roughly(fixed_), method_, few);
+  return rows.emplace(probe_, fixed_, method_, guide == Guide::few ? few : many);
+}
+
+bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {
+  return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
+}
+
+Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
+  double taken = 0, free = 1;
+  for (int i = 0; i < 7; ++i) {
+    const double middle = 0.5 * (taken + free);
+    (is_free(chart, middle * y) ? free : taken) = middle;
+  }
+  return free * y;
+}
+
+std::optional<Vec6> LeapDescent::around(const Chart& chart, const Vec6& first, double margin,
+                                        ContactRows& rows, double trust, const Vec6& y) {
+  Vec6 step = first;
+  Effort unlimited;
+  for (int round = 0; round < most_cuts; ++round) {
+    const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
+    if (!look.news) {
+      // The rows know all that is in the way, and it bends into it; or there is no room for more.
+      if (!look.clear && rows.size() == static_cast<int>(ContactRows::capacity)) ++limited_;
+      return std::nullopt;
+    }
+    step = worth_trying(chart, y, rows.solve(margin, ContactRows::Narrow::keep).y - y, trust);
+    if (!(-y.dot(step) > worth * -y.dot(first))) return std::nullopt;
+    if (is_free(chart, y + step)) return step;
+  }
+  ++limited_;
+  return std::nullopt;
+}
+
+bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double margin,
+                       ContactRows& rows, Pace& pace, Vec6& y) {
+  const Vec6 step = worth_trying(chart, y, nearest.y - y, pace.trust);
+  const double length = step.norm();
+  const auto take = [&](const Vec6& leap) {
+    if (!is_free(chart, y + leap)) return false;
+    y += leap;
+    pace.moved = leap.norm();
+    return true;
+  };
+  if (take(step)) {
+    pace.trust = 2 * std::max(length, 0.5 * pace.trust);
+    pace.bending *= 0.5;
+    return true;
+  }
+  // Curved contacts leave room for themselves; it is worth less than what is gained.
+  const double room = std::min(pace.bending * length * length, 0.3 * length) + margin;
+  const Vec6 lifted =
+      worth_trying(chart, y, rows.solve(room, ContactRows::Narrow::open).y - y, pace.trust);
+  if (-y.dot(lifted) > worth * -y.dot(step) && take(lifted)) return true;
+  // The rows may lack what is in the way: the nearest pairs are a guess of it.
+  if (const auto round =
+          pace.complete ? around(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
+    y += *round;
+    pace.moved = round->norm();
+    pace.trust = 1.2 * std::max(pace.moved, 0.5 * pace.trust);
+    return true;
+  }
+  pace.bending *= 4;
+  for (const double part : {0.4, 0.16})
+    if (take(part * step)) {
+      pace.trust = 1.2 * pace.moved;
+      return true;
+    }
+  pace.trust = 0.1 * length;
+  return false;
+}
+
+Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const LeapGoal& goal,
+                                  const Deadline& deadline) {
+  const double radius = chart.mass().radius;
+  ContactRows& rows = this->rows(goal.guide);
+  rows.forget();  // the same run gives the same bits, whatever was run before
+  Descent::Outcome out;
+  out.y = start;
+  Pace pace{.trust = goal.reach * start.norm(),
+            .bending = 0.5 / radius,
+            .complete = goal.guide != Guide::outlines};
+  Effort effort = deadline.effort();
+  for (;;) {
+    const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
+    const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
+    const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
+    const double flat = goal.guide == Guide::many ? 4 * margin : 0;
+    const bool looked = rows.gather(chart, out.y, reach, flat, effort);
+    if (!looked && out.iterations == 0) return out;
+    if (!looked) rows.carry(chart, out.y);
+    const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
+    const double off = (nearest.y - out.y).norm();
+    out.contacts = rows.holding(nearest);
+    out.residual = length > 0 ? off / length : 0;
+    if (!looked) return out;
+    out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 1.9 * margin;
+    const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
+    if (out.converged || (hopeless && out.iterations >= 3)) return out;
+    if (out.iterations >= goal.steps || pace.trust < 0.2 * margin) return out;
+    if (deadline.passed()) return out;
+    ++out.iterations;
+    leap(chart, nearest, margin, rows, pace, out.y);
+  }
+}
+
+}  // namespace sonde

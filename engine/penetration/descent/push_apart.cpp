@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/push_apart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/triangle_batch.hpp"
+
+namespace sonde {
+namespace {
+
+/// Looks at where the probe has come to, before it is given up.
+constexpr int most_looks = 25;
+/// Pairs that one look takes down. Those of a deep overlap contradict each other; more of them are
+/// more work, and lead out no oftener.
+constexpr std::size_t most_pairs = 48;
+/// Of the probe's radius: how far apart triangles are to be.
+constexpr double margin_of_radius = 2e-4;
+constexpr double largest_turn = 0.3, largest_v = 0.9;
+
+/// A direction in which two triangles come apart, and the gap that there is along it.
+struct WayOut {
+  Vec3 normal = Vec3::UnitZ(), on_probe = Vec3::Zero();
+  double gap = -std::numeric_limits<double>::infinity();
+};
+
+Vec3 lowest(const Corners& t, const Vec3& n) {
+  return *std::min_element(t.begin(), t.end(),
+                           [&](const Vec3& x, const Vec3& y) { return n.dot(x) < n.dot(y); });
+}
+
+WayOut way_apart(const Corners& a, const Corners& b) {
+  const ClosestPoints p = closest_points(a, b);
+  return {p.normal, p.a, p.gap};
+}
+
+/// The direction that separates two triangles with the least way to go.
+WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
+  const auto edge = [](const Corners& t, std::size_t i) { return Vec3(t[(i + 1) % 3] - t[i]); };
+  const Vec3 face_a = edge(a, 0).cross(edge(a, 1)).normalized();
+  const Vec3 face_b = edge(b, 0).cross(edge(b, 1)).normalized();
+  WayOut best;
+  constexpr double aside = 0.1;  // a direction in the plane of a face leads neither in nor out
+  const auto look = [&](const Vec3& axis) {
+    const double length = axis.norm();
+    if (!(length > 0)) return;
+    for (const double side : {1 / length, -1 / length}) {
+      const Vec3 n = side * axis;
+      if ((solid_b && n.dot(face_b) < -aside) || (solid_a && n.dot(face_a) > aside)) continue;
+      const double gap = gap_along(n, a, b);
+      if (gap > best.gap) best = {n, Vec3::Zero(), gap};
+    }
+  };
+  look(face_a);
+  look(face_b);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vec3 u = edge(a, i), v = edge(b, j);
+      const Vec3 axis = u.cross(v);
+      if (axis.squaredNorm() > 1e-12 * u.squaredNorm() * v.squaredNorm()) look(axis);
+    }
+  if (std::isfinite(best.gap)) best.on_probe = lowest(a, best.normal);
+  return best;
+}
+
+}  // namespace
+
+PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
+    : probe_(probe), fixed_(fixed), method_(method), found_(most_pairs) {
+  rows_.reserve(most_pairs);
+}
+
+void PushApart::look(const Chart& chart, const Vec6& y, double margin) {
+  const Transform X(chart.pose(y));
+  Effort unlimited;
+  const std::size_t count = find_trespasses(probe_, fixed_, X, margin, found_, unlimited);
+  rows_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Corners a = place(X, corners(surface(probe_), found_[i].triangle_a));
+    const Corners b = corners(surface(fixed_), found_[i].triangle_b);
+    const WayOut way =
+        found_[i].gap > 0 ? way_apart(a, b) : way_out(a, b, probe_.solid, fixed_.solid);
+    if (!std::isfinite(way.gap)) continue;
+    HalfSpace row{chart.row(y, way.on_probe, way.normal), margin - way.gap};
+    if (method_ == Method::pdt) row.normal.head<3>().setZero();
+    rows_.push_back({row, 0});
+  }
+}
+
+/// By projected Gauss-Seidel on the dual, regularised: what contradicts each other is met halfway.
+Vec6 PushApart::compromise() {
+  constexpr int sweeps = 8;
+  constexpr double give = 0.3;
+  Vec6 step = Vec6::Zero();
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (auto& [row, push] : rows_) {
+      const double size = row.normal.squaredNorm();
+      const double lacking = row.bound - row.normal.dot(step) - give * size * push;
+      const double next = std::max(0.0, push + lacking / (size * (1 + give)));
+      step += (next - push) * row.normal;
+      push = next;
+    }
+  return step;
+}
+
+std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, double farthest,
+                                    const Deadline& deadline) {
+  const double margin = margin_of_radius * chart.mass().radius;
+  Vec6 y = start;
+  for (int looks = 0; looks < most_looks && !deadline.passed(); ++looks) {
+    if (!overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact)) return y;
+    look(chart, y, margin);
+    if (rows_.empty()) return std::nullopt;  // one is inside the other
+    Vec6 step = compromise();
+    step *= std::min(1.0, largest_turn / std::max(chart.v(step).norm(), 1e-30));
+    y += step;
+    if (!(chart.v(y).norm() < largest_v && y.norm() < farthest)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sonde

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/chart.hpp"
+#include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/proximity/queries/trespass.hpp"
+
+namespace sonde {
+
+/// From an overlap to a free pose near by, where the triangles that meet tell the way: each pair is
+/// to be separated along the direction that takes least, out of the side of a solid that it came in
+/// by. A guess, which deep overlaps are too much for; but it finds its way into gaps and holes that
+/// are too narrow for random poses to hit and for sketches to show.
+class PushApart {
+ public:
+  PushApart(const Body& probe, const Body& fixed, Method method);
+
+  /// A free pose (by overlap with doubt as contact) near y, in the chart of the device pose. Given
+  /// up where |y| reaches `farthest`, m.
+  std::optional<Vec6> from(const Chart& chart, const Vec6& y, double farthest,
+                           const Deadline& deadline = {});
+
+ private:
+  struct Row {
+    HalfSpace half_space;  ///< of the step
+    double push;           ///< its multiplier
+  };
+  /// Rows of the pairs that meet at y, or nearly do.
+  void look(const Chart& chart, const Vec6& y, double margin);
+  /// A step that satisfies the rows about evenly.
+  Vec6 compromise();
+
+  const Body& probe_;
+  const Body& fixed_;
+  Method method_;
+  std::vector<Trespass> found_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace sonde

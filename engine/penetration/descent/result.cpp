@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/result.hpp"
+
+#include "engine/penetration/contact/contact_clusters.hpp"
+
+namespace sonde {
+
+bool is_finite(const Pose& X) {
+  return X.p.allFinite() && X.q.coeffs().allFinite() && X.q.squaredNorm() > 0;
+}
+
+Separation failed(const Pose& device, const char* reason) noexcept {
+  Separation out;
+  out.status = Status::failed;
+  out.reason = reason;
+  out.device = out.separated = device;
+  return out;
+}
+
+Separation separated_at(const Pose& device) noexcept {
+  Separation out;
+  out.status = Status::separated;
+  out.device = out.separated = device;
+  out.converged = true;
+  return out;
+}
+
+Separation make_separation(const Chart& chart, const Descent::Outcome& found) noexcept {
+  Separation out = separated_at(chart.device());
+  out.iterations = found.iterations;
+  out.converged = found.converged;
+  if (found.y.squaredNorm() <= 0) return out;
+  out.status = Status::penetrating;
+  out.separated = chart.pose(found.y);
+  out.sigma = found.y.squaredNorm();
+  out.depth = found.y.norm();
+  out.translation = found.y.tail<3>().norm();
+  out.rotation = found.y.head<3>().norm();
+  out.contacts = found.contacts;
+  out.clusters = contact_clusters(found.contacts, chart.mass().radius);
+  out.residual = found.residual;
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/penetration/descent/descent.hpp"
+
+namespace sonde {
+
+bool is_finite(const Pose& X);
+
+/// A failed answer for the pose O; the reason is static text.
+Separation failed(const Pose& device, const char* reason) noexcept;
+
+/// The answer that the probe is free where it is.
+Separation separated_at(const Pose& device) noexcept;
+
+/// What a descent found, as an answer. A probe that came all the way back to O is separated.
+Separation make_separation(const Chart& chart, const Descent::Outcome& found) noexcept;
+
+}  // namespace sonde

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/sketch_descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sonde {
+namespace {
+
+constexpr std::size_t most_rows = 40;
+constexpr double largest_turn = 0.35;
+constexpr double largest_v = 0.95;
+/// Of |y|: shorter steps end a descent, by few points or by all of them.
+constexpr double rough_tolerance = 0.05, tolerance = 0.01;
+
+}  // namespace
+
+/// The probe's axes in those of the fixed body, and the other way about.
+struct SketchDescent::Frame {
+  Quad R[3], p, R_t[3], p_t;
+  Mat3 R_BA;
+  Frame(const Chart& chart, const Vec6& y, const Mat3& R_FB, const Vec3& com_B) {
+    const Vec3 u = chart.v(y);
+    const Quat turn(std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z());
+    R_BA = R_FB.transpose() * (chart.principal() * turn).toRotationMatrix();
+    const Vec3 p_BA = R_FB.transpose() * (chart.com() + y.tail<3>() - com_B);
+    for (int i = 0; i < 3; ++i) R[i] = quad(R_BA.col(i)), R_t[i] = quad(R_BA.row(i).transpose());
+    p = quad(p_BA);
+    p_t = quad(-(R_BA.transpose() * p_BA));
+  }
+  Quad to_fixed(const Quad& x) const { return x[0] * R[0] + x[1] * R[1] + x[2] * R[2] + p; }
+  Quad to_probe(const Quad& x) const { return x[0] * R_t[0] + x[1] * R_t[1] + x[2] * R_t[2] + p_t; }
+};
+
+SketchDescent::SketchDescent(const Sketch& probe, const Sketch& fixed,
+                             const MassProperties& fixed_mass)
+    : probe_(probe),
+      fixed_(fixed),
+      R_FB_(fixed_mass.R_MP),
+      com_B_(fixed_mass.com),
+      spacing_(std::max(probe.field.spacing(), fixed.field.spacing())),
+      of_probe_(probe.more.size()),
+      of_fixed_(fixed.more.size()) {}
+
+bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
+  const Frame frame(chart, y, R_FB_, com_B_);
+  const auto all_out = [](const PointGroup& group, const DistanceField& field, const auto& place) {
+    const Quad center = place(group.center);
+    if (static_cast<double>(field.at_least(center)) > group.radius) return true;
+    if (static_cast<double>(field.at(center)[3]) > group.radius) return true;
+    return std::ranges::all_of(group.points, [&](const Quad& x) {
+      const Quad placed = place(x);
+      return field.at_least(placed) >= 0 || field.at(placed)[3] >= 0;
+    });
+  };
+  const auto probe_is_out = [&](const PointGroup& group) {
+    return all_out(group, fixed_.field, [&](const Quad& x) { return frame.to_fixed(x); });
+  };
+  const auto fixed_is_out = [&](const PointGroup& group) {
+    return all_out(group, probe_.field, [&](const Quad& x) { return frame.to_probe(x); });
+  };
+  if (!probe_is_out(probe_.few[deep_of_probe_]) || !fixed_is_out(fixed_.few[deep_of_fixed_]))
+    return false;
+  for (std::size_t i = 0; i < probe_.few.size(); ++i)
+    if (!probe_is_out(probe_.few[i])) return deep_of_probe_ = i, false;
+  for (std::size_t i = 0; i < fixed_.few.size(); ++i)
+    if (!fixed_is_out(fixed_.few[i])) return deep_of_fixed_ = i, false;
+  return true;
+}
+
+/// The least gap of a group, or more than the reach; add(point, what is there) for all within.
+template <class Place, class Add>
+double SketchDescent::look_at(const PointGroup& group, const DistanceField& field, Known& known,
+                              double reach, const Place& place, const Add& add) {
+  if (known.gap - (travelled_ - known.seen) > reach) return reach;
+  const Quad center = place(group.center);
+  known = {static_cast<double>(field.at_least(center)) - group.radius, travelled_};
+  if (known.gap > reach) return reach;
+  known.gap = static_cast<double>(field.at(center)[3]) - group.radius;
+  if (known.gap > reach) return reach;
+  auto least = std::numeric_limits<float>::infinity();
+  const auto within = static_cast<float>(reach);
+  for (const Quad& x : group.points) {
+    const Quad placed = place(x), there = field.at(placed);
+    least = std::min(least, there[3]);
+    if (there[3] < within) add(x, placed, there);
+  }
+  known.gap = static_cast<double>(least);
+  return known.gap;
+}
+
+double SketchDescent::look(const Frame& frame, double reach, bool rough) {
+  const std::vector<PointGroup>& of_probe = rough ? probe_.few : probe_.more;
+  const std::vector<PointGroup>& of_fixed = rough ? fixed_.few : fixed_.more;
+  near_.clear();
+  double least = reach;
+  for (std::size_t i = 0; i < of_probe.size(); ++i) {
+    const double gap = look_at(
+        of_probe[i], fixed_.field, of_probe_[i], reach,
+        [&](const Quad& x) { return frame.to_fixed(x); },
+        [&](const Quad& x, const Quad&, const Quad& d) {
+          near_.push_back({x, d, d[3], true});
+        });
+    least = std::min(least, gap);
+  }
+  for (std::size_t i = 0; i < of_fixed.size(); ++i) {
+    const double gap = look_at(
+        of_fixed[i], probe_.field, of_fixed_[i], reach,
+        [&](const Quad& x) { return frame.to_probe(x); },
+        [&](const Quad&, const Quad& x, const Quad& d) {
+          near_.push_back({x, d, d[3], false});
+        });
+    least = std::min(least, gap);
+  }
+  if (near_.size() > most_rows) {
+    std::nth_element(near_.begin(), near_.begin() + most_rows, near_.end(),
+                     [](const Near& a, const Near& b) { return a.gap < b.gap; });
+    near_.resize(most_rows);
+  }
+  return least;
+}
+
+void SketchDescent::make_rows(const Chart& chart, const Vec6& y, const Frame& at, Method method) {
+  const Vec3 u = chart.v(y);
+  const double w = std::sqrt(std::max(1e-12, 1 - u.squaredNorm()));
+  Mat3 to_v = Mat3::Zero();  // from the moment of a normal to its row
+  to_v << 0, -u[2], u[1], u[2], 0, -u[0], -u[1], u[0], 0;
+  to_v = 2 * (to_v + w * Mat3::Identity() + u * u.transpose() / w);
+  for (int k = 0; k < 3; ++k) {
+    const double root = 2 * std::sqrt(chart.mass().inertia[k]);
+    to_v.row(k) *= root > 0 && method == Method::pdg ? 1 / root : 0;
+  }
+  const Mat3 R_FA = R_FB_ * at.R_BA;
+  rows_.resize(near_.size());
+  at_.resize(near_.size());
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const Near& c = near_[i];
+    const Vec3 out = vec3(c.out).normalized();
+    const Vec3 normal = c.of_probe ? Vec3(at.R_BA.transpose() * out) : Vec3(-out);
+    rows_[i].normal.head<3>() = to_v * vec3(c.on_probe).cross(normal);
+    rows_[i].normal.tail<3>() = R_FA * normal;
+    at_[i] = rows_[i].normal.dot(y);
+  }
+}
+
+LeastDistance SketchDescent::solve(double margin, bool open) {
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const double room = static_cast<double>(near_[i].gap) - margin;
+    rows_[i].bound = at_[i] - (open ? room : std::max(0.0, room));
+  }
+  return least_distance(rows_, 1e-2 * spacing_);
+}
+
+SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, const Goal& goal) {
+  const double margin = goal.margin, shortest = goal.rough ? rough_tolerance : tolerance;
+  for (auto* groups : {&of_probe_, &of_fixed_})
+    for (Known& k : *groups) k = {-std::numeric_limits<double>::infinity(), 0};
+  travelled_ = 0;
+  const double radius = chart.mass().radius;
+  End out{start, 0, 0, false};
+  Vec6 from = start;
+  double trust = 0.4 * std::max(start.norm(), spacing_), moved = 0;
+  for (;;) {
+    const double reach = 0.4 * trust + margin;
+    const Frame frame(chart, out.y, R_FB_, com_B_);
+    out.gap = look(frame, reach, goal.rough);
+    const double too_deep = margin - out.gap;
+    if (moved > 0.1 * spacing_ && too_deep > std::max(0.25 * moved, 0.1 * spacing_) &&
+        out.steps < goal.steps) {
+      // Linearised too far.
+      out.y = from + 0.4 * (out.y - from);
+      moved *= 0.4;
+      trust = 1.2 * moved;
+      travelled_ += 2 * moved;
+      ++out.steps;
+      continue;
+    }
+    make_rows(chart, out.y, frame, goal.method);
+    LeastDistance nearest = solve(margin, true);
+    if (!nearest.feasible) nearest = solve(margin, false);
+    Vec6 step = nearest.y - out.y;
+    double length = step.norm();
+    if (length < std::max(shortest * out.y.norm(), 0.02 * spacing_)) {
+      out.arrived = out.gap > margin - 0.25 * spacing_;
+      return out;
+    }
+    if (out.steps >= goal.steps) return out;
+    if (out.steps >= 2 && out.y.norm() > 1.1 * goal.beat && nearest.y.norm() > goal.beat)
+      return out;
+    const double turn = chart.v(step).norm();
+    step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / length});
+    const double limit = std::max(largest_v, chart.v(out.y).norm());
+    while (chart.v(out.y + step).norm() > limit) step *= 0.5;
+    from = out.y;
+    out.y += step;
+    moved = step.norm();
+    trust = std::max(1.5 * moved, 0.7 * trust);
+    travelled_ += step.tail<3>().norm() + 2.5 * radius * chart.v(step).norm();
+    ++out.steps;
+  }
+}
+
+}  // namespace sonde

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/coherent.hpp"
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/contact/contact_clusters.hpp"
+#include "engine/penetration/descent/descent.hpp"
+#include "engine/penetration/descent/result.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+
+namespace sonde {
+
+namespace {
+
+/// Beyond this many times the bodies' size, the rounding of coordinates drowns the geometry.
+constexpr double farthest = 1e9;
+/// Of the energy stored: what is lost at once beyond that is reported as a jump. As much as a
+/// closed loop may lose without one.
+constexpr double energy_let_go = 1e-3;
+
+}  // namespace
+
+struct CoherentSolver::State {
+  Pair pair;
+  const Body& probe = pair.probe();
+  const Body& fixed = pair.fixed();
+  Method method;
+  Descent descent;
+  ClusterIds ids;
+  Separation last;
+  Pose device;     ///< the last one that was not refused
+  Pose separated;  ///< the last one, free
+  bool started = false;
+
+  State(const Pair& bodies, Method m) : pair(bodies), method(m), descent(probe, fixed, m) {
+    last.reason = "not started";
+  }
+
+  /// A probe that can spin at no cost came back to O as it was spun, which is not how the device
+  /// holds it: where O itself is not free, the pose reached is the answer, at depth 0.
+  void keep_spin(const Chart& chart) noexcept {
+    if (probe.mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
+    if (!triangles_meet(probe, fixed, Transform(last.device), Doubt::contact)) return;
+    last.status = Status::penetrating;
+    last.separated = chart.pose(Vec6::Zero());
+  }
+
+  /// How far the device has come, m, by which the depth may well have fallen: √σ; and where only
+  /// translations count, the way of any point of the probe.
+  double device_motion(const Pose& to) const noexcept {
+    const Chart from(probe.mass, device);
+    const Vec6 y = from.coordinates(to);
+    if (method == Method::pdg) return y.norm();
+    return y.tail<3>().norm() + 2 * from.v(y).norm() * probe.mass.radius;
+  }
+
+  /// Was the place where the last tick ended, at a depth of `before`, left for another? It was the
+  /// best near by. So the depth can only have fallen further than the device moved where it was;
+  /// and where by less, the new place is nearer than the old one already to where the device came
+  /// from: energy that the hand does not get back.
+  bool has_jumped(double before, double moved) const noexcept {
+    const double noise = 2 * allowed_clearance(probe.mass.radius, before);
+    if (last.depth < before - moved * (1 + 1e-9) - noise) return true;
+    if (method == Method::pdt || !(before > 0) || last.depth >= before + moved) return false;
+    const double had_been = Chart(probe.mass, device).coordinates(last.separated).norm();
+    return had_been < before - noise && had_been * had_been < (1 - energy_let_go) * before * before;
+  }
+
+  bool within_reach(const Pose& X) const {
+    return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
+  }
+
+  /// Translation only: the separated probe has to turn with the device first, in one motion that is
+  /// swept: to where the rows of the last tick let it rest, or lifted off its contacts by as much
+  /// as the turn can move a point of it; the descent lets it down again. False where that is
+  /// blocked: then it has turned as far as it could.
+  bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
+    if (!(y.head<3>().norm() > 0)) return true;
+    const double depth = y.tail<3>().norm();
+    const double reach = 2 * chart.v(y).norm() * probe.mass.radius;
+    Vec6 furthest = y;
+    const auto turns_to = [&](const Vec6& turned) {
+      const Sweep swept = descent.sweep_to(chart, y, turned, effort);
+      const Vec6 reached = swept.hit ? Vec6(y + 0.9 * swept.free_until * (turned - y)) : turned;
+      if (reached.head<3>().norm() < furthest.head<3>().norm()) furthest = reached;
+      return !swept.hit;
+    };
+    const std::optional<Vec6> rest = descent.turned_by_rows(chart, y);
+    bool followed = rest && turns_to(*rest);
+    for (const double lift : {0, 1, 2, 4}) {
+      if (followed) break;
+      Vec6 turned = Vec6::Zero();
+      turned.tail<3>() = y.tail<3>() * (depth > 0 ? 1 + lift * reach / depth : 1);
+      followed = turns_to(turned);
+    }
+    y = furthest;
+    return followed;
+  }
+};
+
+CoherentSolver::CoherentSolver(const Pair& pair, Method method)
+    : state_(std::make_unique<State>(pair, method)) {}
+CoherentSolver::~CoherentSolver() = default;
+CoherentSolver::CoherentSolver(CoherentSolver&&) noexcept = default;
+CoherentSolver& CoherentSolver::operator=(CoherentSolver&&) noexcept = default;
+
+const Separation& CoherentSolver::last() const { return state_->last; }
+
+const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& options) {
+  State& s = *state_;
+  StaticOptions search = options;
+  search.method = s.method;
+  search.want_lower_bound = false;
+  s.last = separate_static(s.pair, X_FM, search);
+  s.last.jumped = s.last.status == Status::penetrating;
+  s.started = s.last.status != Status::failed;
+  s.device = s.last.device;
+  s.separated = s.last.separated;
+  s.descent.forget();
+  s.ids.forget();
+  s.ids.follow(s.last.separated, s.probe.mass.radius, s.last.clusters);
+  return s.last;
+}
+
+const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) noexcept {
+  State& s = *state_;
+  const char* refusal = !s.started              ? "not started"
+                        : !is_finite(X_FM)      ? "the device pose is not finite"
+                        : !s.within_reach(X_FM) ? "the device pose is too far away to compute with"
+                                                : nullptr;
+  if (refusal) {
+    s.last = failed(X_FM, refusal);
+    s.last.separated = s.separated;
+    return s.last;
+  }
+  const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
+  Effort effort(budget.work, until);
+  const Pose device{X_FM.q.normalized(), X_FM.p};
+  Chart chart(s.probe.mass, device);
+  chart.absorb_free_spin(s.separated);
+  const Vec6 from = chart.coordinates(s.separated);
+  Vec6 y = from;
+  const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
+  DescentGoal goal;
+  if (budget.steps > 0) goal.steps = budget.steps;
+  const double moved = s.device_motion(device);
+  const Descent::Outcome found =
+      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
+  const double before = s.last.status == Status::failed ? 0 : s.last.depth;
+  s.last = make_separation(chart, found);
+  // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by
+  // more the nearer the turn is to a half one, and nothing has swept that.
+  if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
+  s.keep_spin(chart);
+  s.last.jumped = s.has_jumped(before, moved);
+  s.last.converged = s.last.converged && followed;
+  s.device = device;
+  s.separated = s.last.separated;
+  s.ids.follow(s.separated, s.probe.mass.radius, s.last.clusters);
+  return s.last;
+}
+
+}  // namespace sonde

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/pair.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "engine/proximity/sketch/sketch.hpp"
+
+namespace sonde {
+namespace {
+
+std::shared_ptr<const Body> given(std::shared_ptr<const Body> body) {
+  if (!body) throw std::invalid_argument("a pair needs two bodies");
+  return body;
+}
+
+}  // namespace
+
+Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed)
+    : probe_(given(std::move(probe))),
+      fixed_(given(std::move(fixed))),
+      sketches_(std::make_shared<const Sketches>(make_sketches(*probe_, *fixed_))) {}
+
+}  // namespace sonde

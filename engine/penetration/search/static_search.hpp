@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
+
+namespace sonde {
+
+/// What a static search is asked for.
+struct StaticOptions {
+  Method method = Method::pdg;
+  Budget budget;           ///< its steps and microseconds; none: until it has converged
+  std::uint64_t seed = 1;  ///< of the random starts; any number
+  int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
+  int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
+  bool want_lower_bound = true;  ///< also; there is none where both bodies are surfaces
+  bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
+};
+
+// Not of the public face from here on (engine/sonde.hpp).
+
+/// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,
+/// searched globally on the pair's sketches and from many starts, each descended on the contact
+/// space. The separated pose is verified free with exact predicates. Never throws on geometry: a
+/// failure says so in the result. Allocates.
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
+
+}  // namespace sonde

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/descent/descent.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/brute_force.hpp"
+#include "tests/support/pairs.hpp"
+
+namespace sonde {
+namespace {
+
+// Reference: all pairs of triangles, for the pose that is reached. From free poses on the rim of
+// the chart, |v| = largest_v, where a step that leads out of the chart may have nothing left of it.
+TEST(Descent, stays_within_the_chart_and_free_from_its_rim) {
+  std::mt19937_64 random(11);
+  int runs = 0, stayed = 0;
+  for (const auto& pair : test::body_pairs(51)) {
+    const MassProperties& mass = pair.a->mass;
+    if (!(mass.inertia.minCoeff() > 0)) continue;
+    Descent descent(*pair.a, *pair.b, Method::pdg);
+    for (int i = 0; i < 40; ++i) {
+      const Chart chart(mass, test::random_pose(random, *pair.a, *pair.b, 0.8));
+      const Vec3 v = Chart::largest_v * test::random_in_ball(random, 1).normalized();
+      Vec6 y;
+      y.head<3>() = 2 * mass.inertia.cwiseSqrt().cwiseProduct(v);
+      y.tail<3>() = test::random_in_ball(random, 1.5 * mass.radius);
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(chart.pose(y)))) continue;
+      descent.forget();
+      const Descent::Outcome out = descent.run(chart, y, {}, 0, Deadline{});
+      ASSERT_TRUE(out.y.allFinite()) << pair.name;
+      EXPECT_LE(out.y.norm(), y.norm() * (1 + 1e-12)) << pair.name;
+      EXPECT_LE(chart.v(out.y).norm(), Chart::largest_v * (1 + 1e-9)) << pair.name;
+      EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, Transform(chart.pose(out.y))))
+          << pair.name;
+      ++runs;
+      stayed += chart.v(out.y).norm() > 0.94;
+    }
+  }
+  EXPECT_GT(runs, 50);
+  EXPECT_GT(stayed, 0) << "no run was held at the rim";
+}
+
+}  // namespace
+}  // namespace sonde

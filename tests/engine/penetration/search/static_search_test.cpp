@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/static_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
+#include "tests/engine/penetration/separation_checks.hpp"
+#include "tests/support/pairs.hpp"
+#include "tests/support/real_meshes.hpp"
+
+namespace sonde {
+namespace {
+
+std::shared_ptr<const Body> real(const char* name) {
+  return load_body(test::real_mesh(name).string(), Model::automatic, 1);
+}
+
+std::vector<test::BodyPair> pairs() {
+  std::mt19937_64 random(1);
+  const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.2)); };
+  const auto ring = test::body(test::torus(0.08, 0.03, 12, 8));
+  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.015, 30, 5));
+  return {{"box, box", test::body(test::box({0.06, 0.1, 0.15})),
+           test::body(test::box({0.2, 0.1, 0.1}))},
+          {"soup, torus", soup(20), ring},
+          {"torus, soup", ring, soup(25)},
+          {"soup, soup", soup(20), soup(20)},
+          {"torus, torus", ring, ring},
+          {"knot, knot", knot, knot},
+          {"cross, star", real("cross.off"), real("star.off")},
+          {"tripod, double torus", real("tripod.off"), real("double-torus-example.off")}};
+}
+
+Pose overlapping_pose(std::mt19937_64& random, const test::BodyPair& pair) {
+  for (;;) {
+    const Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
+    if (overlap(*pair.a, *pair.b, Transform(X), Doubt::exact)) return X;
+  }
+}
+
+/// No free pose can be nearer than the lower bound: tried on random ones about the depth.
+void check_lower_bound(const test::BodyPair& pair, const Separation& s, std::mt19937_64& random) {
+  if (!s.lower_bound) return;
+  const Chart chart(pair.a->mass, s.device);
+  for (int i = 0; i < 200; ++i) {
+    Vec6 y;
+    for (int k = 0; k < 6; ++k) y[k] = test::uniform(random, -1, 1);
+    y *= s.depth * test::uniform(random, 0.2, 1.2) / y.norm();
+    if (chart.v(y).norm() >= 0.99) continue;
+    if (overlap(*pair.a, *pair.b, Transform(chart.pose(y)), Doubt::exact)) continue;
+    EXPECT_GE(y.norm(), *s.lower_bound) << pair.name;
+  }
+}
+
+TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
+  std::mt19937_64 random(2);
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
+    for (int i = 0; i < 4; ++i) {
+      const Separation s = separate_static(bodies, overlapping_pose(random, pair));
+      test::check_separation(*pair.a, *pair.b, s, pair.name + " " + std::to_string(i));
+      EXPECT_EQ(s.lower_bound.has_value(), pair.a->solid || pair.b->solid);
+      ASSERT_TRUE(s.pdt.has_value());
+      EXPECT_FALSE(s.jumped);
+      check_lower_bound(pair, s, random);
+    }
+  }
+}
+
+// Any way out along a straight line bounds the depth from above: found here by bisection of
+// overlap at the far end, not by the engine's descents. (Beyond the last overlap all is free.)
+TEST(StaticSearch, depth_is_at_most_any_translation_out) {
+  std::mt19937_64 random(3);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Separation s = separate_static({pair.a, pair.b}, X);
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 way = test::random_in_ball(random, 1).normalized();
+      double step = 1e-3 * pair.a->mass.radius, out = 0;
+      for (; out < 1e4 * step; out += step)
+        if (!overlap(*pair.a, *pair.b, Transform({X.q, X.p + out * way}), Doubt::exact)) break;
+      EXPECT_LE(s.depth, out * (1 + 1e-3) + step) << pair.name;
+    }
+  }
+}
+
+TEST(StaticSearch, translation_only_does_not_turn_and_is_never_less) {
+  std::mt19937_64 random(4);
+  StaticOptions options;
+  options.method = Method::pdt;
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Pair bodies(pair.a, pair.b);
+    const Separation t = separate_static(bodies, X, options);
+    test::check_separation(*pair.a, *pair.b, t, pair.name);
+    EXPECT_LT(t.separated.q.angularDistance(X.q), 1e-7) << pair.name;
+    EXPECT_LE(separate_static(bodies, X).depth, t.depth * (1 + 1e-9)) << pair.name;
+  }
+}
+
+bool same_bits(const Separation& x, const Separation& y) {
+  return x.separated.p == y.separated.p && x.separated.q.coeffs() == y.separated.q.coeffs() &&
+         x.depth == y.depth && x.residual == y.residual && x.iterations == y.iterations &&
+         x.contacts.size == y.contacts.size && x.lower_bound == y.lower_bound && x.pdt == y.pdt;
+}
+
+TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
+  std::mt19937_64 random(5);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Pair bodies(pair.a, pair.b), again(pair.a, pair.b);
+    EXPECT_TRUE(same_bits(separate_static(bodies, X), separate_static(again, X))) << pair.name;
+    for (const int steps : {1, 20, 100}) {
+      StaticOptions options;
+      options.budget.steps = steps;
+      const Separation s = separate_static(bodies, X, options);
+      test::check_separation(*pair.a, *pair.b, s, pair.name);
+      // A few steps more make what was found fit to be returned: one for each of ten at most.
+      EXPECT_LE(s.iterations, steps + 10) << pair.name;
+      EXPECT_TRUE(same_bits(s, separate_static(bodies, X, options))) << pair.name;
+    }
+  }
+}
+
+TEST(StaticSearch, a_small_probe_deep_inside_comes_out_to_contact) {
+  const auto block = test::body(test::box({100, 100, 100}));
+  std::mt19937_64 random(8);
+  for (const double size : {1.0, 0.1, 0.01}) {
+    const auto probe = test::body(test::box({size, 0.7 * size, 0.5 * size}));
+    const Pose X{test::random_rotation(random), {1, -2, 30}};
+    const Separation s = separate_static({probe, block}, X);
+    test::check_separation(*probe, *block, s, std::to_string(size));
+    EXPECT_NEAR(s.depth, 20, 2 * size);  // the face at 50
+  }
+}
+
+TEST(StaticSearch, counted_steps_leave_room_for_translations) {
+  std::mt19937_64 random(9);
+  int with = 0, all = 0;
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
+    for (const int steps : {30, 100}) {
+      StaticOptions options;
+      options.budget.steps = steps;
+      const Separation s = separate_static(bodies, overlapping_pose(random, pair), options);
+      ++all, with += s.pdt.has_value();
+    }
+  }
+  EXPECT_EQ(with, all);
+}
+
+/// The icosahedron's faces cut into 16 each, on a sphere.
+PolygonSoup icosphere(double radius) {
+  const double p = std::numbers::phi;
+  std::vector<Vec3> at;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-p, p}) at.insert(at.end(), {{0, x, y}, {x, y, 0}, {y, 0, x}});
+  const auto add = [&](const auto& self, PolygonSoup& out, const Vec3& a, const Vec3& b,
+                       const Vec3& c, int cuts) -> void {
+    if (cuts == 0) {
+      const std::size_t n = out.points.size();
+      for (const Vec3& x : {a, b, c}) out.points.push_back(radius * x.normalized());
+      out.polygons.push_back({n, n + 1, n + 2});
+      return;
+    }
+    const Vec3 ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
+    self(self, out, a, ab, ca, cuts - 1);
+    self(self, out, ab, b, bc, cuts - 1);
+    self(self, out, ca, bc, c, cuts - 1);
+    self(self, out, ab, bc, ca, cuts - 1);
+  };
+  PolygonSoup out;
+  const auto joined = [&](std::size_t i, std::size_t j) { return (at[i] - at[j]).norm() < 2.1; };
+  for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t j = i + 1; j < at.size(); ++j)
+      for (std::size_t k = j + 1; k < at.size(); ++k) {
+        if (!joined(i, j) || !joined(j, k) || !joined(k, i)) continue;
+        const bool outward = at[i].dot(at[j].cross(at[k])) > 0;
+        const std::size_t second = outward ? j : k, third = outward ? k : j;
+        add(add, out, at[i].normalized(), at[second].normalized(), at[third].normalized(), 2);
+      }
+  return out;
+}
+
+// A translation is one of the answers: what a search for it alone finds with the same seed is never
+// beaten by it. One inside the other in the middle every direction is as good, but for the facets.
+TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_good) {
+  const auto ball = test::body(icosphere(1)), shell = test::body(icosphere(3));
+  ASSERT_EQ(ball->soup.triangles.size(), 320U);
+  const Pair bodies(ball, shell);
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    StaticOptions options;
+    options.seed = seed;
+    options.want_lower_bound = false;
+    const Separation g = separate_static(bodies, {}, options);
+    options.method = Method::pdt;
+    const Separation t = separate_static(bodies, {}, options);
+    EXPECT_LE(g.depth, t.depth * (1 + 1e-12)) << seed;
+    ASSERT_TRUE(g.pdt);
+    EXPECT_NEAR(*g.pdt, t.depth, 1e-12 * t.depth) << seed;
+  }
+}
+
+// What is found with so many steps is found with more: the depth never rises with the budget. And
+// what is returned touches, whatever the steps ended in (check_separation).
+TEST(StaticSearch, more_steps_never_give_a_worse_answer) {
+  std::mt19937_64 random(10);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Pair bodies(pair.a, pair.b);
+    StaticOptions options;
+    options.want_lower_bound = false;
+    double before = std::numeric_limits<double>::infinity();
+    for (int steps = 1; steps < 400; steps += 1 + steps / 6) {
+      options.budget.steps = steps;
+      const Separation s = separate_static(bodies, X, options);
+      test::check_separation(*pair.a, *pair.b, s, pair.name);
+      EXPECT_LE(s.depth, before * (1 + 1e-12)) << pair.name << ", " << steps << " steps";
+      before = s.depth;
+    }
+  }
+}
+
+TEST(StaticSearch, two_threads_give_the_same_bits) {
+  std::mt19937_64 random(7);
+  for (const auto& pair : pairs()) {
+    const Pose X = overlapping_pose(random, pair);
+    const Pair bodies(pair.a, pair.b);
+    for (const int steps : {0, 50}) {
+      StaticOptions one;
+      one.budget.steps = steps;
+      StaticOptions two = one;
+      two.two_threads = true;
+      EXPECT_TRUE(same_bits(separate_static(bodies, X, one), separate_static(bodies, X, two)))
+          << pair.name;
+    }
+  }
+}
+
+// |depth(o) − depth(o′)| ≤ √σ(o, o′) is a law of the true depth: what breaks it by more than the
+// clearance proves a missed optimum. A search by restarts misses some, so the share is bounded, not
+// each.
+TEST(StaticSearch, depth_changes_by_no_more_than_the_device_moved) {
+  std::mt19937_64 random(6);
+  int broken = 0, all = 0;
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
+    for (int i = 0; i < 3; ++i) {
+      const Pose X = overlapping_pose(random, pair);
+      Pose Y = X;
+      Y.p += test::random_in_ball(random, 0.02 * pair.a->mass.radius);
+      Y.q = (Y.q * Quat(Eigen::AngleAxisd(0.02, test::random_in_ball(random, 1).normalized())))
+                .normalized();
+      const Separation x = separate_static(bodies, X), y = separate_static(bodies, Y);
+      const double moved = test::pose_distance(*pair.a, X, Y);
+      const double slack = test::promised_clearance(pair.a->mass.radius, x.depth);
+      broken += std::abs(x.depth - y.depth) > moved + 2 * slack;
+      ++all;
+    }
+  }
+  std::printf("  %d of %d pairs of poses break the law\n", broken, all);
+  EXPECT_LE(broken, all / 12);
+}
+
+TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
+  for (const auto& pair : pairs()) {
+    Pose X;
+    X.p = pair.b->mass.com - pair.a->mass.com +
+          Vec3(1.01 * (pair.a->mass.radius + pair.b->mass.radius), 0, 0);
+    const Separation s = separate_static({pair.a, pair.b}, X);
+    EXPECT_EQ(s.status, Status::separated) << pair.name;
+    EXPECT_EQ(s.depth, 0);
+    EXPECT_EQ(s.sigma, 0);
+    EXPECT_EQ(s.separated.p, X.p);
+    EXPECT_EQ(s.contacts.size, 0);
+    EXPECT_TRUE(s.converged);
+  }
+  // Rings through one another, without touching, are free.
+  const auto ring = test::body(test::torus(0.08, 0.02, 16, 8));
+  const Pose linked{Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX())), Vec3(0.08, 0, 0)};
+  EXPECT_EQ(separate_static({ring, ring}, linked).status, Status::separated);
+}
+
+// Reference: the balance of moments. A box that lies flat on a plate is held against turns as well,
+// though the shortest way out does not turn it.
+TEST(StaticSearch, a_box_flat_on_a_plate_is_held_against_turns) {
+  const auto box = test::body(test::box({0.1, 0.08, 0.06}));
+  const auto plate = test::body(test::box({2, 2, 1}));
+  for (const double deep : {0.001, 0.01}) {
+    const Separation s =
+        separate_static({box, plate}, {Quat::Identity(), Vec3(0.02, -0.01, 0.5 + 0.03 - deep)});
+    test::check_separation(*box, *plate, s, "flat");
+    EXPECT_NEAR(s.depth, deep, 1e-3 * deep);
+    Vec3 moment = Vec3::Zero();
+    for (const Contact& c : s.contacts)
+      moment += c.multiplier * (c.on_probe - s.separated * box->mass.com).cross(c.normal);
+    EXPECT_LT(moment.norm(), 1e-3 * deep * box->mass.radius);
+  }
+}
+
+// Linked rings that overlap come apart as far as contact, not out of each other.
+TEST(StaticSearch, linked_rings) {
+  const auto ring = test::body(test::torus(0.08, 0.02, 16, 8));
+  const Pose X{Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX())), Vec3(0.125, 0.002, 0)};
+  const Separation s = separate_static({ring, ring}, X);
+  test::check_separation(*ring, *ring, s, "linked");
+  EXPECT_LT(s.depth, 0.0151);  // inwards by what is too far out
+}
+
+TEST(StaticSearch, answers_of_both_methods_are_free_near_contact_and_add_up) {
+  std::mt19937_64 random(22);
+  for (const auto& pair : pairs()) {
+    const Pair bodies(pair.a, pair.b);
+    for (const Method method : {Method::pdg, Method::pdt})
+      for (int i = 0; i < 3; ++i) {
+        const Pose X = overlapping_pose(random, pair);
+        StaticOptions options;
+        options.method = method;
+        const Separation s = separate_static(bodies, X, options);
+        test::check_separation(*pair.a, *pair.b, s, pair.name);
+        EXPECT_TRUE(method == Method::pdg || s.rotation == 0) << pair.name;
+      }
+  }
+}
+
+// Reference: the width of the gap. A peg in a hole that the spacing of the sketches does not show
+// comes back to the middle of the hole, not out of it.
+TEST(StaticSearch, a_way_out_too_narrow_for_sketches_is_found) {
+  const auto wall = [](const Vec3& low, const Vec3& high, PolygonSoup& out) {
+    const PolygonSoup box = test::box(high - low);
+    const std::size_t first = out.points.size();
+    for (const Vec3& x : box.points) out.points.push_back(x + (low + high) / 2);
+    for (auto polygon : box.polygons) {
+      for (auto& corner : polygon) corner += first;
+      out.polygons.push_back(polygon);
+    }
+  };
+  PolygonSoup walls;
+  wall({-0.2, -0.1, -0.1}, {-0.0205, 0.1, 0.1}, walls);
+  wall({0.0205, -0.1, -0.1}, {0.2, 0.1, 0.1}, walls);
+  const auto fixed = test::body(walls), peg = test::body(test::box({0.04, 0.12, 0.12}));
+  const Pair bodies(peg, fixed);
+  ASSERT_TRUE(bodies.sketches());
+  const Separation s = separate_static(bodies, {Quat::Identity(), Vec3(0.001, 0, 0)});
+  test::check_separation(*peg, *fixed, s, "peg");
+  EXPECT_NEAR(s.depth, 0.0005, 1e-6);
+}
+
+TEST(StaticSearch, one_triangle_against_one) {
+  const auto flat = test::body({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const auto upright = test::body({{{-0.2, 0, -0.5}, {0.2, 0, -0.5}, {0, 0, 0.1}}, {{0, 1, 2}}});
+  const Separation s = separate_static({upright, flat}, {});
+  test::check_separation(*upright, *flat, s, "triangles");
+  EXPECT_LE(s.depth, 0.1 * (1 + 1e-3));  // the tip sticks out by that
+  EXPECT_FALSE(s.lower_bound.has_value());
+}
+
+TEST(StaticSearch, a_mesh_in_its_own_place) {
+  for (const auto& body : {test::body(test::box({0.1, 0.1, 0.1})),
+                           test::body(test::torus(0.08, 0.03, 12, 8)), real("star.off")}) {
+    const Pose X{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0, 0)};
+    for (const Pose& at : {Pose{}, X}) {
+      const Pose same = at.p.isZero() ? at : Pose{};
+      test::check_separation(*body, *body, separate_static({body, body}, same), body->name);
+    }
+  }
+}
+
+TEST(StaticSearch, touching_is_penetrating_with_depth_zero_or_so) {
+  const auto cube = test::body(test::box({1, 1, 1}));
+  const double radius = cube->mass.radius;
+  for (const Vec3& at : {Vec3(1, 0, 0), Vec3(1, 0.25, 0.5), Vec3(1, 1, 0), Vec3(-1, 1, 1)}) {
+    const Separation s = separate_static({cube, cube}, {Quat::Identity(), at});
+    test::check_separation(*cube, *cube, s, "touching");
+    EXPECT_LE(s.depth, 1e-8 * radius) << at.transpose();
+    ASSERT_TRUE(s.lower_bound.has_value());
+    EXPECT_EQ(*s.lower_bound, 0);
+  }
+}
+
+// Depth of what lies within a large box, by hand: the nearest face less what reaches past the
+// centre. Rotation gains something, so the translational depth is an upper bound, and the depth of
+// the centre under the face, over how far a turn can help, a lower one.
+TEST(StaticSearch, inside_a_solid) {
+  std::mt19937_64 random(7);
+  const auto room = test::body(test::box({1, 1, 1}));
+  for (const auto& probe :
+       {test::body(test::sphere(0.1, 8, 12)), test::body(test::random_soup(random, 12, 0.1)),
+        test::body(test::torus(0.08, 0.03, 12, 8))}) {
+    const Pose X{test::random_rotation(random), Vec3(0.05, 0.1, 0.2)};
+    ASSERT_FALSE(triangles_meet(*probe, *room, Transform(X), Doubt::contact));
+    const Separation s = separate_static({probe, room}, X);
+    test::check_separation(*probe, *room, s, "inside");
+    double highest = 1;
+    for (const Triangle& t : probe->soup.triangles)
+      for (const std::uint32_t v : t)
+        highest = std::min(highest, (X * probe->soup.vertices[v]).z());
+    EXPECT_LE(s.depth, (0.5 - highest) * (1 + 1e-3));
+    EXPECT_GE(s.depth, 0.3 - 1e-9);  // the centre of mass, 0.3 under the face, must come out
+    EXPECT_GT(*s.lower_bound, 0.15);
+    const Pose back = inverse(X);
+    test::check_separation(*room, *probe, separate_static({room, probe}, back), "around");
+  }
+}
+
+TEST(StaticSearch, probes_without_thickness) {
+  const auto block = test::body(test::box({0.3, 0.3, 0.1}));
+  const auto needle = test::body({{{0, 0, 0}, {0.2, 0, 0}, {0.2, 1e-10, 0}}, {{0, 1, 2}}});
+  ASSERT_EQ(needle->mass.inertia[0], 0);
+  const auto leaf = test::body(test::box({0.1, 0.15, 0}));
+  ASSERT_FALSE(leaf->solid);
+  std::mt19937_64 random(8);
+  for (const auto& probe : {needle, leaf})
+    for (int i = 0; i < 6; ++i) {
+      Pose X{test::random_rotation(random), Vec3::Zero()};
+      X.p = Vec3(0.05, 0.03, 0.045) - X.q * probe->mass.com;
+      const Separation s = separate_static({probe, block}, X);
+      test::check_separation(*probe, *block, s, "thin probe " + std::to_string(i));
+      EXPECT_GE(s.depth, 0.005 - 1e-9);  // the centre of mass is so deep
+    }
+}
+
+}  // namespace
+}  // namespace sonde
