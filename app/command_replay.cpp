@@ -7,7 +7,7 @@
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "app/timed.hpp"
-#include "engine/haptics/haptic_loop.hpp"
+#include "engine/haptics/loop/haptic_loop.hpp"
 #include "engine/scene/poses.hpp"
 
 namespace sonde::app {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/body/body.hpp"
-#include "engine/haptics/coupler.hpp"
+#include "engine/haptics/coupling/coupler.hpp"
 #include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {

@@ -22,7 +22,7 @@
 #include "engine/geometry/mass.hpp"                     // MassProperties
 #include "engine/geometry/model.hpp"                    // Model
 #include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
-#include "engine/haptics/coupling.hpp"                  // Coupling, Wrench
+#include "engine/haptics/coupling/coupling.hpp"         // Coupling, Wrench
 #include "engine/penetration/contact/separation.hpp"    // Method, Status, Budget, Separation
 #include "engine/penetration/search/pair.hpp"           // Pair
 #include "engine/penetration/search/static_search.hpp"  // StaticOptions

@@ -12,7 +12,7 @@
 
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/device_watch.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/servo.hpp"
 #include "ui/holder.hpp"
 
 namespace sonde::ui {

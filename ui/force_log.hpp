@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/servo.hpp"
 
 namespace sonde::ui {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 
 class QUndoStack;
 

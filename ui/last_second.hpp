@@ -6,7 +6,7 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/mass.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/servo.hpp"
 
 namespace sonde::ui {
 

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "engine/devices/device_hand.hpp"
-#include "engine/haptics/direct_hand.hpp"
-#include "engine/haptics/simulated_hand.hpp"
+#include "engine/haptics/hand/direct_hand.hpp"
+#include "engine/haptics/hand/simulated_hand.hpp"
 #include "engine/scene/path_hand.hpp"
 
 namespace sonde::ui {

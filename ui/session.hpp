@@ -6,10 +6,10 @@
 
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/input_device.hpp"
-#include "engine/haptics/companion.hpp"
-#include "engine/haptics/hand_switch.hpp"
-#include "engine/haptics/servo.hpp"
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/hand_switch.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
 #include "ui/opening.hpp"
 
 namespace sonde::ui {

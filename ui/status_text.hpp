@@ -4,8 +4,8 @@
 #include <QString>
 #include <optional>
 
-#include "engine/haptics/companion.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
 
 namespace sonde::ui {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/haptics/companion.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
 #include "ui/camera.hpp"
 #include "ui/document/handles.hpp"
 #include "ui/opening.hpp"

@@ -4,7 +4,7 @@
 #include "engine/devices/device_sample.hpp"
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/workspace_map.hpp"
-#include "engine/haptics/hand.hpp"
+#include "engine/haptics/hand/hand.hpp"
 
 namespace sonde {
 

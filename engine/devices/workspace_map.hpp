@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/devices/axis_map.hpp"
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 
 namespace sonde {
 

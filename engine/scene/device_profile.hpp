@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
 
 namespace sonde {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/hand.hpp"
+#include "engine/haptics/hand/hand.hpp"
 #include "engine/scene/poses.hpp"
 
 namespace sonde {

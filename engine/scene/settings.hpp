@@ -8,8 +8,8 @@
 
 #include "engine/devices/device_settings.hpp"
 #include "engine/geometry/model.hpp"
-#include "engine/haptics/coupling.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/loop/servo.hpp"
 
 namespace sonde {
 

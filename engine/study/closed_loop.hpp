@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/haptics/haptic_loop.hpp"
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
+#include "engine/haptics/loop/haptic_loop.hpp"
 
 namespace sonde {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/study/felt_stiffness.hpp"
 
 namespace sonde {

@@ -8,7 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
-#include "engine/haptics/haptic_loop.hpp"
+#include "engine/haptics/loop/haptic_loop.hpp"
 #include "engine/study/contact_torque.hpp"
 
 namespace sonde {

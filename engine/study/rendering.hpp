@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/study_parts.hpp"

@@ -9,8 +9,8 @@
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
-#include "engine/haptics/contact_feed.hpp"
-#include "engine/haptics/local_contacts.hpp"
+#include "engine/haptics/loop/contact_feed.hpp"
+#include "engine/haptics/loop/local_contacts.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
 #include "engine/scene/poses.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/study/rendering.hpp"
 
 namespace sonde {

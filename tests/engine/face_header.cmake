@@ -10,7 +10,7 @@ set(allowed
     engine/geometry/mass.hpp
     engine/geometry/model.hpp
     engine/geometry/pose.hpp
-    engine/haptics/coupling.hpp
+    engine/haptics/coupling/coupling.hpp
     engine/penetration/search/pair.hpp
     engine/penetration/contact/separation.hpp
     engine/penetration/search/static_search.hpp

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/haptics/haptic_loop.hpp"
+#include "engine/haptics/loop/haptic_loop.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"

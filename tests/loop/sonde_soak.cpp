@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"

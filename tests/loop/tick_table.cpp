@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 
 namespace sonde::ticks {
 namespace {

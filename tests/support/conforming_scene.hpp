@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/support/conforming.hpp"
 

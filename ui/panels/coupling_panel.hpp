@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 
 class QButtonGroup;
 class QLabel;

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/haptics/companion.hpp"
-#include "engine/haptics/servo.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
 #include "ui/format.hpp"
 
 namespace sonde::ui {

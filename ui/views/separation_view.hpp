@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 #include "ui/views/glyphs.hpp"
 #include "ui/views/overlay.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "engine/haptics/coupling.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/haptics/simulated_device.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
 
 namespace sonde {
 namespace {

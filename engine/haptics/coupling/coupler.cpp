@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/coupling/coupler.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace sonde {
+
+Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {
+  Wrench out;
+  if (separation.status == Status::failed) {
+    has_motion_ = false;
+    return out;
+  }
+  SeparationMotion now;
+  if (separation.status == Status::penetrating) {
+    now = separation_motion(mass_, separation.device, separation.separated);
+    Wrench free = unlimited(blend_.now, separation, now, dt);
+    if (blend_.share < 1) {
+      const Wrench before = unlimited(blend_.before, separation, now, dt);
+      free.force = before.force + blend_.share * (free.force - before.force);
+      free.torque = before.torque + blend_.share * (free.torque - before.torque);
+    }
+    out = limit(free, blend_.now.max_force, blend_.now.max_torque);
+  }
+  motion_ = now;
+  has_motion_ = true;
+  return out;
+}
+
+Wrench Coupler::unlimited(const Coupling& coupling, const Separation& separation,
+                          const SeparationMotion& now, double dt) const noexcept {
+  if (coupling.mode == Coupling::Mode::object)
+    return object_norm_wrench(mass_, separation.device, separation.separated, coupling.k);
+  return classic(coupling, now, separation.jumped ? 0 : dt);
+}
+
+Wrench Coupler::classic(const Coupling& coupling, const SeparationMotion& now,
+                        double dt) const noexcept {
+  Vec3 t_rate = Vec3::Zero(), theta_rate = Vec3::Zero();
+  if (has_motion_ && dt > 0 && std::isfinite(dt)) {
+    t_rate = (now.t - motion_.t) / dt;
+    // Past half a turn the rotation vector starts again from the other side: no motion did that.
+    const Vec3 turn = now.theta - motion_.theta;
+    if (turn.norm() <= std::numbers::pi) theta_rate = turn / dt;
+  }
+  return classic_wrench(now, t_rate, theta_rate, coupling);
+}
+
+}  // namespace sonde

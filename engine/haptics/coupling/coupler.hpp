@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/gain_glide.hpp"
+#include "engine/penetration/contact/separation.hpp"
+
+namespace sonde {
+
+/// The coupling from tick to tick: it remembers the separation before for the rates of the classic
+/// mode. They are backward differences of the separation, which is zero out of contact. There are
+/// none after a reset, a failed tick or a jump: the separation before belongs to another contact.
+class Coupler {
+ public:
+  Coupler(const MassProperties& mass, const Coupling& coupling)
+      : mass_(mass), blend_{.now = coupling, .before = coupling} {}
+
+  void set_coupling(const Coupling& coupling) noexcept {
+    blend_ = {.now = coupling, .before = coupling};
+  }
+  /// On the way from one mode to another.
+  void set_coupling(const GainGlide::Blend& blend) noexcept { blend_ = blend; }
+  const Coupling& coupling() const noexcept { return blend_.now; }
+  /// The next separation has nothing to do with the one before.
+  void forget() noexcept { has_motion_ = false; }
+  /// The wrench of the next separation, within the limits of the coupling; zero where it failed.
+  /// dt in s since the last one; 0 where that is not known, and then nothing is damped.
+  Wrench wrench(const Separation& separation, double dt) noexcept;
+
+ private:
+  Wrench unlimited(const Coupling& coupling, const Separation& separation,
+                   const SeparationMotion& now, double dt) const noexcept;
+  Wrench classic(const Coupling& coupling, const SeparationMotion& now, double dt) const noexcept;
+
+  MassProperties mass_;
+  GainGlide::Blend blend_;
+  SeparationMotion motion_;  ///< of the last tick
+  bool has_motion_ = false;  ///< the next separation may be compared with `motion_`
+};
+
+}  // namespace sonde

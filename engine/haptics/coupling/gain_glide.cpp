@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/coupling/gain_glide.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sonde {
+namespace {
+
+constexpr double Coupling::*gains[] = {&Coupling::k, &Coupling::k_t, &Coupling::k_r, &Coupling::b_t,
+                                       &Coupling::b_r};
+constexpr double Coupling::*limits[] = {&Coupling::max_force, &Coupling::max_torque};
+
+}  // namespace
+
+void GainGlide::restart(const Coupling& coupling) noexcept {
+  from_ = to_ = coupling;
+  blend_ = {.now = coupling, .before = coupling};
+  next_.reset();
+  there_ = true;
+}
+
+void GainGlide::set(const Coupling& wanted) noexcept {
+  if (blend_.share < 1) {
+    next_ = wanted;
+    return;
+  }
+  from_ = blend_.now;
+  to_ = wanted;
+  since_ = 0;
+  there_ = false;
+}
+
+const GainGlide::Blend& GainGlide::next(double dt) noexcept {
+  if (there_) return blend_;
+  since_ += dt > 0 ? dt : 0;
+  there_ = since_ >= time_;
+  blend_ = {.now = to_, .before = to_};
+  if (!there_) blend(since_ / time_);
+  if (!next_) return blend_;
+  for (double Coupling::*limit : limits)
+    blend_.now.*limit = std::min(blend_.now.*limit, (*next_).*limit);
+  if (there_) set(*std::exchange(next_, std::nullopt));
+  return blend_;
+}
+
+void GainGlide::blend(double share) noexcept {
+  const auto on_the_way = [&](double Coupling::*value) {
+    return from_.*value + share * (to_.*value - from_.*value);
+  };
+  for (double Coupling::*limit : limits)
+    blend_.now.*limit = std::min(to_.*limit, on_the_way(limit));
+  if (from_.mode == to_.mode) {
+    for (double Coupling::*gain : gains) blend_.now.*gain = on_the_way(gain);
+  } else {
+    blend_.before = from_;
+    blend_.share = share;
+  }
+}
+
+}  // namespace sonde

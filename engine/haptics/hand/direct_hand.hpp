@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/base/triple_buffer.hpp"
+#include "engine/haptics/hand/hand.hpp"
+
+namespace sonde {
+
+/// Holds the probe exactly where it is told, and feels nothing: the mouse with no device between.
+class DirectHand {
+ public:
+  explicit DirectHand(const Pose& X_FM) : targets_(X_FM) {}
+
+  /// For the servo; this object must outlive it.
+  Hand hand() {
+    return {.sample =
+                [this](double /*dt*/) {
+                  targets_.update();
+                  return HandSample{.X_FM = targets_.front()};
+                },
+            .render = {}};
+  }
+  /// From one other thread; the newest wins.
+  void set_target(const Pose& X_FM) { targets_.write(X_FM); }
+
+ private:
+  TripleBuffer<Pose> targets_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "engine/geometry/pose.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
+
+namespace sonde {
+
+/// What is known of the device in the hand, as felt at the probe.
+struct DeviceTraits {
+  double damping = 0;  ///< N·s/m, of the mechanism
+  double delay = 0;    ///< s, from command to motors
+  /// Of the probe's way to the hand's, at most; 0: no hand that can be thrown.
+  double ratio = 1;
+  // The most virtual damping that its driver bears; 0: not known.
+  double max_damping = 0;             ///< N·s/m
+  double max_rotational_damping = 0;  ///< N·m·s/rad
+};
+
+/// What a hand wants of the probe at one tick.
+struct HandSample {
+  Pose X_FM;             ///< the probe's mesh frame in the fixed body's
+  bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
+  bool trusted = true;   ///< false: the pose is old or cannot be true; there is no force
+  bool changed = false;  ///< another hand, or other axes of it: no force in this tick
+  std::optional<DeviceTraits> device = {};  ///< none: nothing is known of it
+};
+
+/// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.
+/// Both functions are called on the servo thread alone, once in each tick and in this order, and
+/// neither allocates, locks, logs, throws or waits. When the servo stops, render gets a zero wrench
+/// once more, even if there was no tick.
+struct Hand {
+  /// dt: s since the sample before; 0 for the first.
+  std::function<HandSample(double dt)> sample;
+  /// The wrench on the hand, about the probe's centre of mass at the sampled pose, in the fixed
+  /// frame, after every limit. May be empty.
+  std::function<void(const Wrench&)> render;
+};
+
+}  // namespace sonde

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "engine/haptics/hand/hand.hpp"
+
+namespace sonde {
+
+/// Changes the hand under a running servo. The servo never frees one: a hand that was replaced is
+/// kept until it has let go of it.
+class HandSwitch {
+ public:
+  /// The pointers own whatever the hand's functions need.
+  explicit HandSwitch(std::shared_ptr<const Hand> first);
+  HandSwitch(const HandSwitch&) = delete;
+  HandSwitch& operator=(const HandSwitch&) = delete;
+
+  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, and is `changed`
+  /// where another held before; its last wrench is zero. This object must outlive the servo.
+  Hand hand();
+
+  // From one other thread.
+  /// A paused hand is not asked: its pose stays. Resumed, it gets dt = 0.
+  void set_paused(bool paused) { paused_.store(paused, std::memory_order_relaxed); }
+  void set(std::shared_ptr<const Hand> next);
+  /// Frees the hands that the servo has let go of. To be called now and then.
+  void sweep();
+  std::size_t kept() const { return kept_.size(); }
+
+ private:
+  HandSample sample(double dt) noexcept;
+
+  std::vector<std::shared_ptr<const Hand>> kept_;  ///< in the order they were set
+  std::atomic<const Hand*> wanted_;
+  std::atomic<const Hand*> used_;  ///< by the servo; one of kept_
+  std::atomic<bool> paused_{false};
+
+  // The servo thread's own.
+  const Hand* held_ = nullptr;  ///< null before its first tick
+  HandSample last_;
+  bool resting_ = false;  ///< last_ was given instead of asking
+};
+
+}  // namespace sonde

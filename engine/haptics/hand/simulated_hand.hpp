@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/base/triple_buffer.hpp"
+#include "engine/haptics/hand/hand.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
+
+namespace sonde {
+
+/// A simulated device that holds the probe, in a hand that follows a target (the mouse). Its handle
+/// is the probe's centre of mass, in a workspace that is `scaling` times smaller than the scene: as
+/// with a device, the handle gets `scaling` times the force, so that the hand does the work that is
+/// done on the probe.
+///
+/// Its time is counted in ticks, each as long as the servo's period should be: one that comes late
+/// slows the simulation down, it does not shake it.
+class SimulatedHand {
+ public:
+  /// `period` of the servo in s; the probe at X_FM, com its centre of mass in its mesh frame.
+  /// Throws as SimulatedDevice.
+  SimulatedHand(const SimulatedDeviceParameters& parameters, double period, double scaling,
+                const Vec3& com, const Pose& X_FM);
+  SimulatedHand(const SimulatedHand&) = delete;
+  SimulatedHand& operator=(const SimulatedHand&) = delete;
+
+  /// For the servo; this object must outlive it.
+  Hand hand();
+
+  // From one other thread; they act on the next tick.
+  /// Where the mouse wants the probe.
+  void set_target(const Pose& X_FM) { targets_.write(X_FM); }
+  /// The handle and the hand are at rest there.
+  void place(const Pose& X_FM) { places_.write(X_FM); }
+  void set_scaling(double scaling) { scalings_.write(scaling); }
+
+ private:
+  HandSample sample() noexcept;
+  void follow_target() noexcept;
+  Pose to_device(const Pose& X_FM) const noexcept;
+  Pose to_probe(const Pose& X_WD) const noexcept;
+
+  double scaling_;
+  DeviceTraits traits_;  ///< at the handle
+  Vec3 com_;
+  double share_;  ///< of the way to the target that the hand goes in a tick
+  SimulatedDevice device_;
+  Pose hand_;  ///< X_FM where the hand is
+  Wrench command_;
+  bool begun_ = false;  ///< a command is on its way to the motors
+  TripleBuffer<Pose> targets_;
+  TripleBuffer<Pose> places_;
+  TripleBuffer<double> scalings_;
+};
+
+}  // namespace sonde

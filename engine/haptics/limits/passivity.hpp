@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "engine/geometry/mass.hpp"
+#include "engine/geometry/pose.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/hand/hand.hpp"
+
+namespace sonde {
+
+struct PassivitySettings {
+  bool control = false;       ///< take out of the hand's motion what the loop has put in
+  double max_damping = 5;     ///< N·s/m, the most the controller may damp with
+  double device_damping = 0;  ///< N·s/m, of the mechanism: what it takes out by itself, at least
+  double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most
+};
+
+/// What the loop has done to the hand, by the wrenches rendered and the poses sampled.
+struct HandEnergy {
+  double given = 0;  ///< J, net work on the hand since the start; a passive wall gives none
+  double excess =
+      0;  ///< J, what contacts gave beyond what the device takes out; not above 0: passive
+  double dissipated = 0;  ///< J, taken out by the controller so far
+  double damping = 0;     ///< N·s/m, of the controller in this tick
+};
+
+/// Observes the energy that passes to the hand, always, and can hold it down: time-domain passivity
+/// by Hannaford and Ryu (2002). The force is held between two samples, so its work is exact,
+///
+///     W_k = W_{k−1} + F_{k−1}·(x_k − x_{k−1}) + τ_{k−1}·θ_k,
+///
+/// with x the probe's centre of mass and θ the rotation vector of its turn; a device's delay is
+/// known, and the wrench that acted is taken. A virtual wall stores no energy when the hand has
+/// left it, so W ≤ 0 then, whoever holds the device. What a contact gave in excess of that is
+/// damped away in the object norm: F −= α v, τ −= α Î ω, with α as large as it takes, and not above
+/// what the device bears. What one contact took does not allow the next one to give.
+class Passivity {
+ public:
+  Passivity(const MassProperties& mass, const PassivitySettings& settings, double period);
+
+  /// What is known of the device, from the next pose on: instead of the settings'. None: those.
+  void set_device(const std::optional<DeviceTraits>& device) noexcept;
+  void set_control(bool on) noexcept { settings_.control = on; }
+  void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
+  void restart(const Pose& X_FM) noexcept;
+  /// The pose of this tick: what the last wrench did. dt in s since the last one.
+  void observe(const Pose& X_FM, double dt) noexcept;
+  /// The wrench wanted, damped where the controller is on. To be followed by rendered().
+  Wrench control(const Wrench& wanted) noexcept;
+  /// The wrench that went to the hand in this tick.
+  void rendered(const Wrench& wrench) noexcept;
+  const HandEnergy& energy() const noexcept { return energy_; }
+
+ private:
+  static constexpr std::size_t most_ticks_late = 64;
+  const Wrench& acting() const noexcept;
+  double most_damping() const noexcept;
+
+  MassProperties mass_;
+  PassivitySettings settings_;
+  double period_;  ///< s
+  DeviceTraits device_;
+  std::size_t ticks_late_ = 0;
+  Pose X_FM_;
+  Vec3 step_ = Vec3::Zero();  ///< of the centre of mass, m
+  Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame
+  double dt_ = 0;
+  std::array<Wrench, most_ticks_late + 1> wrenches_{};  ///< the last ones, as a ring
+  std::size_t newest_ = 0;
+  HandEnergy energy_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/loop/contact_feed.hpp"
+
+#include <algorithm>
+
+#include "engine/base/deadline.hpp"
+#include "engine/body/body.hpp"
+#include "engine/penetration/descent/descent.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of the probe's radius: farther no probe goes while the geometry is busy.
+constexpr double widest = 0.5;
+/// Of near pairs, whose rows are chosen from.
+constexpr std::size_t most_pairs = 192;
+/// Of the probe's radius: how far the device is moved to see which rows would hold the probe. At
+/// 1 m/s a tick of a probe of 5 cm.
+constexpr double support_reach = 0.02;
+
+}  // namespace
+
+ContactFeed::ContactFeed(const Pair& pair, Method method)
+    : pair_(pair),
+      method_(method),
+      solver_(pair, method),
+      near_(pair.probe(), pair.fixed(), method,
+            {.most_pairs = most_pairs, .most_listed = PairList::enough}),
+      marked_(ContactRows::capacity) {}
+
+const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
+  StaticOptions own = options;
+  own.method = method_;
+  contacts_ = LocalContacts{};
+  contacts_.separation = begin(X_FM, own);
+  last_device_ = contacts_.separation.device;
+  near_.forget();
+  gather();
+  return contacts_;
+}
+
+/// From the separated pose that is known, which is free, the device pose is a tick away.
+const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& options) {
+  const bool known = searched_ && searched_->device.p == X_FM.p &&
+                     searched_->device.q.coeffs() == X_FM.q.normalized().coeffs();
+  if (known && solver_.reset(searched_->separated, options).status == Status::separated)
+    return solver_.tick(X_FM);
+  const Separation& found = solver_.reset(X_FM, options);
+  if (found.status == Status::penetrating) searched_ = found;
+  return found;
+}
+
+const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,
+                                          const Budget& budget) noexcept {
+  const double begin = now_us();
+  last_device_ = contacts_.separation.device;
+  contacts_.separation = solver_.tick(X_FM, budget);
+  contacts_.tick = tick;
+  contacts_.time = time;
+  if (contacts_.separation.jumped) ++contacts_.jumps;
+  gather();
+  contacts_.refresh_us = now_us() - begin;
+  return contacts_;
+}
+
+void ContactFeed::gather() noexcept {
+  const Separation& s = contacts_.separation;
+  contacts_.size = 0;
+  if (s.status == Status::failed) return;
+  Chart chart(pair_.probe().mass, s.device);
+  chart.absorb_free_spin(s.separated);
+  const double radius = pair_.probe().mass.radius;
+  const double margin = 0.5 * allowed_clearance(radius, s.depth);
+  const Pose X_MF = inverse(s.separated);
+  const auto add = [&](const Contact& c) {
+    if (contacts_.size == LocalContacts::capacity) return false;
+    contacts_.rows[static_cast<std::size_t>(contacts_.size++)] = {
+        X_MF * c.on_probe, c.on_fixed, c.normal, std::min(c.gap, margin)};
+    return true;
+  };
+  // Those that hold the probe come first: with them, the separated pose is the answer at the pose
+  // it was found for.
+  for (const Contact& c : s.contacts) add(c);
+  near_.gather(chart, chart.coordinates(s.separated), widest * radius, 4 * margin);
+  contacts_.reach = near_.reach();
+  const int rows = near_.size();
+  std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
+  if (!marked_[0]) mark_support(support_reach * radius);
+  for (int i = 0; i < rows; ++i)
+    if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
+  for (int i = 0; i < rows; ++i) {
+    if (marked_[static_cast<std::size_t>(i)]) continue;
+    // Nearest first: what finds no room is no nearer than the last one that did.
+    if (add(near_.contact(i))) continue;
+    contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
+    break;
+  }
+}
+
+void ContactFeed::mark_holding(const Pose& device) noexcept {
+  Chart chart(pair_.probe().mass, device);
+  chart.absorb_free_spin(contacts_.separation.separated);
+  const Vec6 y = chart.coordinates(contacts_.separation.separated);
+  if (!near_.again(chart, y)) return;
+  const LeastDistance held =
+      near_.solve(0.5 * allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
+                  ContactRows::Narrow::keep);
+  for (int i = 0; i < held.active_count; ++i)
+    if (const int row = held.active[static_cast<std::size_t>(i)]; row < near_.size())
+      marked_[static_cast<std::size_t>(row)] = true;
+}
+
+void ContactFeed::mark_support(double far) noexcept {
+  const MassProperties& mass = pair_.probe().mass;
+  const Pose& device = contacts_.separation.device;
+  /// The device pose turned about its centre of mass and shifted.
+  const auto moved = [&](const Vec3& shift, const Vec3& turn) {
+    const Quat q = Quat(Eigen::AngleAxisd(turn.norm(), turn.norm() > 0 ? Vec3(turn.normalized())
+                                                                       : Vec3(Vec3::UnitX()))) *
+                   device.q;
+    return Pose{q.normalized(), device * mass.com + shift - q * mass.com};
+  };
+  const Eigen::AngleAxisd turned(device.q * last_device_.q.conjugate());
+  const Vec3 turn = turned.angle() * turned.axis();
+  const Vec3 shift = device * mass.com - last_device_ * mass.com;
+  for (const double ticks : {3.0, 8.0, 20.0}) mark_holding(moved(ticks * shift, ticks * turn));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double by : {-far, far}) {
+      mark_holding(moved(by * Vec3::Unit(axis), Vec3::Zero()));
+      mark_holding(moved(Vec3::Zero(), by / mass.radius * Vec3::Unit(axis)));
+    }
+}
+
+}  // namespace sonde

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/loop/geometry_thread.hpp"
+
+#include "engine/base/real_time.hpp"
+
+namespace sonde {
+namespace {
+
+/// For a start in overlap, which somebody waits for: a place to follow from, not the last per cent.
+StaticOptions quick_search() {
+  StaticOptions options;
+  options.starts = 64;
+  options.agreement = 6;
+  return options;
+}
+
+}  // namespace
+
+GeometryThread::GeometryThread(const Pair& pair, Method method, const Budget& budget,
+                               bool real_time)
+    : feed_(pair, method), budget_(budget), real_time_(real_time) {}
+
+GeometryThread::~GeometryThread() { stop(); }
+
+void GeometryThread::start(const Pose& X_FM) {
+  stop();
+  contacts_.fill(feed_.reset(X_FM, quick_search()));
+  requests_.fill({.X_FM = X_FM, .tick = 0, .time = 0});
+  asked_.store(0, std::memory_order_relaxed);
+  stopping_.store(false, std::memory_order_relaxed);
+  thread_ = std::thread([this] { run(); });
+}
+
+void GeometryThread::stop() {
+  if (!thread_.joinable()) return;
+  stopping_.store(true, std::memory_order_relaxed);
+  asked_.fetch_add(1, std::memory_order_release);
+  asked_.notify_one();
+  thread_.join();
+}
+
+void GeometryThread::ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept {
+  requests_.write({.X_FM = X_FM, .tick = tick, .time = time});
+  asked_.fetch_add(1, std::memory_order_release);
+  asked_.notify_one();  // a system call where the thread sleeps, and only then
+}
+
+const LocalContacts& GeometryThread::newest() noexcept {
+  contacts_.update();
+  return contacts_.front();
+}
+
+void GeometryThread::run() noexcept {
+  name_thread("sonde-geometry");
+  if (real_time_) request_precedence();
+  std::int32_t seen = 0;
+  for (;;) {
+    asked_.wait(seen, std::memory_order_acquire);
+    seen = asked_.load(std::memory_order_acquire);
+    if (stopping_.load(std::memory_order_relaxed)) return;
+    if (!requests_.update()) continue;
+    const Request& request = requests_.front();
+    contacts_.write(feed_.refresh(request.X_FM, request.tick, request.time, budget_));
+  }
+}
+
+}  // namespace sonde

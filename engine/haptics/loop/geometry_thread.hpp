@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+#include "engine/base/triple_buffer.hpp"
+#include "engine/haptics/loop/contact_feed.hpp"
+
+namespace sonde {
+
+/// Refreshes the contact rows for the newest device pose as fast as it can, in a thread of its own.
+/// Poses asked about while it is busy are passed over, but for the newest.
+class GeometryThread {
+ public:
+  GeometryThread(const Pair& pair, Method method, const Budget& budget, bool real_time = false);
+  ~GeometryThread();  ///< stops it
+  GeometryThread(const GeometryThread&) = delete;
+  GeometryThread& operator=(const GeometryThread&) = delete;
+
+  /// Begins at X_FM (searches where the probe overlaps there: can take a while).
+  void start(const Pose& X_FM);
+  void stop();  ///< when the refresh it is at has ended
+
+  // One other thread's, the servo's: neither allocates, locks or waits.
+  /// The device pose of a tick of the servo, at a time of its clock, s.
+  void ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept;
+  /// The newest rows, valid until the next call.
+  const LocalContacts& newest() noexcept;
+
+ private:
+  struct Request {
+    Pose X_FM;
+    std::uint64_t tick = 0;
+    double time = 0;
+  };
+  void run() noexcept;
+
+  ContactFeed feed_;
+  Budget budget_;
+  bool real_time_;  ///< ask for more than an ordinary share of the processor
+  TripleBuffer<Request> requests_;
+  TripleBuffer<LocalContacts> contacts_;
+  std::atomic<std::int32_t> asked_{0};  ///< requests so far: what the thread waits on
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace sonde

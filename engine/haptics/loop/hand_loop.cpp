@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/loop/hand_loop.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/penetration/descent/result.hpp"
+
+namespace sonde {
+
+HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& coupling,
+                   const HandLoopSettings& settings)
+    : mass_(mass),
+      method_(method),
+      least_stall_(settings.safety.stalled_after),
+      stalled_after_(least_stall_),
+      force_error_(settings.safety.force_error),
+      coupler_(mass, coupling),
+      passivity_(mass, settings.passivity, 1 / settings.rate_hz),
+      runaway_(settings.safety.runaway_speed),
+      gate_(settings.safety) {
+  set_rate(settings.rate_hz);
+}
+
+void HandLoop::set_rate(double rate_hz) noexcept {
+  // The rows of a slow servo are a tick old at best.
+  stalled_after_ = std::max(least_stall_, 4 / rate_hz);
+  passivity_.set_period(1 / rate_hz);
+}
+
+void HandLoop::restart(const Pose& X_FM) noexcept {
+  coupler_.forget();
+  passivity_.restart(X_FM);
+  runaway_.restart();
+  gate_.restart();
+  ids_.forget();
+  X_FM_ = X_FM;
+  jumps_ = 0;
+  resting_ = false;
+  resumed_ = 0;
+  out_ = HandTick{};
+}
+
+Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts,
+                         const Clock& clock) const noexcept {
+  if (!sample.trusted) return Withheld::untrusted;
+  if (!is_finite(sample.X_FM)) return Withheld::not_finite;
+  if (!sample.held) return Withheld::let_go;
+  if (sample.changed) return Withheld::changed;
+  if (runaway_.seen()) return Withheld::diverged;
+  if (const Withheld late = overdue(contacts, clock); late != Withheld::nothing) return late;
+  return unsettled(contacts.separation) ? Withheld::unsettled : Withheld::nothing;
+}
+
+bool HandLoop::unsettled(const Separation& found) const noexcept {
+  if (found.converged || !(force_error_ > 0)) return false;
+  // What the contacts do not hold of y is what the answer may be off by.
+  const Coupling& c = coupler_.coupling();
+  const double stiffness = c.mode == Coupling::Mode::object ? c.k : c.k_t;
+  return stiffness * found.residual * found.depth > force_error_;
+}
+
+Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) const noexcept {
+  if (clock.now - contacts.time <= stalled_after_) return Withheld::nothing;
+  const bool of_before = contacts.time < resumed_;
+  const bool in_time = clock.now - resumed_ <= stalled_after_;
+  return of_before && in_time ? rest_ : Withheld::stalled;
+}
+
+/// To the newest pose that can be true. A mouse jumps as it likes: only what is known to be a
+/// device can be thrown.
+void HandLoop::follow(const HandSample& sample, double dt) noexcept {
+  const bool trusted = sample.trusted && is_finite(sample.X_FM);
+  const Vec3 before = X_FM_ * mass_.com;
+  if (trusted) X_FM_ = sample.X_FM;
+  if (!sample.device) return runaway_.restart();
+  if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
+  const Wrench& acted = out_.wrench;
+  const bool pushed = !acted.force.isZero(0) || !acted.torque.isZero(0);
+  if (sample.device->ratio > 0)
+    runaway_.observe((X_FM_ * mass_.com - before) / sample.device->ratio, dt, pushed);
+}
+
+void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
+  const LocalAnswer answer = separate_locally(mass_, method_, contacts, X_FM_);
+  out_.separation = answer.separation;
+  out_.separation.jumped = contacts.jumps != jumps_;
+  jumps_ = contacts.jumps;
+  ids_.follow(out_.separation.separated, mass_.radius, out_.separation.clusters);
+  const std::uint64_t age = clock.tick - contacts.tick;
+  out_.hand.rows = {.age_ticks = age,
+                    .age = clock.now - contacts.time,
+                    .in_step = age <= 1,
+                    .held_back = answer.held_back,
+                    .reach = contacts.reach,
+                    .refresh_us = contacts.refresh_us,
+                    .separated = contacts.separation.separated};
+}
+
+const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& contacts,
+                               const Clock& clock, Withheld why) noexcept {
+  if (std::exchange(resting_, false)) resumed_ = clock.now;
+  follow(sample, clock.dt);
+  passivity_.set_device(sample.device);
+  passivity_.observe(X_FM_, clock.dt);
+  separate(contacts, clock);
+  if (out_.separation.status == Status::separated) runaway_.release();
+  Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;
+  if (reason == Withheld::nothing && out_.separation.status == Status::failed)
+    reason = Withheld::failed;
+
+  const Coupling& coupling = coupler_.coupling();
+  out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
+  const bool acts = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
+  out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
+  passivity_.rendered(out_.wrench);
+
+  out_.hand.withheld = gate_.withheld();
+  out_.hand.share = gate_.share();
+  out_.hand.slewed = gate_.slewed();
+  out_.hand.held = sample.held;
+  out_.hand.energy = passivity_.energy();
+  return out_;
+}
+
+const HandTick& HandLoop::rest(Withheld why) noexcept {
+  resting_ = true;
+  rest_ = why;
+  coupler_.forget();
+  gate_.pass(Wrench{}, why, 0, 0, 0);
+  passivity_.rendered(Wrench{});
+  out_.wrench = Wrench{};
+  out_.hand.withheld = why;
+  out_.hand.share = 0;
+  return out_;
+}
+
+}  // namespace sonde

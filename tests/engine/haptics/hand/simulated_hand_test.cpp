@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/hand/simulated_hand.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "tests/support/allocation_counter.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double period = 1e-3;
+const Vec3 com(0.01, -0.02, 0.03);
+const Pose start{Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0.2, 0.3)};
+
+Pose moved(const Pose& pose, const Vec3& by) { return {pose.q, pose.p + by}; }
+
+/// Ticks with a wall, for as long as it takes; the wrench is a spring at `wall`, in x.
+Pose run(const Hand& hand, int ticks, double k = 0, double wall = 0) {
+  Pose at;
+  for (int i = 0; i < ticks; ++i) {
+    at = hand.sample(period).X_FM;
+    const double depth = (at * com).x() - wall;
+    hand.render({.force = Vec3(depth > 0 ? -k * depth : 0, 0, 0)});
+  }
+  return at;
+}
+
+TEST(SimulatedHand, it_rests_where_the_probe_is_until_the_mouse_moves) {
+  SimulatedHand simulated({}, period, 1, com, start);
+  const Pose at = run(simulated.hand(), 100);
+  EXPECT_LT((at.p - start.p).norm(), 1e-14);
+  EXPECT_LT(at.q.angularDistance(start.q), 1e-7);
+}
+
+TEST(SimulatedHand, the_probe_comes_to_where_the_mouse_wants_it) {
+  SimulatedHand simulated({}, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  run(hand, 10);
+  const Pose target{Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX())), Vec3(0.15, 0.2, 0.25)};
+  simulated.set_target(target);
+  const Pose soon = run(hand, 10);
+  EXPECT_GT((soon * com - target * com).norm(), 0.02) << "a hand takes its time";
+  const Pose at = run(hand, 2000);
+  EXPECT_LT((at * com - target * com).norm(), 1e-9);
+  EXPECT_LT(at.q.angularDistance(target.q), 1e-6);
+}
+
+/// In a steady state the hand's spring and the wall's balance: k_h (x_h - x) = k (x - wall).
+TEST(SimulatedHand, pressed_into_a_wall_two_springs_balance) {
+  SimulatedDeviceParameters soft;
+  soft.translation.damping = 3;
+  for (const double s : {1.0, 2.0}) {
+    SimulatedHand simulated(soft, period, s, com, start);
+    const Hand hand = simulated.hand();
+    const double wall = (start * com).x();
+    simulated.set_target(moved(start, Vec3(0.02, 0, 0)));
+    const double depth = (run(hand, 4000, 200, wall) * com).x() - wall;
+    // In the hand the wall is s² times as stiff.
+    const double k_hand = soft.translation.hand_stiffness;
+    EXPECT_NEAR(depth, 0.02 * k_hand / (k_hand + s * s * 200), 1e-7);
+  }
+}
+
+/// How far the probe swings in a wall of stiffness k, after three seconds and three later, m.
+struct Swing {
+  double soon, later;
+};
+Swing swing_in_wall(double k) {
+  SimulatedDeviceParameters bare;
+  bare.translation.damping = 0.5;
+  bare.translation.hand_stiffness = 20;
+  bare.translation.hand_damping = 0;
+  bare.translation.limit = 1e9;
+  SimulatedHand simulated(bare, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  const double wall = (start * com).x() - 0.002;  // inside from the start
+  simulated.set_target(moved(start, Vec3(0.01, 0, 0)));
+  const auto swing = [&] {
+    double low = 1e9, high = -1e9;
+    for (int i = 0; i < 200; ++i) {
+      const double x = run(hand, 1, k, wall).p.x();
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    return high - low;
+  };
+  run(hand, 3000, k, wall);
+  const double soon = swing();
+  run(hand, 3000, k, wall);
+  return {soon, swing()};
+}
+
+/// The limit of stability of a wall without a hand, m 0.1 kg, b 0.5 N·s/m, 1 kHz, no delay, is
+/// 1000.8 N/m (the eigenvalues of the sampled loop). A light hand changes little. Below it the
+/// swing dies away, by (b - K T/2)/2m = 0.75 a second; above it, it goes on from wall to air.
+TEST(SimulatedHand, a_gain_too_high_buzzes_and_one_below_the_limit_comes_to_rest) {
+  const Swing below = swing_in_wall(700), above = swing_in_wall(1500);
+  EXPECT_LT(below.later, 0.2 * below.soon);
+  EXPECT_GT(above.later, 0.5 * above.soon);
+  EXPECT_GT(above.later, 10 * below.later);
+}
+
+// The power is the same at both ends: b v² with a v that is `scaling` times greater at the probe.
+TEST(SimulatedHand, tells_what_the_device_is_like_as_felt_at_the_probe) {
+  SimulatedDeviceParameters device;
+  device.translation.damping = 2;
+  device.translation.most_virtual_damping = 30;
+  device.rotation.most_virtual_damping = 0.07;
+  device.delay = 0.001;
+  SimulatedHand simulated(device, period, 2, com, start);
+  const std::optional<DeviceTraits> traits = simulated.hand().sample(period).device;
+  ASSERT_TRUE(traits);
+  EXPECT_EQ(traits->damping, 0.5);
+  EXPECT_EQ(traits->max_damping, 7.5);
+  EXPECT_EQ(traits->max_rotational_damping, 0.07);
+  EXPECT_EQ(traits->delay, 0.001);
+  EXPECT_EQ(traits->ratio, 0);
+}
+
+TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {
+  SimulatedHand simulated({}, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  run(hand, 10);
+  simulated.set_target(moved(start, Vec3(0.05, 0, 0)));
+  const Pose before = run(hand, 50);
+  simulated.set_scaling(5);
+  EXPECT_LT((hand.sample(period).X_FM.p - before.p).norm(), 2e-3);
+  const Pose elsewhere = moved(start, Vec3(0, 0, 1));
+  simulated.set_target(elsewhere);
+  simulated.place(elsewhere);
+  const Pose placed = run(hand, 100);
+  EXPECT_LT((placed.p - elsewhere.p).norm(), 1e-12) << "at rest there";
+}
+
+/// A wall of 500 N/m at the start, into which the hand wants to go.
+struct Pressed {
+  SimulatedHand simulated{{}, period, 1, com, start};
+  Hand hand = simulated.hand();
+  Pose last = start;
+
+  Pressed() { simulated.set_target(moved(start, Vec3(0.03, 0, 0))); }
+  /// The greatest speed in so many ticks, m/s.
+  double speed(int ticks) {
+    double most = 0;
+    for (int i = 0; i < ticks; ++i) {
+      const Pose now = hand.sample(period).X_FM;
+      const double in = (now.p - start.p).x();
+      hand.render({.force = Vec3(in > 0 ? -500 * in : 0, 0, 0)});
+      most = std::max(most, (now.p - last.p).norm() / period);
+      last = now;
+    }
+    return most;
+  }
+};
+
+TEST(SimulatedHand, a_change_of_scaling_in_contact_does_not_kick) {
+  Pressed pressed;
+  pressed.speed(2000);
+  ASSERT_LT(pressed.speed(100), 1e-3) << "at rest in the wall";
+  pressed.simulated.set_scaling(1);
+  EXPECT_LT(pressed.speed(50), 1e-3) << "no change";
+  // The stretched spring is another one at another scaling: the handle moves, and is not flung. As
+  // the hand's damper had it flung: 0.86 m/s.
+  pressed.simulated.set_scaling(1.1);
+  EXPECT_LT(pressed.speed(50), 0.2);
+}
+
+TEST(SimulatedHand, what_no_device_has_is_refused) {
+  SimulatedDeviceParameters massless;
+  massless.translation.inertia = 0;
+  EXPECT_THROW(SimulatedHand(massless, period, 1, com, start), std::invalid_argument);
+}
+
+TEST(SimulatedHand, it_neither_allocates_nor_frees) {
+  SimulatedHand simulated({}, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  Pose at;
+  test::AllocationCounter counter;
+  for (int i = 0; i < 100; ++i) {
+    simulated.set_target(moved(start, Vec3(0.001 * i, 0, 0)));
+    if (i == 50) simulated.set_scaling(2);
+    if (i == 70) simulated.place(start);
+    at = hand.sample(period).X_FM;
+    hand.render({.force = Vec3(1, 0, 0)});
+  }
+  counter.stop();
+  EXPECT_EQ(counter.allocations() + counter.frees(), 0U);
+  EXPECT_TRUE(at.p.allFinite());
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The loop of the hand with no thread and no clock. The reference is the loop in step
+// (haptic_loop.hpp); how old the rows are is the test's to say.
+#include "engine/haptics/loop/hand_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "engine/haptics/hand/simulated_hand.hpp"
+#include "engine/haptics/loop/contact_feed.hpp"
+#include "engine/haptics/loop/haptic_loop.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double dt = 1e-3;
+
+/// The probe's box upright, so deep in the block's top.
+Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
+
+HandLoopSettings at_once() {
+  HandLoopSettings s;
+  s.safety.ramp_time = s.safety.force_slew = s.safety.torque_slew = 0;
+  return s;
+}
+
+/// A loop whose geometry answers as late as the test wants.
+class Bench {
+ public:
+  explicit Bench(const HandLoopSettings& settings = at_once(), const Coupling& coupling = {})
+      : loop(probe->mass, Method::pdg, coupling, settings) {
+    feed.reset(at_depth(-0.001), {});
+    loop.restart(at_depth(-0.001));
+  }
+  const HandTick& tick(const HandSample& sample, bool geometry = true,
+                       Withheld why = Withheld::nothing) {
+    const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
+    const HandTick& out = loop.tick(sample, feed.contacts(), clock, why);
+    if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
+    return out;
+  }
+  /// A tick's time in which nothing is computed.
+  void rest(Withheld why) {
+    ++ticks_;
+    loop.rest(why);
+  }
+  const HandTick& tick(double depth) { return tick({.X_FM = at_depth(depth)}); }
+  void settle(double depth, int ticks = 500) {
+    for (int i = 0; i < ticks; ++i) tick(depth);
+  }
+
+  std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
+  std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  ContactFeed feed{{probe, fixed}, Method::pdg};
+  HandLoop loop;
+
+ private:
+  std::uint64_t ticks_ = 0;
+};
+
+TEST(HandLoop, with_rows_of_the_tick_before_the_wrench_is_that_of_the_loop_in_step) {
+  for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
+    Coupling coupling;
+    coupling.mode = mode;
+    coupling.b_t = 0.5;
+    Bench bench(at_once(), coupling);
+    HapticLoop in_step({bench.probe, bench.fixed}, Method::pdg, coupling);
+    in_step.reset(at_depth(-0.001), {});
+    int contact = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Pose X = at_depth(0.004 * std::sin(0.02 * i));
+      const HandTick& got = bench.tick({.X_FM = X});
+      in_step.tick(X, dt, {});
+      EXPECT_LT((got.wrench.force - in_step.wrench().force).norm(), 2e-3) << i;
+      EXPECT_EQ(got.hand.rows.age_ticks, 1u);
+      EXPECT_TRUE(got.hand.rows.in_step);
+      contact += got.separation.status == Status::penetrating;
+    }
+    EXPECT_GT(contact, 100);
+  }
+}
+
+TEST(HandLoop, says_how_old_its_rows_are) {
+  Bench bench;
+  bench.settle(0.001, 5);
+  for (std::uint64_t age = 2; age < 10; ++age) {
+    const HandTick& t = bench.tick({.X_FM = at_depth(0.002)}, false);
+    if (age == 2) continue;
+    EXPECT_EQ(t.hand.rows.age_ticks, age - 1);
+    EXPECT_NEAR(t.hand.rows.age, double(age - 1) * dt, 1e-9);
+    EXPECT_FALSE(t.hand.rows.in_step);
+    EXPECT_NEAR(t.wrench.force.z(), 500 * 0.002, 1e-3);  // and still pushes as it should
+  }
+}
+
+// k·residual·depth is what the force may be off by.
+TEST(HandLoop, AnAnswerThatHasNotConvergedGivesItsForceUpBeyondWhatItMayBeOffBy) {
+  HandLoopSettings settings = at_once();
+  settings.safety.force_error = 0.3;
+  Coupling coupling;
+  coupling.k = 500;
+  const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
+  const auto fixed = test::body(test::box({0.3, 0.3, 0.1}));
+  ContactFeed feed({probe, fixed}, Method::pdg);
+  HandLoop loop(probe->mass, Method::pdg, coupling, settings);
+  feed.reset(at_depth(-0.001), {});
+  loop.restart(at_depth(-0.001));
+  const auto tick = [&](std::uint64_t i, bool converged, double residual) {
+    const Pose X = at_depth(0.002);
+    feed.refresh(X, i, double(i) * dt, {});
+    LocalContacts rows = feed.contacts();
+    rows.separation.converged = converged;
+    rows.separation.residual = residual;
+    return loop.tick({.X_FM = X}, rows, {.tick = i, .now = double(i) * dt, .dt = dt},
+                     Withheld::nothing);
+  };
+  std::uint64_t i = 0;
+  // 500 N/m · 0.2 · 2 mm is 0.2 N: it is let by. 0.4 of it would be 0.4 N.
+  for (int k = 0; k < 100; ++k)
+    EXPECT_EQ(tick(++i, false, 0.2).hand.withheld, Withheld::nothing) << k;
+  EXPECT_NEAR(loop.last().wrench.force.norm(), 1, 0.01);
+  EXPECT_EQ(tick(++i, true, 0.4).hand.withheld, Withheld::nothing);
+  double before = loop.last().wrench.force.norm();
+  for (int k = 0; k < 60; ++k) {
+    const HandTick now = tick(++i, false, 0.4);
+    EXPECT_EQ(now.hand.withheld, Withheld::unsettled);
+    EXPECT_LE(now.wrench.force.norm(), before);
+    before = now.wrench.force.norm();
+  }
+  EXPECT_EQ(before, 0);
+  EXPECT_NEAR(tick(++i, true, 0).wrench.force.norm(), 1, 0.01) << "no ramp was asked for";
+}
+
+TEST(HandLoop, the_force_ramps_in_from_zero_at_the_start) {
+  HandLoopSettings settings = at_once();
+  settings.safety.ramp_time = 0.1;
+  Bench bench(settings);
+  double last = -1;
+  for (int i = 0; i < 150; ++i) {
+    const double f = bench.tick(0.002).wrench.force.z();
+    if (i == 0) {
+      EXPECT_LT(f, 0.02);
+    }
+    EXPECT_GE(f, last);
+    last = f;
+  }
+  EXPECT_NEAR(last, 1, 1e-3);
+}
+
+/// What makes the force zero, each with its reason.
+struct Fault {
+  const char* name;
+  Withheld reason;
+  const HandTick& (*tick)(Bench&);
+};
+const Fault faults[] = {
+    {"Esc", Withheld::stopped,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002)}, true, Withheld::stopped);
+     }},
+    {"device loss", Withheld::untrusted,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002), .trusted = false});
+     }},
+    {"clutch", Withheld::let_go,
+     [](Bench& b) -> const HandTick& { return b.tick({.X_FM = at_depth(0.002), .held = false}); }},
+    {"another hand", Withheld::changed,
+     [](Bench& b) -> const HandTick& {
+       return b.tick({.X_FM = at_depth(0.002), .changed = true});
+     }},
+    {"not a number", Withheld::not_finite,
+     [](Bench& b) -> const HandTick& {
+       Pose X = at_depth(0.002);
+       X.p.x() = std::numeric_limits<double>::quiet_NaN();
+       return b.tick({.X_FM = X});
+     }},
+    {"failed separation", Withheld::failed,
+     [](Bench& b) -> const HandTick& {
+       // A pose that the geometry refuses: too far away to compute with.
+       b.feed.refresh({Quat::Identity(), Vec3(1e12, 0, 0)}, 0, 1e9, {});
+       return b.tick({.X_FM = at_depth(0.002)});
+     }},
+    {"stalled geometry", Withheld::stalled,
+     [](Bench& b) -> const HandTick& {
+       for (int i = 0; i < 25; ++i) b.tick({.X_FM = at_depth(0.002)}, false);
+       return b.tick({.X_FM = at_depth(0.002)}, false);
+     }},
+    {"shutdown", Withheld::shut_down,
+     [](Bench& b) -> const HandTick& { return b.loop.rest(Withheld::shut_down); }},
+    {"pause", Withheld::paused,
+     [](Bench& b) -> const HandTick& { return b.loop.rest(Withheld::paused); }},
+};
+
+TEST(HandLoop, whatever_goes_wrong_gives_no_force_says_why_and_ramps_in_again) {
+  for (const Fault& fault : faults) {
+    SCOPED_TRACE(fault.name);
+    HandLoopSettings settings = at_once();
+    settings.safety.ramp_time = 0.1;
+    Bench bench(settings);
+    bench.settle(0.002);
+    ASSERT_NEAR(bench.loop.last().wrench.force.z(), 1, 1e-3);
+    const HandTick& t = fault.tick(bench);
+    EXPECT_EQ(t.wrench.force, Vec3::Zero());
+    EXPECT_EQ(t.wrench.torque, Vec3::Zero());
+    EXPECT_EQ(t.hand.withheld, fault.reason);
+    bench.tick(0.002);  // the geometry's first answer after it
+    const HandTick& again = bench.tick(0.002);
+    EXPECT_EQ(again.hand.withheld, Withheld::nothing);
+    EXPECT_LT(again.wrench.force.z(), 0.05);
+    bench.settle(0.002);
+    EXPECT_NEAR(bench.loop.last().wrench.force.z(), 1, 1e-3);
+  }
+}
+
+TEST(HandLoop, the_geometry_may_be_twenty_milliseconds_late_and_no_more) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int late = 1; late <= 19; ++late)
+    EXPECT_EQ(bench.tick({.X_FM = at_depth(0.002)}, false).hand.withheld, Withheld::nothing);
+  for (int late = 0; late < 3; ++late) bench.tick({.X_FM = at_depth(0.002)}, false);
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
+}
+
+TEST(HandLoop, rows_that_aged_in_a_pause_are_no_fault_of_the_geometry) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int i = 0; i < 30; ++i) bench.rest(Withheld::paused);
+  for (int waiting = 0; waiting < 3; ++waiting) {
+    const HandTick& t = bench.tick({.X_FM = at_depth(0.002)}, false);
+    EXPECT_EQ(t.hand.withheld, Withheld::paused);
+    EXPECT_EQ(t.wrench.force, Vec3::Zero());
+  }
+  bench.tick(0.002);
+  EXPECT_EQ(bench.tick(0.002).hand.withheld, Withheld::nothing);
+}
+
+TEST(HandLoop, a_geometry_that_does_not_answer_after_a_pause_has_stalled) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  for (int i = 0; i < 30; ++i) bench.rest(Withheld::paused);
+  for (int i = 0; i < 22; ++i) bench.tick({.X_FM = at_depth(0.002)}, false);
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
+}
+
+/// A device that slides along the block's top at 3 m/s, pressed into it.
+const HandTick& throw_hand(Bench& bench, const DeviceTraits& traits) {
+  for (int i = -40; i < 40; ++i) {
+    Pose X = at_depth(0.002);
+    X.p.x() = 0.003 * i;
+    bench.tick({.X_FM = X, .changed = i == -40, .device = traits});
+  }
+  return bench.loop.last();
+}
+
+TEST(HandLoop, a_hand_that_is_thrown_gets_nothing_until_it_has_left_the_contact) {
+  Bench bench;
+  const DeviceTraits device{.damping = 1};
+  bench.tick({.X_FM = at_depth(0.002), .device = device});
+  const HandTick& thrown = throw_hand(bench, device);
+  EXPECT_EQ(thrown.hand.withheld, Withheld::diverged);
+  EXPECT_EQ(thrown.wrench.force, Vec3::Zero());
+  Pose rest = at_depth(0.002);
+  rest.p.x() = 0.117;
+  for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << "still in contact";
+  for (int i = 0; i < 50; ++i) bench.tick({.X_FM = at_depth(-0.001), .device = device});
+  for (int i = 0; i < 3; ++i) bench.tick({.X_FM = at_depth(0.002), .device = device});
+  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::nothing);
+  EXPECT_GT(bench.loop.last().wrench.force.z(), 0.9);
+}
+
+TEST(HandLoop, a_thrown_hand_that_is_not_to_be_trusted_for_a_tick_still_gets_nothing) {
+  const DeviceTraits device{.damping = 1};
+  Pose rest = at_depth(0.002);
+  rest.p.x() = 0.117;
+  for (const bool changed : {false, true}) {
+    Bench bench;
+    bench.tick({.X_FM = at_depth(0.002), .device = device});
+    throw_hand(bench, device);
+    bench.tick({.X_FM = rest, .trusted = changed, .changed = changed, .device = device});
+    for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
+    EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << changed;
+  }
+}
+
+struct Pressed {
+  int diverged = 0;   ///< ticks
+  double swings = 0;  ///< m, the way of the probe in the last second
+};
+
+/// A simulated device of 0.1 kg, whose hand presses it into the block by 3 N.
+Pressed press(const Coupling& coupling) {
+  Bench bench(at_once(), coupling);
+  SimulatedDeviceParameters device;
+  device.translation = {.inertia = 0.1, .damping = 0.5, .limit = 1e4, .hand_stiffness = 300};
+  SimulatedHand simulated(device, dt, 1, bench.probe->mass.com, at_depth(-0.001));
+  const Hand hand = simulated.hand();
+  simulated.set_target(at_depth(0.01));
+  Pressed out;
+  Vec3 before = at_depth(-0.001).p;
+  for (int i = 0; i < 3000; ++i) {
+    HandSample sample = hand.sample(dt);
+    sample.device->ratio = 1;  // as if it were a real one
+    const HandTick& t = bench.tick(sample);
+    hand.render(t.wrench);
+    out.diverged += t.hand.withheld == Withheld::diverged;
+    if (i >= 2000) out.swings += (sample.X_FM.p - before).norm();
+    before = sample.X_FM.p;
+  }
+  return out;
+}
+
+// 5000 and 1e5 N/m are both beyond the stable for 0.1 kg at 1 kHz (see simulated_hand_test.cpp).
+TEST(HandLoop, a_gain_too_high_buzzes_within_the_limits_of_a_device_and_diverges_without) {
+  Coupling coupling;
+  coupling.k = 5000;
+  coupling.max_force = 8;
+  const Pressed buzz = press(coupling);
+  EXPECT_EQ(buzz.diverged, 0);
+  EXPECT_GT(buzz.swings, 0.02);
+  coupling.k = 1e5;
+  coupling.max_force = 1e4;
+  EXPECT_GT(press(coupling).diverged, 0);
+}
+
+TEST(HandLoop, the_speed_is_that_of_the_hand_and_a_mouse_has_none) {
+  Bench scaled;
+  const DeviceTraits half{.ratio = 2};
+  scaled.tick({.X_FM = at_depth(0.002), .device = half});
+  EXPECT_EQ(throw_hand(scaled, half).hand.withheld, Withheld::nothing) << "1.5 m/s in the hand";
+  Bench mouse;
+  mouse.settle(0.002, 5);
+  for (int i = -40; i < 40; ++i) {
+    Pose X = at_depth(0.002);
+    X.p.x() = 0.003 * i;
+    EXPECT_EQ(mouse.tick({.X_FM = X}).hand.withheld, Withheld::nothing);
+  }
+}
+
+TEST(HandLoop, another_rate_is_another_delay_of_the_device_in_ticks) {
+  Bench bench;
+  const DeviceTraits device{.delay = 0.004};
+  bench.loop.set_rate(500);
+  const auto hold = [&](double depth, int ticks) {
+    for (int i = 0; i < ticks; ++i) bench.tick({.X_FM = at_depth(depth), .device = device});
+  };
+  hold(0.002, 1);
+  const double before = bench.loop.last().hand.energy.given;
+  hold(0.002, 2);
+  // The first wrench acts two ticks of 2 ms after it was asked for, not four.
+  bench.tick({.X_FM = at_depth(0.001), .device = device});
+  EXPECT_NEAR(bench.loop.last().hand.energy.given - before, 0.001 * 500 * 0.002, 1e-5);
+}
+
+TEST(HandLoop, an_untrusted_pose_is_not_followed) {
+  Bench bench;
+  bench.settle(0.002, 10);
+  bench.tick({.X_FM = at_depth(1), .trusted = false});
+  EXPECT_EQ(bench.loop.device().p, at_depth(0.002).p);
+  EXPECT_NEAR(bench.loop.last().separation.depth, 0.002, 1e-5);
+}
+
+TEST(HandLoop, a_jump_of_the_geometry_is_reported_and_not_damped) {
+  Coupling coupling;
+  coupling.mode = Coupling::Mode::classic;
+  coupling.b_t = 100;
+  Bench bench(at_once(), coupling);
+  bench.settle(0.002, 10);
+  EXPECT_FALSE(bench.loop.last().separation.jumped);
+  LocalContacts jumped = bench.feed.contacts();
+  ++jumped.jumps;
+  const HandLoop::Clock clock{.tick = 20, .now = 0.02, .dt = dt};
+  const HandTick& t = bench.loop.tick({.X_FM = at_depth(0.003)}, jumped, clock, Withheld::nothing);
+  EXPECT_TRUE(t.separation.jumped);
+  EXPECT_NEAR(t.wrench.force.z(), 500 * 0.003, 1e-3);
+}
+
+TEST(HandLoop, the_work_on_the_hand_is_that_of_the_wrench_along_its_motion) {
+  Bench bench;
+  bench.settle(0.001, 5);
+  double work = 0, force = bench.loop.last().wrench.force.z(), z = at_depth(0.001).p.z();
+  const double before = bench.loop.last().hand.energy.given;
+  for (int i = 1; i <= 40; ++i) {
+    const Pose X = at_depth(0.001 + 1e-4 * i);
+    const HandTick& t = bench.tick({.X_FM = X});
+    work += force * (X.p.z() - z);
+    force = t.wrench.force.z();
+    z = X.p.z();
+  }
+  EXPECT_LT(work, -1e-3);
+  EXPECT_NEAR(bench.loop.last().hand.energy.given - before, work, 1e-9);
+}
+
+TEST(HandLoop, a_tick_neither_allocates_nor_frees) {
+  HandLoopSettings settings;
+  settings.passivity.control = true;
+  Bench bench(settings);
+  bench.tick(0.001);
+  int in_contact = 0;
+  test::AllocationCounter counter;
+  for (std::uint64_t i = 2; i < 300; ++i) {
+    const HandLoop::Clock clock{.tick = i, .now = double(i) * dt, .dt = dt};
+    bench.feed.refresh(bench.loop.device(), clock.tick, clock.now, {});
+    const Pose X = at_depth(0.003 * std::sin(0.05 * double(i)));
+    const HandTick& t = bench.loop.tick({.X_FM = X}, bench.feed.contacts(), clock,
+                                        i % 50 == 0 ? Withheld::stopped : Withheld::nothing);
+    in_contact += t.separation.status == Status::penetrating;
+  }
+  counter.stop();
+  EXPECT_EQ(counter.allocations(), 0u);
+  EXPECT_EQ(counter.frees(), 0u);
+  EXPECT_GT(in_contact, 30);
+}
+
+}  // namespace
+}  // namespace sonde
