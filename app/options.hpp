@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/penetration/search/static_search.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 namespace sonde::app {
 

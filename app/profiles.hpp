@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/scene/device_profile.hpp"
+#include "engine/settings/device_profile.hpp"
 
 namespace sonde::app {
 

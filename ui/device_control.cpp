@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/device_settings_file.hpp"
+#include "engine/settings/device_settings_file.hpp"
 #include "engine/text/output_file.hpp"
 #include "ui/session.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/device_settings_file.hpp"
+#include "engine/settings/device_settings_file.hpp"
 #include "engine/text/nearest.hpp"
 
 namespace sonde::ui {

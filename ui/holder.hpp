@@ -11,8 +11,8 @@
 
 #include "engine/devices/connection.hpp"
 #include "engine/devices/input_device.hpp"
-#include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/settings/device_profile.hpp"
 
 namespace sonde::ui {
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "engine/mesh_io/read_mesh.hpp"
-#include "engine/scene/settings.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/camera.hpp"
 #include "ui/resources.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/penetration/search/pair.hpp"
-#include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/settings/device_profile.hpp"
 
 namespace sonde::ui {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/study/gain_recommendation.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/stiffness_panel.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/device_profile.hpp"
+#include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning_results.hpp"
 #include "ui/opening.hpp"
 

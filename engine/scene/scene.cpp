@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/json_settings.hpp"
 #include "engine/scene/pose_numbers.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/json_settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/located_json.hpp"
 #include "engine/text/nearest.hpp"

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/device_settings_file.hpp"
 #include "engine/scene/pose_numbers.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/output_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 namespace sonde {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/study/contact_stability.hpp"
 
 namespace sonde {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/settings/device_profile.hpp"
 #include "engine/study/gain_sweep.hpp"
 #include "engine/study/study_parts.hpp"
 

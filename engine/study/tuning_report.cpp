@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/study/gain_recommendation.hpp"
 #include "engine/study/tuning_map.hpp"
 

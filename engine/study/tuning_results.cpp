@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 namespace sonde {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "engine/proximity/queries/intersect.hpp"
-#include "engine/scene/device_profile.hpp"
+#include "engine/settings/device_profile.hpp"
 #include "engine/text/number_text.hpp"
 #include "resources/generate/path.hpp"
 #include "tests/reference/meshes.hpp"

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <utility>
 
-#include "engine/scene/device_settings_file.hpp"
+#include "engine/settings/device_settings_file.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/panels/typed_value.hpp"
 

@@ -9,7 +9,7 @@
 #include <QSlider>
 #include <QTest>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/device_control.hpp"
 #include "ui/panels/readout_panel.hpp"

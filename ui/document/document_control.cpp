@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/settings.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/settings.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/document/pose_text.hpp"

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui {

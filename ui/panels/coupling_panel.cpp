@@ -12,7 +12,7 @@
 #include <chrono>
 #include <string_view>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
 

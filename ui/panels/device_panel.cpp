@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/axis_table.hpp"
 #include "ui/panels/scrolled.hpp"

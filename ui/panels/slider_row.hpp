@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 class QSlider;
 

@@ -10,7 +10,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/study/press_and_hold.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/history_plot.hpp"

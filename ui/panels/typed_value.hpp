@@ -3,7 +3,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 namespace sonde::ui {
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "tests/support/complaint.hpp"
 #include "tests/support/temp_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/scene/scene.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

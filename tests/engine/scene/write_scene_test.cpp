@@ -11,8 +11,8 @@
 #include <random>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/device_settings_file.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/settings.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <time.h>
 
-#include "engine/scene/device_profile.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/settings/device_profile.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/number_text.hpp"
 

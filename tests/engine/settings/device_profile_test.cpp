@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // References: the table of the manual, written out here once more, and the JSON Schema.
-#include "engine/scene/device_profile.hpp"
+#include "engine/settings/device_profile.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/scene/device_settings_file.hpp"
+#include "engine/settings/device_settings_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/json_settings.hpp"
+#include "engine/settings/json_settings.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/text_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 
 #include <gtest/gtest.h>
 

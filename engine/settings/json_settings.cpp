@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/scene/json_settings.hpp"
+#include "engine/settings/json_settings.hpp"
 
 #include "engine/text/nearest.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/scene/device_settings_file.hpp"
+#include "engine/settings/device_settings_file.hpp"
 
 #include <gmock/gmock.h>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/settings.hpp"
+#include "engine/settings/settings.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/scene/device_profile.hpp"
+#include "engine/settings/device_profile.hpp"
 
 #include <algorithm>
 #include <array>
