@@ -5,7 +5,7 @@
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
-#include "engine/study/compare_report.hpp"
+#include "engine/study/comparison/compare_report.hpp"
 
 namespace sonde::app {
 namespace {

@@ -4,10 +4,10 @@
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
 #include "engine/base/error.hpp"
-#include "engine/study/compare_report.hpp"
-#include "engine/study/merge_study.hpp"
-#include "engine/study/trade_report.hpp"
-#include "engine/study/tuning_report.hpp"
+#include "engine/study/comparison/compare_report.hpp"
+#include "engine/study/parts/merge_study.hpp"
+#include "engine/study/trade/trade_report.hpp"
+#include "engine/study/tuning/tuning_report.hpp"
 
 namespace sonde::app {
 namespace {

@@ -6,9 +6,9 @@
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
 #include "engine/base/error.hpp"
-#include "engine/study/overlapping_poses.hpp"
-#include "engine/study/trade.hpp"
-#include "engine/study/trade_report.hpp"
+#include "engine/study/parts/overlapping_poses.hpp"
+#include "engine/study/trade/trade.hpp"
+#include "engine/study/trade/trade_report.hpp"
 
 namespace sonde::app {
 namespace {

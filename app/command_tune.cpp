@@ -7,9 +7,9 @@
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
 #include "app/study_run.hpp"
-#include "engine/study/tuning.hpp"
-#include "engine/study/tuning_inputs.hpp"
-#include "engine/study/tuning_report.hpp"
+#include "engine/study/tuning/tuning.hpp"
+#include "engine/study/tuning/tuning_inputs.hpp"
+#include "engine/study/tuning/tuning_report.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde::app {

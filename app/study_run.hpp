@@ -9,7 +9,7 @@
 #include "app/bodies.hpp"
 #include "app/options.hpp"
 #include "engine/scene/poses.hpp"
-#include "engine/study/study_parts.hpp"
+#include "engine/study/parts/study_parts.hpp"
 
 namespace sonde::app {
 

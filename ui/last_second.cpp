@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/study/chatter.hpp"
+#include "engine/study/stability/chatter.hpp"
 
 namespace sonde::ui {
 namespace {

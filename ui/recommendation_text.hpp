@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "engine/study/gain_recommendation.hpp"
+#include "engine/study/tuning/gain_recommendation.hpp"
 
 namespace sonde::ui {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/study/tuning_map.hpp"
+#include "engine/study/tuning/tuning_map.hpp"
 
 namespace sonde::ui {
 

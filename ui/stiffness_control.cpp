@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/settings/settings.hpp"
-#include "engine/study/gain_recommendation.hpp"
+#include "engine/study/tuning/gain_recommendation.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/stiffness_panel.hpp"
 #include "ui/session.hpp"

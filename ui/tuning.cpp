@@ -7,9 +7,9 @@
 #include <atomic>
 #include <thread>
 
-#include "engine/study/tuning.hpp"
-#include "engine/study/tuning_inputs.hpp"
-#include "engine/study/tuning_report.hpp"
+#include "engine/study/tuning/tuning.hpp"
+#include "engine/study/tuning/tuning_inputs.hpp"
+#include "engine/study/tuning/tuning_report.hpp"
 #include "engine/text/output_file.hpp"
 
 namespace sonde::ui {

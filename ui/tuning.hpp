@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/settings/device_profile.hpp"
-#include "engine/study/tuning_results.hpp"
+#include "engine/study/tuning/tuning_results.hpp"
 #include "ui/opening.hpp"
 
 namespace sonde::ui {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/study/compare.hpp"
+#include "engine/study/comparison/compare.hpp"
 
 namespace sonde::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/study/compare_report.hpp"
+#include "engine/study/comparison/compare_report.hpp"
 #include "engine/text/output_file.hpp"
 #include "tests/compare/pairs.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "engine/scene/scene.hpp"
-#include "engine/study/row_age.hpp"
+#include "tests/loop/row_age.hpp"
 
 namespace sonde {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/study/half_space.hpp"
+#include "engine/study/comparison/half_space.hpp"
 
 namespace sonde::test {
 

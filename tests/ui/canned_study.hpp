@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/study/study_parts.hpp"
+#include "engine/study/parts/study_parts.hpp"
 #include "engine/text/text_file.hpp"
 
 namespace sonde::ui::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/study/press_and_hold.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
 
 namespace sonde::ui {
 namespace {

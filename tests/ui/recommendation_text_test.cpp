@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/study/made_up_results.hpp"
+#include "tests/engine/study/tuning/made_up_results.hpp"
 
 namespace sonde::ui {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <QApplication>
 
-#include "tests/engine/study/made_up_results.hpp"
+#include "tests/engine/study/tuning/made_up_results.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/panels/map_plot.hpp"
 

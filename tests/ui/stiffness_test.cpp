@@ -9,7 +9,7 @@
 #include <QSlider>
 #include <QTest>
 
-#include "engine/study/press_and_hold.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
 #include "tests/ui/canned_study.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/panels/map_plot.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/study/chart_scale.hpp"
+#include "engine/study/charts/chart_scale.hpp"
 #include "ui/theme.hpp"
 
 namespace sonde::ui {

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "engine/settings/settings.hpp"
-#include "engine/study/press_and_hold.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/map_plot.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/haptics/hand/simulated_device.hpp"
-#include "engine/study/sampled_stability.hpp"
+#include "engine/study/stability/sampled_stability.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 

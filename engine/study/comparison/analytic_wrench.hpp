@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/study/rendering/rendering.hpp"
+
+namespace sonde {
+
+/// The wrench that PD_g asks for where it is known without the solver:
+///
+/// - *half-space*: any probe that meets one face of a large box, away from its edges, which is a
+///   half-space to it (half_space_below). PD_g is a search over rotations alone.
+/// - *ball*: a solid probe whose faces all lie on a sphere about its centre of mass, within 3 %.
+///   Nothing turns it, whatever it touches: the torque is zero. The force is not known.
+/// - *none*: any other pair.
+enum class AnalyticKind { none, ball, half_space };
+
+struct AnalyticTick {
+  std::size_t tick = 0;        ///< in the path
+  Vec3 force = Vec3::Zero();   ///< before the device's limits, N
+  Vec3 torque = Vec3::Zero();  ///< N·m
+};
+
+struct AnalyticWrenches {
+  AnalyticKind kind = AnalyticKind::none;
+  std::vector<AnalyticTick> ticks;  ///< half-space only: some of the path's, evenly over it
+};
+
+/// At so many ticks of the path at most, where it is known.
+AnalyticWrenches analytic_wrenches(const RenderSetup& setup, std::span<const TimedPose> path,
+                                   std::uint64_t seed, std::size_t most_ticks, const Stop& stop);
+
+std::string to_json(const AnalyticWrenches& wrenches);
+/// Throws InputError, naming `source`, where the text is none.
+AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string& source);
+
+/// How far a rendering is from it.
+struct TorqueRealism {
+  AnalyticKind kind = AnalyticKind::none;
+  std::size_t ticks = 0;  ///< that were compared
+  /// Half-space: |F − F*| / |F*|, median over the ticks and the worst.
+  double force_error = 0, worst_force_error = 0;
+  /// Half-space: |τ − τ*| / (R |F*|). Ball, in contact: |τ| / (R |F|). Median and worst.
+  double torque_error = 0, worst_torque_error = 0;
+};
+TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches& analytic,
+                             double radius);
+
+}  // namespace sonde

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/parts/study_parts.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/error.hpp"
+#include "engine/base/threads.hpp"
+#include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
+
+namespace sonde {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+fs::path study_file(const fs::path& folder) { return folder / "study.json"; }
+fs::path part_file(const fs::path& folder, const std::string& name) {
+  return folder / "parts" / (name + ".json");
+}
+
+std::string study_text(const Study& study) {
+  Json names = Json::array();
+  for (const StudyPart& part : study.parts) names.push_back(part.name);
+  const Json json{{"study", study.kind}, {"about", Json::parse(study.about)}, {"parts", names}};
+  return json.dump(2) + "\n";
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder / "parts", error);
+  if (error) throw InputError::in(folder.string(), "cannot be made: " + error.message());
+}
+
+/// True where the folder is finished and has every part of the study.
+bool has_all(const StudyFolder& folder, const Study& study) {
+  return folder.complete() && std::ranges::all_of(study.parts, [&](const StudyPart& part) {
+           return std::ranges::find(folder.names, part.name) != folder.names.end();
+         });
+}
+
+/// Writes study.json, or finds that the one there will do. Parts depend on nothing but `about` and
+/// their name, so where only the list of parts is another (contacts of one kind, or of all) the
+/// folder becomes the study asked for, with what is finished of it; but one that is finished and
+/// has all that is asked for stays as it is.
+void claim(const fs::path& folder, const Study& study) {
+  const std::string text = study_text(study);
+  const fs::path file = study_file(folder);
+  bool stays = false;
+  if (fs::exists(file)) {
+    const StudyFolder there = read_study(folder);
+    if (there.kind != study.kind || there.about != Json::parse(study.about).dump())
+      throw InputError::in(file.string(),
+                           "is of a study with other inputs or settings; take another folder");
+    stays = has_all(there, study) || read_text(file, most_bytes) == text;
+  }
+  make_folder(folder);
+  if (!stays) write_whole(file, text);
+}
+
+/// The parts of the shard that have no file yet.
+std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study, Shard shard,
+                                      std::size_t& total) {
+  std::vector<const StudyPart*> parts;
+  total = 0;
+  for (std::size_t i = shard.index; i < study.parts.size(); i += shard.count) {
+    ++total;
+    if (!fs::exists(part_file(folder, study.parts[i].name))) parts.push_back(&study.parts[i]);
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool StudyFolder::complete() const {
+  return std::ranges::all_of(results, [](const auto& result) { return result.has_value(); });
+}
+
+std::optional<Shard> shard_of(std::string_view text) {
+  const auto number = [](std::string_view digits) -> std::optional<std::size_t> {
+    std::size_t value = 0;
+    const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (end.ec != std::errc{} || end.ptr != digits.data() + digits.size()) return std::nullopt;
+    return value;
+  };
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const auto which = number(text.substr(0, slash)), count = number(text.substr(slash + 1));
+  if (!which || !count || *which < 1 || *which > *count) return std::nullopt;
+  return Shard{*which - 1, *count};
+}
+
+void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsigned threads,
+                   const Stop& stop, const PartsProgress& progress) {
+  claim(folder, study);
+  std::size_t total = 0;
+  const std::vector<const StudyPart*> parts = missing(folder, study, shard, total);
+  std::atomic<std::size_t> done{total - parts.size()};
+  std::atomic<bool> failed{false};
+  const Stop stop_or_failed = [&] { return failed || stop(); };
+  run_parallel(parts.size(), std::max(1u, threads), [&](std::size_t i) {
+    try {
+      if (stop_or_failed()) throw Cancelled();
+      const std::string result = parts[i]->compute(stop_or_failed);
+      write_whole(part_file(folder, parts[i]->name), result);
+    } catch (...) {
+      failed = true;  // the other threads need not finish what nobody will read
+      throw;
+    }
+    if (progress) progress(++done, total);
+  });
+}
+
+StudyFolder read_study(const fs::path& folder) {
+  const fs::path file = study_file(folder);
+  const Json json = Json::parse(read_text(file, most_bytes), nullptr, false);
+  const auto bad = [&] { throw InputError::in(file.string(), "is not what a study writes"); };
+  StudyFolder out;
+  try {
+    out.kind = json.at("study").get<std::string>();
+    out.about = json.at("about").dump();
+    out.names = json.at("parts").get<std::vector<std::string>>();
+  } catch (const Json::exception&) {
+    bad();
+  }
+  for (const std::string& name : out.names) {
+    if (name.empty() || name.find('/') != std::string::npos) bad();
+    const fs::path part = part_file(folder, name);
+    out.results.push_back(fs::exists(part) ? std::optional(read_text(part, most_bytes))
+                                           : std::nullopt);
+  }
+  return out;
+}
+
+std::string fingerprint(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  char digits[16];
+  for (int i = 15; i >= 0; --i, hash >>= 4) digits[i] = "0123456789abcdef"[hash & 15];
+  return {digits, sizeof digits};
+}
+
+}  // namespace sonde

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/study/rendering/rendering.hpp"
+
+namespace sonde {
+
+/// Where a rendering was not continuous. With s the distance √σ that the device went in a tick, k
+/// the stiffness and R the probe's radius:
+///
+/// - A *jump* is what the engine reports: the depth fell by more than s, so the contact was left
+/// for
+///   another place.
+/// - A *force step* is a change of force above k (2s + c): from one tick to the next the separated
+///   pose went further than the device. c is what the solver leaves open of two poses, twice the
+///   clearance it may keep.
+/// - A *torque step* is a change of torque above R times that.
+/// - A *pop-through* is a jump, told by the depths alone, after which the force is gone or points
+///   away from where it pointed (F·F′ ≤ 0): the probe came out on another side.
+///
+/// The first tick, and those after or without an answer, are not counted.
+struct Discontinuities {
+  int jumps = 0;
+  int force_steps = 0;
+  int torque_steps = 0;
+  int pop_throughs = 0;
+  double largest_force_step = 0;   ///< N from one tick to the next, whether or not it counts
+  double largest_torque_step = 0;  ///< N·m
+};
+
+/// k in N/m, radius in m. Damping counts as well: where there is some, it makes steps of its own.
+Discontinuities discontinuities(const Rendering& rendering, double k, double radius);
+
+/// The tick was one at which the probe popped through, seen from the one before.
+bool popped_through(const RenderedTick& before, const RenderedTick& now, double radius);
+
+}  // namespace sonde

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/stability/contact_stability.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace sonde {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// The handle and the hand over a time under a constant force, along each axis: new x and v from
+/// the old and the force.
+struct Coast {
+  Vec6 x_x, x_v, x_f, v_x, v_v, v_f;
+};
+
+Mat3 coast_of(const HandleMotion& m, double time) {
+  Mat3 rates = Mat3::Zero();
+  rates(0, 1) = 1;
+  rates(1, 0) = -m.hand_stiffness / m.inertia;
+  rates(1, 1) = -(m.damping + m.hand_damping) / m.inertia;
+  rates(1, 2) = 1 / m.inertia;
+  return (rates * time).exp();
+}
+
+Coast coast(const SimulatedDeviceParameters& device, double time) {
+  const Mat3 t = coast_of(device.translation, time), r = coast_of(device.rotation, time);
+  const auto both = [&](Index row, Index column) {
+    Vec6 out;
+    out << Vec3::Constant(t(row, column)), Vec3::Constant(r(row, column));
+    return out;
+  };
+  return {both(0, 0), both(0, 1), both(0, 2), both(1, 0), both(1, 1), both(1, 2)};
+}
+
+/// One sample of the loop at a factor on K, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
+class Loop {
+ public:
+  explicit Loop(const SampledContact& contact) : contact_(contact) {
+    const double late = contact.device.delay / contact.sample_time;
+    samples_late_ = static_cast<Index>(late);
+    const double rest = late - std::floor(late);
+    forces_ = samples_late_ + (rest > 0 ? 1 : 0);
+    split_ = rest > 0;
+    older_ = coast(contact.device, rest * contact.sample_time);
+    newer_ = coast(contact.device, (1 - rest) * contact.sample_time);
+  }
+
+  double radius(double factor) const {
+    const Eigen::EigenSolver<MatrixXd> solver(transition(factor), false);
+    double largest = 0;
+    for (const auto& value : solver.eigenvalues())
+      if (value.imag() != 0 || value.real() < 0) largest = std::max(largest, std::abs(value));
+    return largest;
+  }
+  /// Without damping a direction in which nothing resists has 1 for an eigenvalue twice, which
+  /// rounding splits by its square root.
+  bool stable(double factor) const { return radius(factor) <= 1 + 1e-7; }
+
+ private:
+  Rows unit(Index block) const {
+    Rows out = Rows::Zero(6, 18 + 6 * forces_);
+    out.middleCols<6>(6 * block).setIdentity();
+    return out;
+  }
+
+  MatrixXd transition(double factor) const {
+    const Mat6 per_sample = contact_.damping / contact_.sample_time;
+    const Rows force_now =
+        per_sample * unit(2) -
+        (factor * contact_.stiffness + contact_.held_stiffness + per_sample) * unit(0);
+    const auto force = [&](Index samples_ago) -> Rows {
+      return samples_ago == 0 ? force_now : unit(2 + samples_ago);
+    };
+    Rows x = unit(0), v = unit(1);
+    const auto go_on = [&](const Coast& c, const Rows& F) {
+      const Rows before = x;
+      x = c.x_x.asDiagonal() * before + c.x_v.asDiagonal() * v + c.x_f.asDiagonal() * F;
+      v = c.v_x.asDiagonal() * before + c.v_v.asDiagonal() * v + c.v_f.asDiagonal() * F;
+    };
+    if (split_) go_on(older_, force(samples_late_ + 1));
+    go_on(newer_, force(samples_late_));
+
+    MatrixXd M = MatrixXd::Zero(18 + 6 * forces_, 18 + 6 * forces_);
+    M.topRows<6>() = x;
+    M.middleRows<6>(6) = v;
+    M.middleRows<6>(12) = unit(0);
+    if (forces_ > 0) M.middleRows<6>(18) = force_now;
+    for (Index i = 1; i < forces_; ++i) M.middleRows<6>(18 + 6 * i) = unit(2 + i);
+    return M;
+  }
+
+  const SampledContact& contact_;
+  Index samples_late_ = 0, forces_ = 0;
+  bool split_ = false;
+  Coast older_, newer_;
+};
+
+/// The largest factor at which `holds`, to 1e-4 of itself, looked for from the lowest upwards.
+template <class Holds>
+double largest_factor(const Holds& holds) {
+  constexpr double lowest = 1e-9, highest = 1e12;
+  if (!holds(lowest)) return 0;
+  double low = lowest;
+  while (holds(2 * low)) {
+    low *= 2;
+    if (low > highest) return std::numeric_limits<double>::infinity();
+  }
+  double high = 2 * low;
+  while (high - low > 1e-4 * high) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+double buzz_radius(const SampledContact& contact) { return Loop(contact).radius(1); }
+
+double largest_stable_factor(const SampledContact& contact) {
+  const Loop loop(contact);
+  return largest_factor([&](double factor) { return loop.stable(factor); });
+}
+
+double largest_passive_factor(const SampledContact& contact) {
+  const SimulatedDeviceParameters& device = contact.device;
+  // In units in which the device's damping is 1, every direction counts the same.
+  const auto per_root = [](double x) { return x > 0 ? 1 / std::sqrt(x) : 1e9; };
+  Vec6 scale;
+  scale << Vec3::Constant(per_root(device.translation.damping)),
+      Vec3::Constant(per_root(device.rotation.damping));
+  const auto in_units = [&](const Mat6& A) -> Mat6 {
+    return scale.asDiagonal() * (A + A.transpose()) / 2 * scale.asDiagonal();
+  };
+  const double time = contact.sample_time / 2 + device.delay;
+  const Mat6 K = time * in_units(contact.stiffness);
+  const Mat6 held = time * in_units(contact.held_stiffness) + in_units(contact.damping);
+  return largest_factor([&](double factor) {
+    const Mat6 taken = factor * K + held;
+    return Eigen::SelfAdjointEigenSolver<Mat6>(taken, Eigen::EigenvaluesOnly)
+               .eigenvalues()
+               .maxCoeff() <= 1;
+  });
+}
+
+}  // namespace sonde

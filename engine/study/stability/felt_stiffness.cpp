@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/stability/felt_stiffness.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/search/coherent.hpp"
+
+namespace sonde {
+namespace {
+
+/// The device pose moved by a small motion about its centre of mass.
+Pose moved(const MassProperties& mass, const Pose& X_FO, const Vec6& motion) {
+  const Vec3 turn = motion.tail<3>();
+  const double angle = turn.norm();
+  const Quat q = angle == 0 ? Quat::Identity() : Quat(Eigen::AngleAxisd(angle, turn / angle));
+  const Vec3 com = X_FO * mass.com + motion.head<3>();
+  const Quat turned = (q * X_FO.q).normalized();
+  return {turned, com - turned * mass.com};
+}
+
+struct Springs {
+  Vec6 object, classic;  ///< at unit gains
+};
+
+/// The answers from Q to O and on to a pose beside it.
+std::optional<Springs> springs(CoherentSolver& solver, const MassProperties& mass, const Pose& X_FQ,
+                               const Pose& X_FO, const Pose& beside) {
+  solver.reset(X_FQ);
+  for (const Pose& X : {X_FO, beside}) {
+    const Separation& s = solver.tick(X);
+    if (s.status != Status::penetrating || s.jumped) return std::nullopt;
+  }
+  const Separation& s = solver.last();
+  const Wrench wrench = object_norm_wrench(mass, s.device, s.separated, 1);
+  const SeparationMotion motion = separation_motion(mass, s.device, s.separated);
+  Springs out;
+  out.object << wrench.force, wrench.torque;
+  out.classic << motion.t, motion.theta;
+  return out;
+}
+
+/// Î about the axes of the fixed frame.
+Mat3 inertia_in_F(const MassProperties& mass, const Pose& X_FO) {
+  const Mat3 R_FP = X_FO.q.toRotationMatrix() * mass.R_MP;
+  return R_FP * mass.inertia.asDiagonal() * R_FP.transpose();
+}
+
+/// max xᵀ A x / xᵀ B x, A symmetrised, over the range of B.
+double largest_ratio(const Mat3& A, const Mat3& B) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> of_B(B);
+  const double least = 1e-9 * of_B.eigenvalues().maxCoeff();
+  Mat3 per_root = Mat3::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (of_B.eigenvalues()[i] > least) per_root(i, i) = 1 / std::sqrt(of_B.eigenvalues()[i]);
+  const Mat3 W = of_B.eigenvectors() * per_root;
+  const Mat3 ratio = W.transpose() * (A + A.transpose()) / 2 * W;
+  return Eigen::SelfAdjointEigenSolver<Mat3>(ratio).eigenvalues().maxCoeff();
+}
+
+}  // namespace
+
+Mat6 FeltStiffness::stiffness(const Coupling& c) const {
+  if (c.mode == Coupling::Mode::object) return c.k * object;
+  Mat6 out = classic;
+  out.topRows<3>() *= c.k_t;
+  out.bottomRows<3>() *= c.k_r;
+  return out;
+}
+
+Mat6 FeltStiffness::damping(const Coupling& c) const {
+  if (c.mode == Coupling::Mode::object) return Mat6::Zero();
+  Mat6 out = classic;
+  out.topRows<3>() *= c.b_t;
+  out.bottomRows<3>() *= c.b_r;
+  return out;
+}
+
+std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
+                                            const Pose& X_FQ, double step) {
+  const MassProperties& mass = pair.probe().mass;
+  // A turn about a thin axis moves little: it is measured by the motion of the whole probe.
+  const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);
+  CoherentSolver solver(pair, method);
+  FeltStiffness out;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double size = i < 3 ? step : step / radius;
+    const auto beside = [&](double sign) {
+      return springs(solver, mass, X_FQ, X_FO, moved(mass, X_FO, sign * size * Vec6::Unit(i)));
+    };
+    const auto ahead = beside(1), behind = beside(-1);
+    if (!ahead || !behind) return std::nullopt;
+    out.object.col(i) = (behind->object - ahead->object) / (2 * size);
+    out.classic.col(i) = (behind->classic - ahead->classic) / (2 * size);
+  }
+  return out;
+}
+
+StiffnessRatio stiffness_ratio(const MassProperties& mass, const Pose& X_FO, const Mat6& object) {
+  return {largest_ratio(object.topLeftCorner<3, 3>(), Mat3::Identity()),
+          largest_ratio(object.bottomRightCorner<3, 3>(), inertia_in_F(mass, X_FO))};
+}
+
+StiffnessRatio summed_penalty_ratio(const MassProperties& mass, const Separation& separation) {
+  Mat6 sum = Mat6::Zero();
+  for (const Contact& contact : separation.contacts) {
+    Vec6 row;
+    row << contact.normal,
+        (contact.on_probe - separation.separated * mass.com).cross(contact.normal);
+    sum += row * row.transpose();
+  }
+  return stiffness_ratio(mass, separation.device, sum);
+}
+
+}  // namespace sonde

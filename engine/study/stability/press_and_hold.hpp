@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "engine/study/stability/closed_loop.hpp"
+
+namespace sonde {
+
+/// A hand presses the probe into a contact, holds it there, knocks once, and holds on. What the
+/// loop then does by itself, over two windows of the same length, is what it is judged by.
+struct Press {
+  Pose X_FM;                  ///< free: where it begins at rest, and where the hand's spring stays
+  Wrench push;                ///< of the hand, at the hold
+  double rise_time = 0.1;     ///< s, until the whole push is there
+  double settle_time = 0.1;   ///< s, after the rise and again after the knock
+  double knock_time = 0.02;   ///< s, during which the hand pushes harder
+  double knock = 1;           ///< by so many times the push
+  Wrench jolt = {};           ///< and by this: what the push alone would not set swinging
+  double window_time = 0.3;   ///< s, of each of the two windows
+  double decay = 0.95;        ///< the swing must fall to this share from window to window
+  double quiet_speed = 1e-3;  ///< m/s: what moves with less energy than the handle's mass at this
+                              ///< speed stands still
+};
+
+/// What a hold was like. "At the hold" is over the two windows.
+struct HoldReport {
+  /// Kinetic energy of the handle, mean of the second window over that of the first; 0 where it
+  /// stands still. At 1 or above what swings does not die down.
+  double growth = 0;
+  double kinetic = 0;       ///< J, its mean over the second window
+  double work = 0;          ///< J, of the motors on the handle over both windows
+  double chatter = 0;       ///< chatter_index at the hold
+  double saturation = 0;    ///< share of the ticks at the hold at which the coupling's limits acted
+  double force_error = 0;   ///< motors against Hooke's law: rms difference over rms force, from the
+                            ///< first contact to the end
+  double torque_error = 0;  ///< the same of torques
+  double depth = 0;         ///< m, mean at the hold
+  double contact = 0;       ///< share of the ticks at the hold that are in contact
+  double force = 0;         ///< N, mean size of the motors' force at the hold
+  double torque = 0;        ///< N·m
+  int jumps = 0;            ///< ticks that jumped to another place, as the engine reports it
+  int pop_throughs = 0;     ///< those at which the probe came out on another side (popped_through)
+  int failures = 0;         ///< ticks without an answer
+  bool stable = false;      ///< still, or swinging less and less; in contact; no failures
+  bool chattering = false;  ///< chatter above chatter_limit
+  bool saturated = false;   ///< saturation above saturation_limit
+};
+
+/// A twentieth of the wrench buzzes: half of the smallest difference of force that a hand tells
+/// from none (about 7 to 10 %: Jones, 1989; Pang, Tan and Durlach, 1991).
+constexpr double chatter_limit = 0.05 * 0.05;
+constexpr double saturation_limit = 0.01;
+
+HoldReport press_and_hold(ClosedLoop& loop, const Press& press);
+
+/// The ticks that a press takes.
+std::int64_t tick_count(const Press& press, double sample_time);
+
+}  // namespace sonde

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/haptics/hand/simulated_device.hpp"
+#include "engine/study/rendering/rendering.hpp"
+
+namespace sonde {
+
+/// How stiff a coupling may be on a device, in the contacts along a path.
+struct StableStiffness {
+  /// Largest stiffness against translation (stiffness_of; in the classic mode all gains of the
+  /// springs grow together), N/m, at which the sampled loop is stable in every contact: by the
+  /// eigenvalues of the contact that is hardest (contact_stability.hpp). No value where the path
+  /// meets no contact that holds still, or where there is no end to it.
+  std::optional<double> stable;
+  std::optional<double> passive;  ///< the same of taking energy out of whatever holds the handle
+};
+
+/// At some 200 contacts of the path. Of PD_t the translation alone is looked at, without the torque
+/// of its contacts. Throws Cancelled.
+StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
+                                 std::span<const TimedPose> path,
+                                 const SimulatedDeviceParameters& device, double sample_time,
+                                 const Stop& stop);
+
+std::string to_json(const StableStiffness& stiffness);
+/// Throws InputError, naming `source`, where the text is none.
+StableStiffness stable_stiffness_of(const std::string& json, const std::string& source);
+
+}  // namespace sonde

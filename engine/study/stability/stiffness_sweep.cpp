@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/stability/stiffness_sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+namespace {
+
+using Fits = std::function<bool(const HoldReport&)>;
+
+/// A swing that keeps this share of its energy from window to window may soon keep all of it.
+constexpr double slow_to_die = 0.1;
+
+class Sweep {
+ public:
+  Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
+      : run_(run), options_(options), stop_(stop) {}
+
+  /// Runs from below to the first that does not fit.
+  void walk(const Fits& fits) {
+    double k = down_from(clamped(options_.start / 4), fits);
+    while (fits(at(k)) && k < options_.high) k = clamped(k * step_after(at(k)));
+  }
+
+  /// Halves until something fits; the range's low end where nothing does.
+  double down_from(double k, const Fits& fits) {
+    while (!fits(at(k)) && k > options_.low) k = clamped(k / 2);
+    return k;
+  }
+
+  /// Bisects below the first that fails above `from`, until the limit is known.
+  SweepLimit limit(const Fits& fits, double from) {
+    for (;;) {
+      double low = 0, high = 0;
+      for (auto it = done_.lower_bound(from); it != done_.end() && high == 0; ++it)
+        (fits(it->second) ? low : high) = it->first;
+      if (high == 0) return {low, HoldFault::none};
+      if (low == 0 || high <= options_.ratio * low) return {low, fault_of(at(high))};
+      at(std::sqrt(low * high));
+    }
+  }
+
+  /// The softest that fits; the range's low end where nothing does.
+  double softest(const Fits& fits) const {
+    for (const auto& [stiffness, report] : done_)
+      if (fits(report)) return stiffness;
+    return options_.low;
+  }
+
+  bool any(const Fits& fits) const {
+    return std::ranges::any_of(done_, [&](const auto& run) { return fits(run.second); });
+  }
+  double softest_done() const { return done_.begin()->first; }
+  std::size_t size() const { return done_.size(); }
+  void look(double stiffness) { at(clamped(stiffness)); }
+  HoldFault fault_of(const HoldReport& report) const {
+    return sonde::fault_of(report, options_.axis);
+  }
+
+  std::vector<SweepPoint> points() const {
+    std::vector<SweepPoint> out;
+    for (const auto& [stiffness, report] : done_) out.push_back({stiffness, report});
+    return out;
+  }
+
+ private:
+  double clamped(double stiffness) const {
+    return std::clamp(stiffness, options_.low, options_.high);
+  }
+  double step_after(const HoldReport& report) const {
+    const double step = std::clamp(std::pow(options_.ratio, 16), 1.1, 2.0);
+    return report.growth > slow_to_die ? std::pow(step, 0.25) : step;
+  }
+  const HoldReport& at(double stiffness) {
+    const auto known = done_.find(stiffness);
+    if (known != done_.end()) return known->second;
+    if (stop_()) throw Cancelled();
+    return done_.emplace(stiffness, run_(stiffness)).first->second;
+  }
+
+  const std::function<HoldReport(double)>& run_;
+  const SweepOptions& options_;
+  const Stop& stop_;
+  std::map<double, HoldReport> done_;
+};
+
+/// One axis is judged by its own error.
+double error_of(const HoldReport& report, GainAxis axis) {
+  switch (axis) {
+    case GainAxis::rotation:
+      return report.torque_error;
+    case GainAxis::together:
+      return std::max(report.force_error, report.torque_error);
+    case GainAxis::object:
+    case GainAxis::translation:
+      break;
+  }
+  return report.force_error;
+}
+
+}  // namespace
+
+const char* name_of(HoldFault fault) {
+  constexpr std::array names{"none", "stability", "saturation", "chatter", "fidelity"};
+  return names[static_cast<std::size_t>(fault)];
+}
+
+const char* name_of(GainAxis axis) {
+  constexpr std::array names{"object", "together", "translation", "rotation"};
+  return names[static_cast<std::size_t>(axis)];
+}
+
+HoldFault fault_of(const HoldReport& report, GainAxis axis) {
+  if (!report.stable) return HoldFault::unstable;
+  if (report.saturated) return HoldFault::saturated;
+  if (report.chattering) return HoldFault::chattering;
+  return error_of(report, axis) > fidelity_limit ? HoldFault::unfaithful : HoldFault::none;
+}
+
+StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
+                               const SweepOptions& options, const Stop& stop) {
+  Sweep sweep(run, options, stop);
+  const Fits stable = [](const HoldReport& r) { return r.stable; };
+  const Fits good = [&](const HoldReport& r) { return sweep.fault_of(r) == HoldFault::none; };
+  sweep.walk(stable);
+  if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
+  StiffnessSweep out;
+  for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
+    before = sweep.size();
+    out.stable = sweep.limit(stable, options.low);
+    out.good = sweep.limit(good, sweep.softest(good));
+  }
+  if (options.beyond && out.stable.stiffness > 0)
+    for (const double times : {1.3, 4.0}) sweep.look(times * out.stable.stiffness);
+  out.points = sweep.points();
+  return out;
+}
+
+}  // namespace sonde

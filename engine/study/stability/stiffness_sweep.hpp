@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
+
+namespace sonde {
+
+/// The gains that a sweep changes: the one k of the object norm; of the classic coupling k_t with
+/// b_t, k_r with b_r, or all four together.
+enum class GainAxis { object, together, translation, rotation };
+const char* name_of(GainAxis axis);
+
+/// What ends the range of useful stiffness in a hold.
+enum class HoldFault { none, unstable, saturated, chattering, unfaithful };
+const char* name_of(HoldFault fault);
+/// Unfaithful: motors further than fidelity_limit from Hooke's law, in the torque where rotation is
+/// swept, in the worse of both where all gains are, else in the force. The worst fault is named.
+HoldFault fault_of(const HoldReport& report, GainAxis axis);
+/// A hand tells a difference of 7 to 10 % in force (Jones, 1989; Pang, Tan and Durlach, 1991).
+constexpr double fidelity_limit = 0.1;
+
+struct SweepPoint {
+  double stiffness = 0;
+  HoldReport report;
+};
+
+/// The least stiffness that fails, by the largest below it that is known to hold.
+struct SweepLimit {
+  double stiffness = 0;               ///< holds; 0 where nothing below the first fault does
+  HoldFault fault = HoldFault::none;  ///< of the first that does not; none: the range's end
+};
+
+struct StiffnessSweep {
+  std::vector<SweepPoint> points;  ///< by stiffness
+  SweepLimit stable;               ///< below the least stiffness studied that is unstable
+  /// Below the least fault of any kind that lies above something good: what is too soft to be good
+  /// is no limit.
+  SweepLimit good;
+};
+
+struct SweepOptions {
+  GainAxis axis = GainAxis::object;
+  double start = 500;  ///< a stiffness that is likely to hold; in [low, high]
+  double low = 1;      ///< allowed range, both above zero
+  double high = 1e5;
+  double ratio = 1.02;  ///< a limit is known when what fails is at most so many times as stiff
+  bool beyond = true;   ///< points above the limits too, for the map
+};
+
+/// Looks for the limits of one gain by walking upwards, from a quarter of the start (from further
+/// below, where that fails) to the first that is unstable: in steps of ratio¹⁶ (1.1 to 2), in a
+/// quarter of them where the last hold was slow to die down; then by bisection. A limit lies below
+/// every fault that was seen, whatever holds above it. `run` is called once for each stiffness.
+/// Throws Cancelled.
+StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
+                               const SweepOptions& options, const Stop& stop);
+
+}  // namespace sonde

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/study/trade/trade_results.hpp"
+
+namespace sonde {
+
+/// What a study of the trade is shown as:
+///
+///     trade.svg      error against time of each kind; times of ticks by budget
+///     trade.csv      each pose with each setting
+///     extremes.csv   each pose where the bodies are tiny, huge or far away
+///     poses.csv      the poses, as sonde query reads them
+///     summary.json, summary.csv, summary.md    each setting over all poses, or over the path
+///
+/// The same results give the same bytes; of two runs, all but the times are the same.
+std::vector<StudyFile> trade_files(const TradeResults& results);
+
+/// The same of a complete folder of the study; errors as read_trade.
+std::vector<StudyFile> trade_files(const std::string& folder, const StudyFolder& study);
+
+}  // namespace sonde

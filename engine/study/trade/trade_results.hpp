@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/study/parts/study_parts.hpp"
+
+namespace sonde {
+
+/// What of the engine is given less or more time: the static search, the lower bound of the depth,
+/// or a tick of the coherent solver.
+enum class TradeKind { search, bound, tick };
+const char* name_of(TradeKind kind);  ///< "static", "bound", "coherent"
+const char* name_of(Method method);   ///< "pdg", "pdt"
+const char* title_of(Method method);  ///< "PD_g", "PD_t"
+
+/// One point of the trade. The budget is counted: steps of a search (Budget::steps), work of a
+/// bound (BoundOptions::work), work of a tick (Budget::work); 0: none, until converged.
+struct TradeSetting {
+  TradeKind kind = TradeKind::search;
+  Method method = Method::pdg;
+  std::int64_t budget = 0;
+  bool operator==(const TradeSetting&) const = default;
+};
+
+/// A setting on one pose.
+struct TradeRun {
+  TradeSetting setting;
+  double depth = 0;    ///< m; of a bound, the bound. NaN where it failed
+  int iterations = 0;  ///< of a search
+  double time_us = 0;  ///< processor time
+};
+
+/// A pose: how deep it is, as far as anything could tell, and what each setting says.
+struct TradePose {
+  std::array<double, 7> pose{};  ///< px, py, pz, qw, qx, qy, qz, of X_FM
+  /// The depth that each of the long searches found, m; those that failed are left out.
+  std::vector<double> long_pdg, long_pdt;
+  std::vector<TradeRun> runs;
+
+  /// The least depth that any search found, long or not, m; a translation is also one of all rigid
+  /// motions. Infinite where none found any.
+  double reference(Method method) const;
+  /// How well the long searches repeat: the largest of them over the least, less 1. NaN where there
+  /// is none.
+  double spread(Method method) const;
+};
+
+/// A device path followed with one setting, tick by tick. All three have the same size.
+struct TradePath {
+  TradeSetting setting;
+  std::vector<double> depth;    ///< m; NaN where a tick failed
+  std::vector<char> converged;  ///< 0: the budget ran out, or the way was blocked
+  std::vector<double> time_us;  ///< processor time
+};
+
+/// What becomes of the answers without a budget where the bodies are tiny, huge or far away.
+struct TradeExtreme {
+  std::string world;  ///< "tiny", "huge", "far"
+  TradeKind kind = TradeKind::search;
+  Method method = Method::pdg;
+  std::vector<double> change;  ///< of each pose: depth there / depth as given − 1; NaN: a failure
+};
+
+/// All that a study of the trade measured.
+struct TradeResults {
+  std::string scene;
+  double radius = 0;  ///< of the probe, m
+  std::vector<TradeSetting> settings;
+  std::vector<TradePose> poses;
+  std::vector<TradePath> paths;
+  std::vector<TradeExtreme> extremes;
+};
+
+/// As a JSON array.
+std::string to_json(std::span<const TradeSetting> settings);
+/// A part of the study as JSON text, its times in members named time_us; read back by read_trade.
+std::string to_json(const TradePose& pose);
+std::string to_json(const TradePath& path);
+std::string to_json(std::span<const TradeExtreme> extremes);
+
+/// What the parts of a complete folder hold; `folder` is for complaints. Throws InputError where a
+/// part is missing or is not what the study writes.
+TradeResults read_trade(const std::string& folder, const StudyFolder& study);
+
+/// What one setting costs and is worth, over all poses or ticks. The error of
+/// - a search: depth / reference − 1;
+/// - a bound: 1 − bound / reference, the reference that of PD_g;
+/// - a tick: |depth − depth without a budget| over the largest depth without one on the path, at
+///   the ticks where either is in contact.
+/// A failure is infinitely wrong. Poses not deeper than 1e-6 of the probe's radius are left out.
+struct TradeFigures {
+  TradeSetting setting;
+  std::size_t count = 0;  ///< poses, or ticks in contact
+  std::size_t failed = 0;
+  double median = 0, p90 = 0, worst = 0;                ///< of the error
+  double within_1 = 0, within_5 = 0;                    ///< share with an error up to 1 %, 5 %
+  double unconverged = 0;                               ///< share of the ticks; else 0
+  double time_median = 0, time_p99 = 0, time_p999 = 0;  ///< µs
+};
+/// Of every setting, in their order. Where nothing is to be counted, numbers are NaN.
+std::vector<TradeFigures> trade_figures(const TradeResults& results);
+
+/// Those of one kind and method.
+std::vector<TradeFigures> figures_of(const std::vector<TradeFigures>& all, TradeKind kind,
+                                     Method method);
+
+/// How well the long searches repeat, over the poses that are not left out.
+struct TradeReference {
+  double median = 0, p90 = 0, worst = 0;  ///< of TradePose::spread; NaN where there is none
+};
+TradeReference trade_reference(const TradeResults& results, Method method);
+
+/// What one line of the extremes comes to.
+struct ExtremeFigures {
+  std::size_t failed = 0;
+  double median = 0, worst = 0;  ///< |change| of those that did not fail; NaN where all did
+};
+ExtremeFigures figures_of(const TradeExtreme& extreme);
+
+/// depth / reference − 1 of a search, 1 − bound / reference of a bound.
+double error_of(const TradePose& pose, const TradeRun& run);
+
+}  // namespace sonde

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/gain_recommendation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/settings/settings.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Lines = std::vector<const TuningLine*>;
+using Profile = std::map<std::string, double>;
+
+Lines lines_where(const TuningResults& results,
+                  const std::function<bool(const TuningLine&)>& wanted) {
+  Lines out;
+  for (const TuningLine& line : results.lines)
+    if (wanted(line)) out.push_back(&line);
+  return out;
+}
+
+const TuningColumn* column_at(const TuningLine& line, double damping) {
+  const auto found = std::ranges::find(line.columns, damping, &TuningColumn::damping);
+  return found == line.columns.end() ? nullptr : &*found;
+}
+
+/// The largest stiffness whose force changes, at one step of the encoder, by no more than friction
+/// takes out (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of what the device gives
+/// where it has less friction than that. The damping's own step counts too.
+double resolved_stiffness(double friction, double most, double step, double damping,
+                          double sample_time) {
+  if (step == 0) return infinity;
+  return std::max(0.0, std::max(2 * friction, 0.01 * most) / step - damping / sample_time);
+}
+
+/// What the profile says, not the runs.
+void add_profile_limits(const TuningResults& results, const Lines& lines, const Profile& device,
+                        GainAxis axis, double damping, std::vector<GainLimit>& limits) {
+  const double T = results.sample_time;
+  // As the felt stiffness was measured, whatever value is varied here.
+  const double per = results.device.at("inertia") / results.device.at("mass");
+  const bool joint = axis == GainAxis::together;
+  const double turning_damping = joint ? damping * results.joint.damping : damping;
+  for (const TuningLine* line : lines) {
+    TuningResults::Felt felt = results.felt[line->situation];
+    if (axis != GainAxis::object) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
+    const auto add = [&](const char* reason, double allowed, double felt_at_one) {
+      if (felt_at_one > 0) limits.push_back({reason, allowed / felt_at_one, line->kind, ""});
+    };
+    if (axis != GainAxis::rotation) {
+      add("driver", device.at("max_stiffness"), felt.translation);
+      add("resolution",
+          resolved_stiffness(device.at("friction"), device.at("max_force"), device.at("resolution"),
+                             damping, T),
+          felt.translation);
+    }
+    if (axis != GainAxis::translation && device.at("max_torque") > 0) {
+      if (device.at("max_rotational_stiffness") > 0)
+        add("driver", device.at("max_rotational_stiffness"), felt.rotation);
+      add("resolution",
+          resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
+                             device.at("rotational_resolution"), turning_damping, T),
+          felt.rotation);
+    }
+  }
+}
+
+void add_measured_limits(const TuningLine& line, const TuningColumn& column,
+                         std::vector<GainLimit>& limits) {
+  const auto add = [&](const char* reason, double stiffness) {
+    limits.push_back({reason, stiffness, line.kind, line.hand});
+  };
+  if (column.stable.fault == HoldFault::none)
+    add("range", column.stable.stiffness);
+  else
+    add("stability", column.stable.stiffness / stability_margin);
+  if (column.good.fault != HoldFault::none && column.good.fault != HoldFault::unstable)
+    add(name_of(column.good.fault), column.good.stiffness);
+}
+
+/// The least of each reason, lowest first.
+std::vector<GainLimit> least_of_each(std::vector<GainLimit> limits) {
+  std::ranges::stable_sort(limits, {}, &GainLimit::stiffness);
+  std::vector<GainLimit> out;
+  for (const GainLimit& limit : limits)
+    if (std::ranges::find(out, limit.reason, &GainLimit::reason) == out.end()) out.push_back(limit);
+  return out;
+}
+
+AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profile& device,
+                   GainAxis axis, double damping) {
+  AxisGains out{.axis = axis,
+                .damping = damping,
+                .boundary = infinity,
+                .passive = infinity,
+                .theory = infinity,
+                .limit = {},
+                .limits = {}};
+  std::vector<GainLimit> limits;
+  for (const TuningLine* line : lines) {
+    const TuningColumn& column = *column_at(*line, damping);
+    add_measured_limits(*line, column, limits);
+    if (column.stable.fault != HoldFault::none)
+      out.boundary = std::min(out.boundary, column.stable.stiffness);
+    out.passive = std::min(out.passive, column.theory_passive);
+    out.theory = std::min(out.theory, column.theory_stable);
+  }
+  add_profile_limits(results, lines, device, axis, damping, limits);
+  out.limits = least_of_each(limits);
+  out.limit = out.limits.front();
+  out.stiffness = out.limit.stiffness;
+  return out;
+}
+
+/// The damping that allows the largest stiffness; of equal ones the least. Every line of an axis is
+/// swept at the same dampings.
+std::optional<AxisGains> best(const TuningResults& results, const Lines& lines,
+                              const Profile& device, GainAxis axis) {
+  std::optional<AxisGains> out;
+  if (lines.empty()) return out;
+  for (const TuningColumn& column : lines.front()->columns) {
+    const AxisGains gains = gains_at(results, lines, device, axis, column.damping);
+    if (!out || gains.stiffness > out->stiffness) out = gains;
+  }
+  return out;
+}
+
+/// A line of those that vary an assumed value; all are of one situation, hand and damping.
+const TuningLine* varied(const TuningResults& results, GainAxis axis) {
+  for (const TuningLine& line : results.lines)
+    if (line.axis == axis && !line.assumed.empty()) return &line;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
+                                   const std::string& assumed, double times) {
+  const Lines lines = lines_where(results, [&](const TuningLine& line) {
+    return line.axis == axis && line.assumed == assumed && line.times == times;
+  });
+  Profile device = results.device;
+  if (!assumed.empty()) device[assumed] *= times;
+  return best(results, lines, device, axis);
+}
+
+std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis) {
+  const TuningLine* beside = varied(results, axis);
+  if (!beside) return std::nullopt;
+  const Lines lines = lines_where(results, [&](const TuningLine& line) {
+    return line.axis == axis && line.assumed.empty() && line.situation == beside->situation &&
+           line.hand == beside->hand;
+  });
+  if (lines.empty()) return std::nullopt;
+  return gains_at(results, lines, results.device, axis, beside->columns.front().damping);
+}
+
+std::vector<GainAxis> axes_of(const TuningResults& results) {
+  std::vector<GainAxis> out;
+  for (const TuningLine& line : results.lines)
+    if (std::ranges::find(out, line.axis) == out.end()) out.push_back(line.axis);
+  return out;
+}
+
+std::vector<GainAxis> recommended_axes(const TuningResults& results) {
+  std::vector<GainAxis> axes = axes_of(results);
+  if (std::ranges::find(axes, GainAxis::together) != axes.end()) return {GainAxis::together};
+  return axes;
+}
+
+bool has_recommendation(const TuningResults& results) {
+  return std::ranges::all_of(recommended_axes(results), [&](GainAxis axis) {
+    const auto gains = recommend(results, axis);
+    return gains && gains->stiffness > 0;
+  });
+}
+
+Coupling recommended_coupling(const TuningResults& results) {
+  Coupling wanted, out;
+  out.mode = results.mode;
+  for (const GainAxis axis : recommended_axes(results))
+    if (const auto gains = recommend(results, axis))
+      set_gains(wanted, axis, gains->stiffness, gains->damping, results.joint);
+  wanted.max_force = results.max_force;
+  wanted.max_torque = results.max_torque;
+  for (const Setting& setting : coupling_settings())
+    set(out, setting.key, get(wanted, setting.key));
+  return out;
+}
+
+}  // namespace sonde

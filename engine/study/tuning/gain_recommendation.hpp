@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/study/tuning/tuning_results.hpp"
+
+namespace sonde {
+
+/// The stiffness recommended is this much below the least at which a hold is not stable.
+constexpr double stability_margin = 1.5;
+
+/// What a stiffness should not exceed, and why.
+struct GainLimit {
+  /// "stability", "saturation", "chatter", "fidelity" (measured), "driver" (the profile's largest
+  /// stiffness), "resolution" (a step of the encoder), "range" (nothing within the range studied).
+  std::string reason;
+  double stiffness = 0;
+  std::string kind, hand;  ///< of the situation where that is; empty where it is no measurement
+};
+
+/// The recommended stiffness (and damping) of one axis.
+struct AxisGains {
+  GainAxis axis = GainAxis::object;
+  double stiffness = 0;  ///< N/m | N·m/rad; 0: none in the range studied is good
+  double damping = 0;    ///< N·s/m | N·m·s/rad
+  /// The least stiffness, over situations and hands, that is not stable; infinite where all that
+  /// was studied is.
+  double boundary = 0;
+  double passive = 0;  ///< up to which theory has every situation passive
+  double theory = 0;   ///< up to which theory has every situation stable, without friction
+  GainLimit limit;     ///< the one that holds: its stiffness is the recommended one
+  std::vector<GainLimit> limits;  ///< the least of each reason, the lowest first
+
+  double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }
+};
+
+/// From the lines of one axis. With `assumed`, from those for a profile value at `times` itself
+/// alone, which are of one situation; no value where there is none.
+std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
+                                   const std::string& assumed = {}, double times = 1);
+/// The same from the situation and hand alone that the assumed values are varied in, at the damping
+/// that they are: what those are to be compared with.
+std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);
+
+/// The axes studied.
+std::vector<GainAxis> axes_of(const TuningResults& results);
+/// Of them those whose gains are recommended: all gains together, where they were swept so.
+std::vector<GainAxis> recommended_axes(const TuningResults& results);
+
+/// True where some stiffness is good on each axis that is recommended.
+bool has_recommendation(const TuningResults& results);
+/// The gains as a coupling of a scene, within what its settings allow.
+Coupling recommended_coupling(const TuningResults& results);
+
+}  // namespace sonde

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/study/stability/contact_situations.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
+#include "engine/study/stability/stiffness_sweep.hpp"
+
+namespace sonde {
+
+/// A contact with the hand that presses into it.
+struct TuningSituation {
+  ContactSituation contact;
+  Wrench push;
+  double theory = 0;  ///< stiffness up to which the linear contact is stable in a light hand, N/m
+};
+
+/// What the classic coupling's rotational gains are to its translational ones where all are swept
+/// together: k_r/k_t and b_r/b_t, m².
+struct JointGains {
+  double stiffness = 0;
+  double damping = 0;
+};
+
+/// Sets the gains of an axis; all four by the translational ones.
+void set_gains(Coupling& coupling, GainAxis axis, double stiffness, double damping,
+               const JointGains& joint);
+
+/// One situation of a study, with one device and one hand.
+struct TuningSetup {
+  ClosedLoopSetup loop;
+  TuningSituation situation = {};
+  double low = 1, high = 1e5;  ///< stiffness, N/m
+  double ratio = 1.02;
+  double rotation_per_translation =
+      1;  ///< m²: what makes a rotational range of a translational one
+  JointGains joint = {};
+  double most_damping = 0;             ///< virtual, N·s/m
+  double most_rotational_damping = 0;  ///< N·m·s/rad
+};
+
+/// The push alone, with its knock.
+Press press_of(const TuningSituation& situation);
+/// As the stiffness of an axis is swept: where rotations are, the knock turns the probe too, about
+/// the axis that resists most.
+Press press_of(const TuningSetup& setup, GainAxis axis);
+
+/// Gains well within what theory allows: half of it, without damping. What a sweep does not change
+/// stays there.
+void set_base_gains(TuningSetup& setup);
+
+/// Up to where theory has the linear contact stable and passive as the stiffness of one axis grows
+/// at `share` of the largest damping: N/m | N·m/rad.
+struct TheoryLimits {
+  double stable = 0, passive = 0;  ///< infinite where theory sees no end
+};
+TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share);
+
+/// The shares of the largest damping at which an axis is swept; nothing but none where it has none.
+std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);
+
+/// Sweeps the stiffness of one axis at each share of the largest damping; with `beyond` a little
+/// above the limits too, for the map. JSON: {"columns": [{damping, theory_stable, theory_passive,
+/// stable, good, ..., "runs": [...]}, ...]}.
+std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,
+                        bool beyond, const Stop& stop);
+
+}  // namespace sonde

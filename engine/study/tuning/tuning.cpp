@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
+#include "engine/settings/settings.hpp"
+#include "engine/study/stability/contact_stability.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// So many situations of a kind are tried until one holds still when it is pressed.
+constexpr int tried_of_kind = 6;
+
+double inertia_per_mass(const DeviceProfile& device) {
+  return device.inertia.value / device.mass.value;
+}
+
+/// The gains at which theory compares contacts: those of one N/m.
+Coupling unit_gains(const TuningRequest& request) {
+  Coupling c = request.coupling;
+  c.k = c.k_t = 1;
+  c.k_r = inertia_per_mass(request.device);
+  c.b_t = c.b_r = 0;
+  return c;
+}
+
+/// Translational and rotational blocks alone: what the driver's limits are compared with.
+double largest_block(const Mat6& stiffness, Eigen::Index first) {
+  const Mat3 block = stiffness.block<3, 3>(first, first);
+  return Eigen::SelfAdjointEigenSolver<Mat3>((block + block.transpose()) / 2)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+SimulatedDeviceParameters held_by(const DeviceProfile& device, const HandGrip& grip) {
+  SimulatedDeviceParameters p = simulated(device);
+  const double per = inertia_per_mass(device);
+  p.translation.hand_stiffness = grip.stiffness;
+  p.translation.hand_damping = grip.damping;
+  p.rotation.hand_stiffness = grip.stiffness * per;
+  p.rotation.hand_damping = grip.damping * per;
+  return p;
+}
+
+/// The push of the hand: against the contact's own wrench, a quarter of what the device gives and
+/// half of its torque.
+Wrench push_into(const TuningRequest& request, const Separation& s) {
+  const Wrench spring = spring_wrench(request.pair.probe().mass, s, unit_gains(request));
+  const double force = spring.force.norm(), torque = spring.torque.norm();
+  double scale = INFINITY;
+  if (force > 0) scale = 0.25 * request.device.max_force.value / force;
+  if (torque > 0 && request.device.max_torque.value > 0)
+    scale = std::min(scale, 0.5 * request.device.max_torque.value / torque);
+  if (!std::isfinite(scale)) return {};
+  return {-scale * spring.force, -scale * spring.torque};
+}
+
+/// All that parts share.
+struct Plan {
+  TuningRequest request;
+  TuningContacts contacts;
+  JointGains joint;
+};
+
+double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
+  return largest_stable_factor({.device = held_by(request.device, hand_grips[0]),
+                                .sample_time = request.sample_time,
+                                .stiffness = felt.stiffness(unit_gains(request))});
+}
+
+TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
+                     const TuningSituation& situation, const HandGrip& grip,
+                     const JointGains& joint = {}) {
+  TuningSetup out{.loop = {.pair = request.pair,
+                           .method = request.method,
+                           .coupling = request.coupling,
+                           .device = held_by(device, grip),
+                           .sample_time = request.sample_time,
+                           .budget = request.budget},
+                  .situation = situation};
+  // Hands are those of the profile as it is, whatever is assumed of the device.
+  const SimulatedDeviceParameters hand = held_by(request.device, grip);
+  out.loop.device.rotation.hand_stiffness = hand.rotation.hand_stiffness;
+  out.loop.device.rotation.hand_damping = hand.rotation.hand_damping;
+  out.loop.coupling.max_force = std::min(request.coupling.max_force, device.max_force.value);
+  if (device.max_torque.value > 0)
+    out.loop.coupling.max_torque = std::min(request.coupling.max_torque, device.max_torque.value);
+  else  // what the device has no motors for is not missed
+    out.loop.coupling.max_torque = INFINITY;
+  out.low = request.low;
+  out.high = request.high;
+  out.ratio = request.ratio;
+  out.rotation_per_translation = inertia_per_mass(request.device);
+  out.joint = joint;
+  // At the profile's own dampings, whatever is assumed: like is compared with like.
+  out.most_damping = request.device.max_damping.value;
+  out.most_rotational_damping = request.device.max_rotational_damping.value;
+  set_base_gains(out);
+  return out;
+}
+
+/// Why a light hand that presses the probe into the contact, at half of the stiffness that theory
+/// allows, cannot hold it there; empty where it can.
+std::string why_not_held(const TuningRequest& request, const TuningSituation& situation) {
+  ClosedLoop loop(setup_of(request, request.device, situation, hand_grips[0]).loop);
+  const HoldReport report = press_and_hold(loop, press_of(situation));
+  if (report.failures > 0) return "the solver gave no answer";
+  if (report.jumps > 0) return "the contact jumped to another place";
+  if (report.contact <= 0.95) return "the probe left the contact";
+  return report.stable ? "" : "the probe did not come to rest";
+}
+
+/// The hardest situation of each kind that holds still.
+TuningContacts choose(const TuningRequest& request, const std::vector<ContactSituation>& found,
+                      const Stop& stop) {
+  TuningContacts out;
+  for (const ContactSituation& each : found) {
+    auto& chosen = out.situations;
+    if (!chosen.empty() && chosen.back().contact.kind == each.kind) continue;
+    if (stop()) throw Cancelled();
+    const TuningSituation situation{each, push_into(request, each.separation),
+                                    theory_factor(request, each.stiffness)};
+    const std::string reason = why_not_held(request, situation);
+    if (reason.empty())
+      chosen.push_back(situation);
+    else
+      out.skipped.push_back({each.kind, reason});
+  }
+  for (const ContactKind kind : all_contact_kinds)
+    if (std::ranges::find(found, kind, &ContactSituation::kind) == found.end())
+      out.skipped.push_back({kind, "no such contact was found"});
+  return out;
+}
+
+std::vector<GainAxis> axes_of(const TuningRequest& request) {
+  if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
+  if (request.device.max_torque.value > 0)
+    return {GainAxis::together, GainAxis::translation, GainAxis::rotation};
+  return {GainAxis::translation};
+}
+
+/// The least stiffness, over the contacts in a light hand, up to which theory has one axis stable
+/// or the driver goes. No damping; the other axis at half of what theory allows.
+double allowed_alone(const TuningRequest& request, const std::vector<TuningSituation>& situations,
+                     GainAxis axis) {
+  const bool turns = axis == GainAxis::rotation;
+  double least = INFINITY;
+  for (const TuningSituation& each : situations) {
+    const TuningSetup setup = setup_of(request, request.device, each, hand_grips[0]);
+    least = std::min(least, theory_limits(setup, axis, 0).stable);
+    const double felt = largest_block(each.contact.stiffness.classic, turns ? 3 : 0);
+    const double driver =
+        turns ? request.device.max_rotational_stiffness.value : request.device.max_stiffness.value;
+    if (felt > 0 && driver > 0) least = std::min(least, driver / felt);
+  }
+  return least;
+}
+
+/// In the ratio of what each is allowed alone, and of the driver's largest dampings; none where the
+/// gains are not swept together.
+JointGains joint_gains(const TuningRequest& request,
+                       const std::vector<TuningSituation>& situations) {
+  if (axes_of(request).front() != GainAxis::together) return {};
+  const DeviceProfile& device = request.device;
+  const double ratio = allowed_alone(request, situations, GainAxis::rotation) /
+                       allowed_alone(request, situations, GainAxis::translation);
+  const double most = device.max_damping.value;
+  return {std::isfinite(ratio) && ratio > 0 ? ratio : inertia_per_mass(device),
+          most > 0 ? device.max_rotational_damping.value / most : 0};
+}
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+Json numbers(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+Json numbers(const Pose& X) {
+  return {X.p.x(), X.p.y(), X.p.z(), X.q.w(), X.q.x(), X.q.y(), X.q.z()};
+}
+
+Json about(const TuningRequest& request, const TuningSituation& situation) {
+  const Separation& s = situation.contact.separation;
+  const MassProperties& mass = request.pair.probe().mass;
+  const StiffnessRatio felt = stiffness_ratio(mass, s.device, situation.contact.stiffness.object);
+  const StiffnessRatio summed = summed_penalty_ratio(mass, s);
+  const Mat6 unit = situation.contact.stiffness.stiffness(unit_gains(request));
+  return {{"kind", name_of(situation.contact.kind)},
+          {"device", numbers(s.device)},
+          {"separated", numbers(s.separated)},
+          {"depth", s.depth},
+          {"clusters", s.clusters.size},
+          {"contacts", s.contacts.size},
+          {"push_force", numbers(situation.push.force)},
+          {"push_torque", numbers(situation.push.torque)},
+          {"felt_translation", felt.translation},
+          {"felt_rotation", felt.rotation},
+          {"summed_translation", summed.translation},
+          {"summed_rotation", summed.rotation},
+          {"largest_translational_stiffness", largest_block(unit, 0)},
+          {"largest_rotational_stiffness", largest_block(unit, 3)},
+          {"theory_stable", number(situation.theory)}};
+}
+
+Json about(const DeviceProfile& device) {
+  Json out{{"id", device.id}, {"name", device.name}};
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue& value = device.*key.value;
+    out[key.key] = {{"value", value.value}, {value.assumed ? "assumed" : "source", value.origin}};
+  }
+  return out;
+}
+
+Json about(const Plan& plan) {
+  const TuningRequest& r = plan.request;
+  Json situations = Json::array(), skipped = Json::array();
+  for (const TuningSituation& each : plan.contacts.situations) situations.push_back(about(r, each));
+  for (const SkippedContact& each : plan.contacts.skipped)
+    skipped.push_back({{"kind", name_of(each.kind)}, {"reason", each.reason}});
+  return {{"inputs", Json::parse(r.inputs)},
+          {"mode", name_of(r.coupling.mode)},
+          {"method", r.method == Method::pdt ? "pdt" : "pdg"},
+          {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
+          {"max_torque", r.device.max_torque.value > 0
+                             ? std::min(r.coupling.max_torque, r.device.max_torque.value)
+                             : r.coupling.max_torque},
+          {"sample_time", r.sample_time},
+          {"budget_steps", r.budget.steps},
+          {"seed", r.seed},
+          {"ratio", r.ratio},
+          {"low", r.low},
+          {"high", r.high},
+          {"trajectory", !r.path.empty()},
+          {"device", about(r.device)},
+          {"rotational_stiffness_per_translational", plan.joint.stiffness},
+          {"rotational_damping_per_translational", plan.joint.damping},
+          {"situations", situations},
+          {"skipped", skipped}};
+}
+
+/// A part of the study, as its file names it.
+struct PartOf {
+  std::size_t situation;
+  const HandGrip* grip;
+  GainAxis axis;
+  std::vector<double> shares;     ///< of the largest damping
+  const char* assumed = nullptr;  ///< a key of the profile that is not as it says
+  double times = 1;
+};
+
+std::string part_name(const Plan& plan, const PartOf& part) {
+  std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
+  name += std::string(".") + part.grip->name + "." + name_of(part.axis);
+  if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
+  return name;
+}
+
+DeviceProfile changed(DeviceProfile device, const PartOf& part) {
+  for (const ProfileKey& key : profile_keys())
+    if (part.assumed && std::string_view(key.key) == part.assumed)
+      (device.*key.value).value *= part.times;
+  return device;
+}
+
+StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part) {
+  return {part_name(*plan, part), [plan, part](const Stop& stop) {
+            const DeviceProfile device = changed(plan->request.device, part);
+            const TuningSituation& situation = plan->contacts.situations[part.situation];
+            const bool nominal = part.assumed == nullptr;
+            TuningSetup setup = setup_of(plan->request, device, situation, *part.grip, plan->joint);
+            // What an axis could do alone is for the map, and nothing is recommended by it.
+            if (part.axis != axes_of(plan->request).front())
+              setup.ratio = std::min(2.0, std::pow(setup.ratio, 4));
+            Json json{{"situation", part.situation},
+                      {"kind", name_of(situation.contact.kind)},
+                      {"hand", part.grip->name},
+                      {"axis", name_of(part.axis)},
+                      {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
+                      {"times", part.times}};
+            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, nominal, stop)));
+            return json.dump(1) + "\n";
+          }};
+}
+
+std::size_t hardest(const Plan& plan) {
+  const auto& situations = plan.contacts.situations;
+  const auto least = std::ranges::min_element(situations, {}, &TuningSituation::theory);
+  return static_cast<std::size_t>(least - situations.begin());
+}
+
+TuningSetup setup_of(const Plan& plan, std::size_t situation, const HandGrip& grip) {
+  return setup_of(plan.request, plan.request.device, plan.contacts.situations[situation], grip,
+                  plan.joint);
+}
+
+/// The share of the largest damping that theory likes best; of equal ones the least.
+double share_of_theory(const TuningSetup& setup, GainAxis axis) {
+  double best = 0, most = -1;
+  for (const double share : damping_shares(setup, axis))
+    if (const double stable = theory_limits(setup, axis, share).stable; stable > most) {
+      most = stable;
+      best = share;
+    }
+  return best;
+}
+
+std::vector<PartOf> parts_of(const Plan& plan) {
+  std::vector<PartOf> parts;
+  const std::vector<GainAxis> axes = axes_of(plan.request);
+  for (const GainAxis axis : axes)
+    for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+      for (const HandGrip& grip : hand_grips)
+        parts.push_back({i, &grip, axis, damping_shares(setup_of(plan, i, grip), axis)});
+  // What is recommended is varied, not what each axis could do alone.
+  const std::size_t where = hardest(plan);
+  const double share = share_of_theory(setup_of(plan, where, hand_grips[0]), axes.front());
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue& value = plan.request.device.*key.value;
+    if (!value.assumed || value.value == 0) continue;
+    for (const double times : {0.5, 2.0})
+      parts.push_back({where, &hand_grips[0], axes.front(), {share}, key.key, times});
+  }
+  return parts;
+}
+
+}  // namespace
+
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
+                               const std::function<void(double)>& progress) {
+  SituationOptions options{.method = request.method, .seed = request.seed, .progress = progress};
+  options.hardness = [&](const FeltStiffness& felt) { return 1 / theory_factor(request, felt); };
+  const auto found =
+      request.path.empty()
+          ? find_situations(request.pair, request.X_FM, tried_of_kind, options, stop)
+          : situations_along(request.pair, request.path, tried_of_kind, options, stop);
+  if (found.empty())
+    throw InputError(request.path.empty() ? "no contact of the two bodies was found"
+                                          : "the probe is in contact at no pose of the trajectory");
+  auto chosen = choose(request, found, stop);
+  if (chosen.situations.empty())
+    throw InputError(
+        "no contact was found in which a hand could hold the probe still; in the hardest one, " +
+        chosen.skipped.front().reason);
+  return chosen;
+}
+
+TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
+                         const HandGrip& grip) {
+  return setup_of(request, request.device, situation, grip);
+}
+
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress) {
+  TuningContacts contacts = tuning_contacts(request, stop, progress);
+  const JointGains joint = joint_gains(request, contacts.situations);
+  const auto plan = std::make_shared<Plan>(Plan{request, std::move(contacts), joint});
+  Study study{"tune", about(*plan).dump(), {}};
+  for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
+  return study;
+}
+
+}  // namespace sonde

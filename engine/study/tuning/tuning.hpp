@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/poses.hpp"
+#include "engine/settings/device_profile.hpp"
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/study/tuning/gain_sweep.hpp"
+
+namespace sonde {
+
+/// What a study of a coupling's gains is asked for.
+struct TuningRequest {
+  Pair pair;
+  Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
+  Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
+  Method method = Method::pdg;
+  double sample_time = 1e-3;   ///< s
+  Budget budget{.steps = 60};  ///< of a tick; counted work
+  DeviceProfile device = {};
+  std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
+  std::uint64_t seed = 1;
+  double ratio = 1.02;         ///< to which limits are known
+  double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the
+                               ///< same times inertia over mass of the device
+  std::string inputs = "{}";   ///< JSON that tells the files apart: names, fingerprints
+};
+
+/// How a hand holds the device: a spring and a damper, of rotations the same times inertia over
+/// mass.
+struct HandGrip {
+  const char* name;
+  double stiffness;  ///< N/m
+  double damping;    ///< N·s/m
+};
+/// A hand that hardly holds and one that holds fast: the order of what is measured of hands
+/// (Hogan, 1989; Hajian and Howe, 1997), without their mass, which would help.
+constexpr HandGrip hand_grips[] = {{"light", 200, 1}, {"firm", 1000, 10}};
+
+/// A contact, or a kind of them, that is not studied.
+struct SkippedContact {
+  ContactKind kind;
+  std::string reason;  ///< in words
+};
+struct TuningContacts {
+  std::vector<TuningSituation> situations;
+  std::vector<SkippedContact> skipped;  ///< harder ones than those studied, and kinds without any
+};
+
+/// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
+/// Takes seconds; `progress` is told how much of them is over, 0 to 1. Throws InputError where
+/// there is none, Cancelled.
+TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
+                               const std::function<void(double)>& progress = {});
+
+/// A situation with a hand and the request's device, at gains well within what theory allows.
+TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
+                         const HandGrip& grip);
+
+/// Looks for the situations and makes the study: a part for each of them, hand and axis, and in the
+/// situation that theory calls the hardest one for half and twice each assumed value of the
+/// profile. Errors as tuning_contacts.
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress = {});
+
+}  // namespace sonde

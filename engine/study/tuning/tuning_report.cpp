@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/settings/settings.hpp"
+#include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning_map.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json json_of(const GainLimit& limit) {
+  Json out{{"reason", limit.reason}, {"stiffness", number(limit.stiffness)}};
+  if (!limit.kind.empty()) out["situation"] = limit.kind;
+  if (!limit.hand.empty()) out["hand"] = limit.hand;
+  return out;
+}
+
+Json json_of(const AxisGains& gains) {
+  Json limits = Json::array();
+  for (const GainLimit& limit : gains.limits) limits.push_back(json_of(limit));
+  return {{"stiffness", gains.stiffness},
+          {"damping", gains.damping},
+          {"limited_by", json_of(gains.limit)},
+          {"boundary", number(gains.boundary)},
+          {"margin", number(gains.margin())},
+          {"theory_stable", number(gains.theory)},
+          {"theory_passive", number(gains.passive)},
+          {"limits", limits}};
+}
+
+/// The run nearest to the recommended gains in each situation and hand.
+Json fidelity(const TuningResults& results, const AxisGains& gains) {
+  Json out = Json::array();
+  for (const TuningLine& line : results.lines) {
+    if (line.axis != gains.axis || !line.assumed.empty() || gains.stiffness <= 0) continue;
+    const auto column = std::ranges::find(line.columns, gains.damping, &TuningColumn::damping);
+    if (column == line.columns.end() || column->runs.empty()) continue;
+    const SweepPoint& run =
+        *std::ranges::min_element(column->runs, {}, [&](const SweepPoint& each) {
+          return std::abs(std::log(each.stiffness / gains.stiffness));
+        });
+    const HoldReport& r = run.report;
+    out.push_back({{"situation", line.kind},
+                   {"hand", line.hand},
+                   {"at_stiffness", run.stiffness},
+                   {"force_error", number(r.force_error)},
+                   {"torque_error", number(r.torque_error)},
+                   {"chatter", r.chatter},
+                   {"depth", r.depth},
+                   {"force", r.force},
+                   {"torque", r.torque},
+                   {"jumps", r.jumps},
+                   {"pop_throughs", r.pop_throughs}});
+  }
+  return out;
+}
+
+/// The recommendation at half and twice each assumed value, in the one situation that is.
+Json assumed_values(const TuningResults& results, GainAxis axis) {
+  std::vector<std::pair<std::string, double>> seen;
+  Json out = Json::array();
+  for (const TuningLine& line : results.lines) {
+    const std::pair<std::string, double> key{line.assumed, line.times};
+    if (line.axis != axis || line.assumed.empty() || std::ranges::find(seen, key) != seen.end())
+      continue;
+    seen.push_back(key);
+    const auto gains = recommend(results, axis, line.assumed, line.times);
+    out.push_back({{"assumed", line.assumed},
+                   {"times", line.times},
+                   {"value", results.device.at(line.assumed) * line.times},
+                   {"stiffness", gains->stiffness},
+                   {"damping", gains->damping},
+                   {"boundary", number(gains->boundary)},
+                   {"limited_by", gains->limit.reason}});
+  }
+  return out;
+}
+
+Json json_of(const TuningResults& results, GainAxis axis) {
+  const auto gains = recommend(results, axis);
+  const auto recommended = recommended_axes(results);
+  Json out{{"axis", name_of(axis)},
+           {"unit", axis == GainAxis::rotation ? "N·m/rad" : "N/m"},
+           {"recommended", std::ranges::find(recommended, axis) != recommended.end()}};
+  if (!gains) return out;
+  out.update(json_of(*gains));
+  if (axis == GainAxis::together) {
+    out["rotational_stiffness"] = gains->stiffness * results.joint.stiffness;
+    out["rotational_damping"] = gains->damping * results.joint.damping;
+  }
+  out["fidelity"] = fidelity(results, *gains);
+  if (const auto beside = recommend_as_varied(results, axis)) {
+    for (const TuningLine& line : results.lines)
+      if (line.axis == axis && !line.assumed.empty()) out["assumed_in"] = line.kind;
+    out["as_assumed"] = {{"stiffness", beside->stiffness},
+                         {"damping", beside->damping},
+                         {"boundary", number(beside->boundary)},
+                         {"limited_by", beside->limit.reason}};
+    out["assumed"] = assumed_values(results, axis);
+  }
+  return out;
+}
+
+std::string recommendation(const TuningResults& results) {
+  Json axes = Json::array();
+  for (const GainAxis axis : axes_of(results)) axes.push_back(json_of(results, axis));
+  const Json about = Json::parse(results.about);
+  const Json out{{"device", results.device_id},
+                 {"mode", name_of(results.mode)},
+                 {"stability_margin", stability_margin},
+                 {"axes", axes},
+                 {"situations", about.at("situations")},
+                 {"skipped", about.value("skipped", Json::array())},
+                 {"study", about}};
+  return out.dump(2) + "\n";
+}
+
+/// The keys that the mode uses, as a scene's coupling.
+std::string coupling_text(const TuningResults& results) {
+  const Coupling coupling = recommended_coupling(results);
+  Json out{{"mode", name_of(coupling.mode)}};
+  for (const Setting& setting : coupling_settings()) {
+    const std::string_view mode = setting.coupling_mode;
+    if (mode.empty() || mode == name_of(coupling.mode))
+      out[setting.key] = get(coupling, setting.key);
+  }
+  return out.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder& study) {
+  const TuningResults results = read_tuning(folder, study);
+  std::vector<StudyFile> files{{"map.csv", map_csv(results)},
+                               {"map.svg", map_svg(results)},
+                               {"recommendation.json", recommendation(results)}};
+  if (has_recommendation(results)) files.push_back({"coupling.json", coupling_text(results)});
+  return files;
+}
+
+}  // namespace sonde

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/study/tuning/gain_sweep.hpp"
+
+namespace sonde {
+
+/// A sweep of the stiffness at one damping, as a part of the study holds it.
+struct TuningColumn {
+  double damping = 0;
+  double theory_stable = 0;  ///< infinite where theory sees no end
+  double theory_passive = 0;
+  SweepLimit stable, good;
+  std::vector<SweepPoint> runs;
+};
+
+/// A finished part: one situation, hand and axis, and what was assumed of the device.
+struct TuningLine {
+  std::size_t situation = 0;
+  std::string kind;
+  std::string hand;
+  GainAxis axis = GainAxis::object;
+  std::string assumed;  ///< a key of the profile; empty: the profile as it is
+  double times = 1;
+  std::vector<TuningColumn> columns;  ///< by damping
+};
+
+/// All that is known at the end of a study.
+struct TuningResults {
+  std::string about;  ///< JSON, as Study
+  Coupling::Mode mode = Coupling::Mode::object;
+  std::map<std::string, double> device;  ///< the profile's values by key
+  std::string device_id;
+  double sample_time = 1e-3;
+  double max_force = 0, max_torque = 0;  ///< of the coupling, N and N·m
+  JointGains joint;                      ///< where all gains were swept together
+  /// Largest stiffness felt in each situation at gains of 1 N/m (and inertia/mass of that, N·m/rad,
+  /// where rotations have their own).
+  struct Felt {
+    double translation = 0, rotation = 0;
+  };
+  std::vector<Felt> felt;
+  std::vector<TuningLine> lines;  ///< those of the profile as it is come first
+};
+
+/// Reads a complete study of kind "tune". Throws InputError where a part is missing or is not what
+/// a study writes; `folder` is for the complaint.
+TuningResults read_tuning(const std::string& folder, const StudyFolder& study);
+
+}  // namespace sonde

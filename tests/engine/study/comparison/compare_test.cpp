@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Renderings made up by hand: what they come to is known.
+#include "engine/study/comparison/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/error.hpp"
+#include "engine/study/comparison/compare_report.hpp"
+#include "tests/support/xml.hpp"
+
+namespace sonde {
+namespace {
+
+/// A press to `force` N and back within two seconds, at 1 kHz, trembling by `trembling` N at 200
+/// Hz.
+Rendering press(double force, double trembling) {
+  Rendering out;
+  for (int i = 0; i <= 2000; ++i) {
+    RenderedTick tick;
+    tick.t = 0.001 * i;
+    tick.moved = 1e-4;
+    const double x = std::pow(std::sin(std::numbers::pi * i / 2000), 2);
+    tick.force.z() = force * x + trembling * x * std::sin(2 * std::numbers::pi * 0.2 * i);
+    tick.depth = tick.force.norm() / 500;
+    out.push_back(tick);
+  }
+  return out;
+}
+
+StudyFolder folder_of(const Rendering& pdt, const Rendering& pdg) {
+  return {"compare",
+          R"({"scene": "a scene", "stiffness": 500, "radius": 0.05,
+              "coupling": {"max_force": 2.5, "max_torque": 1}})",
+          {"pdt", "pdg", "analytic"},
+          {to_json(pdt), to_json(pdg), to_json(AnalyticWrenches())}};
+}
+
+TEST(Compare, MeasuresAreThoseOfTheRenderings) {
+  const Comparison c = comparison_of("folder", folder_of(press(3, 0), press(2, 0)));
+  EXPECT_EQ(c.scene, "a scene");
+  EXPECT_NEAR(c.of_pdt.peak_force, 3, 1e-9);
+  EXPECT_NEAR(c.of_pdt.force_variation, 6, 1e-9) << "up and down";
+  EXPECT_NEAR(c.of_pdg.force_restlessness(), 2, 1e-9);
+  EXPECT_EQ(c.of_pdg.saturated_ticks, 0);
+  EXPECT_GT(c.of_pdt.saturated_ticks, 100);
+  EXPECT_EQ(c.of_pdt.contact_ticks, 2000) << "all but the first; the last is zero but for rounding";
+  EXPECT_LT(*c.of_pdt.force_above_50, 1e-6);
+  EXPECT_FALSE(c.of_pdt.torque_above_50) << "there is no torque";
+}
+
+TEST(Compare, VerdictsSayWhoIsSmoother) {
+  const auto verdict = [](const Rendering& pdt, const Rendering& pdg) {
+    return smoother_force(comparison_of("folder", folder_of(pdt, pdg)));
+  };
+  EXPECT_EQ(verdict(press(3, 0.1), press(3, 0)), Verdict::holds);
+  EXPECT_EQ(verdict(press(3, 0), press(3, 0.1)), Verdict::fails);
+  EXPECT_EQ(verdict(press(3, 0.1), press(3, 0.1)), Verdict::same);
+  EXPECT_EQ(verdict(press(6, 0), press(1, 0.005)), Verdict::mixed)
+      << "less in all, but more of it trembles";
+  const Comparison c = comparison_of("folder", folder_of(press(3, 0), press(3, 0)));
+  EXPECT_EQ(smoother_torque(c), Verdict::none) << "neither has any";
+  EXPECT_EQ(better_torque(c), Verdict::none);
+  EXPECT_EQ(fewer_steps(c), Verdict::same);
+  EXPECT_EQ(fewer_pop_throughs(c), Verdict::same);
+}
+
+TEST(Compare, PartsThatAreMissingOrWrongAreNamed) {
+  StudyFolder folder = folder_of(press(1, 0), press(1, 0));
+  folder.results[1].reset();
+  EXPECT_THROW(comparison_of("folder", folder), InputError);
+  folder.results[1] = "{}";
+  EXPECT_THROW(comparison_of("folder", folder), InputError);
+  folder = folder_of(press(1, 0), press(1, 0));
+  folder.about = "{}";
+  EXPECT_THROW(comparison_of("folder", folder), InputError);
+}
+
+TEST(Compare, ThePictureHasBothCurvesInEveryPanel) {
+  const auto files = compare_files("folder", folder_of(press(3, 0), press(2, 0)));
+  ASSERT_EQ(files.size(), 6u);
+  for (const StudyFile& file : files) {
+    if (!file.name.ends_with(".svg")) continue;
+    const test::Xml svg = test::parse_xml(file.text);
+    for (const test::Xml* panel : svg.all("g", "panel")) {
+      std::size_t lines = 0;
+      for (const test::Xml* series : panel->all("g", "series"))
+        lines += !series->all("polyline").empty();
+      // No torque has no logarithm.
+      EXPECT_EQ(lines,
+                file.name == "wrench.svg" || panel == svg.all("g", "panel").front() ? 2u : 0u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/parts/study_parts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "engine/base/error.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const Stop never = [] { return false; };
+
+/// Parts that write the square of their number, and count how often they are computed.
+struct Squares {
+  std::atomic<int> computed{0};
+  Study study;
+
+  explicit Squares(int n, const std::string& about = R"({"power": 2})") {
+    study = {"squares", about, {}};
+    for (int i = 0; i < n; ++i)
+      study.parts.push_back({"part-" + std::to_string(i), [this, i](const Stop&) {
+                               ++computed;
+                               return std::to_string(i * i) + "\n";
+                             }});
+  }
+};
+
+std::vector<std::string> texts(const StudyFolder& folder) {
+  std::vector<std::string> out;
+  for (const auto& result : folder.results) out.push_back(result.value_or("-"));
+  return out;
+}
+
+TEST(StudyParts, FinishedOnesAreNotComputedAgain) {
+  const test::TempFolder folder;
+  Squares squares(4);
+  compute_parts(folder.path(), squares.study, {}, 2, never);
+  EXPECT_EQ(squares.computed, 4);
+  const StudyFolder all = read_study(folder.path());
+  EXPECT_TRUE(all.complete());
+  EXPECT_EQ(all.kind, "squares");
+  EXPECT_EQ(all.about, R"({"power":2})");
+  EXPECT_THAT(texts(all), ElementsAre("0\n", "1\n", "4\n", "9\n"));
+
+  std::filesystem::remove(folder / "parts" / "part-2.json");
+  EXPECT_FALSE(read_study(folder.path()).complete());
+  compute_parts(folder.path(), squares.study, {}, 1, never);
+  EXPECT_EQ(squares.computed, 5);
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
+}
+
+TEST(StudyParts, ShardsTogetherAreTheWhole) {
+  for (const std::size_t count : {1u, 2u, 3u, 7u}) {
+    const test::TempFolder folder;
+    Squares squares(5);
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      compute_parts(folder.path(), squares.study, {i, count}, 1, never,
+                    [&](std::size_t, std::size_t) { ++sum; });
+    EXPECT_EQ(squares.computed, 5);
+    EXPECT_EQ(sum, 5u);
+    EXPECT_TRUE(read_study(folder.path()).complete());
+  }
+}
+
+TEST(StudyParts, StoppedInTheMiddleKeepsWhatIsFinished) {
+  const test::TempFolder folder;
+  Squares squares(6);
+  EXPECT_THROW(
+      compute_parts(folder.path(), squares.study, {}, 1, [&] { return squares.computed >= 3; }),
+      Cancelled);
+  EXPECT_EQ(squares.computed, 3);
+  EXPECT_FALSE(read_study(folder.path()).complete());
+  compute_parts(folder.path(), squares.study, {}, 2, never);
+  EXPECT_EQ(squares.computed, 6);
+  EXPECT_TRUE(read_study(folder.path()).complete());
+}
+
+TEST(StudyParts, APartThatFailsSaysWhyAndIsNotWritten) {
+  const test::TempFolder folder;
+  Squares squares(2);
+  squares.study.parts.push_back(
+      {"bad", [](const Stop&) -> std::string { throw std::runtime_error("no contact"); }});
+  for (const unsigned threads : {1u, 3u}) {
+    try {
+      compute_parts(folder.path(), squares.study, {}, threads, never);
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "no contact");
+    }
+    EXPECT_EQ(texts(read_study(folder.path()))[2], "-");
+  }
+}
+
+TEST(StudyParts, AFolderOfAnotherStudyIsLeftAlone) {
+  const test::TempFolder folder;
+  Squares squares(2), other(2, R"({"power": 3})");
+  compute_parts(folder.path(), squares.study, {}, 1, never);
+  try {
+    compute_parts(folder.path(), other.study, {}, 1, never);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("other inputs or settings"));
+  }
+  EXPECT_EQ(other.computed, 0);
+  folder.write("study.json", "{\"study\": 3}");
+  EXPECT_THROW(read_study(folder.path()), InputError);
+  folder.write("study.json", R"({"study": "a", "about": {}, "parts": ["../x"]})");
+  EXPECT_THROW(read_study(folder.path()), InputError);
+}
+
+TEST(StudyParts, AFolderOfOtherPartsOfTheSameStudyIsCarriedOn) {
+  const test::TempFolder folder;
+  Squares few(2), all(4);
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_THROW(compute_parts(folder.path(), all.study, {}, 1, [&] { return all.computed >= 1; }),
+               Cancelled);
+  EXPECT_EQ(all.computed, 1) << "two were there";
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "-"));
+  // Half of all: asked for the few, it is finished, and knows of no more.
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_EQ(few.computed, 2);
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n"));
+  compute_parts(folder.path(), all.study, {}, 1, never);
+  EXPECT_EQ(all.computed, 2);
+  // All of it, finished, is not made less.
+  compute_parts(folder.path(), few.study, {}, 1, never);
+  EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
+}
+
+TEST(StudyParts, ShardsInWords) {
+  const auto shard = shard_of("2/8");
+  ASSERT_TRUE(shard);
+  EXPECT_EQ(shard->index, 1u);
+  EXPECT_EQ(shard->count, 8u);
+  for (const char* text : {"", "1", "0/3", "4/3", "1/", "/2", "-1/2", "1/2/3", "a/b", "1 /2"})
+    EXPECT_FALSE(shard_of(text)) << text;
+}
+
+TEST(StudyParts, TheFingerprintIsThePublishedFnv1a) {
+  // Test vectors of the authors (Fowler, Noll, Vo: fnv-1a, 64 bits).
+  EXPECT_EQ(fingerprint(""), "cbf29ce484222325");
+  EXPECT_EQ(fingerprint("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(fingerprint("foobar"), "85944171f73967e8");
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the simulated device and the haptic loop, run by hand, and the balance of forces.
+#include "engine/study/stability/closed_loop.hpp"
+
+#include <gtest/gtest.h>
+#include <time.h>
+
+#include "engine/scene/poses.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/settings/device_profile.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+ClosedLoopSetup setup() {
+  // Off its own centre, so that handle and mesh frame are not the same.
+  PolygonSoup cube = test::box({0.05, 0.05, 0.05});
+  for (Vec3& x : cube.points) x += Vec3(0.01, 0.02, 0.03);
+  ClosedLoopSetup out{.pair = {test::body(cube), test::body(test::box({1, 1, 0.2}))}};
+  out.coupling.k = 400;
+  out.device.translation.friction = 0.05;
+  out.device.translation.resolution = 1e-5;
+  out.device.rotation.resolution = 1e-4;
+  out.device.delay = 1.5e-3;
+  return out;
+}
+
+const Pose start{Quat::Identity(), {-0.01, -0.02, 0.1 + 0.025 - 0.03 + 0.002}};
+
+TEST(ClosedLoop, IsTheDeviceAndTheLoopTickByTick) {
+  const ClosedLoopSetup s = setup();
+  ClosedLoop loop(s);
+  loop.reset(start);
+
+  HapticLoop haptic(s.pair, s.method, s.coupling);
+  haptic.reset(start, {});
+  const Pose X_MD{Quat::Identity(), s.pair.probe().mass.com};
+  SimulatedDevice device(s.device, s.sample_time, start * X_MD);
+  Wrench push;
+  push.force = {0.2, 0, -2};
+  for (int i = 0; i < 400; ++i) {
+    loop.step(start, push);
+    haptic.tick(device.measured() * inverse(X_MD), s.sample_time, {});
+    device.step(haptic.wrench(), start * X_MD, push);
+    ASSERT_NEAR((loop.X_FM().p - (device.state().X_WD * inverse(X_MD)).p).norm(), 0, 1e-12) << i;
+  }
+  EXPECT_EQ(loop.haptic_loop().separation().status, Status::penetrating);
+}
+
+TEST(ClosedLoop, AtRestTheMotorsBalanceTheHand) {
+  ClosedLoopSetup s = setup();
+  s.device.translation.friction = 0;
+  s.device.translation.resolution = s.device.rotation.resolution = 0;
+  ClosedLoop loop(s);
+  loop.reset(start);
+  Wrench push;
+  push.force = {0, 0, -2};
+  for (int i = 0; i < 3000; ++i) loop.step(start, push);
+  const double hand = -2 + 300 * (start.p.z() - loop.X_FM().p.z());
+  EXPECT_NEAR(loop.device().motors().force.z(), -hand, 1e-4);
+  const Wrench hooke =
+      spring_wrench(s.pair.probe().mass, loop.haptic_loop().separation(), s.coupling);
+  EXPECT_NEAR(hooke.force.z(), 400 * loop.haptic_loop().separation().depth, 1e-6);
+  EXPECT_LT(kinetic_energy(s.device, loop.device().state()), 1e-10);
+}
+
+TEST(ClosedLoop, SameInputSameBitsAndNoAllocationInAStep) {
+  const auto run = [] {
+    ClosedLoop loop(setup());
+    loop.reset(start);
+    Wrench push;
+    push.force = {0.3, 0.1, -3};
+    push.torque = {0, 0.01, 0};
+    test::AllocationCounter counter;
+    for (int i = 0; i < 500; ++i) loop.step(start, push);
+    counter.stop();
+    EXPECT_EQ(counter.allocations(), 0u);
+    return loop.X_FM();
+  };
+  const Pose a = run(), b = run();
+  EXPECT_EQ(a.p, b.p);
+  EXPECT_EQ(a.q.coeffs(), b.q.coeffs());
+}
+
+/// Processor time of this thread, s.
+double thread_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+TEST(ClosedLoop, Full_along_the_spoons_path_every_tick_has_an_answer) {
+  const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
+  ClosedLoopSetup setup{.pair = {load(scene.probe, scene.unit), load(scene.fixed, scene.unit)}};
+  setup.coupling = scene.coupling;
+  setup.device = simulated(read_device_profile(SONDE_RESOURCES "/devices/sigma.7.json"));
+  setup.budget.steps = 60;
+  const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
+  ClosedLoop loop(setup);
+  loop.reset(path.front().pose);
+  const double begin = thread_time();
+  int touching = 0;
+  for (const TimedPose& at : path) {
+    loop.step(at.pose);
+    ASSERT_NE(loop.haptic_loop().separation().status, Status::failed) << at.t;
+    touching += loop.haptic_loop().separation().status == Status::penetrating;
+  }
+  EXPECT_GT(touching, 3000);
+  const double simulated_time = double(path.size()) * setup.sample_time;
+  RecordProperty("times_real_time", std::to_string(simulated_time / (thread_time() - begin)));
+}
+
+}  // namespace
+}  // namespace sonde

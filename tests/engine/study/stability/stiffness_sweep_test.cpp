@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reference: made-up holds whose limits are known.
+#include "engine/study/stability/stiffness_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+namespace {
+
+const Stop never = [] { return false; };
+
+/// Saturated from one stiffness on, unstable from another.
+struct MadeUp {
+  double saturated, unstable;
+  int runs = 0;
+
+  HoldReport operator()(double k) {
+    ++runs;
+    HoldReport report;
+    report.stable = k < unstable;
+    report.saturated = k >= saturated;
+    return report;
+  }
+};
+
+TEST(StiffnessSweep, FindsBothLimitsToTheRatioFromAnyStart) {
+  for (const double start : {1.0, 30.0, 799.0, 1500.0, 9e4})
+    for (const double ratio : {1.02, 1.002}) {
+      MadeUp made{800, 2000};
+      const StiffnessSweep sweep =
+          sweep_stiffness(std::ref(made), {.start = start, .ratio = ratio}, never);
+      EXPECT_LE(sweep.good.stiffness, 800);
+      EXPECT_GT(sweep.good.stiffness * ratio, 800) << start;
+      EXPECT_EQ(sweep.good.fault, HoldFault::saturated);
+      EXPECT_LE(sweep.stable.stiffness, 2000);
+      EXPECT_GT(sweep.stable.stiffness * ratio, 2000) << start;
+      EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
+      EXPECT_EQ(std::size_t(made.runs), sweep.points.size());  // none twice
+      EXPECT_TRUE(std::ranges::is_sorted(sweep.points, {}, &SweepPoint::stiffness));
+      EXPECT_LT(made.runs, 100);
+    }
+}
+
+/// Unstable between two stiffnesses and above a third; slow to die down near the first two.
+struct WithIsland {
+  double from, to, end;
+
+  HoldReport operator()(double k) const {
+    HoldReport report;
+    report.stable = (k < from || k > to) && k < end;
+    report.growth = k > from / 1.5 && k < to * 1.5 ? 0.5 : 0;
+    return report;
+  }
+};
+
+TEST(StiffnessSweep, AStableIslandAboveAnUnstableStiffnessIsNotTakenForStable) {
+  // The second is narrower than a step of the walk: the swing on its shore gives it away.
+  for (const WithIsland island : {WithIsland{300, 600, 5000}, WithIsland{300, 330, 5000}})
+    for (const double start : {500.0, 1000.0}) {
+      const StiffnessSweep sweep = sweep_stiffness(island, {.start = start}, never);
+      EXPECT_LE(sweep.stable.stiffness, island.from);
+      EXPECT_GT(sweep.stable.stiffness * 1.02, island.from) << start;
+      EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
+      EXPECT_LE(sweep.good.stiffness, sweep.stable.stiffness);
+      // Well above it holds again, as the map shows.
+      EXPECT_TRUE(std::ranges::any_of(
+          sweep.points, [](const SweepPoint& p) { return p.stiffness > 700 && p.report.stable; }));
+    }
+}
+
+TEST(StiffnessSweep, NoLimitLiesAboveAFaultThatWasSeen) {
+  // Holds and fails by turns, as wide as it likes.
+  const auto patches = [](double k) {
+    HoldReport report;
+    report.stable = std::sin(7 * std::log(k)) > -0.5;
+    report.saturated = std::sin(17 * std::log(k)) > 0.5;
+    return report;
+  };
+  for (const double start : {40.0, 200.0, 900.0, 4000.0}) {
+    const StiffnessSweep sweep = sweep_stiffness(patches, {.start = start}, never);
+    for (const SweepPoint& p : sweep.points) {
+      EXPECT_TRUE(p.report.stable || p.stiffness > sweep.stable.stiffness) << start;
+    }
+    EXPECT_LE(sweep.good.stiffness, sweep.stable.stiffness);
+  }
+}
+
+TEST(StiffnessSweep, WhatIsTooSoftToBeGoodIsNoLimit) {
+  const auto slips = [](double k) {
+    HoldReport report;
+    report.stable = k < 2000;
+    report.force_error = k < 200 ? 0.2 : 0.01;
+    return report;
+  };
+  const StiffnessSweep sweep = sweep_stiffness(slips, {.start = 500}, never);
+  EXPECT_GT(sweep.good.stiffness * 1.02, 2000);
+  EXPECT_EQ(sweep.good.fault, HoldFault::unstable);
+}
+
+TEST(StiffnessSweep, ALimitOutsideOfTheRangeIsSaid) {
+  MadeUp high{1e9, 1e9};
+  StiffnessSweep sweep = sweep_stiffness(std::ref(high), {.high = 1e5}, never);
+  EXPECT_EQ(sweep.stable.stiffness, 1e5);
+  EXPECT_EQ(sweep.stable.fault, HoldFault::none);
+  MadeUp low{1, 1};
+  sweep = sweep_stiffness(std::ref(low), {.low = 1}, never);
+  EXPECT_EQ(sweep.stable.stiffness, 0);
+  EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
+}
+
+TEST(StiffnessSweep, StopsWhenAsked) {
+  MadeUp made{800, 2000};
+  EXPECT_THROW(sweep_stiffness(std::ref(made), {}, [&] { return made.runs >= 3; }), Cancelled);
+  EXPECT_EQ(made.runs, 3);
+}
+
+TEST(StiffnessSweep, TheWorstFaultIsNamed) {
+  const auto fault = [](const HoldReport& r) { return name_of(fault_of(r, GainAxis::object)); };
+  HoldReport report;
+  EXPECT_STREQ(fault(report), "stability");
+  report.stable = report.chattering = report.saturated = true;
+  EXPECT_STREQ(fault(report), "saturation");
+  report.saturated = false;
+  EXPECT_STREQ(fault(report), "chatter");
+  report.chattering = false;
+  report.force_error = 0.11;
+  EXPECT_STREQ(fault(report), "fidelity");
+  report.force_error = 0.09;
+  EXPECT_STREQ(fault(report), "none");
+}
+
+TEST(StiffnessSweep, EachAxisIsJudgedByItsOwnError) {
+  HoldReport force, torque;
+  force.stable = torque.stable = true;
+  force.force_error = torque.torque_error = 0.11;
+  using enum GainAxis;
+  for (const GainAxis axis : {object, translation, together})
+    EXPECT_EQ(fault_of(force, axis), HoldFault::unfaithful) << name_of(axis);
+  for (const GainAxis axis : {rotation, together})
+    EXPECT_EQ(fault_of(torque, axis), HoldFault::unfaithful) << name_of(axis);
+  EXPECT_EQ(fault_of(force, rotation), HoldFault::none);
+  EXPECT_EQ(fault_of(torque, translation), HoldFault::none);
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reference: made-up results whose answer can be worked out on paper.
+#include "engine/study/tuning/gain_recommendation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/engine/study/tuning/made_up_results.hpp"
+
+namespace sonde {
+namespace {
+
+using test::column;
+using test::line;
+using test::results;
+
+constexpr auto unstable = HoldFault::unstable;
+
+TEST(GainRecommendation, StabilityIsTheLeastOfAllSituationsWithItsMargin) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  const auto gains = recommend(r, GainAxis::object);
+  ASSERT_TRUE(gains);
+  EXPECT_DOUBLE_EQ(gains->stiffness, 1500 / stability_margin);
+  EXPECT_DOUBLE_EQ(gains->margin(), stability_margin);
+  EXPECT_EQ(gains->limit.reason, "stability");
+  EXPECT_EQ(gains->limit.kind, "edge");
+  EXPECT_DOUBLE_EQ(gains->boundary, 1500);
+  EXPECT_DOUBLE_EQ(gains->theory, 750);
+  EXPECT_DOUBLE_EQ(gains->passive, 375);
+  EXPECT_FALSE(recommend(r, GainAxis::rotation));
+  const Coupling c = recommended_coupling(r);
+  EXPECT_EQ(c.mode, Coupling::Mode::object);
+  EXPECT_DOUBLE_EQ(c.k, 1000);
+  EXPECT_EQ(c.max_torque, 0.2);
+}
+
+TEST(GainRecommendation, WhatWasNeverUnstableHasNoBoundary) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 50, 50, HoldFault::none)})};
+  r.lines[0].columns[0].stable.fault = HoldFault::none;
+  const auto gains = recommend(r, GainAxis::object);
+  ASSERT_TRUE(gains);
+  EXPECT_EQ(gains->limit.reason, "range");
+  EXPECT_TRUE(std::isinf(gains->boundary));
+  EXPECT_TRUE(has_recommendation(r));
+}
+
+TEST(GainRecommendation, WhereNoStiffnessIsGoodThereIsNone) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 0, 0, unstable)})};
+  EXPECT_FALSE(has_recommendation(r));
+}
+
+TEST(GainRecommendation, EachReasonIsNamedWhereItHolds) {
+  const auto reason = [](const auto& change) {
+    TuningResults r = results();
+    r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)})};
+    change(r);
+    const auto gains = recommend(r, GainAxis::object);
+    return gains->limit.reason + " " + std::to_string(std::llround(gains->stiffness));
+  };
+  EXPECT_EQ(reason([](TuningResults&) {}), "stability 2000");
+  EXPECT_EQ(reason([](TuningResults& r) {
+              r.lines[0].columns[0].good = {1200, HoldFault::saturated};
+            }),
+            "saturation 1200");
+  EXPECT_EQ(reason([](TuningResults& r) {
+              r.lines[0].columns[0].good = {1100, HoldFault::chattering};
+            }),
+            "chatter 1100");
+  EXPECT_EQ(reason([](TuningResults& r) {
+              r.lines[0].columns[0].good = {1100, HoldFault::unfaithful};
+            }),
+            "fidelity 1100");
+  EXPECT_EQ(reason([](TuningResults& r) { r.device["max_stiffness"] = 900; }), "driver 900");
+  // 1e-3 N·m/rad are felt of 1 N/m: 0.5 N·m/rad at 500 N/m.
+  EXPECT_EQ(reason([](TuningResults& r) { r.device["max_rotational_stiffness"] = 0.5; }),
+            "driver 500");
+  // K ≤ 2 f_c/Δ = 0.2 N / 0.2 mm; without friction a hundredth of 10 N.
+  EXPECT_EQ(reason([](TuningResults& r) { r.device["resolution"] = 2e-4; }), "resolution 1000");
+  EXPECT_EQ(reason([](TuningResults& r) {
+              r.device["friction"] = 0;
+              r.device["resolution"] = 2e-4;
+            }),
+            "resolution 500");
+  EXPECT_EQ(reason([](TuningResults& r) {
+              r.lines[0].columns[0].stable.fault = HoldFault::none;
+              r.lines[0].columns[0].good.fault = HoldFault::none;
+            }),
+            "range 3000");
+}
+
+/// All gains together, and each axis alone, which goes further.
+TuningResults classic() {
+  TuningResults r = results();
+  r.mode = Coupling::Mode::classic;
+  r.joint = {2e-4, 1e-3};
+  for (const std::size_t at : {0u, 1u})
+    r.lines.push_back(
+        line(at, GainAxis::together,
+             {column(0, 300, 300, unstable), column(5, at ? 1200 : 900, 1500, unstable),
+              column(10, 600, 600, unstable)}));
+  r.lines.push_back(line(0, GainAxis::translation, {column(0, 30000, 30000, unstable)}));
+  r.lines.push_back(line(0, GainAxis::rotation, {column(0, 15, 15, unstable)}));
+  return r;
+}
+
+TEST(GainRecommendation, TheDampingThatAllowsMostIsTaken) {
+  const auto gains = recommend(classic(), GainAxis::together);
+  EXPECT_DOUBLE_EQ(gains->stiffness, 600);
+  EXPECT_DOUBLE_EQ(gains->damping, 5);
+}
+
+TEST(GainRecommendation, OfTheClassicCouplingItIsWhatWasHeldTogether) {
+  const TuningResults r = classic();
+  EXPECT_EQ(recommended_axes(r), std::vector{GainAxis::together});
+  const Coupling c = recommended_coupling(r);
+  EXPECT_EQ(c.mode, Coupling::Mode::classic);
+  EXPECT_DOUBLE_EQ(c.k_t, 600);
+  EXPECT_DOUBLE_EQ(c.b_t, 5);
+  EXPECT_DOUBLE_EQ(c.k_r, 600 * 2e-4);
+  EXPECT_DOUBLE_EQ(c.b_r, 5 * 1e-3);
+  EXPECT_GT(recommend(r, GainAxis::translation)->stiffness, c.k_t);
+}
+
+TEST(GainRecommendation, OfTheClassicCouplingTheDriversLimitsAreThoseOfBothParts) {
+  TuningResults r = classic();
+  // 1e-3 N·m/rad are felt of k_r = inertia/mass = 1e-3 N·m/rad: 1 of 1, so 0.05 at k_t = 250 N/m.
+  r.device["max_rotational_stiffness"] = 0.05;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 250);
+  EXPECT_EQ(recommend(r, GainAxis::together)->limit.reason, "driver");
+  r.device["max_stiffness"] = 100;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 100);
+}
+
+TEST(GainRecommendation, AssumedValuesAreComparedInTheirOwnSituation) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)}),
+             line(0, GainAxis::object, {column(0, 4500, 4500, unstable)})};
+  r.lines[2].assumed = "mass";
+  r.lines[2].times = 2;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object, "mass", 2)->stiffness, 3000);
+  EXPECT_FALSE(recommend(r, GainAxis::object, "mass", 0.5));
+  EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::object)->stiffness, 2000);
+}
+
+TEST(GainRecommendation, AssumedValuesAreComparedAtLikeDampings) {
+  TuningResults r = classic();
+  TuningLine varied = line(0, GainAxis::together, {column(10, 300, 300, unstable)});
+  varied.assumed = "mass";
+  varied.times = 2;
+  r.lines.push_back(varied);
+  // 5 N·s/m would allow 600 N/m: but what is varied is at 10.
+  EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::together)->damping, 10);
+  EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::together)->stiffness, 400);
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together, "mass", 2)->stiffness, 200);
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "tests/engine/study/tuning/made_up_results.hpp"
+
+namespace sonde {
+namespace {
+
+using test::column;
+using test::line;
+using test::results;
+
+constexpr auto unstable = HoldFault::unstable;
+
+TEST(TuningMap, ClassesFromTheWorstDown) {
+  HoldReport report;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::unstable);
+  report.stable = report.chattering = report.saturated = true;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::saturated);
+  report.saturated = false;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::chattering);
+  report.chattering = false;
+  EXPECT_EQ(class_of({100, report}, 200), MapClass::passive);
+  EXPECT_EQ(class_of({300, report}, 200), MapClass::stable);
+}
+
+TEST(TuningMap, HasARowForEachRunAndAPictureForEachMode) {
+  TuningResults r = results();
+  r.device_id = "a.device";
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  const std::string csv = map_csv(r);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
+  const std::size_t commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
+  EXPECT_EQ(commas, 26u * 5);
+  EXPECT_THAT(map_svg(r),
+              testing::AllOf(testing::HasSubstr("<svg"), testing::HasSubstr("passive in theory"),
+                             testing::HasSubstr("recommended")));
+  r.mode = Coupling::Mode::classic;
+  for (TuningLine& each : r.lines) each.axis = GainAxis::translation;
+  EXPECT_THAT(map_svg(r), testing::HasSubstr("damping b_t"));
+}
+
+/// Width of the first cell of a colour.
+double width_of(const std::string& svg, const std::string& colour) {
+  const std::regex cell("<rect [^>]*width=\"([0-9.]+)\"[^>]*fill=\"" + colour + "\"");
+  std::smatch found;
+  return std::regex_search(svg, found, cell) ? std::stod(found[1]) : 0;
+}
+
+TEST(TuningMap, CellsMeetHalfwayOnTheLogarithmicScale) {
+  TuningResults r = results();
+  r.mode = Coupling::Mode::classic;
+  r.lines = {line(0, GainAxis::translation, {column(0, 5000, 100, unstable)})};
+  // Runs at 100 and 10 000 N/m, nothing between them: each has half of the picture's width.
+  r.lines[0].columns[0].theory_passive = 0;
+  const std::string svg = map_svg(r);
+  const double stable = width_of(svg, "#c7e9c0"), wild = width_of(svg, "#d7301f");
+  EXPECT_GT(stable, 100);
+  EXPECT_NEAR(stable / wild, 1, 0.02);
+}
+
+}  // namespace
+}  // namespace sonde
