@@ -8,7 +8,7 @@
 
 #include "app/command_line.hpp"
 #include "app/pages.hpp"
-#include "ui/arguments.hpp"
+#include "ui/shell/arguments.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/stage.hpp"
-#include "ui/viewport.hpp"
+#include "ui/views/stage.hpp"
+#include "ui/views/viewport.hpp"
 
 namespace {
 

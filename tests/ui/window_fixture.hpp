@@ -17,8 +17,8 @@
 #include <string>
 
 #include "tests/support/temp_folder.hpp"
-#include "ui/main_window.hpp"
-#include "ui/viewport.hpp"
+#include "ui/shell/main_window.hpp"
+#include "ui/views/viewport.hpp"
 
 namespace sonde::ui::test {
 

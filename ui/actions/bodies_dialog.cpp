@@ -12,7 +12,7 @@
 
 #include "engine/scene/scene.hpp"
 #include "engine/text/number_text.hpp"
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "ui/opening.hpp"
+#include "ui/document/opening.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
-#include "ui/job.hpp"
-#include "ui/stage.hpp"
+#include "ui/base/job.hpp"
+#include "ui/views/stage.hpp"
 
 namespace sonde::ui {
 

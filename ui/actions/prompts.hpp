@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/opening.hpp"
+#include "ui/document/opening.hpp"
 
 class QWidget;
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "ui/actions/prompts.hpp"
-#include "ui/job.hpp"
-#include "ui/tuning.hpp"
+#include "ui/base/job.hpp"
+#include "ui/tuning/tuning.hpp"
 
 namespace sonde::ui {
 

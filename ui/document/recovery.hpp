@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ui/document/document.hpp"
-#include "ui/opening.hpp"
+#include "ui/document/opening.hpp"
 
 namespace sonde::ui {
 

@@ -14,11 +14,11 @@
 #include <string_view>
 
 #include "engine/settings/settings.hpp"
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/panels/axis_table.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
-#include "ui/theme.hpp"
 
 namespace sonde::ui {
 namespace {

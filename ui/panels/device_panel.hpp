@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/devices/device_settings.hpp"
-#include "ui/device_control.hpp"
+#include "ui/devices/device_control.hpp"
 
 class QCheckBox;
 class QComboBox;

@@ -5,8 +5,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "ui/format.hpp"
-#include "ui/theme.hpp"
+#include "ui/base/format.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {

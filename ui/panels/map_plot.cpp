@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "engine/study/charts/chart_scale.hpp"
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/stability_map.hpp"
+#include "ui/tuning/stability_map.hpp"
 
 class QPainter;
 

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "ui/base/theme.hpp"
 #include "ui/panels/bar.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/scrolled.hpp"
-#include "ui/theme.hpp"
 #include "ui/views/separation_view.hpp"
 
 namespace sonde::ui {

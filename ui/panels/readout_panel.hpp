@@ -6,7 +6,7 @@
 
 #include "engine/haptics/loop/companion.hpp"
 #include "engine/haptics/loop/servo.hpp"
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
 
 class QFormLayout;
 class QLabel;

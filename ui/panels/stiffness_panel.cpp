@@ -12,12 +12,12 @@
 
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/scrolled.hpp"
-#include "ui/recommendation_text.hpp"
-#include "ui/theme.hpp"
+#include "ui/tuning/recommendation_text.hpp"
 
 namespace sonde::ui {
 namespace {

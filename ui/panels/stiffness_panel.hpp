@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/last_second.hpp"
-#include "ui/tuning.hpp"
+#include "ui/tuning/last_second.hpp"
+#include "ui/tuning/tuning.hpp"
 
 class QComboBox;
 class QLabel;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 

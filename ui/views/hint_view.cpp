@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/views/label_layout.hpp"
 
 namespace sonde::ui {

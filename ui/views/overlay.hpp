@@ -8,7 +8,7 @@
 
 #include "engine/haptics/loop/companion.hpp"
 #include "engine/haptics/loop/servo.hpp"
-#include "ui/format.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui {
 

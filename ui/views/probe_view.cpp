@@ -8,7 +8,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/views/glyphs.hpp"
 
 namespace sonde::ui {

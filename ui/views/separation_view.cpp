@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {

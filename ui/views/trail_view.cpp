@@ -10,7 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {

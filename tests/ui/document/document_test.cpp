@@ -21,11 +21,11 @@
 #include <csignal>
 
 #include "tests/ui/window_fixture.hpp"
-#include "ui/document/document_control.hpp"
+#include "ui/actions/document_control.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/document/recent_files.hpp"
-#include "ui/document/start_page.hpp"
 #include "ui/panels/typed_value.hpp"
+#include "ui/shell/start_page.hpp"
 
 namespace sonde::ui::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <QAction>
 
 #include "tests/ui/window_fixture.hpp"
-#include "ui/document/document_control.hpp"
+#include "ui/actions/document_control.hpp"
 
 namespace sonde::ui::test {
 namespace {

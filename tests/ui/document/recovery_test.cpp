@@ -10,7 +10,7 @@
 
 #include "engine/base/error.hpp"
 #include "tests/ui/window_fixture.hpp"
-#include "ui/document/document_control.hpp"
+#include "ui/actions/document_control.hpp"
 
 namespace sonde::ui::test {
 namespace {

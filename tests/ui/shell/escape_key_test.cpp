@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Esc cuts the force first, then does what it means where it was pressed: with each dialog and list
+// of the program open. The key comes from another client of the X server, as from a keyboard.
+
+#include <gtest/gtest.h>
+#include <xcb/xcb.h>
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QTimer>
+#include <QWindow>
+#include <chrono>
+#include <cstdlib>
+#include <ostream>
+#include <thread>
+
+#include "tests/ui/window_fixture.hpp"
+#include "ui/base/job.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+/// Something that is open above the window, and how it is opened. `open` may return only once it
+/// has been closed.
+struct Opening {
+  const char* name;
+  std::function<void(MainWindow&)> open;
+};
+
+void PrintTo(const Opening& opening, std::ostream* out) { *out << opening.name; }
+
+std::function<void(MainWindow&)> by_action(const char* action) {
+  return [action](MainWindow& window) { window.findChild<QAction*>(action)->trigger(); };
+}
+
+/// The question as the program asks it, whatever the fixture has put in its place.
+template <class Ask>
+std::function<void(MainWindow&)> by_prompt(Ask ask) {
+  return [ask](MainWindow& window) {
+    const Prompts prompts = dialogs(window);
+    ask(prompts);
+  };
+}
+
+const Opening openings[] = {
+    {"error", by_prompt([](const Prompts& p) { p.report_error("bad.off:3: no number"); })},
+    {"bodies", by_prompt([](const Prompts& p) { p.ask_bodies(MeshPair{}, PairSetup{}); })},
+    {"leaving", by_prompt([](const Prompts& p) { p.ask_leaving("cubes"); })},
+    {"save", by_prompt([](const Prompts& p) { p.ask_save("cubes.sonde.json"); })},
+    {"reload", by_prompt([](const Prompts& p) { p.ask_reload("cubes.sonde.json"); })},
+    {"recover", by_prompt([](const Prompts& p) { p.ask_recover("cubes"); })},
+    {"role", by_prompt([](const Prompts& p) { p.ask_role("cube.off"); })},
+    {"scene", by_prompt([](const Prompts& p) { p.ask_scene(); })},
+    {"meshes", by_prompt([](const Prompts& p) { p.ask_meshes({}); })},
+    {"path", by_prompt([](const Prompts& p) { p.ask_path(); })},
+    {"picture", by_prompt([](const Prompts& p) { p.ask_picture(); })},
+    {"tuning", by_prompt([](const Prompts& p) { p.ask_tuning(); })},
+    {"tuning_folder", by_prompt([](const Prompts& p) { p.ask_tuning_folder(); })},
+    {"keys", by_action("keys")},
+    {"about", by_action("about")},
+    {"manual",
+     [](MainWindow& window) {
+       window.findChild<QAction*>("manual")->trigger();
+       wait_until([&] { return !window.findChild<QDialog*>("manual")->isVisible(); });
+     }},
+    {"menu",
+     [](MainWindow& window) {
+       QMenu& menu = *window.menuBar()->actions()[0]->menu();
+       menu.popup(window.mapToGlobal({10, 30}));
+       wait_until([&] { return !menu.isVisible(); });
+     }},
+    {"list",
+     [](MainWindow& window) {
+       auto* list = window.findChild<QComboBox*>("holder");
+       window.show_device_dock();
+       list->showPopup();
+       wait_until([&] { return !list->view()->isVisible(); });
+     }},
+    {"progress",
+     [](MainWindow& window) {
+       Job job(&window);
+       bool ended = false;
+       job.start(
+           "Long work",
+           [](const Progress& progress) {
+             while (progress(0.3)) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+             throw Cancelled();
+           },
+           [&](std::exception_ptr) { ended = true; });
+       wait_until([&] { return ended; });
+     }},
+};
+
+/// Presses Esc while a window has the focus. Qt sees it once events are processed.
+void press_escape(const QWindow& window) {
+  xcb_connection_t* server = xcb_connect(nullptr, nullptr);
+  xcb_key_press_event_t key{};
+  key.detail = 9;  // with the drivers of X.Org
+  key.event = static_cast<xcb_window_t>(window.winId());
+  key.root = xcb_setup_roots_iterator(xcb_get_setup(server)).data->root;
+  key.same_screen = 1;
+  for (const auto& [type, mask] : {std::pair{XCB_KEY_PRESS, XCB_EVENT_MASK_KEY_PRESS},
+                                   std::pair{XCB_KEY_RELEASE, XCB_EVENT_MASK_KEY_RELEASE}}) {
+    key.response_type = static_cast<std::uint8_t>(type);
+    xcb_send_event(server, 1, key.event, static_cast<std::uint32_t>(mask),
+                   reinterpret_cast<const char*>(&key));
+  }
+  std::free(xcb_get_input_focus_reply(server, xcb_get_input_focus(server), nullptr));  // arrived
+  xcb_disconnect(server);
+}
+
+QWidget* topmost() {
+  if (QWidget* popup = QApplication::activePopupWidget()) return popup;
+  if (QWidget* modal = QApplication::activeModalWidget()) return modal;
+  for (QWidget* other : QApplication::topLevelWidgets())
+    if (other->objectName() == "manual" && other->isVisible()) return other;
+  return nullptr;
+}
+
+class EscapeTest : public WindowTest, public testing::WithParamInterface<Opening> {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (!HasFatalFailure()) open_cubes();
+  }
+  /// Waits, inside whatever event loop runs, until something is open; then acts.
+  void once_open(const std::function<void(QWidget&)>& act) {
+    timer.disconnect();
+    timer.start(5);
+    QObject::connect(&timer, &QTimer::timeout, [this, act] {
+      QWidget* top = topmost();
+      if (!top || !top->isVisible() || !top->windowHandle()) return;
+      // Shortcuts work in the active window alone; there is no window manager to make it that.
+      if (!top->isActiveWindow() && !QApplication::activePopupWidget())
+        return top->activateWindow();
+      timer.stop();
+      act(*top);
+    });
+  }
+  QTimer timer;
+};
+
+TEST_P(EscapeTest, cuts_the_force_first_and_then_closes) {
+  std::vector<bool> was_open;  // each time the force was cut
+  const auto cut = QObject::connect(window.get(), &MainWindow::force_changed,
+                                    [&] { was_open.push_back(topmost() != nullptr); });
+  bool closed = false;
+  once_open([&](QWidget& top) {
+    press_escape(*top.windowHandle());
+    closed = wait_until([] { return !topmost(); });
+    while (topmost()) topmost()->close();
+  });
+  GetParam().open(*window);
+  QObject::disconnect(cut);
+  EXPECT_TRUE(closed) << "Esc does what it always did";
+  ASSERT_FALSE(was_open.empty());
+  EXPECT_TRUE(was_open.front()) << "but the force goes first";
+  EXPECT_FALSE(window->session()->force_on());
+  EXPECT_TRUE(wait_until([this] { return shown().wrench.force.norm() == 0; }));
+}
+
+/// Without a window manager, or where the focus follows the mouse, the window has the focus under a
+/// dialog that blocks it.
+TEST_P(EscapeTest, cuts_the_force_with_the_focus_on_the_window_below) {
+  bool cut = false;
+  once_open([&](QWidget&) {
+    press_escape(*window->windowHandle());
+    cut = wait_until([this] { return !window->session()->force_on(); });
+    while (topmost()) topmost()->close();
+  });
+  GetParam().open(*window);
+  EXPECT_TRUE(cut);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, EscapeTest, testing::ValuesIn(openings),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(WindowTest, escape_before_anything_is_open_holds_for_what_opens) {
+  window->open({QString::fromStdString(scene.string())});
+  press_escape(*window->windowHandle());
+  ASSERT_TRUE(wait_until([this] { return opened == 1; }));
+  EXPECT_FALSE(window->session()->force_on());
+  EXPECT_FALSE(window->findChild<QAction*>("force")->isChecked());
+}
+
+TEST_F(EscapeTest, works_while_meshes_are_browsed_for) {
+  auto browsed = false;
+  once_open([&](QWidget& meshes) {
+    once_open([&](QWidget& browser) {
+      press_escape(*browser.windowHandle());
+      browsed = wait_until([&] { return !browser.isVisible(); });
+      EXPECT_FALSE(window->session()->force_on());
+    });
+    meshes.findChild<QPushButton*>("probe_file_browse")->click();
+    meshes.close();
+  });
+  dialogs(*window).ask_meshes({});
+  EXPECT_TRUE(browsed);
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

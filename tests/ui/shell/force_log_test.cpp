@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/force_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QStringList>
+
+#include "ui/shell/timing_text.hpp"
+
+namespace sonde::ui {
+namespace {
+
+QStringList logged;
+
+struct ForceLogTest : testing::Test {
+  ForceLog log;
+  QtMessageHandler before = qInstallMessageHandler(
+      [](QtMsgType, const QMessageLogContext&, const QString& text) { logged << text; });
+
+  ForceLogTest() { logged.clear(); }
+  ~ForceLogTest() override { qInstallMessageHandler(before); }
+
+  void add(double time, Withheld why) {
+    Snapshot tick;
+    tick.time = time;
+    tick.hand.withheld = why;
+    log.add(tick);
+  }
+};
+
+TEST_F(ForceLogTest, a_fault_of_one_tick_is_in_the_log_and_stays_to_be_read) {
+  add(1, Withheld::nothing);
+  EXPECT_TRUE(log.recent(1).isEmpty());
+  add(1.001, Withheld::stalled);
+  add(1.002, Withheld::nothing);
+  ASSERT_EQ(logged.size(), 2);
+  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::stalled))));
+  EXPECT_TRUE(logged[0].contains(QStringLiteral("1.001 s")));
+  EXPECT_TRUE(log.recent(3).contains(QString::fromUtf8(words(Withheld::stalled))));
+  EXPECT_TRUE(log.recent(30).isEmpty());
+}
+
+TEST_F(ForceLogTest, a_pose_that_is_not_settled_is_worth_a_word_where_that_lasts) {
+  for (int i = 0; i < 1000; ++i)
+    add(1 + 0.001 * i, i % 20 < 10 ? Withheld::nothing : Withheld::unsettled);
+  EXPECT_TRUE(logged.isEmpty()) << logged.join('\n').toStdString();
+  EXPECT_TRUE(log.recent(2).isEmpty());
+  for (int i = 0; i < 40; ++i) add(2 + 0.001 * i, Withheld::unsettled);
+  add(2.04, Withheld::nothing);
+  ASSERT_EQ(logged.size(), 2) << logged.join('\n').toStdString();
+  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::unsettled))));
+  EXPECT_TRUE(log.recent(3).contains(QString::fromUtf8(words(Withheld::unsettled))));
+}
+
+TEST_F(ForceLogTest, what_was_asked_for_is_logged_once_and_is_no_fault) {
+  for (int i = 1; i < 100; ++i) add(0.001 * i, Withheld::stopped);
+  EXPECT_EQ(logged.size(), 1);
+  EXPECT_TRUE(log.recent(0.1).isEmpty());
+}
+
+TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
+  const Withheld reasons[] = {Withheld::stopped,    Withheld::paused, Withheld::let_go,
+                              Withheld::untrusted,  Withheld::failed, Withheld::stalled,
+                              Withheld::not_finite, Withheld::changed};
+  double time = 0;
+  for (const Withheld why : reasons) {
+    logged.clear();
+    add(time += 1, why);
+    ASSERT_EQ(logged.size(), 1);
+    EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(why)))) << logged[0].toStdString();
+  }
+  logged.clear();
+  log.end();
+  ASSERT_EQ(logged.size(), 1);
+  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::shut_down))));
+  log.end();
+  EXPECT_EQ(logged.size(), 1) << "nothing has run since";
+}
+
+TEST_F(ForceLogTest, another_run_begins_afresh) {
+  add(5, Withheld::failed);
+  add(0.001, Withheld::nothing);
+  EXPECT_TRUE(log.recent(0.1).isEmpty());
+}
+
+TEST(TimingText, tells_times_and_what_the_system_says) {
+  ServoTiming timing;
+  EXPECT_EQ(timing_text(timing), QStringLiteral("No tick yet."));
+  for (int i = 0; i < 10; ++i) timing.tick.add(20);
+  timing.ticks = 10;
+  timing.late = 3;
+  timing.real_time.scheduling = "not permitted";
+  const QString text = timing_text(timing);
+  EXPECT_TRUE(text.contains(QStringLiteral("tick: 20, 20, 20, 20 µs"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("late: 3 of 10")));
+  EXPECT_TRUE(text.contains(QStringLiteral("not permitted")));
+}
+
+}  // namespace
+}  // namespace sonde::ui

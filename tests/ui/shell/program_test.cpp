@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// These tests run the real sonde-view and look at its exit code, its output and its pictures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <QImage>
+#include <cstdlib>
+#include <string>
+
+#include "tests/support/temp_folder.hpp"
+#include "ui/shell/demo.hpp"
+
+namespace sonde::ui {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Program : public ::testing::Test {
+ protected:
+  struct Outcome {
+    int exit_code;
+    std::string out, err;
+  };
+  Outcome run(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command = "cd '" + folder.path().string() + "' && XDG_CONFIG_HOME=. " +
+                                environment + " timeout 60 '" SONDE_VIEW_PROGRAM "' " + arguments +
+                                " >out 2>err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, sonde::test::text_of(folder / "out"),
+            sonde::test::text_of(folder / "err")};
+  }
+  sonde::test::TempFolder folder;
+};
+
+TEST_F(Program, help_and_version_need_no_display) {
+  EXPECT_EQ(run("--version", "DISPLAY=").exit_code, 0);
+  const Outcome help = run("--help", "DISPLAY=");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, HasSubstr("--demo"));
+}
+
+TEST_F(Program, wrong_usage_is_2) {
+  EXPECT_EQ(run("--nonsense").exit_code, 2);
+  EXPECT_EQ(run("a b c").exit_code, 2);
+  EXPECT_EQ(run("a b --unit parsec").exit_code, 2);
+}
+
+TEST_F(Program, a_device_that_nothing_is_called_is_wrong_usage) {
+  const Outcome unknown = run("--device sigma7");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("\"sigma7\"; the nearest known one is \"sigma.7\""));
+  EXPECT_EQ(run("--device ''").exit_code, 2);
+}
+
+TEST_F(Program, a_device_that_cannot_be_used_is_bad_input) {
+  const Outcome absent = run("--device /dev/hidraw99");
+  EXPECT_EQ(absent.exit_code, 3);
+  EXPECT_THAT(absent.err, HasSubstr("/dev/hidraw99: no 6-DoF device is connected there"));
+  const Outcome missing = run("--device none.json");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("none.json"));
+  folder.write("bad.json", "{\n\"nam\": 1}");
+  const Outcome bad = run("--device bad.json");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("bad.json:2: "));
+}
+
+TEST_F(Program, a_simulated_device_and_auto_open_a_window) {
+  for (const char* device : {"sigma.7", "auto", "mouse"}) {
+    const Outcome shown = run(std::string("--screenshot shown.png --device ") + device);
+    EXPECT_EQ(shown.exit_code, 0) << device << ": " << shown.err;
+    EXPECT_TRUE(std::filesystem::remove(folder / "shown.png")) << device;
+  }
+}
+
+TEST_F(Program, no_display_is_said) {
+  const Outcome none = run("", "DISPLAY= WAYLAND_DISPLAY=");
+  EXPECT_EQ(none.exit_code, 4);
+  EXPECT_THAT(none.err, HasSubstr("DISPLAY"));
+  EXPECT_EQ(run("", "DISPLAY=:94123").exit_code, 4) << "one that does not answer";
+  const Outcome blind = run("", "QT_QPA_PLATFORM=offscreen");
+  EXPECT_EQ(blind.exit_code, 4);
+  EXPECT_THAT(blind.err, HasSubstr("QT_QPA_PLATFORM"));
+}
+
+TEST_F(Program, a_bad_file_is_3) {
+  folder.write("bad.sonde.json", "{");
+  const Outcome bad = run("bad.sonde.json");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("bad.sonde.json"));
+  EXPECT_EQ(run("no-such.off no-such.off --unit mm").exit_code, 3);
+}
+
+TEST_F(Program, the_demo_draws_and_reports) {
+  const Outcome demo = run("--demo demo.png");
+  EXPECT_EQ(demo.exit_code, 0) << demo.err;
+  EXPECT_THAT(demo.out, HasSubstr("demo.png"));
+  for (const char* quantity : {"depth", "PD_t", "lower bound", "|F|", "|tau|", "tick", "frames/s"})
+    EXPECT_THAT(demo.out, HasSubstr(quantity));
+  const QImage image(QString::fromStdString((folder / "demo.png").string()));
+  EXPECT_GT(lit_share(image), 0.05);
+}
+
+}  // namespace
+}  // namespace sonde::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/recommendation_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/study/tuning/made_up_results.hpp"
+
+namespace sonde::ui {
+namespace {
+
+using sonde::test::column;
+using sonde::test::line;
+
+TuningLine assumed(const char* key, double times, double stable) {
+  TuningLine out = line(1, GainAxis::object, {column(0, stable, stable, HoldFault::unstable)});
+  out.assumed = key;
+  out.times = times;
+  return out;
+}
+
+TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)}),
+             line(1, GainAxis::object, {column(0, 900, 900, HoldFault::unstable)}),
+             assumed("mass", 0.5, 450),
+             assumed("mass", 2, 1800),
+             assumed("friction", 0.5, 901),
+             assumed("friction", 2, 899)};
+  const std::string text = recommendation_text(r, GainAxis::object).toStdString();
+  for (const char* words : {"k = 600 N/m", "Limited by stability (edge contact, light hand)",
+                            "900 N/m: a margin of 1.5", "Passive in theory up to 225 N/m",
+                            "mass 0.500 to 2.00 times", "Hardly on assumed friction"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  const auto gains = recommend(r, GainAxis::object);
+  EXPECT_EQ(margin_text(*gains, 450), "0.500 of the boundary, 900 N/m");
+}
+
+TEST(RecommendationText, another_reason_and_none_at_all) {
+  TuningResults r = sonde::test::results();
+  r.about = R"({"device": {"id": "x", "mass": {"value": 1, "assumed": "a guess"},
+      "max_force": {"value": 9, "source": "a sheet"}}})";
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 300, HoldFault::chattering)})};
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object)
+                  .contains("Rests on assumed mass, which this study did not vary"));
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("more would buzz"));
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 0, HoldFault::saturated)})};
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("No stiffness"));
+  r.lines.clear();
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("no gains to recommend"));
+}
+
+TEST(RecommendationText, of_the_classic_coupling_all_four_gains_are_named_and_what_is_no_advice) {
+  TuningResults r = sonde::test::results();
+  r.mode = Coupling::Mode::classic;
+  r.joint = {2e-4, 1e-3};
+  r.lines = {line(0, GainAxis::together, {column(5, 900, 900, HoldFault::unstable)}),
+             line(0, GainAxis::translation, {column(0, 3000, 3000, HoldFault::unstable)})};
+  const QString text = recommendation_text(r, GainAxis::together);
+  for (const char* words : {"Recommended: k_t = 600 N/m, b_t = 5.00 N·s/m", "k_r = 0.120 N·m/rad",
+                            "b_r = 0.00500 N·m·s/rad"})
+    EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << "\n" << text.toStdString();
+  EXPECT_TRUE(recommendation_text(r, GainAxis::translation).startsWith("Alone"));
+}
+
+}  // namespace
+}  // namespace sonde::ui

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <algorithm>
+#include <ostream>
+
+#include "tests/ui/window_fixture.hpp"
+#include "ui/shell/demo.hpp"
+#include "ui/views/hint_view.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+TEST_F(WindowTest, vtk_found_its_opengl) {
+  EXPECT_STREQ(Viewport::window_class(), "vtkXOpenGLRenderWindow");
+}
+
+TEST_F(WindowTest, a_scene_is_drawn) {
+  open_cubes();
+  const QImage image = picture();
+  EXPECT_GT(image.width(), 300);
+  EXPECT_GT(lit_share(image), 0.03);
+}
+
+TEST_F(WindowTest, the_default_scene_opens) {
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
+  ASSERT_EQ(opened, 1) << (complaints.empty() ? "" : complaints[0].toStdString());
+  EXPECT_GT(lit_share(picture()), 0.03);
+  EXPECT_GE(window->session()->opened().trajectory.size(), 2u);
+}
+
+struct LayerCase {
+  const char* action;
+  int least;  ///< pixels that come with it
+};
+
+void PrintTo(const LayerCase& layer, std::ostream* out) { *out << layer.action; }
+
+class LayerTest : public WindowTest, public ::testing::WithParamInterface<LayerCase> {};
+
+TEST_P(LayerTest, is_drawn_and_can_be_hidden) {
+  open_cubes();
+  wait(300);
+  auto* action = window->findChild<QAction*>(GetParam().action);
+  ASSERT_TRUE(action);
+  ASSERT_TRUE(action->isChecked());
+  window->viewport().camera().zoom(1.3);  // the arrow is small beside the legend and the hint
+  // A still picture: nothing else may differ between the two.
+  window->set_paused(true);
+  wait(100);
+  const QImage with = picture();
+  action->trigger();
+  EXPECT_FALSE(action->isChecked());
+  const QImage without = picture();
+  EXPECT_GT(pixels_between(with, without), GetParam().least);
+  action->trigger();
+  EXPECT_LT(pixels_between(with, picture()), 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Layers, LayerTest,
+                         ::testing::Values(LayerCase{"show_ghost", 500},
+                                           LayerCase{"show_screw", 40},
+                                           LayerCase{"show_contacts", 40},
+                                           LayerCase{"show_wrench", 100}),
+                         [](const auto& info) { return std::string(info.param.action); });
+
+/// Where the cubes overlap by 10 mm, held and nearest are one: a turn of the held pose's colour
+/// into that of the way shows that it is drawn.
+TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
+  open_cubes();
+  ASSERT_TRUE(wait_until([this] {
+    return window->companion() && window->companion()->nearest && window->companion()->pdt;
+  }));
+  window->set_paused(true);
+  wait(100);
+  const QImage without = picture();
+  for (const char* name : {"show_nearest", "show_straight"}) {
+    auto* action = window->findChild<QAction*>(name);
+    ASSERT_TRUE(action);
+    EXPECT_FALSE(action->shortcut().isEmpty());
+    EXPECT_FALSE(action->isChecked());
+    action->trigger();
+    EXPECT_GT(pixels_between(without, picture()), 500) << name;
+    action->trigger();
+    EXPECT_LT(pixels_between(without, picture()), 20) << name;
+  }
+}
+
+TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
+  open_cubes();
+  window->set_paused(true);
+  wait(200);
+  auto* action = window->findChild<QAction*>("show_hint");
+  ASSERT_TRUE(action);
+  const QImage with = window->viewport().grab().toImage();
+  action->trigger();
+  wait(100);
+  EXPECT_GT(pixels_between(with, window->viewport().grab().toImage()), 1000);
+}
+
+/// Every vertex, by the projection that places labels: in one of the areas that the texts leave.
+TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
+  wait(100);
+  for (const bool hint : {true, false}) {
+    window->viewport().set_shown(Layer::hint, hint);
+    window->findChild<QAction*>("fit")->trigger();
+    QRectF drawn;
+    const auto add = [&](const Body& body, const Pose& pose) {
+      for (const Vec3& vertex : body.soup.vertices)
+        drawn |= QRectF(window->viewport().on_screen(pose * vertex), QSizeF(1e-3, 1e-3));
+    };
+    add(window->session()->fixed(), Pose{});
+    add(window->session()->probe(), window->session()->device_pose());
+    const auto areas =
+        static_cast<HintView*>(window->findChild<QWidget*>("hint_view"))->clear_areas();
+    EXPECT_TRUE(std::any_of(areas.begin(), areas.end(),
+                            [&](const QRectF& area) { return area.contains(drawn); }));
+    EXPECT_GT(drawn.height(), 150) << "as large as there is room";
+  }
+}
+
+TEST_F(WindowTest, the_ghost_swings) {
+  open_cubes();
+  // Until the force has come in, its arrow grows.
+  ASSERT_TRUE(wait_until([this] { return shown().hand.share >= 1; }));
+  wait(200);
+  const std::size_t still = window->frames();
+  wait(200);
+  EXPECT_LE(window->frames(), still + 2) << "drawn although nothing changed";
+  window->findChild<QAction*>("swing")->trigger();
+  EXPECT_TRUE(wait_until([&] { return window->frames() > still + 8; }));
+}
+
+TEST_F(WindowTest, a_picture_has_docks_and_overlays) {
+  open_cubes();
+  ASSERT_TRUE(window->save_picture(path("picture.png")));
+  const QImage image(path("picture.png"));
+  EXPECT_EQ(image.size(), window->size() * window->devicePixelRatio());
+  EXPECT_GT(lit_share(image), 0.05);
+}
+
+TEST_F(WindowTest, a_picture_that_cannot_be_written_is_a_message) {
+  open_cubes();
+  EXPECT_FALSE(window->save_picture(path("no/such/folder.png")));
+  EXPECT_EQ(complaints.size(), 1u);
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/document_control.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/scene/write_scene.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/settings/settings.hpp"
+#include "ui/actions/meshes_dialog.hpp"
+#include "ui/actions/opener.hpp"
+#include "ui/document/pose_text.hpp"
+#include "ui/document/recent_files.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int recovery_ms = 2000;
+
+bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
+
+bool same(const Coupling& a, const Coupling& b) {
+  const auto all = coupling_settings();
+  return a.mode == b.mode && std::ranges::all_of(all, [&](const Setting& setting) {
+           return get(a, setting.key) == get(b, setting.key);
+         });
+}
+
+bool same(const std::optional<DeviceSettings>& a, const std::optional<DeviceSettings>& b) {
+  return a.has_value() == b.has_value() &&
+         (!a || device_settings_text(*a) == device_settings_text(*b));
+}
+
+/// Bodies that something else owns too.
+std::shared_ptr<const Body> shared(const std::shared_ptr<const Bodies>& bodies, Role role) {
+  const Pair& pair = bodies->pair;
+  return {bodies, role == Role::probe ? &pair.probe() : &pair.fixed()};
+}
+
+QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+}  // namespace
+
+DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
+    : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
+  document_.changed = [this](const Content& from, const Content& to) { apply(from, to); };
+  connect(&document_.stack(), &QUndoStack::indexChanged, this, [this] { tell(); });
+  watch_.changed = [this](const QString& file) { file_changed(file); };
+  watch_.vanished = [this](const QString& file) {
+    view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
+  };
+  connect(&recovery_timer_, &QTimer::timeout, this, [this] { keep_for_recovery(); });
+  recovery_timer_.start(recovery_ms);
+}
+
+void DocumentControl::tell() const {
+  if (changed) changed();
+}
+
+void DocumentControl::open(const QStringList& files, std::optional<double> unit) {
+  if (may_leave()) opener_.open_files(files, unit);
+}
+
+void DocumentControl::ask_scene() {
+  const QString file = prompts_.ask_scene();
+  if (file.isEmpty() || !may_leave()) return;
+  remember_folder_of(file);
+  opener_.open_scene(file);
+}
+
+void DocumentControl::ask_meshes(const QString& first) {
+  const auto files = prompts_.ask_meshes(first);
+  if (files && may_leave()) opener_.open_meshes(files->first, files->second, std::nullopt);
+}
+
+void DocumentControl::drop(const QStringList& files) {
+  const bool one_mesh =
+      files.size() == 1 && !files[0].endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+  if (!one_mesh) return open(files, std::nullopt);
+  if (document_.empty()) return ask_meshes(files[0]);
+  if (const auto role = prompts_.ask_role(QFileInfo(files[0]).fileName()))
+    replace_body(*role, files[0]);
+}
+
+bool DocumentControl::may_leave() {
+  if (!document_.modified()) return true;
+  const Leaving answer =
+      prompts_.ask_leaving(QString::fromStdString(document_.content().scene.name));
+  return answer == Leaving::discard || (answer == Leaving::save && save());
+}
+
+void DocumentControl::start_anew() {
+  if (!may_leave()) return;
+  opener_.abandon();
+  watch_.watch({});
+  recovery_.clear();
+  kept_.clear();
+  on_show_.reset();
+  document_.close();
+  view_.empty();
+  tell();
+}
+
+bool DocumentControl::save() {
+  if (document_.empty()) return false;
+  return document_.file().empty() ? save_as() : write(document_.file());
+}
+
+bool DocumentControl::save_as() {
+  if (document_.empty()) return false;
+  QString name = QString::fromStdString(document_.content().scene.name);
+  name.replace(' ', '-');
+  const QDir folder = document_.file().empty() ? QDir(last_folder())
+                                               : QFileInfo(text_of(document_.file())).absoluteDir();
+  const QString file = prompts_.ask_save(folder.filePath(name + QStringLiteral(".sonde.json")));
+  if (file.isEmpty()) return false;
+  remember_folder_of(file);
+  return write(file.toStdString());
+}
+
+bool DocumentControl::write(const std::filesystem::path& file) {
+  watch_.watch({});  // what we write ourselves is no news
+  bool written = false;
+  try {
+    document_.save(file);
+    written = true;
+    remember_recent({text_of(file)});
+    view_.say(QStringLiteral("Saved %1").arg(text_of(file)));
+    recovery_.clear();
+    kept_.clear();
+  } catch (const InputError& bad) {
+    prompts_.report_error(QString::fromUtf8(bad.what()));
+  }
+  watch();
+  tell();
+  return written;
+}
+
+QStringList DocumentControl::files() const {
+  const Scene& scene = document_.content().scene;
+  QStringList files{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)};
+  if (!scene.file.empty()) files.prepend(text_of(scene.file));
+  files.removeDuplicates();
+  return files;
+}
+
+void DocumentControl::watch() { watch_.watch(document_.empty() ? QStringList() : files()); }
+
+void DocumentControl::opened(const Session& session) {
+  const Opened& opened = session.opened();
+  auto bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
+  on_show_ = bodies;
+  index_on_show_ = 0;
+  document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});
+  recovery_.clear();
+  kept_ = scene_text(opened.scene, "/") + pose_text(document_.content().here);
+  const Scene& scene = opened.scene;
+  remember_recent(scene.file.empty()
+                      ? QStringList{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)}
+                      : QStringList{text_of(scene.file)});
+  watch();
+  tell();
+}
+
+// ---- Commands
+
+Content DocumentControl::now() const {
+  Content content = document_.content();
+  if (Session* session = view_.session()) content.here = session->device_pose();
+  return content;
+}
+
+void DocumentControl::place(const Pose& X_FM, const QString& what, bool mergeable) {
+  if (document_.empty()) return;
+  Content wanted = now();
+  document_.set_here(wanted.here);
+  wanted.here = {X_FM.q.normalized(), X_FM.p};
+  document_.change(what, wanted, mergeable);
+}
+
+void DocumentControl::moved_from(const Pose& before, const QString& what, bool mergeable) {
+  if (document_.empty()) return;
+  document_.set_here(before);
+  document_.change(what, now(), mergeable);
+}
+
+void DocumentControl::set_coupling(const Coupling& coupling) {
+  if (document_.empty()) return;
+  document_.set_coupling(coupling);
+  tell();
+}
+
+void DocumentControl::set_device_settings(const DeviceSettings& settings) {
+  if (document_.empty() || !document_.content().scene.device.settings)
+    return view_.show_device_settings(settings);  // the device's own, kept with it
+  Content wanted = now();
+  wanted.scene.device.settings = settings;
+  // What a device wants of the loop, a scene says for itself.
+  if (settings.rate_hz) wanted.scene.servo.rate_hz = *settings.rate_hz;
+  if (settings.passivity_control)
+    wanted.scene.servo.passivity.control = *settings.passivity_control;
+  document_.set_here(wanted.here);
+  document_.change(QStringLiteral("Device settings"), wanted, true);
+}
+
+void DocumentControl::start_from_here() {
+  if (document_.empty()) return;
+  Content wanted = now();
+  document_.set_here(wanted.here);
+  wanted.scene.probe.pose = storable(wanted.scene.fixed.pose * wanted.here, wanted.scene.unit);
+  document_.change(QStringLiteral("Start from here"), wanted);
+}
+
+void DocumentControl::copy_pose() {
+  if (view_.session())
+    QApplication::clipboard()->setText(QString::fromStdString(pose_text(now().here)));
+}
+
+void DocumentControl::paste_pose() {
+  if (document_.empty()) return;
+  try {
+    place(pose_in(QApplication::clipboard()->text().toStdString()), QStringLiteral("Paste pose"));
+  } catch (const std::invalid_argument& bad) {
+    prompts_.report_error(QStringLiteral("The clipboard holds no pose: %1.").arg(bad.what()));
+  }
+}
+
+void DocumentControl::swap_bodies() {
+  if (document_.empty()) return;
+  Content wanted = now();
+  std::swap(wanted.scene.probe, wanted.scene.fixed);
+  wanted.scene.trajectory.reset();  // it is the other's
+  wanted.here = inverse(wanted.here);
+  const auto bodies = wanted.bodies;
+  change_bodies(
+      QStringLiteral("Swap probe and fixed body"), wanted,
+      [bodies, scene = wanted.scene](const Progress&) {
+        return open_scene(scene, {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {});
+      });
+}
+
+void DocumentControl::replace_body(Role role, const QString& file) {
+  Content wanted = now();
+  (role == Role::probe ? wanted.scene.probe : wanted.scene.fixed).mesh = file.toStdString();
+  const QString what = role == Role::probe ? QStringLiteral("Replace the probe")
+                                           : QStringLiteral("Replace the fixed body");
+  change_bodies(what, wanted, [scene = wanted.scene](const Progress& progress) {
+    return open_scene(scene, progress);
+  });
+}
+
+void DocumentControl::ask_bodies() {
+  if (document_.empty()) return;
+  const Content before = now();
+  const Scene& scene = before.scene;
+  const Body &probe = before.bodies->pair.probe(), &fixed = before.bodies->pair.fixed();
+  const auto sides = [](const Body& body, double factor) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : body.soup.vertices) box.extend(vertex);
+    return Vec3(box.sizes() / factor);
+  };
+  MeshPair pair;
+  pair.probe_file = scene.probe.mesh;
+  pair.fixed_file = scene.fixed.mesh;
+  pair.probe_size = sides(probe, scene.unit * scene.probe.scale);
+  pair.fixed_size = sides(fixed, scene.unit * scene.fixed.scale);
+  pair.probe_edges = probe.topology;
+  pair.fixed_edges = fixed.topology;
+  const PairSetup old = setup_of(scene);
+  const auto said = prompts_.ask_bodies(pair, old);
+  if (!said) return;
+  Content wanted = before;
+  wanted.scene = with_setup(scene, old, *said);
+  // As far from the fixed body, for its size, as it was.
+  const double grown =
+      wanted.scene.unit * wanted.scene.fixed.scale / (scene.unit * scene.fixed.scale);
+  const Pose moved = relative_pose(scene);
+  wanted.here.p *= grown;
+  if (same(before.here, moved)) wanted.here = relative_pose(wanted.scene);
+  const bool suited = same(scene.coupling, suited_coupling(probe.mass));
+  change_bodies(QStringLiteral("Units, axes and insides"), wanted,
+                [scene = wanted.scene, suited](const Progress& progress) {
+                  Opened opened = open_scene(scene, progress);
+                  if (suited)
+                    opened.scene.coupling = opened.coupling =
+                        suited_coupling(opened.pair.probe().mass);
+                  return opened;
+                });
+}
+
+/// The stage is made first: a mesh that cannot be read is no step.
+void DocumentControl::change_bodies(const QString& what, const Content& wanted,
+                                    std::function<Opened(const Progress&)> open) {
+  document_.set_here(now().here);
+  opener_.make(
+      what,
+      [open = std::move(open), here = wanted.here](const Progress& progress) {
+        Opened opened = open(progress);
+        opened.here = here;
+        return opened;
+      },
+      [this, what, wanted](Stage stage) {
+        const Opened& opened = stage.session->opened();
+        Content content = wanted;
+        content.scene = opened.scene;
+        content.bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
+        ready_ = std::move(stage);
+        document_.change(what, content);
+        ready_.reset();
+      },
+      {});
+}
+
+// ---- What a command changes, is done, undone or done again
+
+void DocumentControl::apply(const Content& from, const Content& to) {
+  if (to.bodies != on_show_) return show_bodies(to);
+  opener_.abandon();  // of what was gone back from before it was on show
+  index_on_show_ = document_.stack().index();
+  Session* session = view_.session();
+  if (!session) return;
+  if (!same(from.scene.coupling, to.scene.coupling)) view_.show_coupling(to.scene.coupling);
+  if (!same(from.scene.device.settings, to.scene.device.settings) && to.scene.device.settings)
+    view_.show_device_settings(*to.scene.device.settings);
+  session->set_start(relative_pose(to.scene));
+  if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
+  tell();
+}
+
+void DocumentControl::show_bodies(const Content& wanted) {
+  const auto show = [this](Stage stage, const std::shared_ptr<const Bodies>& bodies) {
+    on_show_ = bodies;
+    index_on_show_ = document_.stack().index();
+    view_.show(std::move(stage), true);
+    // The stage took its time: more may have been done or undone meanwhile.
+    const Content& content = document_.content();
+    view_.session()->set_start(relative_pose(content.scene));
+    if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
+    watch();
+    tell();
+  };
+  if (ready_) return show(std::move(*ready_), wanted.bodies);
+  opener_.make(
+      QStringLiteral("Setting the bodies up again"),
+      [wanted](const Progress&) {
+        Opened opened = open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory);
+        opened.here = wanted.here;
+        return opened;
+      },
+      [show, bodies = wanted.bodies](Stage stage) { show(std::move(stage), bodies); },
+      [this] { document_.stack().setIndex(index_on_show_); });
+}
+
+// ---- Files that others change
+
+void DocumentControl::file_changed(const QString& file) {
+  const bool is_scene = file == text_of(document_.file());
+  if (is_scene && document_.modified() && !prompts_.ask_reload(file)) return;
+  const QString what = QStringLiteral("Reading %1 again").arg(QFileInfo(file).fileName());
+  const Scene scene = document_.content().scene;
+  if (is_scene)
+    reload(what, [path = scene.file](const Progress& p) { return open_scene(path, p); });
+  else
+    reload(what, [scene](const Progress& p) { return open_scene(scene, p); });
+}
+
+/// Nothing but what the file says changes: the probe and the eye stay where they are.
+void DocumentControl::reload(const QString& what, std::function<Opened(const Progress&)> open) {
+  const std::string saved = document_.saved_text();
+  const bool was_modified = document_.modified();
+  const std::string before = document_.text();
+  opener_.make(
+      what, [open = std::move(open)](const Progress& progress) { return open(progress); },
+      [this, saved, before, was_modified](Stage stage) {
+        const CameraPlace camera = view_.camera();
+        const Pose here = now().here;
+        view_.show(std::move(stage), false);
+        view_.look(camera);
+        view_.place(here);
+        document_.set_here(here);
+        // A mesh that was read again leaves the scene as it was, saved or not.
+        if (was_modified && document_.text() == before) document_.set_saved_text(saved);
+        view_.say(QStringLiteral("Read again from the disk"));
+        tell();
+      },
+      {});
+}
+
+// ---- Recovery
+
+void DocumentControl::keep_for_recovery() {
+  Session* session = view_.session();
+  if (document_.empty() || !session) return;
+  const Content content = now();
+  const std::string text = scene_text(content.scene, "/") + pose_text(content.here);
+  if (text == kept_) return;
+  if (recovery_.keep({content.scene, document_.saved_text(), content.here, view_.camera(),
+                      QDateTime::currentDateTime()}))
+    kept_ = text;
+}
+
+bool DocumentControl::offer_recovery() {
+  for (const std::filesystem::path& file : recovery_.left_over()) try {
+      const Recovered found = recovered_from(file);
+      const QString name =
+          QStringLiteral("%1 (%2)").arg(QString::fromStdString(found.scene.name),
+                                        found.when.toString(QStringLiteral("yyyy-MM-dd hh:mm")));
+      const Recovering answer = prompts_.ask_recover(name);
+      if (answer == Recovering::later) return false;
+      if (answer == Recovering::discard) {
+        Recovery::remove(file);
+        continue;
+      }
+      recover(file);
+      return true;
+    } catch (const InputError& bad) {
+      prompts_.report_error(QString::fromUtf8(bad.what()));
+      Recovery::remove(file);
+    }
+  return false;
+}
+
+void DocumentControl::recover(const std::filesystem::path& file) {
+  const Recovered found = recovered_from(file);
+  opener_.make(
+      QStringLiteral("Recovering %1").arg(QString::fromStdString(found.scene.name)),
+      [found](const Progress& progress) {
+        Opened opened = open_scene(found.scene, progress);
+        opened.here = found.here;
+        return opened;
+      },
+      [this, found, file](Stage stage) {
+        view_.show(std::move(stage), false);
+        document_.set_saved_text(found.saved_text);
+        if (found.camera) view_.look(*found.camera);
+        kept_.clear();
+        keep_for_recovery();  // before the other goes
+        Recovery::remove(file);
+        tell();
+      },
+      {});
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ui/actions/prompts.hpp"
+#include "ui/document/document.hpp"
+#include "ui/document/file_watch.hpp"
+#include "ui/document/recovery.hpp"
+#include "ui/views/stage.hpp"
+
+namespace sonde::ui {
+
+class Opener;
+
+/// What the document needs of the window it is shown in.
+struct DocumentView {
+  std::function<Session*()> session;
+  std::function<void(Stage, bool same_document)> show;  ///< may be called while events are handled
+  std::function<void()> empty;                          ///< nothing is open any more
+  std::function<void(const Pose&)> place;               ///< the probe, at once
+  std::function<void(const Coupling&)> show_coupling;
+  std::function<void(const DeviceSettings&)> show_device_settings;
+  std::function<CameraPlace()> camera;
+  std::function<void(const CameraPlace&)> look;
+  std::function<void(const QString&)> say;  ///< in passing
+};
+
+/// All that is done with the document as a whole: opened, saved, left, recovered, followed on the
+/// disk; and the commands that change it.
+class DocumentControl : public QObject {
+ public:
+  DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
+
+  Document& document() { return document_; }
+
+  // What leaves the document that is open asks first, where there is anything to lose.
+  void open(const QStringList& files, std::optional<double> unit);
+  void ask_scene();
+  void ask_meshes(const QString& first = {});
+  /// A scene, two meshes, or one, which takes the place of a body.
+  void drop(const QStringList& files);
+  void start_anew();  ///< nothing is open: the start page
+  bool may_leave();   ///< false: stay
+
+  bool save();
+  bool save_as();
+
+  /// Another document is on show.
+  void opened(const Session& session);
+  /// Offers what a program that died has left. False: there is nothing, or it is not wanted now.
+  bool offer_recovery();
+
+  // Commands.
+  void start_from_here();
+  void swap_bodies();
+  void ask_bodies();  ///< units, axes, scales and models of the two that are open
+  void copy_pose();
+  void paste_pose();
+  void place(const Pose& X_FM, const QString& what, bool mergeable = false);
+  /// The probe was moved, and was before there.
+  void moved_from(const Pose& before, const QString& what, bool mergeable);
+  void set_coupling(const Coupling& coupling);
+  void set_device_settings(const DeviceSettings& settings);
+
+  /// The title, the recent files or what can be done has changed.
+  std::function<void()> changed;
+
+ private:
+  Content now() const;
+  void apply(const Content& from, const Content& to);
+  void show_bodies(const Content& wanted);
+  void change_bodies(const QString& what, const Content& wanted,
+                     std::function<Opened(const Progress&)> open);
+  void replace_body(Role role, const QString& file);
+  bool write(const std::filesystem::path& file);
+  void watch();
+  void file_changed(const QString& file);
+  void reload(const QString& what, std::function<Opened(const Progress&)> open);
+  void recover(const std::filesystem::path& file);
+  void keep_for_recovery();
+  QStringList files() const;
+  void tell() const;
+
+  Opener& opener_;
+  Prompts& prompts_;
+  DocumentView view_;
+  Document document_;
+  std::optional<Stage> ready_;             ///< of a command that is about to be done
+  std::shared_ptr<const Bodies> on_show_;  ///< the bodies of the session
+  int index_on_show_ = 0;                  ///< of the undo stack, with these
+  FileWatch watch_;
+  Recovery recovery_;
+  QTimer recovery_timer_;
+  std::string kept_;  ///< what recovery has, as text
+};
+
+}  // namespace sonde::ui

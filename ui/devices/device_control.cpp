@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/devices/device_control.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/settings/device_settings_file.hpp"
+#include "engine/text/output_file.hpp"
+#include "ui/document/session.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int keep_after_ms = 400;  // a slider that moves writes no file for each step
+constexpr qint64 count_ms = 1000;
+
+}  // namespace
+
+DeviceControl::DeviceControl(std::filesystem::path settings_folder,
+                             std::span<const std::filesystem::path> profile_folders)
+    : folder_(std::move(settings_folder)) {
+  for (const std::string& id : device_profile_ids(profile_folders)) try {
+      profiles_.push_back(find_device_profile(id, profile_folders));
+    } catch (const InputError&) {
+      continue;
+    }
+  keep_timer_.setSingleShot(true);
+  connect(&keep_timer_, &QTimer::timeout, this, [this] { keep_settings(); });
+  clock_.start();
+}
+
+DeviceControl::~DeviceControl() {
+  if (keep_timer_.isActive()) keep_settings();
+}
+
+bool DeviceControl::mouse_leads() const {
+  return std::holds_alternative<MouseHolder>(holder_) ||
+         std::holds_alternative<SimulatedHolder>(holder_);
+}
+
+void DeviceControl::choose(const Holder& holder) {
+  chosen_ = true;
+  take(holder);
+}
+
+void DeviceControl::attach(Session* session) {
+  session_ = session;
+  if (!session_) return;
+  const Opened& opened = session_->opened();
+  of_scene_ = opened.servo;
+  const auto* path = std::get_if<PathHolder>(&holder_);
+  const bool without_path = path && path->file.empty() && opened.trajectory.empty();
+  if (without_path && report_error)
+    report_error(QStringLiteral("This scene has no recorded path: the mouse holds the probe."));
+  if (!chosen_ && opened.device)
+    take(SimulatedHolder{*opened.device});
+  else if (!chosen_ || without_path)
+    take(MouseHolder{});
+  else
+    take(Holder(holder_));
+}
+
+void DeviceControl::take(const Holder& holder) {
+  if (keep_timer_.isActive()) keep_settings();
+  const bool stays = same(holder, holder_) && input_;
+  holder_ = holder;
+  const auto* connected = std::get_if<ConnectedHolder>(&holder_);
+  if (!connected) input_.reset();
+  if (connected && !stays) {
+    input_ = std::make_shared<InputDevice>(connected->choice);
+    counted_ = 0;
+    reports_per_s_ = 0;
+  }
+  load_settings();
+  hold();
+  if (changed) changed();
+}
+
+/// Hands the probe of the session over.
+void DeviceControl::hold() {
+  if (!session_) return;
+  run_as_wanted();
+  if (input_) return session_->hold_by(input_, settings_);
+  if (const auto* path = std::get_if<PathHolder>(&holder_)) return hold_by_path(*path);
+  const auto* simulating = std::get_if<SimulatedHolder>(&holder_);
+  if (!simulating) return session_->hold_by_mouse();
+  try {
+    session_->hold_by(simulated(simulating->profile), settings_.scaling);
+  } catch (const std::invalid_argument& why) {
+    holder_ = MouseHolder{};
+    session_->hold_by_mouse();
+    if (report_error) report_error(QString::fromUtf8(why.what()));
+  }
+}
+
+void DeviceControl::hold_by_path(const PathHolder& path) {
+  session_->replay(path.file.empty() ? session_->opened().trajectory : *path.path);
+}
+
+ServoSettings DeviceControl::servo() const {
+  ServoSettings servo = of_scene_;
+  servo.rate_hz = settings_.rate_hz.value_or(servo.rate_hz);
+  servo.passivity.control = settings_.passivity_control.value_or(servo.passivity.control);
+  return servo;
+}
+
+void DeviceControl::run_as_wanted() {
+  const ServoSettings wanted = servo();
+  session_->set_rate(wanted.rate_hz);
+  session_->set_passivity_control(wanted.passivity.control);
+}
+
+std::filesystem::path DeviceControl::settings_file() const {
+  const std::string name = settings_name_of(holder_);
+  return name.empty() ? std::filesystem::path() : folder_ / name;
+}
+
+/// The scene's, where it sets any; else those kept; else the defaults.
+void DeviceControl::load_settings() {
+  settings_ = {};
+  damaged_ = false;
+  from_scene_ = session_ && session_->opened().device_settings;
+  if (from_scene_) {
+    settings_ = *session_->opened().device_settings;
+    return;
+  }
+  const std::filesystem::path file = settings_file();
+  std::error_code none;
+  if (file.empty() || !std::filesystem::exists(file, none)) return;
+  try {
+    settings_ = read_device_settings(file);
+  } catch (const InputError& bad) {
+    damaged_ = true;
+    if (report_error) report_error(QString::fromUtf8(bad.what()));
+  }
+}
+
+void DeviceControl::set_settings(const DeviceSettings& settings) {
+  const double rate_before = servo().rate_hz;
+  settings_ = settings;
+  if (session_) {
+    session_->set_device_settings(settings_);
+    run_as_wanted();
+  }
+  // A simulated device is made for one rate.
+  if (servo().rate_hz != rate_before && std::holds_alternative<SimulatedHolder>(holder_)) hold();
+  if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
+  if (changed) changed();
+}
+
+void DeviceControl::keep_settings() {
+  keep_timer_.stop();
+  if (settings_file().empty()) return;  // what had them has gone
+  try {
+    std::filesystem::create_directories(folder_);
+    // Somebody's own work with a slip in it: put aside, not lost.
+    if (std::exchange(damaged_, false))
+      std::filesystem::rename(settings_file(), settings_file().string() + ".bad");
+    write_whole(settings_file(), device_settings_text(settings_));
+  } catch (const std::exception& why) {
+    // Once: the next change of a slider would say the same.
+    if (!std::exchange(keeping_failed_, true) && report_error)
+      report_error(QString::fromUtf8(why.what()));
+  }
+}
+
+void DeviceControl::set_led(bool on) {
+  if (input_) input_->set_led(on);
+}
+
+void DeviceControl::frame(const Quat& q_FV) {
+  if (!session_) return;
+  session_->set_view(q_FV);
+  session_->sweep();
+}
+
+std::vector<Holder> DeviceControl::choices() const {
+  std::vector<Holder> all{MouseHolder{}};
+  if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathHolder{});
+  for (const DeviceProfile& profile : profiles_) all.emplace_back(SimulatedHolder{profile});
+  for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(holder_of(device.info));
+  if (std::ranges::none_of(all, [this](const Holder& h) { return same(h, holder_); }))
+    all.push_back(holder_);
+  return all;
+}
+
+HolderReport DeviceControl::report() {
+  HolderReport report;
+  if (input_) report.device = input_->status();
+  // Plugged in again it may have another node.
+  if (auto* connected = std::get_if<ConnectedHolder>(&holder_))
+    if (!report.device.path.empty()) connected->choice.path = report.device.path;
+  const qint64 since = clock_.elapsed() - counted_at_;
+  if (since >= count_ms) {
+    reports_per_s_ = double(report.device.reports - counted_) * 1000 / double(since);
+    counted_ = report.device.reports;
+    counted_at_ += since;
+  }
+  report.reports_per_s = reports_per_s_;
+  report.clutch_open = session_ && session_->clutch_open();
+  return report;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/devices/device_settings.hpp"
+#include "engine/devices/device_watch.hpp"
+#include "engine/haptics/loop/servo.hpp"
+#include "ui/devices/holder.hpp"
+
+namespace sonde::ui {
+
+class Session;
+
+/// How what holds the probe is doing, for people to read.
+struct HolderReport {
+  DeviceStatus device;       ///< of a connected one
+  double reports_per_s = 0;  ///< measured, over about a second
+  bool clutch_open = false;
+};
+
+/// What holds the probe of whatever session is open: the choice of a device, its connection, and
+/// its settings, which are kept in a file for each device.
+class DeviceControl : public QObject {
+ public:
+  /// Profiles that cannot be read are left out; asked for by name, they say why.
+  DeviceControl(std::filesystem::path settings_folder,
+                std::span<const std::filesystem::path> profile_folders);
+  ~DeviceControl() override;  ///< keeps what is not kept yet
+
+  /// From now on, whatever scene is opened. Before any choice, a scene's own device or the mouse.
+  void choose(const Holder& holder);
+  const Holder& holder() const { return holder_; }
+  bool mouse_leads() const;  ///< the mouse moves the probe, or the hand on a simulated device
+
+  /// Another session was opened, and the one before has gone; null for none.
+  void attach(Session* session);
+
+  const DeviceSettings& settings() const { return settings_; }
+  /// The scene brings them: they and all changes to them last until another is opened, and what is
+  /// kept for the device stays as it is.
+  bool settings_from_scene() const { return from_scene_; }
+  /// Acts at once; kept for the device a moment later, unless the scene brings its own.
+  void set_settings(const DeviceSettings& settings);
+  void set_led(bool on);
+  /// What runs now: the device's wish, else the scene's.
+  ServoSettings servo() const;
+
+  /// With each frame: the way the picture is seen goes to the device.
+  void frame(const Quat& q_FV);
+  HolderReport report();
+  /// What could hold the probe: the mouse, the scene's path, each device profile, whatever is
+  /// connected, and what holds it now.
+  std::vector<Holder> choices() const;
+
+  /// Another holder, or other settings than those last shown.
+  std::function<void()> changed;
+  /// Settings that could not be read or kept, a device that cannot be simulated.
+  std::function<void(const QString& reason)> report_error;
+
+ private:
+  void take(const Holder& holder);
+  void hold();
+  void hold_by_path(const PathHolder& path);
+  void run_as_wanted();
+  void load_settings();
+  void keep_settings();
+  std::filesystem::path settings_file() const;
+
+  std::filesystem::path folder_;
+  std::vector<DeviceProfile> profiles_;
+  DeviceWatch watch_;
+  Session* session_ = nullptr;
+  ServoSettings of_scene_;  ///< the loop's, as the session brought them
+  bool chosen_ = false;
+  Holder holder_;
+  std::shared_ptr<InputDevice> input_;  ///< of a connected device
+  DeviceSettings settings_;
+  bool from_scene_ = false;
+  bool damaged_ = false;  ///< there is a file of settings, which cannot be read
+  QTimer keep_timer_;
+  bool keeping_failed_ = false;
+  QElapsedTimer clock_;
+  qint64 counted_at_ = 0;
+  std::uint64_t counted_ = 0;
+  double reports_per_s_ = 0;
+};
+
+}  // namespace sonde::ui

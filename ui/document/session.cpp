@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "engine/devices/device_hand.hpp"
+#include "engine/haptics/hand/direct_hand.hpp"
+#include "engine/haptics/hand/simulated_hand.hpp"
+#include "engine/scene/path_hand.hpp"
+
+namespace sonde::ui {
+
+namespace {
+
+/// One that somebody else made.
+class OtherHand {
+ public:
+  explicit OtherHand(std::shared_ptr<const Hand> made) : made_(std::move(made)) {}
+  Hand hand() const { return *made_; }
+
+ private:
+  std::shared_ptr<const Hand> made_;
+};
+
+}  // namespace
+
+/// A hand with what it is made of.
+struct Session::Holding {
+  template <class Kind, class... Arguments>
+  explicit Holding(std::in_place_type_t<Kind> kind, Arguments&&... arguments)
+      : by(kind, std::forward<Arguments>(arguments)...), hand(std::get<Kind>(by).hand()) {}
+
+  DirectHand* direct() { return std::get_if<DirectHand>(&by); }
+  SimulatedHand* simulated() { return std::get_if<SimulatedHand>(&by); }
+  DeviceHand* device() { return std::get_if<DeviceHand>(&by); }
+
+  std::variant<DirectHand, SimulatedHand, DeviceHand, PathHand, OtherHand> by;
+  const Hand hand;
+};
+
+namespace {
+
+/// A pointer to the hand that owns all of it.
+template <class Holding>
+std::shared_ptr<const Hand> hand_of(const std::shared_ptr<Holding>& holding) {
+  return {holding, &holding->hand};
+}
+
+}  // namespace
+
+Session::Session(Opened opened)
+    : opened_(std::move(opened)),
+      target_(opened_.here.value_or(opened_.start)),
+      coupling_(opened_.coupling),
+      companion_(opened_.pair),
+      holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
+      hands_(hand_of(holding_)),
+      servo_(opened_.pair, Method::pdg, coupling_, opened_.servo) {
+  servo_.start(target_, hands_.hand());
+}
+
+Session::~Session() = default;
+
+Pose Session::probe_pose() {
+  const Snapshot* now = servo_.latest();
+  return now ? now->separation.device : target_;
+}
+
+void Session::hold(std::shared_ptr<Holding> holding) {
+  holding_ = std::move(holding);
+  hands_.set(hand_of(holding_));
+}
+
+void Session::hold_by_mouse() {
+  target_ = probe_pose();
+  hold(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_));
+}
+
+void Session::hold_by(const SimulatedDeviceParameters& device, double scaling) {
+  target_ = probe_pose();
+  hold(std::make_shared<Holding>(std::in_place_type<SimulatedHand>, device,
+                                 1 / opened_.servo.rate_hz, scaling, probe().mass.com, target_));
+}
+
+void Session::hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings) {
+  hold(std::make_shared<Holding>(std::in_place_type<DeviceHand>, std::move(device), settings,
+                                 probe().mass.com, probe_pose()));
+  holding_->device()->set_view(q_FV_);
+}
+
+void Session::hold_by(std::shared_ptr<const Hand> hand) {
+  hold(std::make_shared<Holding>(std::in_place_type<OtherHand>, std::move(hand)));
+}
+
+void Session::replay(std::vector<TimedPose> path) {
+  path_ = std::move(path);
+  hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, probe_pose()));
+}
+
+void Session::set_rate(double rate_hz) {
+  opened_.servo.rate_hz = rate_hz;
+  servo_.set_rate(rate_hz);
+}
+
+void Session::set_passivity_control(bool on) {
+  opened_.servo.passivity.control = on;
+  servo_.set_passivity_control(on);
+}
+
+void Session::set_device_settings(const DeviceSettings& settings) {
+  if (DeviceHand* device = holding_->device()) device->set_settings(settings);
+  if (SimulatedHand* simulated = holding_->simulated()) simulated->set_scaling(settings.scaling);
+}
+
+void Session::set_view(const Quat& q_FV) {
+  if (q_FV_.coeffs() == q_FV.coeffs()) return;
+  q_FV_ = q_FV;
+  if (DeviceHand* device = holding_->device()) device->set_view(q_FV);
+}
+
+bool Session::clutch_open() const {
+  const DeviceHand* device = holding_->device();
+  return device && device->clutch_open();
+}
+
+Pose Session::device_pose() {
+  return holding_->direct() || holding_->simulated() ? target_ : probe_pose();
+}
+
+void Session::set_device_pose(const Pose& X_FM) {
+  target_ = X_FM;
+  if (DirectHand* direct = holding_->direct()) direct->set_target(X_FM);
+  if (SimulatedHand* simulated = holding_->simulated()) simulated->set_target(X_FM);
+}
+
+void Session::set_coupling(const Coupling& coupling) {
+  coupling_ = coupling;
+  servo_.set_coupling(coupling);
+}
+
+void Session::set_force(bool on) {
+  force_on_ = on;
+  servo_.set_force(on);
+}
+
+void Session::set_paused(bool paused) {
+  paused_ = paused;
+  hands_.set_paused(paused);
+  servo_.set_paused(paused);
+}
+
+void Session::place(const Pose& X_FM) {
+  servo_.stop();
+  set_device_pose(X_FM);
+  if (SimulatedHand* simulated = holding_->simulated()) simulated->place(X_FM);
+  if (DeviceHand* device = holding_->device()) device->place(X_FM);
+  if (std::holds_alternative<PathHand>(holding_->by))
+    hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, X_FM));
+  servo_.start(X_FM, hands_.hand());
+  servo_.set_coupling(coupling_);
+  set_paused(false);
+}
+
+}  // namespace sonde::ui

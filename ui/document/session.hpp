@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/devices/device_settings.hpp"
+#include "engine/devices/input_device.hpp"
+#include "engine/haptics/hand/hand_switch.hpp"
+#include "engine/haptics/hand/simulated_device.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
+#include "ui/document/opening.hpp"
+
+namespace sonde::ui {
+
+/// What is open: two bodies, the servo that runs on them, the hand that holds the probe, and the
+/// gains. Made in a worker thread (the start may search) and then used from the window's thread
+/// alone.
+class Session {
+ public:
+  /// The mouse holds the probe.
+  explicit Session(Opened opened);
+  ~Session();
+
+  const Opened& opened() const { return opened_; }
+  const Body& probe() const { return opened_.pair.probe(); }
+  const Body& fixed() const { return opened_.pair.fixed(); }
+
+  /// The newest snapshot, valid until the next call; null before the first tick.
+  const Snapshot* latest() { return servo_.latest(); }
+
+  /// The deadlines so far, valid until the next call.
+  const ServoTiming& timing() { return servo_.timing(); }
+
+  /// Every tick in its order; false where there is none left. See Servo::next_tick.
+  bool next_tick(Snapshot& out) { return servo_.next_tick(out); }
+
+  /// Of those, how many were dropped because they were fetched too late.
+  std::uint64_t ticks_dropped() const { return servo_.ticks_dropped(); }
+
+  /// What holds the probe from now on; it takes over where the probe is, so that nothing jumps.
+  void hold_by_mouse();
+  /// A simulated device, in a hand that goes where the mouse wants the probe. Throws
+  /// std::invalid_argument where such a device cannot be simulated at this rate.
+  void hold_by(const SimulatedDeviceParameters& device, double scaling);
+  void hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings);
+  /// Any other hand.
+  void hold_by(std::shared_ptr<const Hand> hand);
+  /// A recorded path, from its beginning; not an empty one.
+  void replay(std::vector<TimedPose> path);
+  void set_device_settings(const DeviceSettings& settings);
+  /// The axes of the picture, for devices that go by them: x right, y up, z to the eye.
+  void set_view(const Quat& q_FV);
+  /// A button of the device holds the clutch open: the probe stays.
+  bool clutch_open() const;
+  /// Lets go of hands that were replaced. To be called now and then.
+  void sweep() { hands_.sweep(); }
+
+  /// Where the probe is wanted: by the mouse, or else where the device has it. X_FM.
+  Pose device_pose();
+  /// By the mouse. Nothing, where something else holds the probe.
+  void set_device_pose(const Pose& X_FM);
+
+  /// From the next tick on. opened().servo says what runs now. A simulated device is made for one
+  /// rate: it is to be held again.
+  void set_rate(double rate_hz);
+  void set_passivity_control(bool on);
+
+  const Coupling& coupling() const { return coupling_; }
+  void set_coupling(const Coupling& coupling);
+
+  /// False: no force on the hand from the next tick on, whatever the contact.
+  bool force_on() const { return force_on_; }
+  void set_force(bool on);
+
+  bool paused() const { return paused_; }
+  void set_paused(bool paused);
+
+  /// The probe goes back to its start; see place(). What was searched there the first time is not
+  /// searched again.
+  void reset() { place(opened_.start); }
+  /// The probe goes to that pose at once, and the servo starts afresh there: following it on a path
+  /// swept free could leave the separated pose behind an obstacle.
+  void place(const Pose& X_FM);
+  /// Where reset() leads from now on.
+  void set_start(const Pose& X_FM) { opened_.start = X_FM; }
+
+  /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
+  void ask_companion(const Pose& X_FM) { companion_.request(X_FM); }
+  std::optional<CompanionResult> companion() { return companion_.latest(); }
+
+ private:
+  struct Holding;
+  void hold(std::shared_ptr<Holding> holding);
+  Pose probe_pose();
+
+  Opened opened_;
+  Pose target_;                  ///< X_FM where the mouse wants the probe
+  std::vector<TimedPose> path_;  ///< the last one replayed
+  Quat q_FV_ = Quat::Identity();
+  Coupling coupling_;
+  bool force_on_ = true;
+  bool paused_ = false;
+  Companion companion_;
+  std::shared_ptr<Holding> holding_;
+  HandSwitch hands_;
+  Servo servo_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde::ui {
+
+/// Where a scene is looked at from that says nothing about it: towards the eye, with z up, a little
+/// above, from the front left.
+inline Vec3 default_view_direction() { return Vec3(-0.45, -1, 0.55).normalized(); }
+
+}  // namespace sonde::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "engine/scene/scene.hpp"
+
+namespace sonde::ui {
+
+void declare_command_line(CLI::App& app, Arguments& arguments) {
+  app.name("sonde-view");
+  app.description("Feel how two polygon soups touch: the desktop program.");
+  app.set_version_flag("--version", SONDE_VERSION);
+  app.add_option("files", arguments.files,
+                 "A scene (NAME.sonde.json), or two meshes: the probe and the fixed body")
+      ->type_name("SCENE | PROBE FIXED")
+      ->expected(0, 2);
+  app.add_option_function<std::string>(
+         "--unit", [&](const std::string& unit) { arguments.unit = unit_in_metres(unit); },
+         "Unit of two meshes: m, cm, mm, um, in or ft")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}));
+  app.add_option(
+         "--device", arguments.device,
+         "What holds the probe: a device profile's id (simulated), a connected device's "
+         "name or ids, a path (a profile.json, a recorded path.csv, /dev/hidrawN), auto (the "
+         "first that opens, else the mouse), mouse, or path (the scene's recorded one)")
+      ->type_name("NAME | PATH | auto");
+  auto* picture = app.add_option("--screenshot", arguments.screenshot,
+                                 "Write a picture of the window (PNG), then end")
+                      ->type_name("FILE");
+  app.add_option("--demo", arguments.demo,
+                 "Play the scene's trajectory, write a picture of its deepest pose, then end")
+      ->type_name("PICTURE")
+      ->excludes(picture);
+  app.footer("With no files: a page to begin from; for a picture, the scene spoon-in-cup.");
+}
+
+Parsed parse_arguments(int argc, char** argv) {
+  Parsed parsed;
+  Arguments& arguments = parsed.arguments;
+  CLI::App app;
+  declare_command_line(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    parsed.exit_code = app.exit(error) == 0 ? 0 : 2;
+    return parsed;
+  }
+  if (app.count("--device") > 0 && arguments.device.empty()) {
+    std::cerr << "sonde-view: --device wants a name, a path or auto\n";
+    parsed.exit_code = 2;
+  }
+  if (arguments.files.size() == 1 && arguments.unit) {
+    std::cerr << "sonde-view: --unit is for two meshes; a scene says its own\n";
+    parsed.exit_code = 2;
+  }
+  return parsed;
+}
+
+}  // namespace sonde::ui

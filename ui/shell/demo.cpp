@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/demo.hpp"
+
+#include <QImage>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "engine/scene/path_hand.hpp"
+#include "ui/shell/main_window.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int step_ms = 4;
+constexpr double back_seconds = 0.9;
+constexpr double numbers_seconds = 0.4;
+constexpr double rest_at_most = 6;  // for PD_t of the last pose
+constexpr double least_lit = 0.01;
+
+/// With no trajectory: from the start straight towards the fixed body's centre, a third of the way
+/// past where the two balls round the bodies would meet.
+std::vector<TimedPose> path_inwards(const Session& session) {
+  const Pose from = session.opened().start;
+  const Vec3 com = from * session.probe().mass.com;
+  const Vec3 way = session.fixed().mass.com - com;
+  Pose to = from;
+  to.p += 0.75 * way;
+  return {{0, from}, {1, to}};
+}
+
+}  // namespace
+
+double lit_share(const QImage& picture) {
+  if (picture.isNull()) return 0;
+  const QImage image = picture.convertToFormat(QImage::Format_RGB32);
+  std::size_t lit = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    for (int x = 0; x < image.width(); ++x) {
+      const int off = std::abs(qRed(line[x]) - qRed(line[0])) +
+                      std::abs(qGreen(line[x]) - qGreen(line[0])) +
+                      std::abs(qBlue(line[x]) - qBlue(line[0]));
+      lit += off > 24;
+    }
+  }
+  return double(lit) / (double(image.width()) * image.height());
+}
+
+Demo::Demo(MainWindow& window, std::string picture)
+    : window_(window), picture_(std::move(picture)) {
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] { step(); });
+}
+
+void Demo::play() {
+  path_ = window_.session()->opened().trajectory;
+  if (path_.size() < 2) path_ = path_inwards(*window_.session());
+  frames_at_start_ = window_.frames();
+  begin(Act::forward);
+  timer_.start(step_ms);
+}
+
+void Demo::begin(Act act) {
+  act_ = act;
+  clock_.start();
+}
+
+Pose Demo::at(double place) const {
+  return pose_at(path_, path_.front().t + place * (path_.back().t - path_.front().t));
+}
+
+void Demo::step() {
+  const double seconds = double(clock_.elapsed()) / 1000;
+  switch (act_) {
+    case Act::forward:
+      return forward(seconds);
+    case Act::back:
+      return back(seconds);
+    case Act::rest:
+      return rest(seconds);
+  }
+}
+
+/// Remembers where along the path the depth was largest.
+void Demo::watch(double place) {
+  const Snapshot* now = window_.session()->latest();
+  if (!now || now->separation.status != Status::penetrating) return;
+  if (!(now->separation.depth > deepest_)) return;
+  deepest_ = now->separation.depth;
+  deepest_place_ = place;
+}
+
+void Demo::forward(double seconds) {
+  const double place = std::min(seconds / forward_seconds_, 1.0);
+  window_.set_device_pose(at(place));
+  watch(place);
+  if (place < 1) return;
+  motion_seconds_ += seconds;
+  begin(Act::back);
+}
+
+void Demo::back(double seconds) {
+  const double part = std::min(seconds / back_seconds, 1.0);
+  window_.set_device_pose(at(1 + part * (deepest_place_ - 1)));
+  if (part < 1) return;
+  motion_seconds_ += seconds;
+  window_.viewport().fit();  // the path may have begun far away
+  frames_per_second_ = double(window_.frames() - frames_at_start_) / motion_seconds_;
+  begin(Act::rest);
+}
+
+void Demo::rest(double seconds) {
+  const auto& companion = window_.companion();
+  const bool caught_up =
+      companion && window_.shown() && companion->device.p == window_.shown()->separation.device.p &&
+      companion->device.q.coeffs() == window_.shown()->separation.device.q.coeffs();
+  if (!caught_up) caught_up_at_ = seconds;
+  // Then a moment for the numbers to be written.
+  if (seconds < std::min(caught_up_at_ + numbers_seconds, rest_at_most)) return;
+  timer_.stop();
+  const int code = finish();
+  if (ended) ended(code);
+}
+
+int Demo::finish() {
+  if (!window_.shown() || lit_share(window_.viewport().picture()) < least_lit) {
+    std::fprintf(stderr, "sonde-view: nothing was drawn\n");
+    return 4;
+  }
+  if (!window_.save_picture(QString::fromStdString(picture_))) return 3;
+  const Snapshot& s = *window_.shown();
+  std::printf("%s\n", picture_.c_str());
+  std::printf("depth held %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
+              s.separation.translation, s.separation.rotation);
+  if (const auto& c = window_.companion()) {
+    if (c->nearest) std::printf("nearest way out %.4g m, ", c->nearest->depth);
+    if (c->pdt) std::printf("PD_t %.4g m, ", c->pdt->depth);
+    if (c->lower_bound) std::printf("lower bound %.4g m, ", *c->lower_bound);
+  }
+  std::printf("|F| %.3g N, |tau| %.3g N·m, tick %.0f us, servo %.0f Hz, %.0f frames/s\n",
+              s.wrench.force.norm(), s.wrench.torque.norm(), s.tick_us, s.rate_hz,
+              frames_per_second_);
+  if (const auto& c = window_.companion())
+    if (const char* way = words(way_out(s.separation, *c)); *way != 0) std::printf("%s\n", way);
+  std::fflush(stdout);
+  return 0;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/force_log.hpp"
+
+#include <QLoggingCategory>
+
+namespace sonde::ui {
+namespace {
+
+Q_LOGGING_CATEGORY(force, "sonde.force")
+
+constexpr double readable = 4;  // s
+/// s: the force fades with a time of 0.05 s, and what is over sooner is not felt as none.
+constexpr double brief = 0.02;
+
+bool is_fault(Withheld why) {
+  return why == Withheld::untrusted || why == Withheld::not_finite || why == Withheld::failed ||
+         why == Withheld::stalled || why == Withheld::unsettled || why == Withheld::diverged;
+}
+
+}  // namespace
+
+QString ForceLog::add(const Snapshot& tick) {
+  if (tick.time < time_) *this = ForceLog{};
+  time_ = tick.time;
+  const Withheld why = tick.hand.withheld;
+  if (why != Withheld::unsettled) settled_time_ = tick.time;
+  if (why == Withheld::unsettled && tick.time - settled_time_ < brief) return {};
+  if (is_fault(why)) {
+    fault_ = why;
+    fault_time_ = tick.time;
+  }
+  if (why == now_) return {};
+  now_ = why;
+  const QString at = QString::number(tick.time, 'f', 3);
+  if (why == Withheld::nothing) {
+    QString line = at + QStringLiteral(" s: the force may come in again");
+    qCInfo(force).noquote() << line;
+    return line;
+  }
+  QString line = at + QStringLiteral(" s: no force: ") + QString::fromUtf8(words(why));
+  qCWarning(force).noquote() << line;
+  return line;
+}
+
+void ForceLog::end() {
+  if (time_ > 0)
+    qCWarning(force).noquote() << QString::number(time_, 'f', 3) +
+                                      QStringLiteral(" s: no force: ") +
+                                      QString::fromUtf8(words(Withheld::shut_down));
+  *this = ForceLog{};
+}
+
+QString ForceLog::recent(double time) const {
+  if (fault_ == Withheld::nothing || time < fault_time_ || time - fault_time_ > readable) return {};
+  return QStringLiteral("No force %1 s ago: %2.")
+      .arg(time - fault_time_, 0, 'f', 1)
+      .arg(QString::fromUtf8(words(fault_)));
+}
+
+}  // namespace sonde::ui

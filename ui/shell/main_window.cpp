@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/main_window.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QImage>
+#include <QLabel>
+#include <QMimeData>
+#include <QPixmap>
+#include <QSaveFile>
+#include <QScreen>
+#include <QSettings>
+#include <QStatusBar>
+#include <QUrl>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "ui/actions/document_control.hpp"
+#include "ui/actions/meshes_dialog.hpp"
+#include "ui/actions/opener.hpp"
+#include "ui/actions/stiffness_control.hpp"
+#include "ui/base/elided_label.hpp"
+#include "ui/base/format.hpp"
+#include "ui/base/resources.hpp"
+#include "ui/devices/device_control.hpp"
+#include "ui/devices/mouse_probe.hpp"
+#include "ui/panels/coupling_panel.hpp"
+#include "ui/panels/device_panel.hpp"
+#include "ui/panels/log_panel.hpp"
+#include "ui/panels/pose_panel.hpp"
+#include "ui/panels/readout_panel.hpp"
+#include "ui/panels/stiffness_panel.hpp"
+#include "ui/shell/menus.hpp"
+#include "ui/shell/start_page.hpp"
+#include "ui/shell/status_text.hpp"
+#include "ui/shell/timing_text.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int frame_ms = 16;
+constexpr qint64 numbers_ms = 120;    // faster than that nobody reads
+constexpr qint64 companion_ms = 100;  // it shares the machine with the servo
+constexpr double swing_seconds = 1.6;
+
+bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
+
+/// Would the picture of b look like that of a?
+bool same_picture(const Snapshot& a, const Snapshot& b) {
+  return a.separation.status == b.separation.status &&
+         same(a.separation.device, b.separation.device) &&
+         same(a.separation.separated, b.separation.separated) && a.wrench.force == b.wrench.force &&
+         a.wrench.torque == b.wrench.torque && a.paused == b.paused;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      prompts_(dialogs(*this)),
+      opener_(std::make_unique<Opener>(*this, prompts_)),
+      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, document_view())),
+      viewport_(new Viewport(this)),
+      mouse_(new MouseProbe(*viewport_, this)),
+      coupling_panel_(new CouplingPanel(documents_->document().stack(), this)),
+      readout_(new ReadoutPanel(this)),
+      log_(new LogPanel(this)),
+      pose_panel_(new PosePanel(this)),
+      start_page_(new StartPage(viewport_)),
+      devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
+      device_panel_(new DevicePanel(this)),
+      stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
+                                      documents_->document().stack(), prompts_, *this)),
+      what_happens_(new ElidedLabel(this)),
+      device_status_(new QLabel(this)),
+      rates_(new QLabel(this)),
+      escape_([this] { set_force(false); }) {
+  setObjectName(QStringLiteral("main_window"));
+  setWindowTitle(QStringLiteral("Sonde"));
+  setAcceptDrops(true);
+  setCentralWidget(viewport_);
+  addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
+  tabifyDockWidget(coupling_panel_, device_panel_);
+  tabifyDockWidget(coupling_panel_, pose_panel_);
+  start_page_->hide();
+  coupling_panel_->raise();
+  addDockWidget(Qt::RightDockWidgetArea, readout_);
+  tabifyDockWidget(readout_, &stiffness_->panel());
+  readout_->raise();
+  addDockWidget(Qt::BottomDockWidgetArea, log_);
+  log_->hide();
+  connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
+  what_happens_->setObjectName(QStringLiteral("what_happens"));
+  rates_->setObjectName(QStringLiteral("rates"));
+  device_status_->setObjectName(QStringLiteral("device_status"));
+  device_status_->setTextFormat(Qt::PlainText);  // a device names itself
+  statusBar()->addWidget(what_happens_, 1);
+  statusBar()->addPermanentWidget(device_status_);
+  statusBar()->addPermanentWidget(rates_);
+  add_menus(*this);
+  mouse_->moved = [this](const Pose& pose) {
+    if (session()) session()->set_device_pose(pose);
+  };
+  coupling_panel_->changed = [this](const Coupling& coupling) {
+    if (session()) session()->set_coupling(coupling);
+    documents_->set_coupling(coupling);
+    readout_->set_coupling(coupling);
+    viewport_->set_coupling(coupling);
+    stiffness_->show_gains(coupling);
+  };
+  coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  mouse_->settled = [this](const Pose& before, bool one_of_many) {
+    documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
+                           one_of_many);
+  };
+  connect_devices();
+  connect_documents();
+  stiffness_->ticked = [this](const Snapshot& tick) { log_->add(force_log_.add(tick)); };
+  stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
+  opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
+  opener_->failed = [this](const QString& reason) {
+    log_->add(reason);
+    emit open_failed(reason);
+  };
+  connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
+  frame_timer_.setTimerType(Qt::PreciseTimer);
+  frame_timer_.start(frame_ms);
+  clock_.start();
+  restore_window();
+  viewport_->canvas()->setFocus();
+}
+
+MainWindow::~MainWindow() {
+  documents_->changed = nullptr;  // what goes now is not shown any more
+  force_log_.end();               // the session ends with the window
+}
+
+void MainWindow::connect_devices() {
+  devices_->changed = [this] { show_holder(); };
+  devices_->report_error = [this](const QString& reason) { complain(reason); };
+  device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
+  device_panel_->path_wanted = [this] { ask_path(); };
+  device_panel_->settings_changed = [this](const DeviceSettings& settings) {
+    documents_->set_device_settings(settings);
+  };
+  device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+DocumentView MainWindow::document_view() {
+  return {.session = [this] { return session(); },
+          .show = [this](Stage stage, bool same) { show_stage(std::move(stage), same); },
+          .empty = [this] { show_nothing(); },
+          .place = [this](const Pose& pose) { place(pose); },
+          .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
+          .show_device_settings =
+              [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
+          .camera = [this] { return viewport_->place(); },
+          .look = [this](const CameraPlace& place) { viewport_->look(place); },
+          .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
+}
+
+void MainWindow::connect_documents() {
+  DocumentControl* documents = documents_.get();
+  documents->changed = [this] { show_document(); };
+  pose_panel_->placed = [documents](const Pose& pose) {
+    documents->place(pose, QStringLiteral("Place the probe"));
+  };
+  pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
+  pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
+  pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
+  pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
+  start_page_->scene_wanted = [documents] { documents->ask_scene(); };
+  start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
+  start_page_->chosen = [this](const QStringList& files) { open(files); };
+}
+
+void MainWindow::show_document() {
+  Document& document = documents_->document();
+  const QString name = QString::fromStdString(document.content().scene.name);
+  setWindowTitle(document.empty() ? QStringLiteral("Sonde")
+                                  : QStringLiteral("%1[*] – Sonde").arg(name));
+  setWindowModified(document.modified());
+}
+
+/// What a box says is gone with the box.
+void MainWindow::complain(const QString& reason) {
+  log_->add(reason);
+  prompts_.report_error(reason);
+}
+
+/// The first window leaves room for its frame and for the desktop's own bars.
+void MainWindow::restore_window() {
+  constexpr double part = 0.9;
+  resize((QApplication::primaryScreen()->availableSize() * part).boundedTo({1440, 900}));
+  resizeDocks({coupling_panel_, readout_}, {300, 345}, Qt::Horizontal);
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("docks")).toByteArray());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!documents_->may_leave()) return event->ignore();
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("docks"), saveState());
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::open(const QStringList& files, std::optional<double> unit) {
+  statusBar()->showMessage(QStringLiteral("Opening %1 …").arg(QFileInfo(files.value(0)).fileName()),
+                           4000);
+  documents_->open(files, unit);
+}
+
+void MainWindow::ask_path() {
+  const QString file = prompts_.ask_path();
+  if (!file.isEmpty()) try {
+      remember_folder_of(file);
+      devices_->choose(path_holder(file.toStdString()));
+    } catch (const InputError& bad) {
+      complain(QString::fromUtf8(bad.what()));
+    }
+  show_device();
+}
+
+void MainWindow::show_start_page() { start_page_->present(); }
+
+void MainWindow::show_nothing() {
+  devices_->attach(nullptr);
+  stiffness_->attach(nullptr);
+  force_log_.end();
+  shown_.reset();
+  companion_.reset();
+  stage_ = {};
+  show_start_page();
+}
+
+void MainWindow::show_stage(Stage stage, bool same_document) {
+  statusBar()->clearMessage();
+  start_page_->hide();
+  stage_ = std::move(stage);
+  force_log_.end();
+  Session& now = *stage_.session;
+  now.set_force(force_);  // what Esc took away stays away
+  shown_.reset();
+  companion_.reset();
+  viewport_->show_stage(stage_, same_document);
+  if (same_document)
+    coupling_panel_->apply(documents_->document().content().scene.coupling);
+  else
+    documents_->opened(now), coupling_panel_->take(now.coupling());
+  stiffness_->attach(session(), same_document);
+  // Last: it may have something to report, and a frame be drawn meanwhile.
+  devices_->attach(session());
+  const Session& open = *session();  // by now it may be another
+  readout_->set_coupling(open.coupling());
+  readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
+  const QString name = QString::fromStdString(open.opened().name);
+  pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
+  log_->add(
+      QStringLiteral("Opened %1.   %2").arg(name, natures(session()->probe(), session()->fixed())));
+  // As it is by now: that may have taken a while, and Esc works meanwhile.
+  emit paused_changed(session()->paused());
+  emit force_changed(session()->force_on());
+  on_frame();
+  emit opened();
+}
+
+void MainWindow::show_device_dock() {
+  device_panel_->show();
+  device_panel_->raise();
+}
+
+/// What holds the probe, or how, has changed: the mouse begins where the probe is.
+void MainWindow::show_holder() {
+  if (session()) mouse_->take(session()->probe().mass, session()->device_pose());
+  device_panel_->show_choices(devices_->choices(), devices_->holder());
+  device_panel_->show_settings(devices_->holder(), devices_->settings(),
+                               devices_->settings_from_scene());
+  device_panel_->show_servo(devices_->servo());
+  const auto* simulating = std::get_if<SimulatedHolder>(&devices_->holder());
+  stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
+  show_device();
+}
+
+void MainWindow::set_device_pose(const Pose& X_FM) {
+  if (!session()) return;
+  session()->set_device_pose(X_FM);
+  mouse_->take(session()->probe().mass, X_FM);
+}
+
+void MainWindow::set_paused(bool paused) {
+  if (session()) session()->set_paused(paused);
+  emit paused_changed(session() && paused);
+}
+
+void MainWindow::set_force(bool on) {
+  force_ = on;  // also while the first pair is being read
+  if (session()) session()->set_force(on);
+  emit force_changed(on);
+}
+
+void MainWindow::reset() {
+  if (!session()) return;
+  const Pose before = session()->device_pose();
+  place(session()->opened().start);
+  documents_->moved_from(before, QStringLiteral("Reset"), false);
+}
+
+void MainWindow::place(const Pose& X_FM) {
+  force_log_.end();
+  session()->place(X_FM);
+  mouse_->take(session()->probe().mass, X_FM);
+  shown_.reset();
+  emit paused_changed(false);
+}
+
+void MainWindow::on_frame() {
+  const ViewAxes view = viewport_->camera().axes();
+  Mat3 R_FV;
+  R_FV << view.right, view.up, view.towards;
+  devices_->frame(Quat(R_FV));
+  if (clock_.elapsed() >= device_due_) show_device();
+  if (!session()) return;
+  stiffness_->frame(clock_.elapsed());
+  draw_if_changed();
+  ++rate_frames_;
+  if (!shown_) return;
+  const qint64 now = clock_.elapsed();
+  ask_companion();
+  if (now >= numbers_due_) {
+    numbers_due_ = now + numbers_ms;
+    show_numbers();
+  }
+}
+
+void MainWindow::draw_if_changed() {
+  const Snapshot* newest = session()->latest();
+  if (!newest) return;
+  Snapshot next = *newest;
+  next.paused = session()->paused();
+  const bool changed = !shown_ || !same_picture(*shown_, next);
+  shown_ = next;
+  readout_->sample(next);
+  const bool swings = swing_ && next.separation.status == Status::penetrating;
+  if (!changed && !swings && !viewport_->dirty()) return;
+  const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
+  const double swing = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
+  const bool known = companion_ && same(companion_->device, next.separation.device);
+  viewport_->draw(next, swing, known ? &*companion_ : nullptr);
+  ++frames_;
+}
+
+/// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown. As
+/// long as the probe moves, for a tenth of the time: the servo and the picture need the machine.
+void MainWindow::ask_companion() {
+  if (!readout_->isVisible() || session()->paused()) return;
+  const qint64 now = clock_.elapsed();
+  const Pose& device = shown_->separation.device;
+  if (!same(device, companion_pose_)) {
+    companion_pose_ = device;
+    rest_since_ = now;
+  }
+  if (const auto result = session()->companion()) {
+    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
+    if (drawn && !(companion_ && same(companion_->device, result->device))) viewport_->invalidate();
+    companion_ = result;
+    companion_due_ = companion_asked_ + std::max(companion_ms, qint64(1e-2 * result->time_us));
+  }
+  const bool rests = now - rest_since_ > companion_ms && !same(device, asked_pose_);
+  if (!rests && now < companion_due_) return;
+  if (companion_ && same(companion_->device, device)) return;
+  session()->ask_companion(device);
+  asked_pose_ = device;
+  companion_asked_ = now;
+  companion_due_ = now + 10 * companion_ms;
+}
+
+void MainWindow::show_numbers() {
+  const qint64 now = clock_.elapsed();
+  if (now - rate_since_ >= 500) {
+    frame_rate_ = double(rate_frames_) * 1000 / double(now - rate_since_);
+    rate_since_ = now;
+    rate_frames_ = 0;
+  }
+  readout_->show_numbers(*shown_, companion_);
+  pose_panel_->show_pose(session()->device_pose());
+  show_status();
+}
+
+void MainWindow::show_status() {
+  const Snapshot& s = *shown_;
+  QString happens = happening(s, companion_);
+  if (companion_) log_->add(QString::fromUtf8(words(way_out(s.separation, *companion_))));
+  if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
+    happens += QLatin1Char(' ') + fault;
+  what_happens_->show_text(
+      QStringLiteral("%1   %2").arg(happens, natures(session()->probe(), session()->fixed())));
+  rates_->setToolTip(timing_text(session()->timing()));
+  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s")
+                      .arg(s.paused ? 0 : s.rate_hz, 0, 'f', 0)
+                      .arg(s.tick_us, 0, 'f', 0)
+                      .arg(frame_rate_, 0, 'f', 0));
+}
+
+/// Also with nothing open: what is plugged in shows at once.
+void MainWindow::show_device() {
+  device_due_ = clock_.elapsed() + numbers_ms;
+  const Holder& holder = devices_->holder();
+  const HolderReport report = devices_->report();
+  device_panel_->show_choices(devices_->choices(), holder);
+  device_panel_->show_report(holder, report);
+  device_panel_->show_energy(shown_ ? shown_->hand.energy : HandEnergy{});
+  QString text = QString::fromStdString(name_of(holder));
+  if (std::holds_alternative<ConnectedHolder>(holder)) {
+    text += QStringLiteral(": ") + QLatin1String(name_of(report.device.state));
+    if (report.clutch_open) text += QStringLiteral(", clutch open");
+    if (!report.device.reason.empty())
+      text += QStringLiteral(" (%1)").arg(QString::fromStdString(report.device.reason));
+  }
+  device_status_->setToolTip(text.toHtmlEscaped());
+  constexpr int longest = 70;
+  device_status_->setText(text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026));
+}
+
+bool MainWindow::save_picture(const QString& file) {
+  const QImage image = grab().toImage();
+  QSaveFile out(file);
+  if (out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit()) {
+    statusBar()->showMessage(QStringLiteral("Saved %1").arg(file), 4000);
+    return true;
+  }
+  complain(QStringLiteral("%1: %2").arg(file, out.errorString()));
+  return false;
+}
+
+void MainWindow::ask_picture() {
+  const QString file = prompts_.ask_picture();
+  if (file.isEmpty()) return;
+  remember_folder_of(file);
+  save_picture(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
+  event->acceptProposedAction();
+  // Whoever drops is still holding a drag: answer it first, then ask and open.
+  QTimer::singleShot(0, this, [this, files] { documents_->drop(files); });
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "ui/actions/prompts.hpp"
+#include "ui/shell/escape_key.hpp"
+#include "ui/shell/force_log.hpp"
+#include "ui/views/stage.hpp"
+
+class QAction;
+class QLabel;
+
+namespace sonde::ui {
+
+class CouplingPanel;
+class DeviceControl;
+class DevicePanel;
+class DocumentControl;
+struct DocumentView;
+class ElidedLabel;
+class LogPanel;
+class MouseProbe;
+class Opener;
+class PosePanel;
+class ReadoutPanel;
+class StartPage;
+class StiffnessControl;
+class Viewport;
+
+/// The window: a view, six docks, and sixty times a second the newest snapshot.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// One scene, or the probe and the fixed body. Ends in opened() or open_failed().
+  void open(const QStringList& files, std::optional<double> unit = std::nullopt);
+  DocumentControl& documents() { return *documents_; }
+  Session* session() { return stage_.session.get(); }
+  Viewport& viewport() { return *viewport_; }
+  Prompts& prompts() { return prompts_; }
+  const std::optional<CompanionResult>& companion() const { return companion_; }
+  /// The newest snapshot shown; none before the first.
+  const std::optional<Snapshot>& shown() const { return shown_; }
+  DeviceControl& devices() { return *devices_; }
+  StiffnessControl& stiffness() { return *stiffness_; }
+
+  void ask_path();  ///< a recorded path, to hold the probe
+
+  void show_device_dock();  ///< before the dock it shares its place with
+  void set_device_pose(const Pose& X_FM);
+  void set_paused(bool paused);
+  /// False at once with Esc, from anywhere in the window; true lets the force come back.
+  void set_force(bool on);
+  void reset();
+  /// Nothing is open: the page to begin from.
+  void show_start_page();
+  /// The separated probe goes to and fro between the hand and where it is held.
+  void set_swing(bool on) { swing_ = on; }
+  /// Docks and overlays included. False, and a message, where the file cannot be written.
+  bool save_picture(const QString& file);
+  void ask_picture();
+
+  /// Of the frame clock: how often the newest state was on screen, drawn anew or not.
+  double frames_per_second() const { return frame_rate_; }
+  /// Drawn anew, since the start.
+  std::size_t frames() const { return frames_; }
+
+ signals:
+  void opened();
+  void open_failed(const QString& reason);
+  void paused_changed(bool paused);
+  void force_changed(bool on);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void connect_devices();
+  void connect_documents();
+  DocumentView document_view();
+  void place(const Pose& X_FM);
+  void show_stage(Stage stage, bool same_document = false);
+  void show_nothing();
+  void show_document();
+  void show_holder();
+  void on_frame();
+  void draw_if_changed();
+  void complain(const QString& reason);
+  void ask_companion();
+  void show_numbers();
+  void show_status();
+  void show_device();
+  void restore_window();
+
+  Prompts prompts_;
+  Stage stage_;
+  std::unique_ptr<Opener> opener_;
+  std::unique_ptr<DocumentControl> documents_;
+  Viewport* viewport_;
+  MouseProbe* mouse_;
+  CouplingPanel* coupling_panel_;
+  ReadoutPanel* readout_;
+  LogPanel* log_;
+  PosePanel* pose_panel_;
+  StartPage* start_page_;
+  std::unique_ptr<DeviceControl> devices_;
+  DevicePanel* device_panel_;
+  StiffnessControl* stiffness_;
+  ElidedLabel* what_happens_;
+  QLabel *device_status_, *rates_;
+  EscapeKey escape_;
+  QTimer frame_timer_;
+  QElapsedTimer clock_;
+  ForceLog force_log_;
+  std::optional<Snapshot> shown_;
+  std::optional<CompanionResult> companion_;
+  bool force_ = true;
+  bool swing_ = false;
+  std::size_t frames_ = 0;
+  qint64 rate_since_ = 0;
+  std::size_t rate_frames_ = 0;
+  double frame_rate_ = 0;
+  qint64 numbers_due_ = 0;
+  qint64 device_due_ = 0;
+  qint64 companion_due_ = 0;
+  qint64 companion_asked_ = 0;
+  qint64 rest_since_ = 0;
+  Pose companion_pose_, asked_pose_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/manual.hpp"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextCursor>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace sonde::ui {
+namespace {
+
+/// Pages as they are written, but for pictures that this Qt cannot draw: a link to them instead.
+class Pages : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+  QVariant loadResource(int type, const QUrl& name) override {
+    QVariant found = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::MarkdownResource) return found;
+    static const bool drawn = QImageReader::supportedImageFormats().contains("svg");
+    if (drawn) return found;
+    QString text = QString::fromUtf8(found.toByteArray());
+    static const QRegularExpression picture(QStringLiteral(R"(!\[([^\]]*)\]\(([^)]*\.svg)\))"));
+    text.replace(picture, QStringLiteral("[Picture: \\1](\\2)"));
+    return text.toUtf8();
+  }
+};
+
+/// The name under which a link finds a heading: small letters, dashes for blanks, nothing else.
+QString anchor_of(const QString& heading) {
+  QString name;
+  for (const QChar c : heading.toLower())
+    if (c.isLetterOrNumber() || c == '-' || c == '_')
+      name += c;
+    else if (c.isSpace())
+      name += '-';
+  return name;
+}
+
+}  // namespace
+
+Manual::Manual(const QString& folder, QWidget* parent)
+    : QDialog(parent, Qt::Window),
+      folder_(folder),
+      pages_(QDir(folder).entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name)),
+      browser_(new Pages(this)),
+      search_(new QLineEdit(this)),
+      found_(new QLabel(this)) {
+  setObjectName(QStringLiteral("manual"));
+  setWindowTitle(QStringLiteral("Manual of Sonde"));
+  resize(820, 640);
+  // The index is where one begins, and so where a search goes on after the last page.
+  if (const qsizetype index = pages_.indexOf(QStringLiteral("index.md")); index > 0)
+    pages_.move(static_cast<int>(index), 0);
+  search_->setObjectName(QStringLiteral("manual_search"));
+  search_->setPlaceholderText(QStringLiteral("Search all pages: Enter goes on"));
+  search_->setClearButtonEnabled(true);
+  browser_->setObjectName(QStringLiteral("manual_page"));
+  browser_->setSearchPaths({folder});
+  browser_->setOpenLinks(false);
+  const auto button = [this](const char* text, const char* object) {
+    auto* made = new QPushButton(QString::fromUtf8(text), this);
+    made->setObjectName(QLatin1String(object));
+    made->setAutoDefault(false);  // Enter is for the search
+    return made;
+  };
+  auto* contents = button("Contents", "manual_contents");
+  auto* back = button("Back", "manual_back");
+  back->setEnabled(false);
+  auto* bar = new QHBoxLayout;
+  bar->addWidget(contents);
+  bar->addWidget(back);
+  bar->addWidget(search_, 1);
+  bar->addWidget(found_);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(bar);
+  layout->addWidget(browser_);
+  connect(contents, &QPushButton::clicked, this, [this] { open_page(pages_.value(0)); });
+  connect(back, &QPushButton::clicked, browser_, &QTextBrowser::backward);
+  connect(browser_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
+  connect(browser_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    // Pages of the manual open here; what is on the web, or a file beside it, is the system's.
+    const QString page = QFileInfo(link.path()).fileName();
+    if (page.isEmpty() || pages_.contains(page))
+      open_page(page, link.fragment());
+    else
+      QDesktopServices::openUrl(browser_->source().resolved(link));
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this] { find_next(search_->text()); });
+  search_->setFocus();
+  open_page(pages_.value(0));
+}
+
+void Manual::open_page(const QString& name, const QString& heading) {
+  if (!name.isEmpty()) browser_->setSource(QUrl::fromLocalFile(QDir(folder_).filePath(name)));
+  if (heading.isEmpty()) return;
+  for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0 || anchor_of(block.text()) != heading) continue;
+    browser_->moveCursor(QTextCursor::End);  // so that the heading comes to the top
+    browser_->setTextCursor(QTextCursor(block));
+    return;
+  }
+}
+
+int Manual::page_now() const {
+  return std::max(0, static_cast<int>(pages_.indexOf(browser_->source().fileName())));
+}
+
+bool Manual::find_next(const QString& text) {
+  found_->clear();
+  if (text.isEmpty()) return false;
+  if (browser_->find(text)) return true;
+  const int count = static_cast<int>(pages_.size()), from = page_now();
+  for (int i = 1; i <= count; ++i) {
+    const QString& page = pages_[(from + i) % count];
+    QFile file(QDir(folder_).filePath(page));
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    QTextDocument rendered;
+    rendered.setMarkdown(QString::fromUtf8(file.readAll()));
+    if (rendered.find(text).isNull()) continue;
+    open_page(page);
+    browser_->moveCursor(QTextCursor::Start);
+    return browser_->find(text);
+  }
+  found_->setText(QStringLiteral("on no page"));
+  return false;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/menus.hpp"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QUndoStack>
+#include <functional>
+
+#include "ui/actions/document_control.hpp"
+#include "ui/actions/stiffness_control.hpp"
+#include "ui/base/resources.hpp"
+#include "ui/document/recent_files.hpp"
+#include "ui/shell/main_window.hpp"
+#include "ui/shell/manual.hpp"
+#include "ui/views/hint_view.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+using Slot = std::function<void(bool)>;
+
+QAction* add(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+             const QKeySequence& key, const Slot& slot) {
+  QAction* action = menu.addAction(text);
+  action->setObjectName(QLatin1String(object));
+  action->setShortcut(key);
+  if (!key.isEmpty())
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(
+        QString(text).remove('&').remove(QStringLiteral("…")), key.toString()));
+  QObject::connect(action, &QAction::triggered, &window, slot);
+  return action;
+}
+
+QAction* add_toggle(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+                    const QKeySequence& key, bool on, const Slot& slot) {
+  QAction* action = add(window, menu, object, text, key, slot);
+  action->setCheckable(true);
+  action->setChecked(on);
+  return action;
+}
+
+void add_layer(MainWindow& window, QMenu& menu, const char* object, const QString& text,
+               const QKeySequence& key, Layer layer) {
+  Viewport* view = &window.viewport();
+  add_toggle(window, menu, object, text, key, view->shown(layer),
+             [view, layer](bool on) { view->set_shown(layer, on); });
+}
+
+void show_keys(MainWindow& window) {
+  QString rows;
+  for (const auto& [key, action] : HintView::keys())
+    rows += QStringLiteral("<tr><td style='padding-right:16px'><b>%1</b></td><td>%2</td></tr>")
+                .arg(key.toHtmlEscaped(), action.toHtmlEscaped());
+  for (const QAction* action : window.findChildren<QAction*>())
+    if (!action->shortcut().isEmpty() && !action->objectName().isEmpty())
+      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                  .arg(action->shortcut().toString().toHtmlEscaped(),
+                       QString(action->text()).remove('&').toHtmlEscaped());
+  QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Mouse and keys"),
+                  QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, &window);
+  box.setObjectName(QStringLiteral("keys_box"));
+  box.exec();
+}
+
+void show_about(MainWindow& window) {
+  QMessageBox::about(
+      &window, QStringLiteral("About Sonde"),
+      QStringLiteral("<b>Sonde %1</b><p>Feel how two polygon soups touch: generalized penetration "
+                     "depth and six-degree haptic rendering.</p><p>GPL-3.0-or-later.</p>")
+          .arg(QStringLiteral(SONDE_VERSION)));
+}
+
+void open_manual(MainWindow& window) {
+  const QString page = resource(QStringLiteral("docs/index.md"));
+  if (page.isEmpty())
+    return window.prompts().report_error(QStringLiteral("The manual is not installed."));
+  auto* manual = window.findChild<Manual*>(QStringLiteral("manual"));
+  if (!manual) manual = new Manual(QFileInfo(page).absolutePath(), &window);
+  manual->show();
+  manual->raise();
+  manual->activateWindow();
+}
+
+/// Filled each time it is about to be seen.
+void add_recent_menu(MainWindow& window, QMenu& menu) {
+  QMenu* recent = menu.addMenu(QStringLiteral("Open &recent"));
+  recent->setObjectName(QStringLiteral("recent"));
+  MainWindow* w = &window;
+  QObject::connect(recent, &QMenu::aboutToShow, w, [w, recent] {
+    recent->clear();
+    for (const QStringList& files : recent_files()) {
+      QAction* action = recent->addAction(recent_name(files).replace('&', QStringLiteral("&&")));
+      action->setStatusTip(files.join(QStringLiteral(", ")));
+      QObject::connect(action, &QAction::triggered, w, [w, files] { w->open(files); });
+    }
+    if (recent->isEmpty()) recent->addAction(QStringLiteral("Nothing yet"))->setEnabled(false);
+  });
+}
+
+void add_file_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&File"));
+  MainWindow* w = &window;
+  DocumentControl* documents = &window.documents();
+  add(window, menu, "new", QStringLiteral("&New"), QKeySequence::New,
+      [documents](bool) { documents->start_anew(); });
+  bar.addAction(add(window, menu, "open_scene", QStringLiteral("&Open scene…"), QKeySequence::Open,
+                    [documents](bool) { documents->ask_scene(); }));
+  bar.addAction(add(window, menu, "open_meshes", QStringLiteral("Open two &meshes…"),
+                    QKeySequence(QStringLiteral("Ctrl+M")),
+                    [documents](bool) { documents->ask_meshes(); }));
+  add_recent_menu(window, menu);
+  menu.addSeparator();
+  add(window, menu, "save", QStringLiteral("&Save"), QKeySequence::Save,
+      [documents](bool) { documents->save(); });
+  add(window, menu, "save_as", QStringLiteral("Save &as…"),
+      QKeySequence(QStringLiteral("Ctrl+Shift+S")), [documents](bool) { documents->save_as(); });
+  menu.addSeparator();
+  add(window, menu, "open_tuning", QStringLiteral("Open a stability m&ap…"), {},
+      [w](bool) { w->stiffness().ask_load(); });
+  menu.addSeparator();
+  bar.addAction(add(window, menu, "screenshot", QStringLiteral("&Screenshot…"),
+                    QKeySequence(QStringLiteral("S")), [w](bool) { w->ask_picture(); }));
+  menu.addSeparator();
+  add(window, menu, "quit", QStringLiteral("&Quit"), QKeySequence::Quit, [w](bool) { w->close(); });
+  bar.addSeparator();
+}
+
+void add_edit_menu(MainWindow& window) {
+  DocumentControl* documents = &window.documents();
+  QUndoStack& stack = documents->document().stack();
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Edit"));
+  QAction* undo = stack.createUndoAction(&window, QStringLiteral("&Undo:"));
+  undo->setObjectName(QStringLiteral("undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = stack.createRedoAction(&window, QStringLiteral("&Redo:"));
+  redo->setObjectName(QStringLiteral("redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  menu.addAction(undo);
+  menu.addAction(redo);
+  menu.addSeparator();
+  const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+  add(window, menu, "copy_pose", QStringLiteral("&Copy pose"), key("Ctrl+C"),
+      [documents](bool) { documents->copy_pose(); });
+  add(window, menu, "paste_pose", QStringLiteral("&Paste pose"), key("Ctrl+V"),
+      [documents](bool) { documents->paste_pose(); });
+  add(window, menu, "start_from_here", QStringLiteral("&Start from here"), key("Ctrl+R"),
+      [documents](bool) { documents->start_from_here(); });
+  menu.addSeparator();
+  add(window, menu, "swap_bodies", QStringLiteral("S&wap probe and fixed body"),
+      key("Ctrl+Shift+X"), [documents](bool) { documents->swap_bodies(); });
+  add(window, menu, "bodies", QStringLiteral("&Units, axes and insides…"), {},
+      [documents](bool) { documents->ask_bodies(); });
+}
+
+void add_probe_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Probe"));
+  MainWindow* w = &window;
+  bar.addAction(add(window, menu, "reset", QStringLiteral("&Reset"),
+                    QKeySequence(QStringLiteral("R")), [w](bool) { w->reset(); }));
+  QAction* pause =
+      add_toggle(window, menu, "pause", QStringLiteral("&Pause"),
+                 QKeySequence(QStringLiteral("Space")), false, [w](bool on) { w->set_paused(on); });
+  QObject::connect(w, &MainWindow::paused_changed, pause, &QAction::setChecked);
+  bar.addAction(pause);
+  QAction* force = add_toggle(window, menu, "force", QStringLiteral("&Force"),
+                              QKeySequence(QStringLiteral("Ctrl+Space")), true,
+                              [w](bool on) { w->set_force(on); });
+  QObject::connect(w, &MainWindow::force_changed, force, &QAction::setChecked);
+  bar.addAction(force);
+  add(window, menu, "switch_gains", QStringLiteral("&Gains A/B"), QKeySequence(QStringLiteral("B")),
+      [w](bool) { w->stiffness().switch_gains(); });
+  bar.addSeparator();
+}
+
+void add_view_menu(MainWindow& window, QToolBar& bar) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
+  MainWindow* w = &window;
+  const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+  add_layer(window, menu, "show_ghost", QStringLiteral("Separated probe, as held"), key("1"),
+            Layer::ghost);
+  add_layer(window, menu, "show_screw", QStringLiteral("Separation as a screw"), key("2"),
+            Layer::screw);
+  add_layer(window, menu, "show_contacts", QStringLiteral("Contacts"), key("3"), Layer::contacts);
+  add_layer(window, menu, "show_wrench", QStringLiteral("Force and torque"), key("4"),
+            Layer::wrench);
+  add_layer(window, menu, "show_nearest", QStringLiteral("Nearest way out"), key("5"),
+            Layer::nearest);
+  add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
+            key("6"), Layer::straight);
+  add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
+            Layer::defects);
+  add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
+  add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
+             key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
+  add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
+  menu.addSeparator();
+  bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
+                    [w](bool) { w->viewport().fit(); }));
+  bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
+                           [w](bool on) { w->viewport().set_shown(Layer::trail, on); }));
+  add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
+             [w](bool on) { w->set_swing(on); });
+  menu.addSeparator();
+  for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+    menu.addAction(dock->toggleViewAction());
+}
+
+void add_help_menu(MainWindow& window) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Help"));
+  MainWindow* w = &window;
+  add(window, menu, "manual", QStringLiteral("&Manual"), QKeySequence::HelpContents,
+      [w](bool) { open_manual(*w); });
+  add(window, menu, "keys", QStringLiteral("Mouse and &keys"), QKeySequence(QStringLiteral("F2")),
+      [w](bool) { show_keys(*w); });
+  add(window, menu, "about", QStringLiteral("&About Sonde"), {}, [w](bool) { show_about(*w); });
+}
+
+}  // namespace
+
+void add_menus(MainWindow& window) {
+  QToolBar* bar = window.addToolBar(QStringLiteral("Actions"));
+  bar->setObjectName(QStringLiteral("actions_bar"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  add_file_menu(window, *bar);
+  add_edit_menu(window);
+  add_probe_menu(window, *bar);
+  add_view_menu(window, *bar);
+  add_help_menu(window);
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/start_page.hpp"
+
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/base/resources.hpp"
+#include "ui/document/recent_files.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int columns = 3;  // as many as fit between the docks of a small screen
+constexpr QSize picture_size{132, 88};
+const QString ending = QStringLiteral(".sonde.json");
+
+QLabel* heading(const QString& text, QWidget* parent, double larger) {
+  auto* label = new QLabel(text, parent);
+  QFont font = label->font();
+  font.setPointSizeF(font.pointSizeF() * larger);
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+void clear(QVBoxLayout& layout) {
+  while (QLayoutItem* item = layout.takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout) {
+  setObjectName(QStringLiteral("start_page"));
+  parent->installEventFilter(this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* content = new QWidget(scroll);
+  scroll->setWidget(content);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(10);
+  layout->addWidget(heading(QStringLiteral("Feel how two bodies touch"), content, 1.6));
+  auto* buttons = new QHBoxLayout;
+  const auto add = [&](const char* text, const char* object, std::function<void()>& wanted) {
+    auto* button = new QPushButton(QString::fromUtf8(text), content);
+    button->setObjectName(QLatin1String(object));
+    connect(button, &QPushButton::clicked, this, [&wanted] {
+      if (wanted) wanted();
+    });
+    buttons->addWidget(button);
+  };
+  add("Open two meshes…", "start_meshes", meshes_wanted);
+  add("Open a scene…", "start_scene", scene_wanted);
+  buttons->addStretch();
+  layout->addLayout(buttons);
+  layout->addWidget(
+      new QLabel(QStringLiteral("or drop a scene, one mesh or two meshes here"), content));
+  layout->addWidget(heading(QStringLiteral("Scenes to try"), content, 1.15));
+  layout->addWidget(gallery());
+  layout->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
+  layout->addLayout(recent_);
+  layout->addStretch();
+}
+
+QWidget* StartPage::gallery() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const QDir folder(resource(QStringLiteral("scenes")));
+  int at = 0;
+  for (const QString& file : folder.entryList({'*' + ending}, QDir::Files, QDir::Name)) {
+    const QString name = file.chopped(ending.size());
+    auto* button = new QToolButton(box);
+    button->setObjectName(QStringLiteral("gallery_") + name);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIcon(QIcon(folder.filePath(name + QStringLiteral(".png"))));
+    button->setIconSize(picture_size);
+    button->setText(QString(name).replace('-', ' '));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    const QString path = folder.filePath(file);
+    connect(button, &QToolButton::clicked, this, [this, path] {
+      if (chosen) chosen({path});
+    });
+    grid->addWidget(button, at / columns, at % columns);
+    ++at;
+  }
+  grid->setColumnStretch(columns, 1);
+  return box;
+}
+
+void StartPage::show_recent() {
+  clear(*recent_);
+  const auto all = recent_files();
+  if (all.empty()) recent_->addWidget(new QLabel(QStringLiteral("Nothing yet."), this));
+  for (const QStringList& files : all) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QStringLiteral("recent_file"));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setText(recent_name(files));
+    button->setToolTip(files.join('\n').toHtmlEscaped());
+    connect(button, &QToolButton::clicked, this, [this, files] {
+      if (chosen) chosen(files);
+    });
+    recent_->addWidget(button);
+  }
+}
+
+void StartPage::present() {
+  show_recent();
+  setGeometry(parentWidget()->rect());
+  show();
+  raise();
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) setGeometry(parentWidget()->rect());
+  return QWidget::eventFilter(watched, event);
+}
+
+/// Nothing of the picture below shines through.
+void StartPage::paintEvent(QPaintEvent* /*event*/) {
+  QPainter(this).fillRect(rect(), palette().color(QPalette::Window));
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/status_text.hpp"
+
+#include "engine/body/body.hpp"
+
+namespace sonde::ui {
+namespace {
+
+QString nature(const char* role, const Body& body) {
+  QString text = QStringLiteral("%1: %2 (%3)")
+                     .arg(QLatin1String(role),
+                          body.solid ? QStringLiteral("solid") : QStringLiteral("surface"),
+                          QString::fromStdString(body.why));
+  if (body.turned) text += QStringLiteral(", was inside out and has been turned");
+  if (body.degenerate > 0)
+    text += QStringLiteral(", %1 triangles without area set aside").arg(body.degenerate);
+  return text;
+}
+
+}  // namespace
+
+QString natures(const Body& probe, const Body& fixed) {
+  return nature("Probe", probe) + QStringLiteral("   ") + nature("Fixed body", fixed);
+}
+
+QString happening(const Snapshot& s, const std::optional<CompanionResult>& companion) {
+  QString happens;
+  if (s.paused)
+    happens = QStringLiteral("Paused.");
+  else if (s.hand.withheld == Withheld::failed)
+    happens =
+        QStringLiteral("No force (%1: %2).")
+            .arg(QString::fromUtf8(words(s.hand.withheld)), QLatin1String(s.separation.reason));
+  else if (s.hand.withheld != Withheld::nothing)
+    happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
+  else if (s.separation.status == Status::separated)
+    happens = QStringLiteral("Free.");
+  else
+    happens = QStringLiteral("In contact.");
+  if (const char* way = companion ? words(way_out(s.separation, *companion)) : ""; *way != 0)
+    happens += QLatin1Char(' ') + QString::fromUtf8(way);
+  return happens;
+}
+
+}  // namespace sonde::ui

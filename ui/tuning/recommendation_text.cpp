@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/recommendation_text.hpp"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ui/base/format.hpp"
+#include "ui/tuning/stability_map.hpp"
+
+namespace sonde::ui {
+namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString with_unit(double value, const QString& unit) { return number(value) + ' ' + unit; }
+
+QString words_of(const std::string& reason) {
+  static const std::map<std::string, const char*> words{
+      {"stability", "stability"},
+      {"saturation", "saturation: the motors can give no more"},
+      {"chatter", "chatter: more would buzz"},
+      {"fidelity", "fidelity: more would be too far from Hooke's law"},
+      {"driver", "the largest stiffness that the device's driver takes"},
+      {"resolution", "resolution: a step of the encoders would be felt"},
+      {"range", "the range studied: nothing in it fails"}};
+  const auto found = words.find(reason);
+  return found == words.end() ? text(reason) : QString::fromUtf8(found->second);
+}
+
+QString where(const GainLimit& limit) {
+  if (limit.kind.empty()) return {};
+  const QString hand =
+      limit.hand.empty() ? QString() : QStringLiteral(", %1 hand").arg(text(limit.hand));
+  return QStringLiteral(" (%1 contact%2)").arg(text(limit.kind), hand);
+}
+
+/// Of all gains together the rotational ones, which follow.
+QString rotational_values(const AxisGains& gains, const JointGains& joint) {
+  if (gains.axis != GainAxis::together) return {};
+  return QStringLiteral(", k_r = %1, b_r = %2")
+      .arg(with_unit(gains.stiffness * joint.stiffness, stiffness_unit(GainAxis::rotation)),
+           with_unit(gains.damping * joint.damping, damping_unit(GainAxis::rotation)));
+}
+
+QString values(const AxisGains& gains) {
+  QString line =
+      QStringLiteral("%1 = %2").arg(QLatin1String(stiffness_key(gains.axis)),
+                                    with_unit(gains.stiffness, stiffness_unit(gains.axis)));
+  if (gains.axis != GainAxis::object)
+    line += QStringLiteral(", %1 = %2")
+                .arg(QLatin1String(damping_key(gains.axis)),
+                     with_unit(gains.damping, damping_unit(gains.axis)));
+  return line;
+}
+
+QString margin(const AxisGains& gains) {
+  const QString unit = stiffness_unit(gains.axis);
+  QString line =
+      QStringLiteral("Limited by %1%2.").arg(words_of(gains.limit.reason), where(gains.limit));
+  if (std::isfinite(gains.boundary) && gains.boundary > 0)
+    line += QStringLiteral(" Measured to be stable up to %1: a margin of %2.")
+                .arg(with_unit(gains.boundary, unit), number(gains.margin()));
+  if (std::isfinite(gains.passive))
+    line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
+  return line;
+}
+
+/// What an assumed value does to the recommendation, as shares of it.
+struct Effect {
+  QString name;
+  double least = 1, most = 1;
+  double size() const { return std::max(most, least > 0 ? 1 / least : INFINITY); }
+};
+
+std::vector<Effect> effects_of(const TuningResults& results, GainAxis axis) {
+  std::vector<Effect> out;
+  const auto as_assumed = recommend_as_varied(results, axis);
+  if (!as_assumed || as_assumed->stiffness <= 0) return out;
+  for (const TuningLine& line : results.lines) {
+    if (line.axis != axis || line.assumed.empty()) continue;
+    const QString name = text(line.assumed).replace('_', ' ');
+    const auto gains = recommend(results, axis, line.assumed, line.times);
+    if (!gains) continue;
+    auto at = std::ranges::find(out, name, &Effect::name);
+    if (at == out.end()) at = out.insert(out.end(), Effect{.name = name});
+    const double share = gains->stiffness / as_assumed->stiffness;
+    at->least = std::min(at->least, share);
+    at->most = std::max(at->most, share);
+  }
+  std::ranges::stable_sort(out, std::greater{}, &Effect::size);
+  return out;
+}
+
+/// The profile's assumed values, where a study has varied none of them.
+QString not_varied(const TuningResults& results) {
+  const QJsonObject device = QJsonDocument::fromJson(QByteArray::fromStdString(results.about))
+                                 .object()
+                                 .value(QStringLiteral("device"))
+                                 .toObject();
+  QStringList names;
+  for (auto each = device.begin(); each != device.end(); ++each)
+    if (each->toObject().contains(QStringLiteral("assumed")))
+      names << QString(each.key()).replace('_', ' ');
+  return names.isEmpty() ? QString()
+                         : QStringLiteral("Rests on assumed %1, which this study did not vary.")
+                               .arg(names.join(QStringLiteral(", ")));
+}
+
+QString rests_on(const TuningResults& results, GainAxis axis) {
+  constexpr double matters = 1.05;
+  const std::vector<Effect> effects = effects_of(results, axis);
+  if (effects.empty()) return not_varied(results);
+  QStringList strong, weak;
+  for (const Effect& effect : effects) {
+    if (effect.size() < matters)
+      weak << effect.name;
+    else
+      strong << QStringLiteral("%1 %2 to %3 times")
+                    .arg(effect.name, number(effect.least), number(effect.most));
+  }
+  QString line;
+  if (!strong.isEmpty())
+    line =
+        QStringLiteral("Rests on assumed values; half or twice of each makes of the stiffness: %1.")
+            .arg(strong.join(QStringLiteral(", ")));
+  if (!weak.isEmpty())
+    line +=
+        QStringLiteral("%1Hardly on assumed %2.")
+            .arg(line.isEmpty() ? QString() : QStringLiteral(" "), weak.join(QStringLiteral(", ")));
+  return line;
+}
+
+}  // namespace
+
+QString recommendation_text(const TuningResults& results, GainAxis axis) {
+  const auto gains = recommend(results, axis);
+  if (!gains) return QStringLiteral("The study has no gains to recommend.");
+  const auto recommended = recommended_axes(results);
+  const bool alone = std::ranges::find(recommended, axis) == recommended.end();
+  QStringList lines;
+  if (gains->stiffness > 0)
+    lines << (alone ? QStringLiteral("Alone, with the rest soft: ")
+                    : QStringLiteral("Recommended: ")) +
+                 values(*gains) + rotational_values(*gains, results.joint)
+          << margin(*gains);
+  else
+    lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
+                 .arg(words_of(gains->limit.reason), where(gains->limit));
+  const QString assumed = alone ? QString() : rests_on(results, axis);
+  if (!assumed.isEmpty()) lines << assumed;
+  return lines.join('\n');
+}
+
+QString margin_text(const AxisGains& recommended, double stiffness) {
+  if (!std::isfinite(recommended.boundary) || recommended.boundary <= 0) return {};
+  return QStringLiteral("%1 of the boundary, %2")
+      .arg(number(stiffness / recommended.boundary),
+           with_unit(recommended.boundary, stiffness_unit(recommended.axis)));
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/defect_view.hpp"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include "ui/base/theme.hpp"
+#include "ui/views/glyphs.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr float hole_width = 2, flipped_width = 5;
+
+vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
+                                      const QColor& colour, float width) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+  actor->GetProperty()->SetLineWidth(width);
+  actor->GetProperty()->LightingOff();
+  actor->VisibilityOff();
+  renderer.AddActor(actor);
+  return actor;
+}
+
+}  // namespace
+
+DefectView::DefectView(vtkRenderer& renderer, const Stage& stage) : renderer_(&renderer) {
+  const auto both = [&](const DefectLines& lines) {
+    return std::array{lines_actor(renderer, lines.holes, colour::hole, hole_width),
+                      lines_actor(renderer, lines.flipped, colour::flipped, flipped_width)};
+  };
+  probe_ = both(stage.probe_defects);
+  fixed_ = both(stage.fixed_defects);
+}
+
+DefectView::~DefectView() {
+  for (const auto& actors : {probe_, fixed_})
+    for (const auto& actor : actors) renderer_->RemoveActor(actor);
+}
+
+void DefectView::draw(const Frame& frame) {
+  for (const auto& actor : probe_) {
+    place(*actor, frame.snapshot.separation.device);
+    actor->VisibilityOn();
+  }
+  for (const auto& actor : fixed_) actor->VisibilityOn();
+}
+
+void DefectView::hide() {
+  for (const auto& actors : {probe_, fixed_})
+    for (const auto& actor : actors) actor->VisibilityOff();
+}
+
+}  // namespace sonde::ui

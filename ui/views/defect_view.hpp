@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+#include "ui/views/overlay.hpp"
+#include "ui/views/stage.hpp"
+
+class vtkActor;
+class vtkRenderer;
+
+namespace sonde::ui {
+
+/// Where the meshes are not closed: the edges of holes as thin lines, those between flipped faces
+/// as thick ones.
+class DefectView : public Overlay {
+ public:
+  DefectView(vtkRenderer& renderer, const Stage& stage);
+  ~DefectView() override;
+
+ private:
+  void draw(const Frame& frame) override;
+  void hide() override;
+
+  vtkSmartPointer<vtkRenderer> renderer_;
+  std::array<vtkSmartPointer<vtkActor>, 2> probe_, fixed_;
+};
+
+}  // namespace sonde::ui

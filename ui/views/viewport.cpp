@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/viewport.hpp"
+
+#include <QVTKInteractor.h>
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+#include <QImage>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "ui/base/theme.hpp"
+#include "ui/document/view_direction.hpp"
+#include "ui/views/contact_view.hpp"
+#include "ui/views/defect_view.hpp"
+#include "ui/views/handle_view.hpp"
+#include "ui/views/hint_view.hpp"
+#include "ui/views/probe_view.hpp"
+#include "ui/views/separation_view.hpp"
+#include "ui/views/trail_view.hpp"
+#include "ui/views/wrench_view.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double least_area = 120;  // pixels: in less there is nothing to be seen
+
+void set_background(vtkRenderer& renderer) {
+  const QColor top = colour::background_top, bottom = colour::background_bottom;
+  renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+  renderer.SetBackground2(top.redF(), top.greenF(), top.blueF());
+  renderer.GradientBackgroundOn();
+}
+
+QString describe(const char* role, const Body& body) {
+  return QStringLiteral("%1 %2, %3, %4 triangles")
+      .arg(QLatin1String(role), short_name(body),
+           body.solid ? QStringLiteral("solid") : QStringLiteral("surface"))
+      .arg(body.soup.triangles.size());
+}
+
+/// Does the processor draw, rather than a graphics card?
+bool software_drawn(QVTKOpenGLNativeWidget& widget) {
+  widget.makeCurrent();
+  const QOpenGLContext* context = widget.context();
+  if (!context) return true;
+  const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
+  const std::string_view renderer = name ? name : "";
+  for (const std::string_view software : {"llvmpipe", "softpipe", "SWR", "Software"})
+    if (renderer.find(software) != renderer.npos) return true;
+  return false;
+}
+
+Eigen::AlignedBox3d box_of(const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& triangle : body.soup.triangles)
+    for (const auto index : triangle) box.extend(body.soup.vertices[index]);
+  return box;
+}
+
+void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, const Pose& pose) {
+  if (box.isEmpty()) return;
+  for (int i = 0; i < 8; ++i)
+    points.push_back(pose * Vec3(box.corner(Eigen::AlignedBox3d::CornerType(i))));
+}
+
+}  // namespace
+
+struct Viewport::Scenery {
+  explicit Scenery(Viewport& owner)
+      : widget(new QVTKOpenGLNativeWidget(&owner)),
+        hints(new HintView(&owner)),
+        screw(*above, shapes),
+        contacts(*above, shapes),
+        wrench(*above, shapes),
+        trail(*above),
+        handles(*above, shapes) {}
+
+  // The overlays have a depth buffer of their own: no body hides a contact.
+  vtkNew<vtkRenderer> bodies;
+  vtkNew<vtkRenderer> above;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  QVTKOpenGLNativeWidget* widget;
+  HintView* hints;
+  GlyphShapes shapes;
+  vtkSmartPointer<vtkActor> fixed_actor;
+  std::unique_ptr<ProbeView> probe;
+  std::unique_ptr<GhostView> ghost;
+  std::unique_ptr<FoundView> nearest, straight;
+  SeparationView screw;
+  ContactView contacts;
+  WrenchView wrench;
+  TrailView trail;
+  HandleView handles;
+  std::unique_ptr<DefectView> defects;
+
+  // Of the session on show.
+  MassProperties mass;
+  LengthUnit unit;
+  std::array<QString, 2> descriptions;
+  Eigen::AlignedBox3d probe_box, fixed_box;
+  Vec3 centre = Vec3::Zero();  ///< of the fixed body
+  Quat q_FW = Quat::Identity();
+  double radius = 1;  ///< of the fixed body, about centre
+  Pose last_device, last_separated;
+  std::array<bool, 10> shown{true,  true,  true, true,  false,
+                             false, false, true, false, false};  ///< by Layer
+
+  std::array<std::pair<Layer, Overlay*>, 9> overlays() {
+    return {{{Layer::ghost, ghost.get()},
+             {Layer::nearest, nearest.get()},
+             {Layer::straight, straight.get()},
+             {Layer::trail, &trail},
+             {Layer::wrench, &wrench},
+             {Layer::screw, &screw},
+             {Layer::contacts, &contacts},
+             {Layer::handles, &handles},
+             {Layer::defects, defects.get()}}};
+  }
+};
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique<Scenery>(*this)) {
+  setObjectName(QStringLiteral("viewport"));
+  setMinimumSize(320, 240);
+  Scenery& s = *scenery_;
+  s.widget->setObjectName(QStringLiteral("canvas"));
+  s.widget->setFocusPolicy(Qt::StrongFocus);
+  setFocusProxy(s.widget);
+  s.widget->setAcceptDrops(false);  // drops belong to the window
+  s.window->SetMultiSamples(0);     // see show_stage
+  s.widget->setRenderWindow(s.window);
+  s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
+  s.window->SetNumberOfLayers(2);
+  s.window->AddRenderer(s.bodies);
+  s.window->AddRenderer(s.above);
+  s.above->SetLayer(1);
+  s.above->SetActiveCamera(s.bodies->GetActiveCamera());
+  s.above->InteractiveOff();
+  set_background(*s.bodies);
+  s.hints->raise();
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::show_stage(const Stage& stage, bool same_view) {
+  Scenery& s = *scenery_;
+  // Smoothing edges by samples triples the time of a picture that the processor draws.
+  const bool software = software_drawn(*s.widget);
+  s.window->SetMultiSamples(software ? 0 : 4);
+  s.bodies->SetGradientBackground(!software);
+  const Session& session = *stage.session;
+  s.mass = session.probe().mass;
+  s.unit = LengthUnit(s.mass.radius);
+  s.centre = session.fixed().mass.com;
+  s.q_FW = session.opened().scene.fixed.pose.q.conjugate();
+  s.radius = session.fixed().mass.radius;
+  s.last_device = s.last_separated = session.opened().here.value_or(session.opened().start);
+  s.probe_box = box_of(session.probe());
+  s.fixed_box = box_of(session.fixed());
+  s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
+
+  if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
+  s.fixed_actor = body_actor(*s.bodies, *stage.fixed_surface, colour::fixed, session.fixed().solid);
+  s.fixed_actor->VisibilityOn();
+  s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface, session.probe().solid);
+  s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
+  const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
+    return std::make_unique<FoundView>(*s.bodies, *stage.probe_surface, session.probe().solid, way,
+                                       QLatin1String(name), colour);
+  };
+  s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
+  s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.above, stage);
+  s.trail.clear();
+  apply_layers();
+  set_coupling(session.coupling());
+
+  if (same_view) return invalidate();
+  // A scene's camera says where to look from; how near depends on the window's shape.
+  const auto& place = session.opened().camera;
+  if (place)
+    camera().look_at(place->target, place->position - place->target, place->up, 1);
+  else
+    look_by_default();
+  fit();
+}
+
+/// With the scene's up, which need not be the mesh's.
+void Viewport::look_by_default() {
+  const Quat& q_FW = scenery_->q_FW;
+  camera().look_at(scenery_->centre, q_FW * default_view_direction(), q_FW * Vec3::UnitZ(), 1);
+}
+
+CameraPlace Viewport::place() const {
+  return {camera().eye(), camera().target(), camera().axes().up};
+}
+
+void Viewport::look(const CameraPlace& place) {
+  const Vec3 direction = place.position - place.target;
+  camera().look_at(place.target, direction, place.up, direction.norm());
+  invalidate();
+}
+
+void Viewport::set_coupling(const Coupling& coupling) {
+  Scenery& s = *scenery_;
+  s.wrench.set_scale(wrench_scale(s.mass.radius, coupling));
+  update_legend();
+  invalidate();
+}
+
+void Viewport::update_legend() {
+  const Scenery& s = *scenery_;
+  std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
+                                 {colour::fixed, s.descriptions[1]}};
+  if (shown(Layer::ghost))
+    legend.push_back({colour::ghost, QStringLiteral("separated probe, as held")});
+  if (shown(Layer::nearest)) legend.push_back({colour::nearest, QStringLiteral("nearest way out")});
+  if (shown(Layer::straight))
+    legend.push_back({colour::straight, QStringLiteral("nearest without a turn (PD_t)")});
+  if (shown(Layer::contacts))
+    legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
+  if (shown(Layer::wrench)) {
+    legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
+    legend.push_back({colour::torque, s.wrench.torque_legend()});
+  }
+  if (shown(Layer::defects)) {
+    legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
+    legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
+  }
+  s.hints->set_legend(std::move(legend));
+}
+
+void Viewport::draw(const Snapshot& snapshot, double swing, const CompanionResult* searched) {
+  Scenery& s = *scenery_;
+  if (!s.probe) return;
+  s.last_device = snapshot.separation.device;
+  s.last_separated = snapshot.separation.separated;
+  const Vec3 com = s.last_device * s.mass.com;
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched};
+  s.probe->show(frame);
+  for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
+  // Room for the arrows too, which are about as long as the probe is large.
+  const double away = std::max((com - s.centre).norm(),
+                               (snapshot.separation.separated * s.mass.com - s.centre).norm());
+  camera().clip_to(s.centre, std::max(s.radius, away + 3 * s.mass.radius));
+  s.window->Render();
+  update_text(snapshot);
+  dirty_ = false;
+}
+
+void Viewport::update_text(const Snapshot& snapshot) {
+  Scenery& s = *scenery_;
+  std::vector<PlacedLabel> labels;
+  for (const auto& [layer, overlay] : s.overlays())
+    for (const Label& label : overlay->labels())
+      labels.push_back(
+          {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
+  s.hints->set_banner(snapshot.paused ? HintView::pause_banner() : QString());
+  const double pixel = metres_per_pixel(s.last_device * s.mass.com);
+  const double length = round_down_125(160 * pixel);
+  s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
+  s.hints->set_labels(std::move(labels));
+}
+
+void Viewport::set_shown(Layer layer, bool shown) {
+  Scenery& s = *scenery_;
+  s.shown[static_cast<std::size_t>(layer)] = shown;
+  if (layer == Layer::hint) s.hints->set_hint_visible(shown);
+  apply_layers();
+  if (s.probe) update_legend();
+  invalidate();
+}
+
+bool Viewport::shown(Layer layer) const { return scenery_->shown[static_cast<std::size_t>(layer)]; }
+
+void Viewport::apply_layers() {
+  Scenery& s = *scenery_;
+  for (const auto& [layer, overlay] : s.overlays())
+    if (overlay) overlay->set_visible(shown(layer));
+}
+
+void Viewport::set_handles_local(bool local) {
+  scenery_->handles.set_local(local);
+  invalidate();
+}
+
+std::optional<Handles> Viewport::handles(const Pose& X_FM) const {
+  if (!shown(Layer::handles)) return std::nullopt;
+  const Vec3& com = scenery_->mass.com;
+  return handles_at(X_FM, com, scenery_->handles.local(),
+                    HandleView::pixels * metres_per_pixel(X_FM * com));
+}
+
+Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }
+
+void Viewport::fit() {
+  const Scenery& s = *scenery_;
+  std::vector<Vec3> corners;
+  add_corners(corners, s.fixed_box, Pose{});
+  add_corners(corners, s.probe_box, s.last_device);
+  add_corners(corners, s.probe_box, s.last_separated);
+  // Below the legend or beside it: where it comes out larger.
+  const std::vector<QRectF> areas = s.hints->clear_areas();
+  const QRectF* best = nullptr;
+  double nearest = 0;
+  for (const QRectF& area : areas) {
+    if (area.width() < least_area || area.height() < least_area) continue;
+    const double distance = camera().frame(corners, size(), area);
+    if (!best || distance < nearest) best = &area, nearest = distance;
+  }
+  camera().frame(corners, size(), best ? *best : QRectF(rect()));
+  invalidate();
+}
+
+double Viewport::metres_per_pixel(const Vec3& at) const {
+  return camera().metres_per_pixel(at, height());
+}
+
+QPointF Viewport::on_screen(const Vec3& point) const {
+  vtkCamera* camera = scenery_->bodies->GetActiveCamera();
+  const double in[4] = {point.x(), point.y(), point.z(), 1};
+  double out[4];
+  camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
+  if (!(std::abs(out[3]) > 0)) return {};
+  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+}
+
+QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
+  QPolygonF polygon;
+  for (const Vec3& point : points) polygon << on_screen(point);
+  return polygon;
+}
+
+double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }
+
+QWidget* Viewport::canvas() const { return scenery_->widget; }
+
+QImage Viewport::picture() const { return scenery_->widget->grabFramebuffer(); }
+
+QSurfaceFormat Viewport::surface_format() { return QVTKOpenGLNativeWidget::defaultFormat(); }
+
+const char* Viewport::window_class() {
+  return vtkSmartPointer<vtkRenderWindow>::New()->GetClassName();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  scenery_->widget->setGeometry(rect());
+  scenery_->hints->setGeometry(rect());
+  invalidate();
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QSurfaceFormat>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/body/body.hpp"
+#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/servo.hpp"
+#include "ui/document/handles.hpp"
+#include "ui/document/opening.hpp"
+#include "ui/views/camera.hpp"
+#include "ui/views/stage.hpp"
+
+namespace sonde::ui {
+
+/// What can be shown or hidden in the view.
+enum class Layer {
+  ghost,
+  screw,
+  contacts,
+  wrench,
+  nearest,
+  straight,
+  trail,
+  hint,
+  handles,
+  defects
+};
+
+/// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
+/// told to, at most once a frame.
+class Viewport : public QWidget {
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  /// Takes the bodies of a new session and turns the camera to them, unless that is to stay.
+  void show_stage(const Stage& stage, bool same_view = false);
+  /// The limits of the device changed: so do the scales of force and torque.
+  void set_coupling(const Coupling& coupling);
+  /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
+  /// `searched`: what is known of the snapshot's device pose, if anything.
+  void draw(const Snapshot& snapshot, double swing, const CompanionResult* searched = nullptr);
+
+  /// The camera was moved, or a layer toggled: the next frame must be drawn.
+  void invalidate() { dirty_ = true; }
+  bool dirty() const { return dirty_; }
+
+  void set_shown(Layer layer, bool shown);
+  bool shown(Layer layer) const;
+
+  /// Along the probe's own axes, rather than the fixed body's.
+  void set_handles_local(bool local);
+  /// The handles of a probe there, as they are drawn; none where they are not.
+  std::optional<Handles> handles(const Pose& X_FM) const;
+
+  Camera camera() const;
+  CameraPlace place() const;
+  void look(const CameraPlace& place);
+  void fit();
+  double metres_per_pixel(const Vec3& at) const;
+  /// Where a point of the scene is in the view, in Qt's pixels from the upper left.
+  QPointF on_screen(const Vec3& point) const;
+
+  /// The widget that receives mouse and keyboard.
+  QWidget* canvas() const;
+  /// The picture as drawn by OpenGL, with no text.
+  QImage picture() const;
+  /// What OpenGL has to offer: to be made the default before there is an application.
+  static QSurfaceFormat surface_format();
+  /// The class of window VTK makes on this machine, for the test that it can draw at all.
+  static const char* window_class();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Scenery;
+  void update_text(const Snapshot& snapshot);
+  void update_legend();
+  void apply_layers();
+  void look_by_default();
+  QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
+  double aspect() const;
+
+  std::unique_ptr<Scenery> scenery_;
+  bool dirty_ = true;
+};
+
+}  // namespace sonde::ui
