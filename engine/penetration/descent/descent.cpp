@@ -40,8 +40,9 @@ double allowed_clearance(double radius, double depth) {
 }
 
 Descent::Descent(const Body& probe, const Body& fixed, Method method,
-                 const ContactRows::Finding& finding)
+                 const ContactRows::Finding& finding, double gap)
     : rows_(probe, fixed, method, finding),
+      gap_(gap),
       extents_(extent(probe) + extent(fixed)),
       wary_(std::numeric_limits<double>::infinity()) {}
 
@@ -127,7 +128,7 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
 
 double Descent::margin(const Chart& chart, double depth) const noexcept {
   const double rounding = rounding_guard(extents_, depth, chart.device().p);
-  return std::max(0.25 * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
+  return std::max(gap_ * allowed_clearance(chart.mass().radius, depth), 16 * rounding);
 }
 
 Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,

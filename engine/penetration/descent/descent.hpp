@@ -26,8 +26,14 @@ struct DescentGoal {
 /// workspace: run() never allocates.
 class Descent {
  public:
+  /// The gaps aimed at, in parts of the clearance allowed. How far within it a probe stands depends
+  /// on the way that it came, and costs energy where it follows a hand: with a half, 0.2 % of what
+  /// a peg in its hole stores in a loop; with a quarter, less than 0.1 %, in as many steps. A
+  /// search gets by with the half.
+  static constexpr double gap_of_search = 0.5, gap_of_follower = 0.25;
+
   Descent(const Body& probe, const Body& fixed, Method method,
-          const ContactRows::Finding& finding = {});
+          const ContactRows::Finding& finding = {}, double gap = gap_of_search);
 
   struct Outcome {
     Vec6 y = Vec6::Zero();
@@ -63,9 +69,8 @@ class Descent {
 
  private:
   struct Pace;
-  /// The gap aimed at: a quarter of what is allowed (how far within it a probe stands depends on
-  /// the way that it came, and costs energy: with a half, 0.2 % of what a peg stores in a loop),
-  /// and never so little that the rounding of coordinates, far from the origin, could eat it up.
+  /// The gap aimed at, m; never so little that the rounding of coordinates, far from the origin,
+  /// could eat it up.
   double margin(const Chart& chart, double depth) const noexcept;
   /// From y towards the nearest point of the rows, as far as it is worth while to go in one step;
   /// with contacts that bend into it, so much (m) above it.
@@ -79,6 +84,7 @@ class Descent {
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
+  double gap_;      // aimed at, in parts of the clearance allowed
   double extents_;  // of both bodies, m
   double wary_;     // m: no path is longer, since a sweep of such took all of the effort
 };

@@ -32,7 +32,8 @@ struct CoherentSolver::State {
   Pose separated;  ///< the last one, free
   bool started = false;
 
-  State(const Pair& bodies, Method m) : pair(bodies), method(m), descent(probe, fixed, m) {
+  State(const Pair& bodies, Method m)
+      : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
     last.reason = "not started";
   }
 
