@@ -13,9 +13,11 @@ struct Measured {
   Row row;
   double reference = 0;  ///< the depth to compare with, m: the row's best, or its PD_t
   Separation got;
-  double time_us = 0;                 ///< wall, of the search alone
+  /// Of the search alone: of the processor, or by the wall's clock where there is a budget of time
+  /// or a second thread.
+  double time_us = 0;
   std::optional<double> lower_bound;  ///< m
-  double bound_us = 0;                ///< wall, of the lower bound
+  double bound_us = 0;                ///< of the lower bound, by the same clock
   bool free = false;                  ///< the pose returned, by the exact test
   /// √σ / reference − 1; infinite where the search failed.
   double excess() const;

@@ -76,18 +76,19 @@ Chosen chosen(const std::vector<Measured>& all, const Wanted& wanted) {
 }
 
 const std::vector<bench::Column> detail_columns = {
-    {"case", ""},      {"triangles a", ""},  {"triangles b", ""},  {"reference", "m"},
-    {"agreed", ""},    {"hits", ""},         {"starts", ""},       {"depth", "m"},
-    {"excess", "%"},   {"time", "ms"},       {"iterations", ""},   {"residual", ""},
-    {"converged", ""}, {"lower bound", "m"}, {"bound time", "ms"}, {"free", ""}};
+    {"case", ""},      {"triangles a", ""}, {"triangles b", ""},  {"reference", "m"},
+    {"agreed", ""},    {"hits", ""},        {"starts", ""},       {"depth", "m"},
+    {"excess", "%"},   {"time", "ms"},      {"iterations", ""},   {"residual", ""},
+    {"converged", ""}, {"contacts", ""},    {"lower bound", "m"}, {"bound time", "ms"},
+    {"free", ""}};
 
 void add_detail(Table& table, const Measured& m) {
   table.rows.push_back({name(m.row), count(m.row.triangles_a), count(m.row.triangles_b),
                         m.reference, count(agreed(m.row)), count(m.row.hits),
                         count(3 * m.row.starts), m.got.depth, 100 * m.excess(), 1e-3 * m.time_us,
                         count(m.got.iterations), m.got.residual, count(m.got.converged),
-                        m.lower_bound ? Cell{*m.lower_bound} : Cell{}, 1e-3 * m.bound_us,
-                        count(m.free)});
+                        count(m.got.contacts.size), m.lower_bound ? Cell{*m.lower_bound} : Cell{},
+                        1e-3 * m.bound_us, count(m.free)});
 }
 
 }  // namespace
