@@ -85,7 +85,8 @@ class Servo {
   const ServoTiming& timing();
   /// Every tick of this run in its order, for plots and recordings, and at the beginning of each
   /// pause the last one again, `paused`; false where there is none left. The last 4 s at 1 kHz are
-  /// kept for a reader that is late; beyond, ticks are dropped and counted. Lock-free.
+  /// kept for a reader that is late; beyond, ticks are dropped and counted. For one reader: what
+  /// one has had, no other gets. Lock-free.
   bool next_tick(Snapshot& out);
   std::uint64_t ticks_dropped() const;
 
