@@ -145,7 +145,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
 }
 
 void write_scene(const Scene& scene, const fs::path& file) {
-  write_whole(file, scene_text(scene, file.parent_path()));
+  write_whole(file, scene_text(scene, fs::absolute(file).parent_path()));
 }
 
 Pose storable(const Pose& pose, double unit) {

@@ -73,7 +73,8 @@ std::vector<Felt> follow(const BodyPairCut& bodies, const std::vector<Pose>& pat
     const Separation& s = out.empty() ? solver.reset(device) : solver.tick(device);
     const Wrench w = object_norm_wrench(bodies.probe->mass, s.device, s.separated, felt_stiffness);
     const Quat back = skew.world.conjugate();
-    out.push_back({back * w.force, back * w.torque, s.depth, s.status, s.converged, s.jumped});
+    out.push_back(
+        {back * w.force, back * w.torque, s.depth, s.status, s.converged, s.jumped, s.separated});
   }
   return out;
 }

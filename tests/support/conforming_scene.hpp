@@ -34,6 +34,7 @@ struct Felt {
   double depth = 0;                                  ///< m
   Status status = Status::failed;
   bool converged = false, jumped = false;
+  Pose separated;
 };
 
 struct BodyPairCut {

@@ -52,7 +52,11 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 DocumentControl::DocumentControl(Opener& opener, Prompts& prompts, DocumentView view)
     : opener_(opener), prompts_(prompts), view_(std::move(view)), recovery_(recovery_folder()) {
   document_.changed = [this](const Content& from, const Content& to) { apply(from, to); };
-  connect(&document_.stack(), &QUndoStack::indexChanged, this, [this] { tell(); });
+  connect(&document_.stack(), &QUndoStack::indexChanged, this, [this](int index) {
+    // While a command is done or undone the index is still that of before.
+    if (!document_.empty() && document_.content().bodies == on_show_) index_on_show_ = index;
+    tell();
+  });
   watch_.changed = [this](const QString& file) { file_changed(file); };
   watch_.vanished = [this](const QString& file) {
     view_.say(QStringLiteral("%1 is no longer on the disk. What is open stays.").arg(file));
@@ -100,6 +104,7 @@ bool DocumentControl::may_leave() {
 void DocumentControl::start_anew() {
   if (!may_leave()) return;
   opener_.abandon();
+  showing_ = reading_scene_ = false;
   watch_.watch({});
   recovery_.clear();
   kept_.clear();
@@ -135,8 +140,8 @@ bool DocumentControl::write(const std::filesystem::path& file) {
     remember_recent({text_of(file)});
     view_.say(QStringLiteral("Saved %1").arg(text_of(file)));
     recovery_.clear();
-    kept_.clear();
-  } catch (const InputError& bad) {
+    kept_ = text_for_recovery();
+  } catch (const std::exception& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
   }
   watch();
@@ -162,6 +167,7 @@ void DocumentControl::opened(const Session& session) {
   document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});
   recovery_.clear();
   kept_ = scene_text(opened.scene, "/") + pose_text(document_.content().here);
+  showing_ = reading_scene_ = false;
   const Scene& scene = opened.scene;
   remember_recent(scene.file.empty()
                       ? QStringList{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)}
@@ -174,7 +180,9 @@ void DocumentControl::opened(const Session& session) {
 
 Content DocumentControl::now() const {
   Content content = document_.content();
-  if (Session* session = view_.session()) content.here = session->device_pose();
+  // What is on show may still be the bodies of before an undo.
+  Session* session = view_.session();
+  if (session && content.bodies == on_show_) content.here = session->device_pose();
   return content;
 }
 
@@ -323,8 +331,8 @@ void DocumentControl::change_bodies(const QString& what, const Content& wanted,
 
 void DocumentControl::apply(const Content& from, const Content& to) {
   if (to.bodies != on_show_) return show_bodies(to);
-  opener_.abandon();  // of what was gone back from before it was on show
-  index_on_show_ = document_.stack().index();
+  if (std::exchange(showing_, false))
+    opener_.abandon();  // of what was gone back from before it was on show
   Session* session = view_.session();
   if (!session) return;
   if (!same(from.scene.coupling, to.scene.coupling)) view_.show_coupling(to.scene.coupling);
@@ -339,6 +347,7 @@ void DocumentControl::show_bodies(const Content& wanted) {
   const auto show = [this](Stage stage, const std::shared_ptr<const Bodies>& bodies) {
     on_show_ = bodies;
     index_on_show_ = document_.stack().index();
+    showing_ = false;
     view_.show(std::move(stage), true);
     // The stage took its time: more may have been done or undone meanwhile.
     const Content& content = document_.content();
@@ -348,6 +357,10 @@ void DocumentControl::show_bodies(const Content& wanted) {
     tell();
   };
   if (ready_) return show(std::move(*ready_), wanted.bodies);
+  const auto given_up = [this] {
+    showing_ = false;
+    document_.stack().setIndex(index_on_show_);
+  };
   opener_.make(
       QStringLiteral("Setting the bodies up again"),
       [wanted](const Progress&) {
@@ -355,31 +368,37 @@ void DocumentControl::show_bodies(const Content& wanted) {
         opened.here = wanted.here;
         return opened;
       },
-      [show, bodies = wanted.bodies](Stage stage) { show(std::move(stage), bodies); },
-      [this] { document_.stack().setIndex(index_on_show_); });
+      [show, bodies = wanted.bodies](Stage stage) { show(std::move(stage), bodies); }, given_up);
+  showing_ = true;
 }
 
 // ---- Files that others change
 
 void DocumentControl::file_changed(const QString& file) {
   const bool is_scene = file == text_of(document_.file());
+  if (!is_scene && reading_scene_) return;  // which reads its meshes as well
   if (is_scene && document_.modified() && !prompts_.ask_reload(file)) return;
   const QString what = QStringLiteral("Reading %1 again").arg(QFileInfo(file).fileName());
   const Scene scene = document_.content().scene;
   if (is_scene)
-    reload(what, [path = scene.file](const Progress& p) { return open_scene(path, p); });
+    reload(file, what, [path = scene.file](const Progress& p) { return open_scene(path, p); });
   else
-    reload(what, [scene](const Progress& p) { return open_scene(scene, p); });
+    reload(file, what, [scene](const Progress& p) { return open_scene(scene, p); });
+  reading_scene_ = is_scene;
 }
 
 /// Nothing but what the file says changes: the probe and the eye stay where they are.
-void DocumentControl::reload(const QString& what, std::function<Opened(const Progress&)> open) {
+void DocumentControl::reload(const QString& file, const QString& what,
+                             std::function<Opened(const Progress&)> open) {
   const std::string saved = document_.saved_text();
   const bool was_modified = document_.modified();
   const std::string before = document_.text();
   opener_.make(
       what, [open = std::move(open)](const Progress& progress) { return open(progress); },
-      [this, saved, before, was_modified](Stage stage) {
+      [this, file, saved, before, was_modified](Stage stage) {
+        reading_scene_ = false;
+        // What was changed while it was read counts: once more, from there.
+        if (document_.text() != before) return file_changed(file);
         const CameraPlace camera = view_.camera();
         const Pose here = now().here;
         view_.show(std::move(stage), false);
@@ -388,23 +407,31 @@ void DocumentControl::reload(const QString& what, std::function<Opened(const Pro
         document_.set_here(here);
         // A mesh that was read again leaves the scene as it was, saved or not.
         if (was_modified && document_.text() == before) document_.set_saved_text(saved);
+        kept_.clear();
+        keep_for_recovery();
         view_.say(QStringLiteral("Read again from the disk"));
         tell();
       },
-      {});
+      [this] { reading_scene_ = false; });
 }
 
 // ---- Recovery
 
-void DocumentControl::keep_for_recovery() {
-  Session* session = view_.session();
-  if (document_.empty() || !session) return;
+std::string DocumentControl::text_for_recovery() const {
   const Content content = now();
-  const std::string text = scene_text(content.scene, "/") + pose_text(content.here);
-  if (text == kept_) return;
-  if (recovery_.keep({content.scene, document_.saved_text(), content.here, view_.camera(),
-                      QDateTime::currentDateTime()}))
-    kept_ = text;
+  return scene_text(content.scene, "/") + pose_text(content.here);
+}
+
+Recovered DocumentControl::for_recovery() const {
+  const Content content = now();
+  return {content.scene, document_.saved_text(), content.here, view_.camera(),
+          QDateTime::currentDateTime()};
+}
+
+void DocumentControl::keep_for_recovery() {
+  if (document_.empty() || !view_.session()) return;
+  const std::string text = text_for_recovery();
+  if (text != kept_ && recovery_.keep(for_recovery())) kept_ = text;
 }
 
 bool DocumentControl::offer_recovery() {
@@ -423,7 +450,7 @@ bool DocumentControl::offer_recovery() {
       return true;
     } catch (const InputError& bad) {
       prompts_.report_error(QString::fromUtf8(bad.what()));
-      Recovery::remove(file);
+      Recovery::set_aside(file);
     }
   return false;
 }
@@ -441,9 +468,12 @@ void DocumentControl::recover(const std::filesystem::path& file) {
         view_.show(std::move(stage), false);
         document_.set_saved_text(found.saved_text);
         if (found.camera) view_.look(*found.camera);
+        // The other goes only once this one is there.
         kept_.clear();
-        keep_for_recovery();  // before the other goes
-        Recovery::remove(file);
+        if (recovery_.keep_now(for_recovery())) {
+          kept_ = text_for_recovery();
+          Recovery::remove(file);
+        }
         tell();
       },
       {});

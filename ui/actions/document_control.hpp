@@ -82,9 +82,12 @@ class DocumentControl : public QObject {
   bool write(const std::filesystem::path& file);
   void watch();
   void file_changed(const QString& file);
-  void reload(const QString& what, std::function<Opened(const Progress&)> open);
+  void reload(const QString& file, const QString& what,
+              std::function<Opened(const Progress&)> open);
   void recover(const std::filesystem::path& file);
   void keep_for_recovery();
+  Recovered for_recovery() const;
+  std::string text_for_recovery() const;  ///< changes with whatever is kept
   QStringList files() const;
   void tell() const;
 
@@ -95,6 +98,8 @@ class DocumentControl : public QObject {
   std::optional<Stage> ready_;             ///< of a command that is about to be done
   std::shared_ptr<const Bodies> on_show_;  ///< the bodies of the session
   int index_on_show_ = 0;                  ///< of the undo stack, with these
+  bool showing_ = false;                   ///< others are being set up, after an undo or redo
+  bool reading_scene_ = false;             ///< again, from its file
   FileWatch watch_;
   Recovery recovery_;
   QTimer recovery_timer_;

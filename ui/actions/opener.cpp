@@ -5,13 +5,31 @@
 
 #include <QFileInfo>
 #include <memory>
+#include <stdexcept>
 #include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/scene/write_scene.hpp"
 
 namespace sonde::ui {
 namespace {
 
+/// Whole: what is written of it later must not depend on the folder that the program is in then.
 std::filesystem::path path_of(const QString& file) {
-  return std::filesystem::path(file.toStdString());
+  return std::filesystem::absolute(file.toStdString());
+}
+
+/// What is open is written as text, for saving and recovery: a name that no text can hold is told
+/// of here, before anything is on show.
+Opened nameable(Opened opened) {
+  try {
+    scene_text(opened.scene, "/");
+  } catch (const std::invalid_argument& bad) {
+    throw InputError::in(opened.scene.probe.mesh.string(), bad.what());
+  } catch (const std::exception&) {
+    throw InputError::in(opened.scene.probe.mesh.string(), "its path is not UTF-8");
+  }
+  return opened;
 }
 
 }  // namespace
@@ -25,6 +43,7 @@ void Opener::open_scene(const QString& file) {
 }
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
+  give_up();
   const auto pair = std::make_shared<MeshPair>();
   job_.start(
       QStringLiteral("Reading %1 and %2")
@@ -66,18 +85,26 @@ void Opener::begin(const QString& what, std::function<Opened(const Progress&)> o
 
 void Opener::make(const QString& what, std::function<Opened(const Progress&)> open,
                   std::function<void(Stage)> done, std::function<void()> given_up) {
+  give_up();
+  given_up_ = std::move(given_up);
   const auto stage = std::make_shared<Stage>();
   job_.start(
       what,
       [stage, open = std::move(open)](const Progress& progress) {
-        *stage = make_stage(open(progress));
+        *stage = make_stage(nameable(open(progress)));
       },
-      [this, stage, done = std::move(done),
-       given_up = std::move(given_up)](const std::exception_ptr& error) {
-        if (!error) return done(std::move(*stage));
-        if (given_up) given_up();
-        fail(error);
+      [this, stage, done = std::move(done)](const std::exception_ptr& error) {
+        if (error) {
+          give_up();
+          return fail(error);
+        }
+        given_up_ = {};
+        done(std::move(*stage));
       });
+}
+
+void Opener::give_up() {
+  if (const auto given_up = std::exchange(given_up_, {})) given_up();
 }
 
 void Opener::fail(const std::exception_ptr& error) { refuse(reason_of(error)); }

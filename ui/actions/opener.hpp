@@ -23,11 +23,11 @@ class Opener : public QObject {
   /// With no unit, asks for it once both files are read.
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
   /// Whatever `open` makes in the worker; `done` gets it, or `given_up` says that nothing came of
-  /// it.
+  /// it, also where something else is opened instead.
   void make(const QString& what, std::function<Opened(const Progress&)> open,
             std::function<void(Stage)> done, std::function<void()> given_up);
   /// Nothing more is heard of what is being opened.
-  void abandon() { job_.abandon(); }
+  void abandon() { given_up_ = {}, job_.abandon(); }
   /// What was dropped, or given on a command line: one scene, or the probe and the fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
 
@@ -38,11 +38,13 @@ class Opener : public QObject {
  private:
   void begin(const QString& what, std::function<Opened(const Progress&)> open);
   void ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit);
+  void give_up();
   void fail(const std::exception_ptr& error);
   void refuse(const QString& reason);
 
   Prompts& prompts_;
   Job job_;
+  std::function<void()> given_up_;  ///< of what is being opened
 };
 
 }  // namespace sonde::ui

@@ -51,7 +51,9 @@ std::string recovery_text(const Recovered& recovered) {
   QJsonObject json;
   json[QStringLiteral("version")] = version;
   json[QStringLiteral("when")] = recovered.when.toString(Qt::ISODate);
-  json[QStringLiteral("file")] = QString::fromStdString(recovered.scene.file.string());
+  const fs::path& open = recovered.scene.file;
+  const fs::path whole = open.empty() ? open : fs::absolute(open);
+  json[QStringLiteral("file")] = QString::fromStdString(whole.string());
   json[QStringLiteral("name")] = QString::fromStdString(recovered.scene.name);
   json[QStringLiteral("scene")] = QString::fromStdString(scene_text(recovered.scene, "/"));
   json[QStringLiteral("saved")] = QString::fromStdString(recovered.saved_text);
@@ -70,7 +72,11 @@ Recovered recovered_from(const fs::path& file) {
   if (json.value(QStringLiteral("version")).toInt() != version)
     throw InputError::in(file.string(), "is no recovery file of this version");
   Recovered recovered;
-  recovered.scene = scene_in(string_of(json, "scene"), "/recovered.sonde.json");
+  try {
+    recovered.scene = scene_in(string_of(json, "scene"), "/recovered.sonde.json");
+  } catch (const InputError& bad) {
+    throw InputError::in(file.string(), bad.what());
+  }
   recovered.scene.file = string_of(json, "file");
   recovered.scene.name = string_of(json, "name");
   recovered.saved_text = string_of(json, "saved");
@@ -102,16 +108,22 @@ bool Recovery::keep(const Recovered& recovered) {
     file_ = folder_ / (std::to_string(QCoreApplication::applicationPid()) + '-' +
                        std::to_string(now) + ".json");
     lock_ = lock_of(file_);
-    if (!lock_->tryLock(0)) return false;
+    if (!lock_->tryLock(0)) return lock_.reset(), false;
   }
   writing_ = std::async(std::launch::async, [file = file_, recovered] {
     try {
       write_whole(file, recovery_text(recovered));
     } catch (const std::exception&) {
-      return;  // a disk that is full now: the next change tries again, and saving says why
+      return false;  // a disk that is full now: the next change tries again, and saving says why
     }
+    return true;
   });
   return true;
+}
+
+bool Recovery::keep_now(const Recovered& recovered) {
+  if (writing_.valid()) writing_.wait();
+  return keep(recovered) && writing_.get();
 }
 
 void Recovery::clear() {
@@ -136,6 +148,11 @@ std::vector<fs::path> Recovery::left_over() const {
     return fs::last_write_time(a, ignored) > fs::last_write_time(b, ignored);
   });
   return found;
+}
+
+void Recovery::set_aside(const fs::path& file) {
+  std::error_code ignored;
+  fs::rename(file, file.string() + ".bad", ignored);
 }
 
 void Recovery::remove(const fs::path& file) {

@@ -39,17 +39,21 @@ class Recovery {
 
   /// Writes in a thread; false while it still writes the last one, or cannot write at all.
   bool keep(const Recovered& recovered);
+  /// The same, to its end; false where that failed.
+  bool keep_now(const Recovered& recovered);
   /// There is nothing to be kept any more.
   void clear();
   /// Files of programs that have died, the newest first.
   std::vector<std::filesystem::path> left_over() const;
   /// One that was taken over, or is not wanted.
   static void remove(const std::filesystem::path& file);
+  /// One that cannot be read, perhaps by this version: it gets the ending .bad, and stays.
+  static void set_aside(const std::filesystem::path& file);
 
  private:
   std::filesystem::path folder_, file_;
   std::unique_ptr<QLockFile> lock_;  ///< held as long as the file is ours
-  std::future<void> writing_;
+  std::future<bool> writing_;
 };
 
 /// Where the program keeps them.

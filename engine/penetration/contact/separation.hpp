@@ -78,9 +78,8 @@ struct Separation {
   /// Static only: leaps of the search that were cut short by a limit on rows or on looks at them.
   int limited = 0;
   /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
-  /// free led over an edge to another place: the depth fell by more than the device moved (by
-  /// translation only: than any point of it did), or Q is nearer to where the device came from than
-  /// the Q before was, by 1e-3 of σ; force is not continuous there.
+  /// free led over an edge to another place, the depth fell by more than the device moved (by
+  /// translation only: than any point of it did); force is not continuous there.
   bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
   /// Static only: the translational depth found on the way, m; none where the time ran out before.

@@ -14,9 +14,6 @@ namespace {
 
 /// Beyond this many times the bodies' size, the rounding of coordinates drowns the geometry.
 constexpr double farthest = 1e9;
-/// Of the energy stored: what is lost at once beyond that is reported as a jump. As much as a
-/// closed loop may lose without one.
-constexpr double energy_let_go = 1e-3;
 
 }  // namespace
 
@@ -53,18 +50,6 @@ struct CoherentSolver::State {
     const Vec6 y = from.coordinates(to);
     if (method == Method::pdg) return y.norm();
     return y.tail<3>().norm() + 2 * from.v(y).norm() * probe.mass.radius;
-  }
-
-  /// Was the place where the last tick ended, at a depth of `before`, left for another? It was the
-  /// best near by. So the depth can only have fallen further than the device moved where it was;
-  /// and where by less, the new place is nearer than the old one already to where the device came
-  /// from: energy that the hand does not get back.
-  bool has_jumped(double before, double moved) const noexcept {
-    const double noise = 2 * allowed_clearance(probe.mass.radius, before);
-    if (last.depth < before - moved * (1 + 1e-9) - noise) return true;
-    if (method == Method::pdt || !(before > 0) || last.depth >= before + moved) return false;
-    const double had_been = Chart(probe.mass, device).coordinates(last.separated).norm();
-    return had_been < before - noise && had_been * had_been < (1 - energy_let_go) * before * before;
   }
 
   bool within_reach(const Pose& X) const {
@@ -153,7 +138,10 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // more the nearer the turn is to a half one, and nothing has swept that.
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
-  s.last.jumped = s.has_jumped(before, moved);
+  // The depth that the last tick found was the best near by; it can only have fallen further than
+  // the device moved by leaving that place for another.
+  s.last.jumped = s.last.depth <
+                  before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe.mass.radius, before);
   s.last.converged = s.last.converged && followed;
   s.device = device;
   s.separated = s.last.separated;
