@@ -27,6 +27,7 @@ int choose(QWidget* parent, const char* object, const QString& text, const QStri
   box.setTextFormat(Qt::PlainText);  // file names
   box.setInformativeText(more);
   std::vector<QAbstractButton*> made;
+  made.reserve(buttons.size());
   for (const Button& button : buttons)
     made.push_back(box.addButton(QString::fromUtf8(button.text), button.role));
   box.setDefaultButton(static_cast<QPushButton*>(made.front()));
