@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is committed is what the generator writes, byte for byte; but for the scenes' pictures, which
-// the window draws (resources/draw/gallery.cpp).
+// What is committed is what the generator writes, byte for byte; but for the scenes' pictures,
+// which the window draws (resources/draw/gallery.cpp).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +19,8 @@ std::set<std::string> files_under(const fs::path& root) {
   std::set<std::string> files;
   for (const char* folder : {"models", "scenes"})
     for (const auto& entry : fs::directory_iterator(root / folder))
-      if (entry.path().extension() != ".png") files.insert(std::string(folder) + "/" + entry.path().filename().string());
+      if (entry.path().extension() != ".png")
+        files.insert(std::string(folder) + "/" + entry.path().filename().string());
   return files;
 }
 
