@@ -28,8 +28,8 @@ class Descent {
  public:
   /// The gaps aimed at, in parts of the clearance allowed. How far within it a probe stands depends
   /// on the way that it came, and costs energy where it follows a hand: with a half, 0.2 % of what
-  /// a peg in its hole stores in a loop; with a quarter, less than 0.1 %, in as many steps. A
-  /// search gets by with the half.
+  /// a peg in its hole stores in a loop; with a quarter, less than 0.1 % but where it lets go of a
+  /// place, in as many steps. A search gets by with the half.
   static constexpr double gap_of_search = 0.5, gap_of_follower = 0.25;
 
   Descent(const Body& probe, const Body& fixed, Method method,

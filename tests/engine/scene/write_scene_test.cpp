@@ -78,6 +78,16 @@ constexpr const char* full = R"({
     "view": {"camera": [1, 2, {"a": null}]}
   })";
 
+TEST(WriteScene, into_the_folder_that_the_program_is_in) {
+  const TempFolder folder;
+  const Scene scene = read_scene(std::string(SONDE_RESOURCES) + "/scenes/spoon-in-cup.sonde.json");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  EXPECT_NO_THROW(write_scene(scene, "a.sonde.json"));
+  std::filesystem::current_path(before);
+  expect_same(read_scene(folder / "a.sonde.json"), scene);
+}
+
 TEST(WriteScene, what_was_read_reads_the_same_again) {
   const TempFolder folder;
   const Scene scene = read_scene(folder.write("full.sonde.json", full));
