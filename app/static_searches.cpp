@@ -31,9 +31,9 @@ std::vector<TimedSeparation> search_all(const Pair& pair, std::span<const Pose> 
   std::atomic<std::size_t> done{0};
   // A search uses two threads itself.
   const unsigned threads = thread_count(options.threads);
-  const std::size_t at_once =
+  const std::size_t run_both =
       std::clamp<std::size_t>(threads / 2, 1, std::max<std::size_t>(poses.size(), 1));
-  run_parallel(poses.size(), at_once, [&](std::size_t i) {
+  run_parallel(poses.size(), run_both, [&](std::size_t i) {
     StaticOptions own = options.static_options();
     own.two_threads = threads > 1;
     own.seed = seed_of(options.seed, i);

@@ -8,7 +8,7 @@
 
 namespace sonde {
 
-void at_once(bool two_threads, const Progress& progress, const Part& here, const Part& there) {
+void run_both(bool two_threads, const Progress& progress, const Part& here, const Part& there) {
   if (!two_threads) {
     here(part_of(progress, 0, 0.5));
     there(part_of(progress, 0.5, 1));

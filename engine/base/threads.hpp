@@ -24,7 +24,7 @@ using Part = std::function<void(const Progress&)>;
 /// Does two parts of a step that do not touch each other, `there` on a second thread if
 /// `two_threads` and after `here` if not. Progress is called on this thread only; once it has
 /// cancelled `here`, the progress of `there` says the same. Throws what either throws.
-void at_once(bool two_threads, const Progress& progress, const Part& here, const Part& there);
+void run_both(bool two_threads, const Progress& progress, const Part& here, const Part& there);
 
 /// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
 /// thrown here. On so many threads, this one included.

@@ -69,7 +69,7 @@ void turn_inside_out(Body& body) {
 void choose_model(Body& body, Model asked, const Progress& progress) {
   const bool may_be_solid = asked != Model::surface && body.topology.closed;
   MassProperties by_volume;
-  at_once(
+  run_both(
       may_be_solid && body.soup.triangles.size() >= worth_a_thread, progress,
       [&](const Progress& part) { body.mass = mass_by_area(body.soup, part); },
       [&](const Progress& part) {

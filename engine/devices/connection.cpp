@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/base/error.hpp"
-#include "engine/devices/device_holder.hpp"
+#include "engine/devices/device_owner.hpp"
 
 namespace sonde {
 namespace {
@@ -34,7 +34,7 @@ DeviceListing listing_of(const HidInfo& info, DeviceKind kind) {
   try {
     listing.capabilities = connect(info).capabilities();
     listing.opens = true;
-    listing.note = other_holder(info.path);
+    listing.note = other_owner(info.path);
   } catch (const InputError& error) {
     listing.reason = error.what();
   }
@@ -78,7 +78,7 @@ Connection connect(const HidInfo& info) {
     SpaceMouse mouse = space_mouse_on(hid, info);
     return {std::move(hid), std::move(mouse)};
   } catch (const InputError& error) {
-    const std::string holder = other_holder(info.path);
+    const std::string holder = other_owner(info.path);
     if (holder.empty()) throw;
     throw InputError(std::string(error.what()) + "; " + holder);
   }

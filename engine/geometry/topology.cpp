@@ -165,7 +165,7 @@ Soup compacted(Soup soup, const Progress& progress) {
 Topology analyse_topology(const Soup& soup, const Progress& progress) {
   Topology out;
   std::size_t duplicates = 0;
-  at_once(
+  run_both(
       soup.triangles.size() >= worth_a_thread, progress,
       [&](const Progress& part) { count_edges(soup, part, out); },
       [&](const Progress& part) { duplicates = count_duplicates(soup, part); });

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -160,7 +160,7 @@ QStringList DocumentControl::files() const {
 void DocumentControl::watch() { watch_.watch(document_.empty() ? QStringList() : files()); }
 
 void DocumentControl::opened(const Session& session) {
-  const Opened& opened = session.opened();
+  const LoadedScene& opened = session.opened();
   auto bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
   on_show_ = bodies;
   index_on_show_ = 0;
@@ -296,7 +296,7 @@ void DocumentControl::ask_bodies() {
   const bool suited = same(scene.coupling, suited_coupling(probe.mass));
   change_bodies(QStringLiteral("Units, axes and insides"), wanted,
                 [scene = wanted.scene, suited](const Progress& progress) {
-                  Opened opened = open_scene(scene, progress);
+                  LoadedScene opened = open_scene(scene, progress);
                   if (suited)
                     opened.scene.coupling = opened.coupling =
                         suited_coupling(opened.pair.probe().mass);
@@ -304,23 +304,23 @@ void DocumentControl::ask_bodies() {
                 });
 }
 
-/// The stage is made first: a mesh that cannot be read is no step.
+/// The session is made first: a mesh that cannot be read is no step.
 void DocumentControl::change_bodies(const QString& what, const Content& wanted,
-                                    std::function<Opened(const Progress&)> open) {
+                                    std::function<LoadedScene(const Progress&)> open) {
   document_.set_here(now().here);
   opener_.make(
       what,
       [open = std::move(open), here = wanted.here](const Progress& progress) {
-        Opened opened = open(progress);
+        LoadedScene opened = open(progress);
         opened.here = here;
         return opened;
       },
-      [this, what, wanted](Stage stage) {
-        const Opened& opened = stage.session->opened();
+      [this, what, wanted](DrawnSession drawn) {
+        const LoadedScene& opened = drawn.session->opened();
         Content content = wanted;
         content.scene = opened.scene;
         content.bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
-        ready_ = std::move(stage);
+        ready_ = std::move(drawn);
         document_.change(what, content);
         ready_.reset();
       },
@@ -344,12 +344,12 @@ void DocumentControl::apply(const Content& from, const Content& to) {
 }
 
 void DocumentControl::show_bodies(const Content& wanted) {
-  const auto show = [this](Stage stage, const std::shared_ptr<const Bodies>& bodies) {
+  const auto show = [this](DrawnSession drawn, const std::shared_ptr<const Bodies>& bodies) {
     on_show_ = bodies;
     index_on_show_ = document_.stack().index();
     showing_ = false;
-    view_.show(std::move(stage), true);
-    // The stage took its time: more may have been done or undone meanwhile.
+    view_.show(std::move(drawn), true);
+    // The session took its time: more may have been done or undone meanwhile.
     const Content& content = document_.content();
     view_.session()->set_start(relative_pose(content.scene));
     if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
@@ -364,11 +364,13 @@ void DocumentControl::show_bodies(const Content& wanted) {
   opener_.make(
       QStringLiteral("Setting the bodies up again"),
       [wanted](const Progress&) {
-        Opened opened = open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory);
+        LoadedScene opened =
+            open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory);
         opened.here = wanted.here;
         return opened;
       },
-      [show, bodies = wanted.bodies](Stage stage) { show(std::move(stage), bodies); }, given_up);
+      [show, bodies = wanted.bodies](DrawnSession drawn) { show(std::move(drawn), bodies); },
+      given_up);
   showing_ = true;
 }
 
@@ -389,19 +391,19 @@ void DocumentControl::file_changed(const QString& file) {
 
 /// Nothing but what the file says changes: the probe and the eye stay where they are.
 void DocumentControl::reload(const QString& file, const QString& what,
-                             std::function<Opened(const Progress&)> open) {
+                             std::function<LoadedScene(const Progress&)> open) {
   const std::string saved = document_.saved_text();
   const bool was_modified = document_.modified();
   const std::string before = document_.text();
   opener_.make(
       what, [open = std::move(open)](const Progress& progress) { return open(progress); },
-      [this, file, saved, before, was_modified](Stage stage) {
+      [this, file, saved, before, was_modified](DrawnSession drawn) {
         reading_scene_ = false;
         // What was changed while it was read counts: once more, from there.
         if (document_.text() != before) return file_changed(file);
         const CameraPlace camera = view_.camera();
         const Pose here = now().here;
-        view_.show(std::move(stage), false);
+        view_.show(std::move(drawn), false);
         view_.look(camera);
         view_.place(here);
         document_.set_here(here);
@@ -460,12 +462,12 @@ void DocumentControl::recover(const std::filesystem::path& file) {
   opener_.make(
       QStringLiteral("Recovering %1").arg(QString::fromStdString(found.scene.name)),
       [found](const Progress& progress) {
-        Opened opened = open_scene(found.scene, progress);
+        LoadedScene opened = open_scene(found.scene, progress);
         opened.here = found.here;
         return opened;
       },
-      [this, found, file](Stage stage) {
-        view_.show(std::move(stage), false);
+      [this, found, file](DrawnSession drawn) {
+        view_.show(std::move(drawn), false);
         document_.set_saved_text(found.saved_text);
         if (found.camera) view_.look(*found.camera);
         // The other goes only once this one is there.

@@ -13,7 +13,7 @@
 #include "ui/document/document.hpp"
 #include "ui/document/file_watch.hpp"
 #include "ui/document/recovery.hpp"
-#include "ui/views/stage.hpp"
+#include "ui/views/drawn_session.hpp"
 
 namespace sonde::ui {
 
@@ -22,9 +22,10 @@ class Opener;
 /// What the document needs of the window it is shown in.
 struct DocumentView {
   std::function<Session*()> session;
-  std::function<void(Stage, bool same_document)> show;  ///< may be called while events are handled
-  std::function<void()> empty;                          ///< nothing is open any more
-  std::function<void(const Pose&)> place;               ///< the probe, at once
+  std::function<void(DrawnSession, bool same_document)>
+      show;                                ///< may be called while events are handled
+  std::function<void()> empty;             ///< nothing is open any more
+  std::function<void(const Pose&)> place;  ///< the probe, at once
   std::function<void(const Coupling&)> show_coupling;
   std::function<void(const DeviceSettings&)> show_device_settings;
   std::function<CameraPlace()> camera;
@@ -77,13 +78,13 @@ class DocumentControl : public QObject {
   void apply(const Content& from, const Content& to);
   void show_bodies(const Content& wanted);
   void change_bodies(const QString& what, const Content& wanted,
-                     std::function<Opened(const Progress&)> open);
+                     std::function<LoadedScene(const Progress&)> open);
   void replace_body(Role role, const QString& file);
   bool write(const std::filesystem::path& file);
   void watch();
   void file_changed(const QString& file);
   void reload(const QString& file, const QString& what,
-              std::function<Opened(const Progress&)> open);
+              std::function<LoadedScene(const Progress&)> open);
   void recover(const std::filesystem::path& file);
   void keep_for_recovery();
   Recovered for_recovery() const;
@@ -95,7 +96,7 @@ class DocumentControl : public QObject {
   Prompts& prompts_;
   DocumentView view_;
   Document document_;
-  std::optional<Stage> ready_;             ///< of a command that is about to be done
+  std::optional<DrawnSession> ready_;      ///< of a command that is about to be done
   std::shared_ptr<const Bodies> on_show_;  ///< the bodies of the session
   int index_on_show_ = 0;                  ///< of the undo stack, with these
   bool showing_ = false;                   ///< others are being set up, after an undo or redo

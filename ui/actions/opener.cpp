@@ -21,7 +21,7 @@ std::filesystem::path path_of(const QString& file) {
 
 /// What is open is written as text, for saving and recovery: a name that no text can hold is told
 /// of here, before anything is on show.
-Opened nameable(Opened opened) {
+LoadedScene nameable(LoadedScene opened) {
   try {
     scene_text(opened.scene, "/");
   } catch (const std::invalid_argument& bad) {
@@ -79,27 +79,27 @@ void Opener::ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<
   });
 }
 
-void Opener::begin(const QString& what, std::function<Opened(const Progress&)> open) {
+void Opener::begin(const QString& what, std::function<LoadedScene(const Progress&)> open) {
   make(what, std::move(open), ready, {});
 }
 
-void Opener::make(const QString& what, std::function<Opened(const Progress&)> open,
-                  std::function<void(Stage)> done, std::function<void()> given_up) {
+void Opener::make(const QString& what, std::function<LoadedScene(const Progress&)> open,
+                  std::function<void(DrawnSession)> done, std::function<void()> given_up) {
   give_up();
   given_up_ = std::move(given_up);
-  const auto stage = std::make_shared<Stage>();
+  const auto drawn = std::make_shared<DrawnSession>();
   job_.start(
       what,
-      [stage, open = std::move(open)](const Progress& progress) {
-        *stage = make_stage(nameable(open(progress)));
+      [drawn, open = std::move(open)](const Progress& progress) {
+        *drawn = draw_session(nameable(open(progress)));
       },
-      [this, stage, done = std::move(done)](const std::exception_ptr& error) {
+      [this, drawn, done = std::move(done)](const std::exception_ptr& error) {
         if (error) {
           give_up();
           return fail(error);
         }
         given_up_ = {};
-        done(std::move(*stage));
+        done(std::move(*drawn));
       });
 }
 

@@ -9,7 +9,7 @@
 
 #include "ui/actions/prompts.hpp"
 #include "ui/base/job.hpp"
-#include "ui/views/stage.hpp"
+#include "ui/views/drawn_session.hpp"
 
 namespace sonde::ui {
 
@@ -24,19 +24,19 @@ class Opener : public QObject {
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
   /// Whatever `open` makes in the worker; `done` gets it, or `given_up` says that nothing came of
   /// it, also where something else is opened instead.
-  void make(const QString& what, std::function<Opened(const Progress&)> open,
-            std::function<void(Stage)> done, std::function<void()> given_up);
+  void make(const QString& what, std::function<LoadedScene(const Progress&)> open,
+            std::function<void(DrawnSession)> done, std::function<void()> given_up);
   /// Nothing more is heard of what is being opened.
   void abandon() { given_up_ = {}, job_.abandon(); }
   /// What was dropped, or given on a command line: one scene, or the probe and the fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
 
-  std::function<void(Stage)> ready;
+  std::function<void(DrawnSession)> ready;
   /// Nothing was opened: the reason (empty if the user gave up) was reported already.
   std::function<void(const QString& reason)> failed;
 
  private:
-  void begin(const QString& what, std::function<Opened(const Progress&)> open);
+  void begin(const QString& what, std::function<LoadedScene(const Progress&)> open);
   void ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit);
   void give_up();
   void fail(const std::exception_ptr& error);

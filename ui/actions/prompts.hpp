@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 
 class QWidget;
 

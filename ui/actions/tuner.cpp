@@ -9,14 +9,14 @@ namespace sonde::ui {
 
 Tuner::Tuner(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
 
-void Tuner::load(const QString& folder, const Opened& opened) {
+void Tuner::load(const QString& folder, const LoadedScene& opened) {
   begin(QStringLiteral("Reading %1").arg(QFileInfo(folder).fileName()),
         [path = std::filesystem::path(folder.toStdString()), opened](const Progress&) {
           return load_tuning(path, opened);
         });
 }
 
-void Tuner::compute(const TuningOrder& order, const Opened& opened) {
+void Tuner::compute(const TuningOrder& order, const LoadedScene& opened) {
   begin(QStringLiteral("Studying the gains of %1").arg(QString::fromStdString(order.device.name)),
         [order, opened](const Progress& progress) {
           return compute_tuning(order, opened, progress);

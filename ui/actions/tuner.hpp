@@ -16,8 +16,8 @@ class Tuner : public QObject {
  public:
   Tuner(QWidget& window, Prompts& prompts);
 
-  void load(const QString& folder, const Opened& opened);
-  void compute(const TuningOrder& order, const Opened& opened);
+  void load(const QString& folder, const LoadedScene& opened);
+  void compute(const TuningOrder& order, const LoadedScene& opened);
   bool running() const { return job_.running(); }
   void abandon() { job_.abandon(); }  ///< the pair it is about has gone
 

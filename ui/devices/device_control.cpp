@@ -35,37 +35,37 @@ DeviceControl::~DeviceControl() {
 }
 
 bool DeviceControl::mouse_leads() const {
-  return std::holds_alternative<MouseHolder>(holder_) ||
-         std::holds_alternative<SimulatedHolder>(holder_);
+  return std::holds_alternative<MouseSource>(source_) ||
+         std::holds_alternative<SimulatedSource>(source_);
 }
 
-void DeviceControl::choose(const Holder& holder) {
+void DeviceControl::choose(const InputSource& source) {
   chosen_ = true;
-  take(holder);
+  take(source);
 }
 
 void DeviceControl::attach(Session* session) {
   session_ = session;
   if (!session_) return;
-  const Opened& opened = session_->opened();
+  const LoadedScene& opened = session_->opened();
   of_scene_ = opened.servo;
-  const auto* path = std::get_if<PathHolder>(&holder_);
+  const auto* path = std::get_if<PathSource>(&source_);
   const bool without_path = path && path->file.empty() && opened.trajectory.empty();
   if (without_path && report_error)
     report_error(QStringLiteral("This scene has no recorded path: the mouse holds the probe."));
   if (!chosen_ && opened.device)
-    take(SimulatedHolder{*opened.device});
+    take(SimulatedSource{*opened.device});
   else if (!chosen_ || without_path)
-    take(MouseHolder{});
+    take(MouseSource{});
   else
-    take(Holder(holder_));
+    take(InputSource(source_));
 }
 
-void DeviceControl::take(const Holder& holder) {
+void DeviceControl::take(const InputSource& source) {
   if (keep_timer_.isActive()) keep_settings();
-  const bool stays = same(holder, holder_) && input_;
-  holder_ = holder;
-  const auto* connected = std::get_if<ConnectedHolder>(&holder_);
+  const bool stays = same(source, source_) && input_;
+  source_ = source;
+  const auto* connected = std::get_if<ConnectedSource>(&source_);
   if (!connected) input_.reset();
   if (connected && !stays) {
     input_ = std::make_shared<InputDevice>(connected->choice);
@@ -82,19 +82,19 @@ void DeviceControl::hold() {
   if (!session_) return;
   run_as_wanted();
   if (input_) return session_->hold_by(input_, settings_);
-  if (const auto* path = std::get_if<PathHolder>(&holder_)) return hold_by_path(*path);
-  const auto* simulating = std::get_if<SimulatedHolder>(&holder_);
+  if (const auto* path = std::get_if<PathSource>(&source_)) return follow_path(*path);
+  const auto* simulating = std::get_if<SimulatedSource>(&source_);
   if (!simulating) return session_->hold_by_mouse();
   try {
     session_->hold_by(simulated(simulating->profile), settings_.scaling);
   } catch (const std::invalid_argument& why) {
-    holder_ = MouseHolder{};
+    source_ = MouseSource{};
     session_->hold_by_mouse();
     if (report_error) report_error(QString::fromUtf8(why.what()));
   }
 }
 
-void DeviceControl::hold_by_path(const PathHolder& path) {
+void DeviceControl::follow_path(const PathSource& path) {
   session_->replay(path.file.empty() ? session_->opened().trajectory : *path.path);
 }
 
@@ -112,7 +112,7 @@ void DeviceControl::run_as_wanted() {
 }
 
 std::filesystem::path DeviceControl::settings_file() const {
-  const std::string name = settings_name_of(holder_);
+  const std::string name = settings_name_of(source_);
   return name.empty() ? std::filesystem::path() : folder_ / name;
 }
 
@@ -144,7 +144,7 @@ void DeviceControl::set_settings(const DeviceSettings& settings) {
     run_as_wanted();
   }
   // A simulated device is made for one rate.
-  if (servo().rate_hz != rate_before && std::holds_alternative<SimulatedHolder>(holder_)) hold();
+  if (servo().rate_hz != rate_before && std::holds_alternative<SimulatedSource>(source_)) hold();
   if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
   if (changed) changed();
 }
@@ -175,21 +175,21 @@ void DeviceControl::frame(const Quat& q_FV) {
   session_->sweep();
 }
 
-std::vector<Holder> DeviceControl::choices() const {
-  std::vector<Holder> all{MouseHolder{}};
-  if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathHolder{});
-  for (const DeviceProfile& profile : profiles_) all.emplace_back(SimulatedHolder{profile});
-  for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(holder_of(device.info));
-  if (std::ranges::none_of(all, [this](const Holder& h) { return same(h, holder_); }))
-    all.push_back(holder_);
+std::vector<InputSource> DeviceControl::choices() const {
+  std::vector<InputSource> all{MouseSource{}};
+  if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathSource{});
+  for (const DeviceProfile& profile : profiles_) all.emplace_back(SimulatedSource{profile});
+  for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(source_of(device.info));
+  if (std::ranges::none_of(all, [this](const InputSource& h) { return same(h, source_); }))
+    all.push_back(source_);
   return all;
 }
 
-HolderReport DeviceControl::report() {
-  HolderReport report;
+SourceReport DeviceControl::report() {
+  SourceReport report;
   if (input_) report.device = input_->status();
   // Plugged in again it may have another node.
-  if (auto* connected = std::get_if<ConnectedHolder>(&holder_))
+  if (auto* connected = std::get_if<ConnectedSource>(&source_))
     if (!report.device.path.empty()) connected->choice.path = report.device.path;
   const qint64 since = clock_.elapsed() - counted_at_;
   if (since >= count_ms) {

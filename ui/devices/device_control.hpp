@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "engine/devices/device_settings.hpp"
-#include "engine/devices/device_watch.hpp"
+#include "engine/devices/hotplug_monitor.hpp"
 #include "engine/haptics/loop/servo.hpp"
-#include "ui/devices/holder.hpp"
+#include "ui/devices/input_source.hpp"
 
 namespace sonde::ui {
 
 class Session;
 
 /// How what holds the probe is doing, for people to read.
-struct HolderReport {
+struct SourceReport {
   DeviceStatus device;       ///< of a connected one
   double reports_per_s = 0;  ///< measured, over about a second
   bool clutch_open = false;
@@ -36,8 +36,8 @@ class DeviceControl : public QObject {
   ~DeviceControl() override;  ///< keeps what is not kept yet
 
   /// From now on, whatever scene is opened. Before any choice, a scene's own device or the mouse.
-  void choose(const Holder& holder);
-  const Holder& holder() const { return holder_; }
+  void choose(const InputSource& source);
+  const InputSource& source() const { return source_; }
   bool mouse_leads() const;  ///< the mouse moves the probe, or the hand on a simulated device
 
   /// Another session was opened, and the one before has gone; null for none.
@@ -55,20 +55,20 @@ class DeviceControl : public QObject {
 
   /// With each frame: the way the picture is seen goes to the device.
   void frame(const Quat& q_FV);
-  HolderReport report();
+  SourceReport report();
   /// What could hold the probe: the mouse, the scene's path, each device profile, whatever is
   /// connected, and what holds it now.
-  std::vector<Holder> choices() const;
+  std::vector<InputSource> choices() const;
 
-  /// Another holder, or other settings than those last shown.
+  /// Another source, or other settings than those last shown.
   std::function<void()> changed;
   /// Settings that could not be read or kept, a device that cannot be simulated.
   std::function<void(const QString& reason)> report_error;
 
  private:
-  void take(const Holder& holder);
+  void take(const InputSource& source);
   void hold();
-  void hold_by_path(const PathHolder& path);
+  void follow_path(const PathSource& path);
   void run_as_wanted();
   void load_settings();
   void keep_settings();
@@ -76,11 +76,11 @@ class DeviceControl : public QObject {
 
   std::filesystem::path folder_;
   std::vector<DeviceProfile> profiles_;
-  DeviceWatch watch_;
+  HotplugMonitor watch_;
   Session* session_ = nullptr;
   ServoSettings of_scene_;  ///< the loop's, as the session brought them
   bool chosen_ = false;
-  Holder holder_;
+  InputSource source_;
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
   DeviceSettings settings_;
   bool from_scene_ = false;

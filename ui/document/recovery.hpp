@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ui/document/document.hpp"
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 
 namespace sonde::ui {
 

@@ -49,14 +49,14 @@ std::shared_ptr<const Hand> hand_of(const std::shared_ptr<Holding>& holding) {
 
 }  // namespace
 
-Session::Session(Opened opened)
-    : opened_(std::move(opened)),
-      target_(opened_.here.value_or(opened_.start)),
-      coupling_(opened_.coupling),
-      companion_(opened_.pair),
+Session::Session(LoadedScene loaded)
+    : loaded_(std::move(loaded)),
+      target_(loaded_.here.value_or(loaded_.start)),
+      coupling_(loaded_.coupling),
+      searched_(loaded_.pair),
       holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
       hands_(hand_of(holding_)),
-      servo_(opened_.pair, Method::pdg, coupling_, opened_.servo) {
+      servo_(loaded_.pair, Method::pdg, coupling_, loaded_.servo) {
   servo_.start(target_, hands_.hand());
 }
 
@@ -80,7 +80,7 @@ void Session::hold_by_mouse() {
 void Session::hold_by(const SimulatedDeviceParameters& device, double scaling) {
   target_ = probe_pose();
   hold(std::make_shared<Holding>(std::in_place_type<SimulatedHand>, device,
-                                 1 / opened_.servo.rate_hz, scaling, probe().mass.com, target_));
+                                 1 / loaded_.servo.rate_hz, scaling, probe().mass.com, target_));
 }
 
 void Session::hold_by(std::shared_ptr<InputDevice> device, const DeviceSettings& settings) {
@@ -99,12 +99,12 @@ void Session::replay(std::vector<TimedPose> path) {
 }
 
 void Session::set_rate(double rate_hz) {
-  opened_.servo.rate_hz = rate_hz;
+  loaded_.servo.rate_hz = rate_hz;
   servo_.set_rate(rate_hz);
 }
 
 void Session::set_passivity_control(bool on) {
-  opened_.servo.passivity.control = on;
+  loaded_.servo.passivity.control = on;
   servo_.set_passivity_control(on);
 }
 

@@ -8,9 +8,9 @@
 #include "engine/devices/input_device.hpp"
 #include "engine/haptics/hand/hand_switch.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
-#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 
 namespace sonde::ui {
 
@@ -20,12 +20,12 @@ namespace sonde::ui {
 class Session {
  public:
   /// The mouse holds the probe.
-  explicit Session(Opened opened);
+  explicit Session(LoadedScene loaded);
   ~Session();
 
-  const Opened& opened() const { return opened_; }
-  const Body& probe() const { return opened_.pair.probe(); }
-  const Body& fixed() const { return opened_.pair.fixed(); }
+  const LoadedScene& loaded() const { return loaded_; }
+  const Body& probe() const { return loaded_.pair.probe(); }
+  const Body& fixed() const { return loaded_.pair.fixed(); }
 
   /// The newest snapshot, valid until the next call; null before the first tick.
   const Snapshot* latest() { return servo_.latest(); }
@@ -62,7 +62,7 @@ class Session {
   /// By the mouse. Nothing, where something else holds the probe.
   void set_device_pose(const Pose& X_FM);
 
-  /// From the next tick on. opened().servo says what runs now. A simulated device is made for one
+  /// From the next tick on. loaded().servo says what runs now. A simulated device is made for one
   /// rate: it is to be held again.
   void set_rate(double rate_hz);
   void set_passivity_control(bool on);
@@ -79,30 +79,30 @@ class Session {
 
   /// The probe goes back to its start; see place(). What was searched there the first time is not
   /// searched again.
-  void reset() { place(opened_.start); }
+  void reset() { place(loaded_.start); }
   /// The probe goes to that pose at once, and the servo starts afresh there: following it on a path
   /// swept free could leave the separated pose behind an obstacle.
   void place(const Pose& X_FM);
   /// Where reset() leads from now on.
-  void set_start(const Pose& X_FM) { opened_.start = X_FM; }
+  void set_start(const Pose& X_FM) { loaded_.start = X_FM; }
 
   /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
-  void ask_companion(const Pose& X_FM) { companion_.request(X_FM); }
-  std::optional<CompanionResult> companion() { return companion_.latest(); }
+  void ask_search(const Pose& X_FM) { searched_.request(X_FM); }
+  std::optional<BackgroundResult> searched() { return searched_.latest(); }
 
  private:
   struct Holding;
   void hold(std::shared_ptr<Holding> holding);
   Pose probe_pose();
 
-  Opened opened_;
+  LoadedScene loaded_;
   Pose target_;                  ///< X_FM where the mouse wants the probe
   std::vector<TimedPose> path_;  ///< the last one replayed
   Quat q_FV_ = Quat::Identity();
   Coupling coupling_;
   bool force_on_ = true;
   bool paused_ = false;
-  Companion companion_;
+  BackgroundSearch searched_;
   std::shared_ptr<Holding> holding_;
   HandSwitch hands_;
   Servo servo_;

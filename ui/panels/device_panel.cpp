@@ -78,21 +78,21 @@ DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device")
   build_loop(*layout);
   build_axes(*layout);
   layout->addStretch();
-  show_settings(MouseHolder{}, {});
-  show_report(MouseHolder{}, {});
+  show_settings(MouseSource{}, {});
+  show_report(MouseSource{}, {});
 }
 
 void DevicePanel::build_choice(QVBoxLayout& layout) {
   auto* label = new QLabel(QStringLiteral("The probe is held by"), this);
-  holders_ = new QComboBox(this);
-  holders_->setObjectName(QStringLiteral("holder"));
-  holders_->setToolTip(QStringLiteral(
+  sources_ = new QComboBox(this);
+  sources_->setObjectName(QStringLiteral("holder"));
+  sources_->setToolTip(QStringLiteral(
       "The mouse itself, a recorded path, a simulated device that the mouse drives, or a "
       "connected device."));
-  label->setBuddy(holders_);
+  label->setBuddy(sources_);
   layout.addWidget(label);
-  layout.addWidget(holders_);
-  connect(holders_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
+  layout.addWidget(sources_);
+  connect(sources_, qOverload<int>(&QComboBox::activated), this, [this](int i) {
     const auto at = static_cast<std::size_t>(i);
     if (at < choices_.size() && chosen) chosen(choices_[at]);
     if (at >= choices_.size() && path_wanted) path_wanted();
@@ -250,26 +250,27 @@ void DevicePanel::change(const std::function<void(DeviceSettings&)>& how) {
   if (settings_changed) settings_changed(settings_);
 }
 
-void DevicePanel::show_choices(const std::vector<Holder>& choices, const Holder& current) {
+void DevicePanel::show_choices(const std::vector<InputSource>& choices,
+                               const InputSource& current) {
   QStringList labels;
   for (const std::string& label : labels_of(choices)) labels << text(label);
   labels << QStringLiteral("A recorded path from a file …");
-  const QSignalBlocker quiet(holders_);
+  const QSignalBlocker quiet(sources_);
   choices_ = choices;
   if (labels != labels_) {
     labels_ = labels;
-    holders_->clear();
-    holders_->addItems(labels_);
+    sources_->clear();
+    sources_->addItems(labels_);
   }
   const auto now =
-      std::ranges::find_if(choices_, [&](const Holder& h) { return same(h, current); });
-  holders_->setCurrentIndex(static_cast<int>(now - choices_.begin()));
+      std::ranges::find_if(choices_, [&](const InputSource& h) { return same(h, current); });
+  sources_->setCurrentIndex(static_cast<int>(now - choices_.begin()));
 }
 
-void DevicePanel::show_settings(const Holder& holder, const DeviceSettings& settings,
+void DevicePanel::show_settings(const InputSource& source, const DeviceSettings& settings,
                                 bool from_scene) {
-  connected_ = std::holds_alternative<ConnectedHolder>(holder);
-  adjustable_ = connected_ || std::holds_alternative<SimulatedHolder>(holder);
+  connected_ = std::holds_alternative<ConnectedSource>(source);
+  adjustable_ = connected_ || std::holds_alternative<SimulatedSource>(source);
   settings_ = settings;
   from_scene_->setVisible(adjustable_ && from_scene);
   show_rows();
@@ -312,12 +313,12 @@ void DevicePanel::show_energy(const HandEnergy& energy) {
   show(dissipated_, energy.dissipated);
 }
 
-void DevicePanel::show_report(const Holder& holder, const HolderReport& report) {
+void DevicePanel::show_report(const InputSource& source, const SourceReport& report) {
   const DeviceStatus& device = report.device;
   numbers_->setVisible(connected_);
   state_->setVisible(connected_);
   led_->setVisible(connected_ && device.capabilities.led);
-  const auto* simulated = std::get_if<SimulatedHolder>(&holder);
+  const auto* simulated = std::get_if<SimulatedSource>(&source);
   what_->setText(simulated ? words_of(simulated->profile) : words_of(device));
   what_->setVisible(!what_->text().isEmpty());
   if (!connected_) return;

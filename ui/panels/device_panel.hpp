@@ -28,15 +28,16 @@ class DevicePanel : public QDockWidget {
   explicit DevicePanel(QWidget* parent = nullptr);
 
   /// What the probe can be held by; the list is built anew only where it is another.
-  void show_choices(const std::vector<Holder>& choices, const Holder& current);
+  void show_choices(const std::vector<InputSource>& choices, const InputSource& current);
   /// `from_scene`: the scene brings them, and no change is kept.
-  void show_settings(const Holder& holder, const DeviceSettings& settings, bool from_scene = false);
-  void show_report(const Holder& holder, const HolderReport& report);
+  void show_settings(const InputSource& source, const DeviceSettings& settings,
+                     bool from_scene = false);
+  void show_report(const InputSource& source, const SourceReport& report);
   /// How the loop runs now.
   void show_servo(const ServoSettings& servo);
   void show_energy(const HandEnergy& energy);
 
-  std::function<void(const Holder&)> chosen;
+  std::function<void(const InputSource&)> chosen;
   std::function<void()> path_wanted;  ///< one from a file
   /// Called at once with every change.
   std::function<void(const DeviceSettings&)> settings_changed;
@@ -52,13 +53,13 @@ class DevicePanel : public QDockWidget {
   void show_rows();
   void change(const std::function<void(DeviceSettings&)>& how);
 
-  std::vector<Holder> choices_;
+  std::vector<InputSource> choices_;
   QStringList labels_;  ///< of the choices, as they are in the list
   DeviceSettings settings_;
   bool adjustable_ = false;  ///< a connected device or a simulated one
   bool connected_ = false;
   bool deflections_ = true;  ///< a connected device that tells no positions
-  QComboBox *holders_, *controls_, *frames_;
+  QComboBox *sources_, *controls_, *frames_;
   QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *from_scene_;
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;

@@ -33,7 +33,7 @@ QString large(const QString& text) {
 }
 
 /// What was followed to is a way out too, and may be nearer than what a short search finds.
-double nearest_known(const Separation& followed, const CompanionResult& search) {
+double nearest_known(const Separation& followed, const BackgroundResult& search) {
   const double found = search.nearest ? search.nearest->depth : 0;
   const bool both = same(search.device, followed.device) && followed.status == Status::penetrating;
   return both ? std::min(found, followed.depth) : found;
@@ -174,9 +174,9 @@ void ReadoutPanel::sample(const Snapshot& snapshot) {
 }
 
 void ReadoutPanel::show_numbers(const Snapshot& snapshot,
-                                const std::optional<CompanionResult>& companion) {
+                                const std::optional<BackgroundResult>& searched) {
   show_held(snapshot);
-  show_ways(snapshot.separation, companion);
+  show_ways(snapshot.separation, searched);
   show_wrench(snapshot.wrench);
   show_loop(snapshot);
   depth_plot_->update();
@@ -215,19 +215,19 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
 }
 
 void ReadoutPanel::show_ways(const Separation& separation,
-                             const std::optional<CompanionResult>& companion) {
+                             const std::optional<BackgroundResult>& searched) {
   const QString none = any_solid_ ? QStringLiteral("…") : QStringLiteral("none: two surfaces");
-  if (!companion) {
+  if (!searched) {
     for (QLabel* label : {nearest_, pdt_}) label->setText(QStringLiteral("…"));
     bound_->setText(none);
     why_->clear();
     return;
   }
-  const bool fresh = same(companion->device, separation.device);
+  const bool fresh = same(searched->device, separation.device);
   const auto in_shade = [&](const QString& text) {
     return in_colour(fresh ? colour::text : colour::faint, text);
   };
-  const WayOut way = way_out(separation, *companion);
+  const WayOut way = way_out(separation, *searched);
   why_->setText(QString::fromUtf8(words(way)));
   if (way == WayOut::free_blocked) {
     nearest_->setText(QStringLiteral("free at the hand"));
@@ -235,17 +235,17 @@ void ReadoutPanel::show_ways(const Separation& separation,
     bound_->setText(QStringLiteral("–"));
     return;
   }
-  const double nearest = nearest_known(separation, *companion);
+  const double nearest = nearest_known(separation, *searched);
   const auto beside = [&](double length) {
     return in_shade(
         nearest > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(length / nearest))
                     : unit_.text(length));
   };
   const QString not_found = QStringLiteral("not found");
-  nearest_->setText(in_shade(companion->nearest ? unit_.text(nearest) : not_found));
-  pdt_->setText(companion->pdt ? beside(companion->pdt->depth) : in_shade(not_found));
-  bound_->setText(companion->lower_bound ? beside(*companion->lower_bound)
-                                         : QStringLiteral("none: two surfaces"));
+  nearest_->setText(in_shade(searched->nearest ? unit_.text(nearest) : not_found));
+  pdt_->setText(searched->pdt ? beside(searched->pdt->depth) : in_shade(not_found));
+  bound_->setText(searched->lower_bound ? beside(*searched->lower_bound)
+                                        : QStringLiteral("none: two surfaces"));
 }
 
 void ReadoutPanel::show_wrench(const Wrench& wrench) {

@@ -4,7 +4,7 @@
 #include <QDockWidget>
 #include <optional>
 
-#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
 
@@ -30,7 +30,7 @@ class ReadoutPanel : public QDockWidget {
   /// Adds to the curves: called with every frame.
   void sample(const Snapshot& snapshot);
   /// Writes the numbers: a few times a second, so that they can be read.
-  void show_numbers(const Snapshot& snapshot, const std::optional<CompanionResult>& companion);
+  void show_numbers(const Snapshot& snapshot, const std::optional<BackgroundResult>& searched);
 
  private:
   QLabel* value(QFormLayout& form, const QString& name, const char* object, const QString& doc);
@@ -39,7 +39,7 @@ class ReadoutPanel : public QDockWidget {
   void build_wrench(QVBoxLayout& layout);
   void build_loop(QVBoxLayout& layout);
   void show_held(const Snapshot& snapshot);
-  void show_ways(const Separation& separation, const std::optional<CompanionResult>& companion);
+  void show_ways(const Separation& separation, const std::optional<BackgroundResult>& searched);
   void show_wrench(const Wrench& wrench);
   void show_loop(const Snapshot& snapshot);
 

@@ -113,10 +113,10 @@ void Demo::back(double seconds) {
 }
 
 void Demo::rest(double seconds) {
-  const auto& companion = window_.companion();
+  const auto& searched = window_.searched();
   const bool caught_up =
-      companion && window_.shown() && companion->device.p == window_.shown()->separation.device.p &&
-      companion->device.q.coeffs() == window_.shown()->separation.device.q.coeffs();
+      searched && window_.shown() && searched->device.p == window_.shown()->separation.device.p &&
+      searched->device.q.coeffs() == window_.shown()->separation.device.q.coeffs();
   if (!caught_up) caught_up_at_ = seconds;
   // Then a moment for the numbers to be written.
   if (seconds < std::min(caught_up_at_ + numbers_seconds, rest_at_most)) return;
@@ -135,7 +135,7 @@ int Demo::finish() {
   std::printf("%s\n", picture_.c_str());
   std::printf("depth held %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
               s.separation.translation, s.separation.rotation);
-  if (const auto& c = window_.companion()) {
+  if (const auto& c = window_.searched()) {
     if (c->nearest) std::printf("nearest way out %.4g m, ", c->nearest->depth);
     if (c->pdt) std::printf("PD_t %.4g m, ", c->pdt->depth);
     if (c->lower_bound) std::printf("lower bound %.4g m, ", *c->lower_bound);
@@ -143,7 +143,7 @@ int Demo::finish() {
   std::printf("|F| %.3g N, |tau| %.3g N·m, tick %.0f us, servo %.0f Hz, %.0f frames/s\n",
               s.wrench.force.norm(), s.wrench.torque.norm(), s.tick_us, s.rate_hz,
               frames_per_second_);
-  if (const auto& c = window_.companion())
+  if (const auto& c = window_.searched())
     if (const char* way = words(way_out(s.separation, *c)); *way != 0) std::printf("%s\n", way);
   std::fflush(stdout);
   return 0;

@@ -47,8 +47,8 @@ namespace sonde::ui {
 namespace {
 
 constexpr int frame_ms = 16;
-constexpr qint64 numbers_ms = 120;    // faster than that nobody reads
-constexpr qint64 companion_ms = 100;  // it shares the machine with the servo
+constexpr qint64 numbers_ms = 120;  // faster than that nobody reads
+constexpr qint64 search_ms = 100;   // it shares the machine with the servo
 constexpr double swing_seconds = 1.6;
 
 bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
@@ -125,7 +125,7 @@ MainWindow::MainWindow(QWidget* parent)
   connect_documents();
   stiffness_->ticked = [this](const Snapshot& tick) { log_->add(force_log_.add(tick)); };
   stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
-  opener_->ready = [this](Stage stage) { show_stage(std::move(stage)); };
+  opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
   opener_->failed = [this](const QString& reason) {
     log_->add(reason);
     emit open_failed(reason);
@@ -146,7 +146,7 @@ MainWindow::~MainWindow() {
 void MainWindow::connect_devices() {
   devices_->changed = [this] { show_holder(); };
   devices_->report_error = [this](const QString& reason) { complain(reason); };
-  device_panel_->chosen = [this](const Holder& holder) { devices_->choose(holder); };
+  device_panel_->chosen = [this](const InputSource& source) { devices_->choose(source); };
   device_panel_->path_wanted = [this] { ask_path(); };
   device_panel_->settings_changed = [this](const DeviceSettings& settings) {
     documents_->set_device_settings(settings);
@@ -156,7 +156,7 @@ void MainWindow::connect_devices() {
 
 DocumentView MainWindow::document_view() {
   return {.session = [this] { return session(); },
-          .show = [this](Stage stage, bool same) { show_stage(std::move(stage), same); },
+          .show = [this](DrawnSession drawn, bool same) { show_session(std::move(drawn), same); },
           .empty = [this] { show_nothing(); },
           .place = [this](const Pose& pose) { place(pose); },
           .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
@@ -224,7 +224,7 @@ void MainWindow::ask_path() {
   const QString file = prompts_.ask_path();
   if (!file.isEmpty()) try {
       remember_folder_of(file);
-      devices_->choose(path_holder(file.toStdString()));
+      devices_->choose(path_source(file.toStdString()));
     } catch (const InputError& bad) {
       complain(QString::fromUtf8(bad.what()));
     }
@@ -238,21 +238,21 @@ void MainWindow::show_nothing() {
   stiffness_->attach(nullptr);
   force_log_.end();
   shown_.reset();
-  companion_.reset();
-  stage_ = {};
+  searched_.reset();
+  drawn_ = {};
   show_start_page();
 }
 
-void MainWindow::show_stage(Stage stage, bool same_document) {
+void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   statusBar()->clearMessage();
   start_page_->hide();
-  stage_ = std::move(stage);
+  drawn_ = std::move(drawn);
   force_log_.end();
-  Session& now = *stage_.session;
+  Session& now = *drawn_.session;
   now.set_force(force_);  // what Esc took away stays away
   shown_.reset();
-  companion_.reset();
-  viewport_->show_stage(stage_, same_document);
+  searched_.reset();
+  viewport_->show_session(drawn_, same_document);
   if (same_document)
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else
@@ -265,8 +265,8 @@ void MainWindow::show_stage(Stage stage, bool same_document) {
   readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
   const QString name = QString::fromStdString(open.opened().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
-  log_->add(
-      QStringLiteral("Opened %1.   %2").arg(name, natures(session()->probe(), session()->fixed())));
+  log_->add(QStringLiteral("LoadedScene %1.   %2")
+                .arg(name, natures(session()->probe(), session()->fixed())));
   // As it is by now: that may have taken a while, and Esc works meanwhile.
   emit paused_changed(session()->paused());
   emit force_changed(session()->force_on());
@@ -282,11 +282,11 @@ void MainWindow::show_device_dock() {
 /// What holds the probe, or how, has changed: the mouse begins where the probe is.
 void MainWindow::show_holder() {
   if (session()) mouse_->take(session()->probe().mass, session()->device_pose());
-  device_panel_->show_choices(devices_->choices(), devices_->holder());
-  device_panel_->show_settings(devices_->holder(), devices_->settings(),
+  device_panel_->show_choices(devices_->choices(), devices_->source());
+  device_panel_->show_settings(devices_->source(), devices_->settings(),
                                devices_->settings_from_scene());
   device_panel_->show_servo(devices_->servo());
-  const auto* simulating = std::get_if<SimulatedHolder>(&devices_->holder());
+  const auto* simulating = std::get_if<SimulatedSource>(&devices_->source());
   stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
   show_device();
 }
@@ -335,7 +335,7 @@ void MainWindow::on_frame() {
   ++rate_frames_;
   if (!shown_) return;
   const qint64 now = clock_.elapsed();
-  ask_companion();
+  ask_search();
   if (now >= numbers_due_) {
     numbers_due_ = now + numbers_ms;
     show_numbers();
@@ -354,34 +354,34 @@ void MainWindow::draw_if_changed() {
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
   const double swing = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
-  const bool known = companion_ && same(companion_->device, next.separation.device);
-  viewport_->draw(next, swing, known ? &*companion_ : nullptr);
+  const bool known = searched_ && same(searched_->device, next.separation.device);
+  viewport_->draw(next, swing, known ? &*searched_ : nullptr);
   ++frames_;
 }
 
 /// PD_t and the lower bound take longer than a tick: in their own thread, and only while shown. As
 /// long as the probe moves, for a tenth of the time: the servo and the picture need the machine.
-void MainWindow::ask_companion() {
+void MainWindow::ask_search() {
   if (!readout_->isVisible() || session()->paused()) return;
   const qint64 now = clock_.elapsed();
   const Pose& device = shown_->separation.device;
-  if (!same(device, companion_pose_)) {
-    companion_pose_ = device;
+  if (!same(device, search_pose_)) {
+    search_pose_ = device;
     rest_since_ = now;
   }
-  if (const auto result = session()->companion()) {
+  if (const auto result = session()->searched()) {
     const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
-    if (drawn && !(companion_ && same(companion_->device, result->device))) viewport_->invalidate();
-    companion_ = result;
-    companion_due_ = companion_asked_ + std::max(companion_ms, qint64(1e-2 * result->time_us));
+    if (drawn && !(searched_ && same(searched_->device, result->device))) viewport_->invalidate();
+    searched_ = result;
+    search_due_ = search_asked_ + std::max(search_ms, qint64(1e-2 * result->time_us));
   }
-  const bool rests = now - rest_since_ > companion_ms && !same(device, asked_pose_);
-  if (!rests && now < companion_due_) return;
-  if (companion_ && same(companion_->device, device)) return;
-  session()->ask_companion(device);
+  const bool rests = now - rest_since_ > search_ms && !same(device, asked_pose_);
+  if (!rests && now < search_due_) return;
+  if (searched_ && same(searched_->device, device)) return;
+  session()->ask_search(device);
   asked_pose_ = device;
-  companion_asked_ = now;
-  companion_due_ = now + 10 * companion_ms;
+  search_asked_ = now;
+  search_due_ = now + 10 * search_ms;
 }
 
 void MainWindow::show_numbers() {
@@ -391,15 +391,15 @@ void MainWindow::show_numbers() {
     rate_since_ = now;
     rate_frames_ = 0;
   }
-  readout_->show_numbers(*shown_, companion_);
+  readout_->show_numbers(*shown_, searched_);
   pose_panel_->show_pose(session()->device_pose());
   show_status();
 }
 
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
-  QString happens = happening(s, companion_);
-  if (companion_) log_->add(QString::fromUtf8(words(way_out(s.separation, *companion_))));
+  QString happens = happening(s, searched_);
+  if (searched_) log_->add(QString::fromUtf8(words(way_out(s.separation, *searched_))));
   if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
   what_happens_->show_text(
@@ -414,13 +414,13 @@ void MainWindow::show_status() {
 /// Also with nothing open: what is plugged in shows at once.
 void MainWindow::show_device() {
   device_due_ = clock_.elapsed() + numbers_ms;
-  const Holder& holder = devices_->holder();
-  const HolderReport report = devices_->report();
-  device_panel_->show_choices(devices_->choices(), holder);
-  device_panel_->show_report(holder, report);
+  const InputSource& source = devices_->source();
+  const SourceReport report = devices_->report();
+  device_panel_->show_choices(devices_->choices(), source);
+  device_panel_->show_report(source, report);
   device_panel_->show_energy(shown_ ? shown_->hand.energy : HandEnergy{});
-  QString text = QString::fromStdString(name_of(holder));
-  if (std::holds_alternative<ConnectedHolder>(holder)) {
+  QString text = QString::fromStdString(name_of(source));
+  if (std::holds_alternative<ConnectedSource>(source)) {
     text += QStringLiteral(": ") + QLatin1String(name_of(report.device.state));
     if (report.clutch_open) text += QStringLiteral(", clutch open");
     if (!report.device.reason.empty())

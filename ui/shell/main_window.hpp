@@ -10,7 +10,7 @@
 #include "ui/actions/prompts.hpp"
 #include "ui/shell/escape_key.hpp"
 #include "ui/shell/force_log.hpp"
-#include "ui/views/stage.hpp"
+#include "ui/views/drawn_session.hpp"
 
 class QAction;
 class QLabel;
@@ -42,10 +42,10 @@ class MainWindow : public QMainWindow {
   /// One scene, or the probe and the fixed body. Ends in opened() or open_failed().
   void open(const QStringList& files, std::optional<double> unit = std::nullopt);
   DocumentControl& documents() { return *documents_; }
-  Session* session() { return stage_.session.get(); }
+  Session* session() { return drawn_.session.get(); }
   Viewport& viewport() { return *viewport_; }
   Prompts& prompts() { return prompts_; }
-  const std::optional<CompanionResult>& companion() const { return companion_; }
+  const std::optional<BackgroundResult>& searched() const { return searched_; }
   /// The newest snapshot shown; none before the first.
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
@@ -88,21 +88,21 @@ class MainWindow : public QMainWindow {
   void connect_documents();
   DocumentView document_view();
   void place(const Pose& X_FM);
-  void show_stage(Stage stage, bool same_document = false);
+  void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();
   void show_holder();
   void on_frame();
   void draw_if_changed();
   void complain(const QString& reason);
-  void ask_companion();
+  void ask_search();
   void show_numbers();
   void show_status();
   void show_device();
   void restore_window();
 
   Prompts prompts_;
-  Stage stage_;
+  DrawnSession drawn_;
   std::unique_ptr<Opener> opener_;
   std::unique_ptr<DocumentControl> documents_;
   Viewport* viewport_;
@@ -122,7 +122,7 @@ class MainWindow : public QMainWindow {
   QElapsedTimer clock_;
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
-  std::optional<CompanionResult> companion_;
+  std::optional<BackgroundResult> searched_;
   bool force_ = true;
   bool swing_ = false;
   std::size_t frames_ = 0;
@@ -131,10 +131,10 @@ class MainWindow : public QMainWindow {
   double frame_rate_ = 0;
   qint64 numbers_due_ = 0;
   qint64 device_due_ = 0;
-  qint64 companion_due_ = 0;
-  qint64 companion_asked_ = 0;
+  qint64 search_due_ = 0;
+  qint64 search_asked_ = 0;
   qint64 rest_since_ = 0;
-  Pose companion_pose_, asked_pose_;
+  Pose search_pose_, asked_pose_;
 };
 
 }  // namespace sonde::ui

@@ -125,7 +125,7 @@ void begin(MainWindow& window, const Arguments& arguments) {
 std::optional<int> choose_device(MainWindow& window, const Arguments& arguments) {
   if (arguments.device.empty()) return {};
   try {
-    window.devices().choose(find_holder(arguments.device, device_profile_folders()));
+    window.devices().choose(find_source(arguments.device, device_profile_folders()));
     window.show_device_dock();
     if (arguments.demo.empty() || window.devices().mouse_leads()) return {};
     say(QStringLiteral(

@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
 
 namespace sonde::ui {
@@ -13,6 +13,6 @@ namespace sonde::ui {
 QString natures(const Body& probe, const Body& fixed);
 
 /// What the probe does now, and what keeps the force away, if anything.
-QString happening(const Snapshot& snapshot, const std::optional<CompanionResult>& companion);
+QString happening(const Snapshot& snapshot, const std::optional<BackgroundResult>& searched);
 
 }  // namespace sonde::ui

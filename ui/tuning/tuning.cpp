@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double looking = 0.1;  // of the time, for contacts
 
-std::string inputs_of(const Opened& opened) {
+std::string inputs_of(const LoadedScene& opened) {
   return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}},
                        opened.pair.probe(), opened.pair.fixed());
 }
@@ -28,7 +28,7 @@ QJsonObject json_of(const std::string& text) {
   return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
 }
 
-QString doubt_of(const TuningResults& results, const Opened& opened) {
+QString doubt_of(const TuningResults& results, const LoadedScene& opened) {
   const QJsonObject inputs = json_of(results.about).value(QStringLiteral("inputs")).toObject();
   const QJsonObject ours = json_of(inputs_of(opened));
   for (const char* role : {"probe", "fixed"}) {
@@ -47,7 +47,7 @@ QString doubt_of(const TuningResults& results, const Opened& opened) {
   return {};
 }
 
-TuningRequest request_of(const TuningOrder& order, const Opened& opened) {
+TuningRequest request_of(const TuningOrder& order, const LoadedScene& opened) {
   TuningRequest request{.pair = opened.pair};
   request.X_FM = opened.start;
   request.coupling = opened.coupling;
@@ -68,7 +68,7 @@ void keep_kind(Study& study, const std::string& kind) {
 
 }  // namespace
 
-Tuning load_tuning(const fs::path& folder_or_file, const Opened& opened) {
+Tuning load_tuning(const fs::path& folder_or_file, const LoadedScene& opened) {
   std::error_code none;
   const fs::path folder =
       fs::is_regular_file(folder_or_file, none) ? folder_or_file.parent_path() : folder_or_file;
@@ -86,7 +86,8 @@ std::vector<std::string> situation_kinds() {
   return out;
 }
 
-Tuning compute_tuning(const TuningOrder& order, const Opened& opened, const Progress& progress) {
+Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened,
+                      const Progress& progress) {
   std::atomic<double> fraction = 0;
   const Stop stop = [&] { return progress && !progress(fraction); };
   Study study =

@@ -8,7 +8,7 @@
 
 #include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning/tuning_results.hpp"
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 
 namespace sonde::ui {
 
@@ -21,7 +21,7 @@ struct Tuning {
 
 /// Reads a folder, or the folder that a file lies in, for a pair that is open. Throws InputError
 /// naming what is missing or broken.
-Tuning load_tuning(const std::filesystem::path& folder_or_file, const Opened& opened);
+Tuning load_tuning(const std::filesystem::path& folder_or_file, const LoadedScene& opened);
 
 /// The situations that can be studied alone, by their kinds.
 std::vector<std::string> situation_kinds();
@@ -36,6 +36,7 @@ struct TuningOrder {
 
 /// As `sonde tune` does, with its files. Throws InputError, Cancelled where `progress` says so:
 /// what is finished stays in the folder.
-Tuning compute_tuning(const TuningOrder& order, const Opened& opened, const Progress& progress);
+Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened,
+                      const Progress& progress);
 
 }  // namespace sonde::ui

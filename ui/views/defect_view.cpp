@@ -32,13 +32,13 @@ vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
 
 }  // namespace
 
-DefectView::DefectView(vtkRenderer& renderer, const Stage& stage) : renderer_(&renderer) {
+DefectView::DefectView(vtkRenderer& renderer, const DrawnSession& drawn) : renderer_(&renderer) {
   const auto both = [&](const DefectLines& lines) {
     return std::array{lines_actor(renderer, lines.holes, colour::hole, hole_width),
                       lines_actor(renderer, lines.flipped, colour::flipped, flipped_width)};
   };
-  probe_ = both(stage.probe_defects);
-  fixed_ = both(stage.fixed_defects);
+  probe_ = both(drawn.probe_defects);
+  fixed_ = both(drawn.fixed_defects);
 }
 
 DefectView::~DefectView() {

@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "ui/views/drawn_session.hpp"
 #include "ui/views/overlay.hpp"
-#include "ui/views/stage.hpp"
 
 class vtkActor;
 class vtkRenderer;
@@ -17,7 +17,7 @@ namespace sonde::ui {
 /// as thick ones.
 class DefectView : public Overlay {
  public:
-  DefectView(vtkRenderer& renderer, const Stage& stage);
+  DefectView(vtkRenderer& renderer, const DrawnSession& drawn);
   ~DefectView() override;
 
  private:

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
 
@@ -19,7 +19,7 @@ struct Frame {
   const LengthUnit& unit;
   double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
   double swing = 1;  ///< where the ghost is on its way from O (0) to Q (1)
-  const CompanionResult* searched = nullptr;  ///< of this device pose; null: not yet
+  const BackgroundResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
 /// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc. With

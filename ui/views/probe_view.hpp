@@ -41,7 +41,7 @@ class GhostView : public Overlay {
 class FoundView : public Overlay {
  public:
   /// Which of the ways: a member of what was searched.
-  using Way = std::optional<FoundWay> CompanionResult::*;
+  using Way = std::optional<FoundWay> BackgroundResult::*;
   FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, const QString& name,
             const QColor& colour);
   ~FoundView() override;

@@ -136,7 +136,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   s.widget->setFocusPolicy(Qt::StrongFocus);
   setFocusProxy(s.widget);
   s.widget->setAcceptDrops(false);  // drops belong to the window
-  s.window->SetMultiSamples(0);     // see show_stage
+  s.window->SetMultiSamples(0);     // see show_session
   s.widget->setRenderWindow(s.window);
   s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
   s.window->SetNumberOfLayers(2);
@@ -151,42 +151,42 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
 
 Viewport::~Viewport() = default;
 
-void Viewport::show_stage(const Stage& stage, bool same_view) {
+void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
   const bool software = software_drawn(*s.widget);
   s.window->SetMultiSamples(software ? 0 : 4);
   s.bodies->SetGradientBackground(!software);
-  const Session& session = *stage.session;
+  const Session& session = *drawn.session;
   s.mass = session.probe().mass;
   s.unit = LengthUnit(s.mass.radius);
   s.centre = session.fixed().mass.com;
-  s.q_FW = session.opened().scene.fixed.pose.q.conjugate();
+  s.q_FW = session.loaded().scene.fixed.pose.q.conjugate();
   s.radius = session.fixed().mass.radius;
-  s.last_device = s.last_separated = session.opened().here.value_or(session.opened().start);
+  s.last_device = s.last_separated = session.loaded().here.value_or(session.loaded().start);
   s.probe_box = box_of(session.probe());
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
 
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
-  s.fixed_actor = body_actor(*s.bodies, *stage.fixed_surface, colour::fixed, session.fixed().solid);
+  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, session.fixed().solid);
   s.fixed_actor->VisibilityOn();
-  s.probe = std::make_unique<ProbeView>(*s.bodies, *stage.probe_surface, session.probe().solid);
-  s.ghost = std::make_unique<GhostView>(*s.bodies, *stage.probe_surface, session.probe().solid);
+  s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
+  s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
   const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
-    return std::make_unique<FoundView>(*s.bodies, *stage.probe_surface, session.probe().solid, way,
+    return std::make_unique<FoundView>(*s.bodies, *drawn.probe_surface, session.probe().solid, way,
                                        QLatin1String(name), colour);
   };
-  s.nearest = found(&CompanionResult::nearest, "nearest way out", colour::nearest);
-  s.straight = found(&CompanionResult::pdt, "PD_t", colour::straight);
-  s.defects = std::make_unique<DefectView>(*s.above, stage);
+  s.nearest = found(&BackgroundResult::nearest, "nearest way out", colour::nearest);
+  s.straight = found(&BackgroundResult::pdt, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.above, drawn);
   s.trail.clear();
   apply_layers();
   set_coupling(session.coupling());
 
   if (same_view) return invalidate();
   // A scene's camera says where to look from; how near depends on the window's shape.
-  const auto& place = session.opened().camera;
+  const auto& place = session.loaded().camera;
   if (place)
     camera().look_at(place->target, place->position - place->target, place->up, 1);
   else
@@ -239,7 +239,7 @@ void Viewport::update_legend() {
   s.hints->set_legend(std::move(legend));
 }
 
-void Viewport::draw(const Snapshot& snapshot, double swing, const CompanionResult* searched) {
+void Viewport::draw(const Snapshot& snapshot, double swing, const BackgroundResult* searched) {
   Scenery& s = *scenery_;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;

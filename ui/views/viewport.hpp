@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/haptics/loop/companion.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/document/handles.hpp"
-#include "ui/document/opening.hpp"
+#include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
-#include "ui/views/stage.hpp"
+#include "ui/views/drawn_session.hpp"
 
 namespace sonde::ui {
 
@@ -40,12 +40,12 @@ class Viewport : public QWidget {
   ~Viewport() override;
 
   /// Takes the bodies of a new session and turns the camera to them, unless that is to stay.
-  void show_stage(const Stage& stage, bool same_view = false);
+  void show_session(const DrawnSession& drawn, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
   /// `searched`: what is known of the snapshot's device pose, if anything.
-  void draw(const Snapshot& snapshot, double swing, const CompanionResult* searched = nullptr);
+  void draw(const Snapshot& snapshot, double swing, const BackgroundResult* searched = nullptr);
 
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
   void invalidate() { dirty_ = true; }

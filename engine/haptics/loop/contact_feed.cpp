@@ -25,7 +25,7 @@ ContactFeed::ContactFeed(const Pair& pair, Method method)
       method_(method),
       solver_(pair, method),
       near_(pair.probe(), pair.fixed(), method,
-            {.most_pairs = most_pairs, .most_listed = PairList::enough}),
+            {.most_pairs = most_pairs, .most_listed = NeighbourList::enough}),
       marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {

@@ -3,10 +3,10 @@
 
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/haptics/hand/hand.hpp"
-#include "engine/haptics/limits/passivity.hpp"
-#include "engine/haptics/limits/runaway.hpp"
-#include "engine/haptics/limits/safety.hpp"
 #include "engine/haptics/loop/local_contacts.hpp"
+#include "engine/haptics/safety/force_gate.hpp"
+#include "engine/haptics/safety/passivity.hpp"
+#include "engine/haptics/safety/runaway.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
 
 namespace sonde {
@@ -94,7 +94,7 @@ class HandLoop {
   Coupler coupler_;
   Passivity passivity_;
   Runaway runaway_;
-  SafetyGate gate_;
+  ForceGate gate_;
   ClusterIds ids_;
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the rows before

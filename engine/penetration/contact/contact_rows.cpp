@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/penetration/contact/overlay.hpp"
+#include "engine/penetration/contact/face_overlap.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -46,7 +46,7 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       contacts_(capacity),
       rows_(capacity + 1),  // and the rim of the chart
       at_(capacity),
-      trespasses_(most_cut),
+      violations_(most_cut),
       pair_of_(capacity),
       kept_(most_kept),
       crowded_(probe.mass.radius),
@@ -58,7 +58,7 @@ void ContactRows::forget() noexcept {
   gathered_ = rim_ = false;
   count_ = kept_count_ = 0;
   crowded_ = probe_.mass.radius;
-  list_reach_ = ListReach(probe_.mass.radius);
+  list_reach_ = NeighbourReach(probe_.mass.radius);
 }
 
 void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
@@ -126,11 +126,12 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
   }
   if (is_news(own)) accept(own, {pair.triangle_a, pair.triangle_b});
   if (pair.gap > flat) return;
-  for (const Contact& corner : overlay(ta, tb, own.normal))
+  for (const Contact& corner : face_overlap(ta, tb, own.normal))
     if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
-PairList::Displacement ContactRows::usual(const Transform& X, const Vec3& centre) const noexcept {
+NeighbourList::Displacement ContactRows::usual(const Transform& X,
+                                               const Vec3& centre) const noexcept {
   const Vec3 arm = X.R * (centre - probe_.mass.com);
   return {(sliding_ + turning_.cross(arm)).norm(), turning_.norm()};
 }
@@ -154,7 +155,7 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < count_; ++i) sum += local(i);
   const Vec3 middle = sum / static_cast<double>(count_);
-  const PairList::Displacement about_com = usual(X, com), about_middle = usual(X, middle);
+  const NeighbourList::Displacement about_com = usual(X, com), about_middle = usual(X, middle);
   double by_com = 0, by_middle = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     by_com += about_com.of((local(i) - com).norm());
@@ -164,7 +165,7 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
 }
 
 void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centre,
-                             const PairList::Displacement& ahead, Effort& effort) noexcept {
+                             const NeighbourList::Displacement& ahead, Effort& effort) noexcept {
   const double radius = probe_.mass.radius, wanted = reach + ahead.of(radius);
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
@@ -172,14 +173,15 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
     effort.within(share_for_list, [&](Effort& part) { return list_.go_on(part); });
     return;
   }
-  const PairList::Displacement often = usual(X, centre);
+  const NeighbourList::Displacement often = usual(X, centre);
   const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
   const double near = std::max(reach, 2 * least_asked_);
   const auto affordable = static_cast<std::int64_t>(
       std::min(1e18, good_share_for_list * static_cast<double>(effort.left())));
   const auto list = [&](double ample, std::int64_t most) {
-    const PairList::Displacement room{std::max(share * ample, 1.5 * (near + ahead.linear)),
-                                      std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
+    const NeighbourList::Displacement room{
+        std::max(share * ample, 1.5 * (near + ahead.linear)),
+        std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
     const bool fits = effort.within(share_for_list, [&](Effort& part) {
       return part.at_most(most, [&](Effort& e) { return list_.build(X, centre, room, e); });
     });
@@ -188,7 +190,7 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
     if (!cut_short) list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
     return fits || cut_short;
   };
-  const double ample = list_reach_.choose(wanted), least = ListReach::least(wanted);
+  const double ample = list_reach_.choose(wanted), least = NeighbourReach::least(wanted);
   const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
   const bool fits = list(ample, most);
   if (!fits && ample > least) list(least, effort.left());
@@ -268,18 +270,18 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
   remember(motion);
   if (list_.reach_at(end) <= least) {
     const Vec3 centre = stillest(X_);
-    list_pairs(X_, least, centre, PairList::along(motion, centre), effort);
+    list_pairs(X_, least, centre, NeighbourList::along(motion, centre), effort);
   }
   std::size_t found = 0;
   if (list_.reach_at(end) > least)
-    found = list_.trespasses(end, least, trespasses_, effort);
+    found = list_.violations(end, least, violations_, effort);
   else if (!effort.is_limited())
-    found = find_trespasses(probe_, fixed_, end, least, trespasses_, effort);
+    found = find_violations(probe_, fixed_, end, least, violations_, effort);
   const std::size_t before = count_;
   turn_ = std::max(turn_, motion.turn_bound());
   Look out;
   for (std::size_t i = 0; i < found; ++i) {
-    const auto& [a, b, gap] = trespasses_[i];
+    const auto& [a, b, gap] = violations_[i];
     const Corners ta = place(X_, corners(surface(probe_), a));
     const ClosestPoints p = closest_points(ta, corners(surface(fixed_), b));
     effort.spend(work_to_take);
@@ -316,7 +318,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!list_.covers(motion, clearance)) {
     const Vec3 centre = stillest(X_);
-    list_pairs(motion.at(0), clearance, centre, PairList::along(motion, centre), effort);
+    list_pairs(motion.at(0), clearance, centre, NeighbourList::along(motion, centre), effort);
   }
   if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);
   return sweep(probe_, fixed_, motion, clearance, effort);

@@ -8,9 +8,9 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/separation.hpp"
-#include "engine/proximity/sweep/list_reach.hpp"
 #include "engine/proximity/sweep/motion.hpp"
-#include "engine/proximity/sweep/pair_list.hpp"
+#include "engine/proximity/sweep/neighbour_list.hpp"
+#include "engine/proximity/sweep/neighbour_reach.hpp"
 
 namespace sonde {
 
@@ -34,8 +34,8 @@ class ContactRows {
   /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
   /// kept from one gather to the next.
   struct Finding {
-    std::size_t most_pairs = 48;                 ///< a first guess: cut() finds the rest
-    std::size_t most_listed = PairList::enough;  ///< 0: no list
+    std::size_t most_pairs = 48;                      ///< a first guess: cut() finds the rest
+    std::size_t most_listed = NeighbourList::enough;  ///< 0: no list
   };
   /// Rows, of which six at most are active. Beyond, a contact adds none, steps that it is in the
   /// way of are cut short, and the answer is not converged where that is what ends it.
@@ -103,7 +103,7 @@ class ContactRows {
     bool operator==(const TrianglePair&) const = default;
   };
   /// How far the probe goes of late from a place, seen from a point of it (its mesh frame).
-  PairList::Displacement usual(const Transform& X, const Vec3& centre) const noexcept;
+  NeighbourList::Displacement usual(const Transform& X, const Vec3& centre) const noexcept;
   void remember(const Motion& motion) noexcept;
   /// The point of the probe about which its contacts move least: the middle of the last ones, where
   /// it rolls on them, or its centre of mass, where it turns within them.
@@ -111,7 +111,7 @@ class ContactRows {
   /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
   /// and the list would not pay.
   void list_pairs(const Transform& X, double reach, const Vec3& centre,
-                  const PairList::Displacement& ahead, Effort& effort) noexcept;
+                  const NeighbourList::Displacement& ahead, Effort& effort) noexcept;
   /// The pairs within reach, or within what the list holds, if that is not below `least`.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
@@ -126,14 +126,14 @@ class ContactRows {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
-  PairList list_;
+  NeighbourList list_;
   std::size_t most_near_;
   std::vector<NearPair> pairs_;
   std::vector<Contact> contacts_;
   std::vector<HalfSpace> rows_;
   bool rim_ = false;        // the row behind the last is the rim of the chart
   std::vector<double> at_;  // J·y of each row
-  std::vector<Trespass> trespasses_;
+  std::vector<Violation> violations_;
   std::vector<TrianglePair> pair_of_;  // of each row
   /// Pairs that held an answer or cut a step short, the last one last: they are looked at again
   /// wherever the probe has come to, however many others are as near.
@@ -142,7 +142,7 @@ class ContactRows {
   std::size_t count_ = 0;
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
-  ListReach list_reach_;
+  NeighbourReach list_reach_;
   // Of a path of late, the longest, forgotten bit by bit: of the centre of mass, m; rad. In the
   // fixed body's axes.
   Vec3 sliding_ = Vec3::Zero(), turning_ = Vec3::Zero();

@@ -44,11 +44,11 @@ Descent::Descent(const Body& probe, const Body& fixed, Method method,
     : rows_(probe, fixed, method, finding),
       gap_(gap),
       extents_(extent(probe) + extent(fixed)),
-      wary_(std::numeric_limits<double>::infinity()) {}
+      longest_path_(std::numeric_limits<double>::infinity()) {}
 
 void Descent::forget() noexcept {
   rows_.forget();
-  wary_ = std::numeric_limits<double>::infinity();
+  longest_path_ = std::numeric_limits<double>::infinity();
 }
 
 void Descent::Outcome::move_to(const Vec6& to) noexcept {
@@ -121,7 +121,7 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
-  const double quick = std::max(wary_, 8 * margin);
+  const double quick = std::max(longest_path_, 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
   return path > quick ? Vec6(step * (quick / path)) : step;
 }
@@ -241,9 +241,9 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const Vec6 target = y + step;
     const Sweep swept = sweep_to(chart, y, target, effort);
     if (!swept.given_up)
-      wary_ *= 2;
+      longest_path_ *= 2;
     else if (out.iterations == 1)
-      wary_ = 0.25 * Motion(chart, y, target).farthest(radius);
+      longest_path_ = 0.25 * Motion(chart, y, target).farthest(radius);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
     pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
   }

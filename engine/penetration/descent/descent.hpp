@@ -84,9 +84,9 @@ class Descent {
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
-  double gap_;      // aimed at, in parts of the clearance allowed
-  double extents_;  // of both bodies, m
-  double wary_;     // m: no path is longer, since a sweep of such took all of the effort
+  double gap_;           // aimed at, in parts of the clearance allowed
+  double extents_;       // of both bodies, m
+  double longest_path_;  // m: no path is longer, since a sweep of such took all of the effort
 };
 
 }  // namespace sonde

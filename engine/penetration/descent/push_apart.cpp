@@ -77,7 +77,7 @@ PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
 void PushApart::look(const Chart& chart, const Vec6& y, double margin) {
   const Transform X(chart.pose(y));
   Effort unlimited;
-  const std::size_t count = find_trespasses(probe_, fixed_, X, margin, found_, unlimited);
+  const std::size_t count = find_violations(probe_, fixed_, X, margin, found_, unlimited);
   rows_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     const Corners a = place(X, corners(surface(probe_), found_[i].triangle_a));

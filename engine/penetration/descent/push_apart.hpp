@@ -9,7 +9,7 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/separation.hpp"
-#include "engine/proximity/queries/trespass.hpp"
+#include "engine/proximity/queries/violation.hpp"
 
 namespace sonde {
 
@@ -39,7 +39,7 @@ class PushApart {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
-  std::vector<Trespass> found_;
+  std::vector<Violation> found_;
   std::vector<Row> rows_;
 };
 

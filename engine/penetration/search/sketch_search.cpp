@@ -21,8 +21,9 @@ constexpr double smallest_ball = 0.015;
 
 class Search {
  public:
-  Search(const Chart& chart, const SketchSearch& search, std::span<SketchDescent> lanes, Crew& crew)
-      : chart_(chart), search_(search), lanes_(lanes), crew_(crew) {}
+  Search(const Chart& chart, const SketchSearch& search, std::span<SketchDescent> lanes,
+         ThreadPair& threads)
+      : chart_(chart), search_(search), lanes_(lanes), threads_(threads) {}
 
   std::vector<SketchEnd> run() {
     for (int first = 0; first < search_.most && !enough(first); first += int{per_round})
@@ -46,7 +47,7 @@ class Search {
 
   void round(int first) {
     std::array<std::optional<SketchEnd>, per_round> found;
-    crew_.each(per_round, [&](std::size_t k, std::size_t lane) {
+    threads_.each(per_round, [&](std::size_t k, std::size_t lane) {
       if (k >= lanes_.size() && search_.deadline.passed()) return;
       found[k] = start(first + static_cast<int>(k), lanes_[lane]);
     });
@@ -125,7 +126,7 @@ class Search {
   const Chart& chart_;
   const SketchSearch& search_;
   std::span<SketchDescent> lanes_;
-  Crew& crew_;
+  ThreadPair& threads_;
   std::vector<SketchEnd> ends_;                                    // the nearest first
   double nearest_free_ = std::numeric_limits<double>::infinity();  // m, where a start began
 };
@@ -133,8 +134,8 @@ class Search {
 }  // namespace
 
 std::vector<SketchEnd> search_sketches(const Chart& chart, const SketchSearch& search,
-                                       std::span<SketchDescent> lanes, Crew& crew) {
-  return Search(chart, search, lanes, crew).run();
+                                       std::span<SketchDescent> lanes, ThreadPair& threads) {
+  return Search(chart, search, lanes, threads).run();
 }
 
 }  // namespace sonde

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/crew.hpp"
 #include "engine/base/deadline.hpp"
+#include "engine/base/thread_pair.hpp"
 #include "engine/penetration/descent/sketch_descent.hpp"
 
 namespace sonde {
@@ -31,9 +31,9 @@ struct SketchSearch {
 };
 
 /// Looks for the places nearest to the origin at which the sketches are apart, from random starts,
-/// one descent for each lane of the crew at a time. The nearest first, each once. The same on any
-/// number of threads, but for the deadline.
+/// one descent for each lane of the threads at a time. The nearest first, each once. The same on
+/// any number of threads, but for the deadline.
 std::vector<SketchEnd> search_sketches(const Chart& chart, const SketchSearch& search,
-                                       std::span<SketchDescent> lanes, Crew& crew);
+                                       std::span<SketchDescent> lanes, ThreadPair& threads);
 
 }  // namespace sonde

@@ -112,7 +112,7 @@ Sketches make_sketches(const Body& probe, const Body& fixed) {
     return body.mass.radius > smallest_radius && body.mass.radius < largest_radius;
   };
   if (!(probe.solid || fixed.solid) || !in_range(probe) || !in_range(fixed)) return out;
-  at_once(
+  run_both(
       true, {}, [&](const Progress&) { out.probe = make_sketch(probe); },
       [&](const Progress&) { out.fixed = make_sketch(fixed); });
   return out;

@@ -18,7 +18,7 @@ TEST(AtOnce, DoesBothPartsAndReportsOnTheCallersThread) {
     const auto caller = std::this_thread::get_id();
     std::vector<double> seen;
     std::thread::id here, there;
-    at_once(
+    run_both(
         two_threads,
         [&](double f) {
           EXPECT_EQ(std::this_thread::get_id(), caller);
@@ -51,7 +51,7 @@ TEST(AtOnce, CancellingStopsTheOtherThread) {
     stopped = true;
     throw Cancelled();
   };
-  EXPECT_THROW(at_once(
+  EXPECT_THROW(run_both(
                    true, cancel, [](const Progress& part) { report(part, 0); }, until_cancelled),
                Cancelled);
   EXPECT_TRUE(stopped);
@@ -61,8 +61,8 @@ TEST(AtOnce, ThrowsWhatEitherPartThrows) {
   const auto fail = [](const Progress&) { throw InputError("a fault"); };
   const auto nothing = [](const Progress&) {};
   for (const bool two_threads : {false, true}) {
-    EXPECT_THROW(at_once(two_threads, {}, fail, nothing), InputError);
-    EXPECT_THROW(at_once(two_threads, {}, nothing, fail), InputError);
+    EXPECT_THROW(run_both(two_threads, {}, fail, nothing), InputError);
+    EXPECT_THROW(run_both(two_threads, {}, nothing, fail), InputError);
   }
 }
 

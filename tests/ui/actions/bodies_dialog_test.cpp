@@ -87,7 +87,7 @@ TEST_F(BodiesTest, what_is_up_in_the_file_is_up_in_the_scene) {
   PairSetup setup = same_unit(1);
   setup.probe.up = setup.fixed.up = UpAxis::y;
   const auto file = folder / "bar.off";
-  const Opened opened = build_pair(read_pair(file, file), setup);
+  const LoadedScene opened = build_pair(read_pair(file, file), setup);
   const Quat q_WF = opened.scene.fixed.pose.q;
   EXPECT_LT((q_WF * Vec3(0, 0.2, 0) - Vec3(0, 0, 0.2)).norm(), 1e-15);
   EXPECT_LT(opened.start.q.angularDistance(Quat::Identity()), 1e-12);

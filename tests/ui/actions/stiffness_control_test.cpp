@@ -155,8 +155,8 @@ TEST_F(StiffnessTest, a_map_of_another_scene_or_another_device_says_so) {
       << text("tuning_doubt").toStdString();
   load("tuned");
   EXPECT_FALSE(find<QLabel>("tuning_doubt")->isVisible());
-  auto* holders = find<QComboBox>("holder");
-  emit holders->activated(holders->findText("omega.7 (simulated)"));
+  auto* sources = find<QComboBox>("holder");
+  emit sources->activated(sources->findText("omega.7 (simulated)"));
   EXPECT_TRUE(text("tuning_doubt").contains("another device: sigma.7, not omega.7"));
   EXPECT_EQ(find<QComboBox>("tuning_device")->currentText(), "omega.7");
 }
@@ -169,8 +169,8 @@ TEST_F(StiffnessTest, another_scene_has_no_map) {
 }
 
 TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_dock_shows_it) {
-  auto* holders = find<QComboBox>("holder");
-  emit holders->activated(holders->findText("sigma.7 (simulated)"));
+  auto* sources = find<QComboBox>("holder");
+  emit sources->activated(sources->findText("sigma.7 (simulated)"));
   auto* typed = find<TypedValue>("k_value");
   const auto settled = [&] {
     wait(1500);  // a whole second without what came before

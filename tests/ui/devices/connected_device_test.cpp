@@ -54,7 +54,7 @@ class ConnectedDevice : public WindowTest {
 
 TEST_F(ConnectedDevice, replayed_it_moves_the_probe_and_may_be_unplugged_in_the_middle) {
   plug();
-  window->devices().choose(find_holder("auto", {}));
+  window->devices().choose(find_source("auto", {}));
   ASSERT_TRUE(wait_until([&] { return status() == "SpaceMouse Compact: ready"; }))
       << status().toStdString();
   const Vec3 right = window->viewport().camera().axes().right;
@@ -106,7 +106,7 @@ TEST_F(ConnectedDevice,
   const std::string first = puck.path();
   plug();
   const std::string second = puck.path();
-  window->devices().choose(find_holder(second, {}));
+  window->devices().choose(find_source(second, {}));
   ASSERT_TRUE(wait_until([&] { return device().state == DeviceState::ready; }));
   EXPECT_EQ(device().path, second);
   const Vec3 start = probe();
@@ -130,16 +130,16 @@ TEST_F(ConnectedDevice, of_two_alike_the_one_that_opens_is_taken_by_name) {
   plug();
   puck.descriptor_in_sysfs = true;
   plug();
-  const Holder found = find_holder("SpaceMouse Compact", {});
-  ASSERT_TRUE(std::holds_alternative<ConnectedHolder>(found));
-  EXPECT_EQ(std::get<ConnectedHolder>(found).choice.path, puck.path());
+  const InputSource found = find_source("SpaceMouse Compact", {});
+  ASSERT_TRUE(std::holds_alternative<ConnectedSource>(found));
+  EXPECT_EQ(std::get<ConnectedSource>(found).choice.path, puck.path());
 }
 
 TEST_F(ConnectedDevice, one_that_does_not_open_says_why_and_the_mouse_can_go_on) {
   puck.descriptor_in_sysfs = false;
   plug();
-  EXPECT_THROW(find_holder("SpaceMouse Compact", {}), InputError);
-  EXPECT_EQ(name_of(find_holder("auto", {})), "Mouse");
+  EXPECT_THROW(find_source("SpaceMouse Compact", {}), InputError);
+  EXPECT_EQ(name_of(find_source("auto", {})), "Mouse");
   auto* list = window->findChild<QComboBox*>("holder");
   ASSERT_TRUE(wait_until([&] { return list->findText("SpaceMouse Compact") >= 0; }));
   emit list->activated(list->findText("SpaceMouse Compact"));

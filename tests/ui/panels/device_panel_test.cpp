@@ -25,7 +25,7 @@ class DevicePanelTest : public WindowTest {
     panel->settings_changed = [this](const DeviceSettings& settings) {
       changes.push_back(settings);
     };
-    panel->chosen = [this](const Holder& holder) { choices.push_back(name_of(holder)); };
+    panel->chosen = [this](const InputSource& source) { choices.push_back(name_of(source)); };
     panel->led_switched = [this](bool on) { led = on; };
     panel->show();
   }
@@ -35,8 +35,8 @@ class DevicePanelTest : public WindowTest {
     EXPECT_TRUE(found) << name;
     return found;
   }
-  static HolderReport report(bool position) {
-    HolderReport report;
+  static SourceReport report(bool position) {
+    SourceReport report;
     DeviceStatus& device = report.device;
     device.state = DeviceState::ready;
     device.path = "/dev/hidraw7";
@@ -52,7 +52,7 @@ class DevicePanelTest : public WindowTest {
     return report;
   }
 
-  const Holder puck = ConnectedHolder{.choice = {1, 2, ""}, .name = "Puck"};
+  const InputSource puck = ConnectedSource{.choice = {1, 2, ""}, .name = "Puck"};
   std::unique_ptr<DevicePanel> panel;
   std::vector<DeviceSettings> changes;
   std::vector<std::string> choices;
@@ -61,7 +61,7 @@ class DevicePanelTest : public WindowTest {
 
 TEST_F(DevicePanelTest, a_connected_device_shows_its_numbers_with_units) {
   panel->show_settings(puck, {});
-  HolderReport now = report(true);
+  SourceReport now = report(true);
   now.clutch_open = true;
   panel->show_report(puck, now);
   EXPECT_TRUE(find<QLabel>("device_state")->text().contains("ready"));
@@ -84,11 +84,11 @@ TEST_F(DevicePanelTest, a_connected_device_shows_its_numbers_with_units) {
 
 TEST_F(DevicePanelTest, it_shows_what_means_something_to_the_device_and_no_more) {
   const auto shown = [this](const char* name) { return find<QWidget>(name)->isVisible(); };
-  panel->show_settings(MouseHolder{}, {});
-  panel->show_report(MouseHolder{}, {});
+  panel->show_settings(MouseSource{}, {});
+  panel->show_report(MouseSource{}, {});
   EXPECT_FALSE(shown("scaling_row") || shown("device_rate") || shown("axis_x_gain"));
-  panel->show_settings(SimulatedHolder{}, {});
-  panel->show_report(SimulatedHolder{}, {});
+  panel->show_settings(SimulatedSource{}, {});
+  panel->show_report(SimulatedSource{}, {});
   EXPECT_TRUE(shown("scaling_row"));
   EXPECT_FALSE(shown("reach_row") || shown("device_rate") || shown("axis_x_gain"));
   panel->show_settings(puck, {});
@@ -126,7 +126,7 @@ TEST_F(DevicePanelTest, every_change_is_reported_with_all_the_rest_as_it_was) {
 }
 
 TEST_F(DevicePanelTest, the_list_has_the_holder_now_and_choosing_is_told) {
-  panel->show_choices({MouseHolder{}, puck}, puck);
+  panel->show_choices({MouseSource{}, puck}, puck);
   auto* list = find<QComboBox>("holder");
   EXPECT_EQ(list->currentText(), "Puck");
   EXPECT_TRUE(choices.empty());
@@ -214,13 +214,13 @@ TEST_F(SimulatedDeviceTest, a_scene_names_its_device_and_a_choice_stays) {
   folder.write("own.sonde.json", R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
       "fixed": {"mesh": "cube.off"}, "device": {"profile": "omega.7", "scaling": 4}})");
   open({path("own.sonde.json")});
-  EXPECT_EQ(name_of(window->devices().holder()), "omega.7 (simulated)");
+  EXPECT_EQ(name_of(window->devices().source()), "omega.7 (simulated)");
   EXPECT_EQ(window->devices().settings().scaling, 4);
   open_cubes();
-  EXPECT_EQ(name_of(window->devices().holder()), "Mouse") << "this scene names none";
+  EXPECT_EQ(name_of(window->devices().source()), "Mouse") << "this scene names none";
   choose("sigma.7 (simulated)");
   open({path("own.sonde.json")});
-  EXPECT_EQ(name_of(window->devices().holder()), "sigma.7 (simulated)");
+  EXPECT_EQ(name_of(window->devices().source()), "sigma.7 (simulated)");
   folder.write("bad.sonde.json", R"({"probe": {"mesh": "cube.off"}, "fixed": {"mesh": "cube.off"},
       "device": "omega7"})");
   open({path("bad.sonde.json")});
@@ -298,12 +298,12 @@ TEST_F(SimulatedDeviceTest, the_energy_is_on_show_whether_the_controller_is_on_o
 TEST_F(SimulatedDeviceTest, a_path_from_a_file_is_played_in_any_scene) {
   const auto file =
       folder.write("way.csv", "t,px,py,pz,qw,qx,qy,qz\n0,0.3,0,0,1,0,0,0\n0.2,0.4,0,0,1,0,0,0\n");
-  window->devices().choose(find_holder(file.string(), {}));
+  window->devices().choose(find_source(file.string(), {}));
   auto* list = window->findChild<QComboBox*>("holder");
   EXPECT_EQ(list->currentText(), "way.csv (recorded path)");
   EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
   open_cubes_free();
-  EXPECT_EQ(name_of(window->devices().holder()), "way.csv (recorded path)") << "it stays";
+  EXPECT_EQ(name_of(window->devices().source()), "way.csv (recorded path)") << "it stays";
   EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
 }
 

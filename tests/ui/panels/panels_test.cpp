@@ -92,7 +92,7 @@ TEST_F(PanelTest, escape_while_a_scene_comes_with_a_complaint_is_seen) {
   folder.write("path.sonde.json", R"({"probe": {"mesh": "cube.off"}, "fixed": {"mesh": "cube.off"},
       "trajectory": "path.csv"})");
   open({path("path.sonde.json")});
-  window->devices().choose(PathHolder{});
+  window->devices().choose(PathSource{});
   window->prompts().report_error = [this](const QString& text) {
     complaints.push_back(text);
     QTest::keyClick(window->viewport().canvas(), Qt::Key_Escape);
@@ -140,10 +140,10 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
   snapshot.separation.depth = 0.0118;
   snapshot.separation.status = Status::penetrating;
   const Pose hand = snapshot.separation.device;
-  CompanionResult free{.device = hand,
-                       .nearest = FoundWay{.depth = 0, .separated = hand},
-                       .pdt = FoundWay{.depth = 0, .separated = hand},
-                       .lower_bound = 0.0};
+  BackgroundResult free{.device = hand,
+                        .nearest = FoundWay{.depth = 0, .separated = hand},
+                        .pdt = FoundWay{.depth = 0, .separated = hand},
+                        .lower_bound = 0.0};
   auto* readout = find<ReadoutPanel>("readout_panel");
   readout->show_numbers(snapshot, free);
   EXPECT_EQ(find<QLabel>("nearest_value")->text(), "free at the hand");
@@ -158,17 +158,17 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
 }
 
 TEST_F(PanelTest, slow_numbers_are_computed_only_while_shown) {
-  ASSERT_TRUE(wait_until([this] { return window->companion().has_value(); }));
+  ASSERT_TRUE(wait_until([this] { return window->searched().has_value(); }));
   find<QDockWidget>("readout_panel")->hide();
   wait(300);
-  const Pose last = window->companion()->device;
+  const Pose last = window->searched()->device;
   Pose moved = window->session()->device_pose();
   moved.p.y() += 0.001;
   window->set_device_pose(moved);
   wait(300);
-  EXPECT_EQ(window->companion()->device.p, last.p);
+  EXPECT_EQ(window->searched()->device.p, last.p);
   find<QDockWidget>("readout_panel")->show();
-  EXPECT_TRUE(wait_until([&] { return window->companion()->device.p == moved.p; }));
+  EXPECT_TRUE(wait_until([&] { return window->searched()->device.p == moved.p; }));
 }
 
 }  // namespace

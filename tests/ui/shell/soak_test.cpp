@@ -55,7 +55,7 @@ class Soak : public WindowTest {
 
   void open_torus_knots() {
     open({QStringLiteral(SONDE_RESOURCES "/scenes/torus-knots.sonde.json")});
-    window->devices().choose(find_holder("sigma.7", device_profile_folders()));
+    window->devices().choose(find_source("sigma.7", device_profile_folders()));
     path = window->session()->opened().trajectory;
     ASSERT_GE(path.size(), 2u);
   }

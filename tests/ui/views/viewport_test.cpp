@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Layers, LayerTest,
 TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
   open_cubes();
   ASSERT_TRUE(wait_until([this] {
-    return window->companion() && window->companion()->nearest && window->companion()->pdt;
+    return window->searched() && window->searched()->nearest && window->searched()->pdt;
   }));
   window->set_paused(true);
   wait(100);

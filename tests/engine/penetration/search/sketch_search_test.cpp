@@ -15,8 +15,8 @@ std::vector<SketchEnd> search(const Body& a, const Body& b, const Pose& X, bool 
   const Sketches sketches = make_sketches(a, b);
   std::vector<SketchDescent> lanes;
   for (int lane = 0; lane < 2; ++lane) lanes.emplace_back(*sketches.probe, *sketches.fixed, b.mass);
-  Crew crew(two_threads);
-  return search_sketches(Chart(a.mass, X), {.method = method}, lanes, crew);
+  ThreadPair threads(two_threads);
+  return search_sketches(Chart(a.mass, X), {.method = method}, lanes, threads);
 }
 
 // Reference: by translation alone a box leaves a larger one by the nearest face.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "engine/devices/connection.hpp"
+
+namespace sonde {
+
+/// Looks once a second, in a thread of its own, which 6-DoF devices are connected; opens none.
+class HotplugMonitor {
+ public:
+  HotplugMonitor();
+  ~HotplugMonitor();
+  HotplugMonitor(const HotplugMonitor&) = delete;
+  HotplugMonitor& operator=(const HotplugMonitor&) = delete;
+
+  /// As last seen; none before the first look is over.
+  std::vector<ConnectedDevice> connected() const;
+
+ private:
+  void run();
+
+  mutable std::mutex mutex_;  // for what follows
+  std::condition_variable stop_;
+  bool stopping_ = false;
+  std::vector<ConnectedDevice> connected_;
+
+  std::thread thread_;  // last: it uses the rest
+};
+
+}  // namespace sonde

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/loop/background_search.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/search/static_search.hpp"
+
+namespace sonde {
+namespace {
+
+/// A bounded time: the answer should follow the hand, and closing should not wait.
+std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method) {
+  StaticOptions options;
+  options.method = method;
+  if (method == Method::pdt) options.starts = 6;
+  options.budget.microseconds = 300'000;
+  options.want_lower_bound = false;
+  const Separation separation = separate_static(pair, X_FM, options);
+  if (separation.status == Status::failed) return {};
+  return FoundWay{separation.depth, separation.separated};
+}
+
+BackgroundResult compute(const Pair& pair, const Pose& X_FM) {
+  const auto begin = std::chrono::steady_clock::now();
+  BackgroundResult out;
+  out.device = X_FM;
+  out.pdt = search(pair, X_FM, Method::pdt);
+  out.nearest = out.pdt;
+  if (out.pdt && out.pdt->depth > 0) {
+    // A search of its own has other starts, and less time: PD_t may be what it misses.
+    const auto turned = search(pair, X_FM, Method::pdg);
+    if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
+  }
+  if (out.pdt) out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM);
+  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
+  out.time_us = time.count();
+  return out;
+}
+
+}  // namespace
+
+WayOut way_out(const Separation& followed, const BackgroundResult& search) {
+  const bool same_pose = search.device.p == followed.device.p &&
+                         search.device.q.coeffs() == followed.device.q.coeffs();
+  if (!same_pose || !search.nearest || followed.status == Status::failed) return WayOut::unknown;
+  // Both are iterated: what differs by less is no other way.
+  constexpr double clearly = 0.98;
+  if (followed.status == Status::separated || search.nearest->depth >= clearly * followed.depth)
+    return WayOut::nearest;
+  return search.nearest->depth > 0 ? WayOut::nearer_blocked : WayOut::free_blocked;
+}
+
+const char* words(WayOut way) {
+  switch (way) {
+    case WayOut::unknown:
+    case WayOut::nearest:
+      return "";
+    case WayOut::nearer_blocked:
+      return "There is a nearer way out, but it is blocked from where the probe came.";
+    case WayOut::free_blocked:
+      return "The probe would be free where the hand is, but the way there is blocked.";
+  }
+  return "";
+}
+
+struct BackgroundSearch::State {
+  explicit State(const Pair& bodies) : pair(bodies) {}
+
+  Pair pair;
+  std::mutex mutex;  ///< guards the three below
+  std::optional<Pose> wanted;
+  std::optional<BackgroundResult> result;
+  bool stopping = false;
+  std::condition_variable changed;
+  std::thread thread;
+
+  void run();
+};
+
+void BackgroundSearch::State::run() {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [this] { return stopping || wanted; });
+    if (stopping) return;
+    const Pose X_FM = *std::exchange(wanted, std::nullopt);
+    lock.unlock();
+    BackgroundResult found;
+    try {
+      found = compute(pair, X_FM);
+    } catch (const std::exception&) {  // no memory left: there is no answer for this pose
+      found = BackgroundResult{};
+      found.device = X_FM;
+    }
+    lock.lock();
+    result = found;
+  }
+}
+
+BackgroundSearch::BackgroundSearch(const Pair& pair) : state_(std::make_unique<State>(pair)) {
+  State& s = *state_;
+  s.thread = std::thread([&s] { s.run(); });
+}
+
+BackgroundSearch::~BackgroundSearch() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stopping = true;
+  }
+  state_->changed.notify_one();
+  state_->thread.join();
+}
+
+void BackgroundSearch::request(const Pose& X_FM) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->wanted = X_FM;
+  }
+  state_->changed.notify_one();
+}
+
+std::optional<BackgroundResult> BackgroundSearch::latest() {
+  const std::lock_guard lock(state_->mutex);
+  return state_->result;
+}
+
+}  // namespace sonde

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
+
+namespace sonde {
+
+/// A separated pose that a global search has found.
+struct FoundWay {
+  double depth = 0;  ///< √σ from the device pose, m; 0 where that is free
+  Pose separated;
+};
+
+/// What is too slow for a tick, computed for the newest pose in a thread of its own, only while
+/// wanted.
+struct BackgroundResult {
+  Pose device;                        ///< the pose it is about
+  std::optional<FoundWay> nearest;    ///< the nearest that either search found: PD_g's upper bound
+  std::optional<FoundWay> pdt;        ///< without a turn; none where the search failed
+  std::optional<double> lower_bound;  ///< of √PD_g, m
+  double time_us = 0;
+};
+
+/// What the global search says of a separated pose that was followed to, from the same device pose.
+enum class WayOut {
+  unknown,         ///< it answered for another pose, or not at all
+  nearest,         ///< it knows of no nearer one
+  nearer_blocked,  ///< there is a nearer one, but not from where the probe came
+  free_blocked,    ///< the device pose itself is free, and the way to it is blocked
+};
+WayOut way_out(const Separation& followed, const BackgroundResult& search);
+/// In a sentence, for the window; "" where there is nothing to say.
+const char* words(WayOut way);
+
+/// A thread that searches for the ways out of the newest pose asked about.
+class BackgroundSearch {
+ public:
+  explicit BackgroundSearch(const Pair& pair);
+  ~BackgroundSearch();
+  BackgroundSearch(const BackgroundSearch&) = delete;
+  BackgroundSearch& operator=(const BackgroundSearch&) = delete;
+  void request(const Pose& X_FM);            ///< replaces a request not yet begun
+  std::optional<BackgroundResult> latest();  ///< the newest finished, if any
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sonde

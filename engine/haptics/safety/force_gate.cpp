@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/safety/force_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+/// A tick that comes late must not let by all of the ramp at once.
+constexpr double longest_step = 0.005;
+
+/// From `last` towards `wanted`, by no more than `most`.
+Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool& acted) {
+  const Vec3 change = wanted - last;
+  const double size = change.norm();
+  if (size <= most) return wanted;
+  acted = true;
+  return last + change * (most / size);
+}
+
+}  // namespace
+
+const char* words(Withheld why) {
+  switch (why) {
+    case Withheld::nothing:
+      return "";
+    case Withheld::stopped:
+      return "force stopped";
+    case Withheld::paused:
+      return "paused";
+    case Withheld::let_go:
+      return "clutch open";
+    case Withheld::changed:
+      return "another hand, or other axes";
+    case Withheld::untrusted:
+      return "the device is gone, or its pose cannot be true";
+    case Withheld::not_finite:
+      return "a pose or a force that is not a number";
+    case Withheld::failed:
+      return "no separated pose was found";
+    case Withheld::stalled:
+      return "the geometry does not keep up";
+    case Withheld::unsettled:
+      return "the separated pose is not settled";
+    case Withheld::diverged:
+      return "the loop diverged, and threw the hand";
+    case Withheld::shut_down:
+      return "the loop has ended";
+  }
+  return "";
+}
+
+void ForceGate::restart() noexcept {
+  last_ = Wrench{};
+  share_ = 0;
+  slewed_ = false;
+}
+
+Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
+                       double dt) noexcept {
+  const bool finite = wanted.force.allFinite() && wanted.torque.allFinite();
+  withheld_ = why == Withheld::nothing && !finite ? Withheld::not_finite : why;
+  const bool fades = withheld_ == Withheld::unsettled && finite;
+  if (withheld_ != Withheld::nothing && !fades) {
+    restart();
+    return last_;
+  }
+  const double step = dt > 0 ? std::min(dt, longest_step) : 0;  // NaN: 0
+  const bool pushes = !wanted.force.isZero(0) || !wanted.torque.isZero(0);
+  if (fades)
+    share_ = settings_.fade_time > 0 ? std::max(0.0, share_ - step / settings_.fade_time) : 0;
+  else if (pushes && share_ < 1)
+    share_ = settings_.ramp_time > 0 ? std::min(1.0, share_ + step / settings_.ramp_time) : 1;
+  Wrench out = wanted;
+  out.force *= share_;
+  out.torque *= share_;
+  slewed_ = false;
+  if (settings_.force_slew > 0)
+    out.force = towards(out.force, last_.force, settings_.force_slew * step, slewed_);
+  if (settings_.torque_slew > 0)
+    out.torque = towards(out.torque, last_.torque, settings_.torque_slew * step, slewed_);
+  return last_ = limit(out, max_force, max_torque);
+}
+
+}  // namespace sonde

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/haptics/coupling/coupling.hpp"
+
+namespace sonde {
+
+/// Why there is no force on the hand.
+enum class Withheld {
+  nothing,     ///< there is, where the probe is in contact
+  stopped,     ///< asked for, by Esc
+  paused,      ///< the loop computes nothing
+  let_go,      ///< the clutch is open
+  changed,     ///< what holds the probe, or how, is another than before
+  untrusted,   ///< the device is gone, or says what cannot be true
+  not_finite,  ///< the device pose, or a force, is no number
+  failed,      ///< no separated pose was found
+  stalled,     ///< the geometry has not answered for too long
+  unsettled,   ///< its answer has not converged: the force fades, and may not be gone yet
+  diverged,    ///< the force threw the hand, which is still in contact or fast
+  shut_down,   ///< the loop has ended
+};
+/// In a few words, for the window and the log.
+const char* words(Withheld why);
+
+struct SafetySettings {
+  double ramp_time = 0.3;       ///< s in contact, until the force is whole
+  double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
+  double torque_slew = 250;     ///< N·m/s
+  double stalled_after = 0.02;  ///< s, age of the rows
+  /// N, that the force of an answer which has not converged may be off by; 0: any. About a tenth of
+  /// what a small device gives at most; chosen, not measured.
+  double force_error = 0.3;
+  double fade_time = 0.05;   ///< s, for the whole force to go where it may be off by more
+  double runaway_speed = 2;  ///< m/s of the hand under a force, see Runaway; 0: no limit
+};
+
+/// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and
+/// after anything that withheld it; changes no faster than its slew limits; stays below the limits
+/// of the device; and is zero, at once, while it is withheld, but where the answer has not
+/// converged: one tick of that is no reason to let go of a wall, so the force fades. The ramp runs
+/// only while there is a force to give: a contact made long after a fault comes in slowly too.
+class ForceGate {
+ public:
+  explicit ForceGate(const SafetySettings& settings = {}) : settings_(settings) {}
+
+  /// The wrench that may be rendered, of the one that is wanted; dt in s since the last one. A
+  /// wanted wrench that is not finite is withheld.
+  Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
+              double dt) noexcept;
+  void restart() noexcept;  ///< the next force comes in from zero
+
+  Withheld withheld() const noexcept { return withheld_; }  ///< of the last wrench
+  double share() const noexcept { return share_; }          ///< of the force that the ramp lets by
+  bool slewed() const noexcept { return slewed_; }          ///< a slew limit acted
+
+ private:
+  SafetySettings settings_;
+  Wrench last_;
+  Withheld withheld_ = Withheld::nothing;
+  double share_ = 0;
+  bool slewed_ = false;
+};
+
+}  // namespace sonde

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
+
+namespace sonde {
+
+/// The corners of the part of two triangles that lies over one another, seen along a direction.
+struct FaceOverlap {
+  std::array<Contact, 9> corners;
+  int size = 0;
+  const Contact* begin() const { return corners.data(); }
+  const Contact* end() const { return corners.data() + size; }
+};
+
+/// Where two triangles lie nearly flat on each other, their closest points are one pair of many,
+/// and a turn brings others together: the gap along `normal` (from B to A) is linear over the
+/// face_overlap, so its corners say all of it. Empty where B is seen edge on, or where nothing
+/// overlaps.
+FaceOverlap face_overlap(const Corners& a, const Corners& b, const Vec3& normal);
+
+}  // namespace sonde

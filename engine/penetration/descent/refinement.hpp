@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/descent/leap_descent.hpp"
+
+namespace sonde {
+
+/// From an end of a search to the last digit, by the contacts of the bodies: leaps, and what they
+/// do not bring to an end is swept there.
+class Refinement {
+ public:
+  Refinement(const Body& probe, const Body& fixed, Method method);
+
+  /// From the free pose at y. Where the steps or the time run out, the nearest pose reached, let
+  /// come into contact as far as there is time.
+  Descent::Outcome run(const Chart& chart, const Vec6& y, LeapDescent& leaps, int steps,
+                       const Deadline& deadline);
+
+ private:
+  Descent descent_;
+};
+
+}  // namespace sonde

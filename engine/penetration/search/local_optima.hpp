@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "engine/geometry/chart.hpp"
+
+namespace sonde {
+
+/// Where descents of a search ended.
+struct LocalOptimum {
+  Vec6 y = Vec6::Zero();
+  double depth = std::numeric_limits<double>::infinity();  ///< |y|, m; infinite: nowhere
+  int iterations = 0;                                      ///< what it took
+  int starts = 1;  ///< that led there independently of what was found before: they confirm it
+};
+
+/// The places found so far, and how many starts agree on the best of them.
+class LocalOptima {
+ public:
+  void note(const LocalOptimum& place);
+
+  bool empty() const { return optima_.empty(); }
+  double best() const { return best_; }  ///< m; infinite where there is none
+  /// Independent starts that ended at the best depth, to 2 %.
+  int agreeing() const;
+  /// Is y so near the best of them (of its depth) that a descent is thought to end there?
+  bool is_known(const Vec6& y, double share) const;
+  /// The nearest so many, the best first, no two of them close together.
+  std::vector<Vec6> nearest(std::size_t count) const;
+
+ private:
+  std::vector<LocalOptimum> optima_;  // the nearest first
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace sonde

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/search_worker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sonde {
+
+SearchWorker::SearchWorker(const Body& probe, const Body& fixed)
+    : near(smallest_ball(probe)),
+      probe_(probe),
+      fixed_(fixed),
+      pdg_(probe, fixed, Method::pdg),
+      pdt_(probe, fixed, Method::pdt),
+      push_pdg_(probe, fixed, Method::pdg),
+      push_pdt_(probe, fixed, Method::pdt) {}
+
+LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method method,
+                                   const Limits& limits) {
+  const double beat = limits.beat;
+  const auto rough = leaps(method).run(
+      chart, y, {.steps = std::min(15, limits.steps), .reach = 0.3, .beat = 1.1 * beat},
+      limits.before);
+  LocalOptimum out{rough.y, rough.y.norm(), rough.iterations};
+  const int left = limits.steps - out.iterations;
+  if (left <= 0 || (beat > 0 && out.depth > 1.2 * beat)) return out;
+  const auto exact = leaps(method).run(chart, rough.y,
+                                       {.guide = Guide::few,
+                                        .tolerance = 0.01,
+                                        .steps = std::min(12, left),
+                                        .reach = 0.1,
+                                        .beat = 1.02 * beat},
+                                       limits.before);
+  return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
+}
+
+LocalOptimum SearchWorker::descend_exactly(const Chart& chart, const Vec6& y, Method method,
+                                           const Limits& limits) {
+  const auto exact =
+      leaps(method).run(chart, y,
+                        {.guide = Guide::few,
+                         .tolerance = 0.01,
+                         .steps = std::min(15, limits.steps),
+                         .reach = 0.2,
+                         .beat = std::isfinite(limits.beat) ? 1.02 * limits.beat : 0},
+                        limits.before);
+  return {exact.y, exact.y.norm(), exact.iterations};
+}
+
+Vec6 SearchWorker::sample(Random& random, double radius, Method method) const {
+  Vec6 y = random.in_ball(radius);
+  y.tail<3>() = fixed_.mass.R_MP * y.tail<3>();
+  if (method == Method::pdt) y.head<3>().setZero();
+  for (int k = 0; k < 3; ++k)
+    if (!(probe_.mass.inertia[k] > 0)) y[k] = 0;
+  return y;
+}
+
+std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random,
+                                              const Vec6& center, double radius, int tries,
+                                              Method method, const Deadline& before) {
+  for (int i = 0; i < tries && !before.passed(); ++i) {
+    Vec6 y = center + sample(random, radius, method);
+    if (method == Method::pdt) y.head<3>().setZero();
+    if (chart.v(y).norm() < 0.9 && leaps(method).is_free(chart, y)) return y;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sonde

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/trivial_separation.hpp"
+
+#include "engine/penetration/descent/result.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of the probe's radius: where coordinates are rounded by more, contacts mean nothing.
+constexpr double largest_rounding = 0.01;
+
+/// Is the probe's ball about its centre of mass clear of the box around the fixed body?
+bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, double rounding) {
+  const Vec3 com = X * probe.mass.com;
+  const Vec3 nearest = com.cwiseMax(fixed.tree.low).cwiseMin(fixed.tree.high);
+  return (com - nearest).stableNorm() > probe.mass.radius + rounding;
+}
+
+}  // namespace
+
+std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
+                                             const Pose& X_FM) {
+  if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
+  // Without a look at the trees: rounding that is as large as a body makes all boxes overlap.
+  const double rounding = rounding_guard(extent(probe), extent(fixed), X_FM.p);
+  const Transform X(X_FM);
+  if (ball_is_clear(probe, fixed, X, rounding)) return separated_at(X_FM);
+  if (rounding > largest_rounding * probe.mass.radius)
+    return failed(X_FM, "too far from the origin for the size of the probe");
+  if (!overlap(probe, fixed, X, Doubt::exact)) return separated_at(X_FM);
+  return std::nullopt;
+}
+
+}  // namespace sonde

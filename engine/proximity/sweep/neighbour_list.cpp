@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/sweep/neighbour_list.hpp"
+
+#include <array>
+
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/triangle_batch.hpp"
+
+namespace sonde {
+namespace {
+
+// In the units of Effort: of a block of pairs, of one pair.
+constexpr int work_to_look = 5, work_to_take = 4, work_to_advance = 20;
+
+Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
+
+/// Where the centre of mass is, and how arms from it are turned.
+ArmMap arms_at(const Body& a, const Transform& X) { return arm_map(X.R, X * a.mass.com); }
+
+}  // namespace
+
+NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
+    : a_(a),
+      b_(b),
+      items_((capacity + block - 1) / block),
+      lanes_(items_.size()),
+      due_(items_.size()),
+      open_(capacity),
+      capacity_(capacity),
+      centre_(a.mass.com) {
+  clear();
+}
+
+NeighbourList::Displacement NeighbourList::along(const Motion& motion,
+                                                 const Vec3& centre) noexcept {
+  const Motion::Velocity v = motion.velocity(0);
+  const Vec3 arm = motion.at(0).R * (centre - motion.com());
+  const double bend = 0.5 * motion.acceleration_per_radius() * arm.norm();
+  return {((v.linear + v.angular.cross(arm)).norm() + bend) * (1 + 1e-9),
+          motion.turn_bound() * (1 + 1e-12)};
+}
+
+double NeighbourList::arm_of(std::uint32_t slot) const noexcept {
+  return (a_.tree.center(slot) - centre_).norm() * (1 + 1e-6) + a_.tree.half_diagonal(slot);
+}
+
+/// Pairs of triangles on their way into the list, eight of which are compared at a time.
+struct NeighbourList::Candidates {
+  TriangleBatch batch;
+  Displacement room;
+  double rounding;                  // m
+  std::array<double, block> arm{};  // m
+  bool fit = true;                  // so far
+};
+
+void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
+  clear();
+  X_ = last_ = X;
+  linear_ = turned_ = 0;
+  centre_ = centre;
+  work_of_build_ = 0;
+  longest_arm_ = ((centre - a_.mass.com).norm() + a_.mass.radius) * (1 + 1e-12);
+}
+
+void NeighbourList::take(Candidates& of) noexcept {
+  const double widest = of.room.of(*std::max_element(of.arm.begin(), of.arm.end()));
+  of.batch.flush(widest + 2 * of.rounding, [&](const TriangleBatch::Pair& pair, int lane,
+                                               const ClosestPoints8& points) {
+    const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
+    const double arm = of.arm[static_cast<std::size_t>(lane)];
+    if (distance > of.room.of(arm)) return;
+    of.fit = of.fit && count_ < capacity_;
+    if (!of.fit) return;
+    const bool apart = points.distance[lane] > 0;
+    append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
+  });
+}
+
+bool NeighbourList::build(const Transform& X, const Vec3& centre, const Displacement& room,
+                          Effort& effort) noexcept {
+  start(X, centre);
+  planned_ = room;
+  to_visit_.clear();
+  to_visit_.push(roots(a_.tree, b_.tree));
+  return go_on(effort);
+}
+
+bool NeighbourList::go_on(Effort& effort) noexcept {
+  const Placement at(a_, b_, X_);
+  SlotPairs found;
+  Candidates candidates{{a_, b_, X_}, planned_, guard(X_)};
+  const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
+  // What is found below a pair goes by the arm of its box of A, which is the longer one.
+  const auto sort_out = [&](const SlotPair& p, double arm) {
+    if (!at.is_leaf(p)) return to_visit_.push(p);
+    spend(work_to_take);
+    candidates.arm[static_cast<std::size_t>(candidates.batch.size())] = arm;
+    candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
+    if (candidates.batch.full()) take(candidates);
+  };
+  unfinished_ = false;
+  while (candidates.fit && !unfinished_ && !to_visit_.empty()) {
+    const SlotPair p = to_visit_.pop();
+    const double arm = arm_of(p.a);
+    const float limit = at.above(planned_.of(arm));
+    if (p.bound > limit) continue;
+    if (at.is_leaf(p)) {  // the roots alone
+      sort_out(p, arm);
+      continue;
+    }
+    at.open_by_faces(p, limit, found);
+    for (const SlotPair& child : found) sort_out(child, arm);
+    unfinished_ = !spend(work_to_open(found.count));
+  }
+  take(candidates);
+  if (!candidates.fit) return clear(), false;
+  if (unfinished_) return false;
+  fill_last();
+  room_ = planned_;
+  return true;
+}
+
+void NeighbourList::append(const Pair& pair, const Due& due, const Vec3& normal) noexcept {
+  const std::size_t k = count_ / block, lane = count_ % block;
+  due_[k] = lane == 0
+                ? due
+                : Due{std::min(due_[k].distance, due.distance), std::max(due_[k].arm, due.arm)};
+  items_[k].a[lane] = pair.a;
+  items_[k].b[lane] = pair.b;
+  const Corners ta = corners(surface(a_), pair.a);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < 3; ++i)
+      lanes_[k].arm[c][i][lane] = ta[c][static_cast<int>(i)] - a_.mass.com[static_cast<int>(i)];
+  set_normal(static_cast<std::uint32_t>(count_++), normal);
+}
+
+void NeighbourList::fill_last() noexcept {
+  if (count_ % block == 0) return;
+  PairLanes& lanes = lanes_[count_ / block];
+  const std::size_t last = count_ % block - 1;
+  for (std::size_t lane = last + 1; lane < block; ++lane) {
+    for (auto& corner : lanes.arm)
+      for (auto& row : corner) row[lane] = row[last];
+    for (auto& row : lanes.normal) row[lane] = row[last];
+    lanes.top[lane] = lanes.top[last];
+  }
+}
+
+NeighbourList::Displacement NeighbourList::displacement(const Transform& from,
+                                                        const Transform& X) const noexcept {
+  // |R − R₀| as an operator is the Frobenius norm by √2, for rotations.
+  return {(1 + 1e-12) * (X * centre_ - from * centre_).norm(),
+          (1 + 1e-12) * (X.R - from.R).norm() / std::sqrt(2.0)};
+}
+
+void NeighbourList::travel_to(const Transform& X) noexcept {
+  const Displacement more = displacement(last_, X);
+  linear_ += more.linear * (1 + 1e-12);
+  turned_ += more.turn * (1 + 1e-12);
+  last_ = X;
+  // Long travel within a small place would round the distances away.
+  if (linear_ + turned_ * longest_arm_ > 1e3 * room_.of(longest_arm_)) {
+    for (std::size_t k = 0; k < blocks(); ++k) due_[k].distance = 0;
+    linear_ = turned_ = 0;
+  }
+}
+
+double NeighbourList::guard(const Transform& X) const noexcept {
+  // Arms are reckoned from the centre of mass, which may lie far outside the mesh.
+  return rounding_guard(extent(a_) + a_.mass.com.norm(), extent(b_),
+                        X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
+}
+
+double NeighbourList::left(const Displacement& room, const Transform& X,
+                           const Displacement& more) const noexcept {
+  // The least of what is left for any arm. Distances were rounded at the list's pose, and are again
+  // at this one.
+  const Displacement since = displacement(X_, X);
+  const Displacement left{room.linear - since.linear - more.linear,
+                          room.turn - since.turn - more.turn};
+  return std::min(left.linear, left.of(longest_arm_)) - 2 * guard(X);
+}
+
+bool NeighbourList::covers(const Motion& motion, double clearance) const noexcept {
+  return reach_after(motion.at(0), along(motion, centre_)) > clearance;
+}
+
+void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {
+  Due& due = due_[k];
+  const double used_up = linear_ + due.arm * turned_;
+  due.distance = std::max(due.distance, used_up + gap * (1 - 1e-12) - rounding);
+}
+
+template <class Visit>
+void NeighbourList::each_due(const Displacement& ahead, double within,
+                             const Visit& visit) const noexcept {
+  for (std::size_t k = 0; k < blocks(); ++k) {
+    if (spare(due_[k]) > within + ahead.of(due_[k].arm)) continue;
+    visit(k);
+  }
+}
+
+void NeighbourList::set_normal(std::uint32_t item, const Vec3& normal) noexcept {
+  PairLanes& lanes = lanes_[item / block];
+  const std::size_t lane = item % block;
+  const Corners tb = corners(surface(b_), items_[item / block].b[lane]);
+  for (std::size_t i = 0; i < 3; ++i) lanes.normal[i][lane] = normal[static_cast<int>(i)];
+  lanes.top[lane] = std::max({normal.dot(tb[0]), normal.dot(tb[1]), normal.dot(tb[2])});
+}
+
+NearPairs NeighbourList::near(const Transform& X, double reach, std::span<NearPair> out,
+                              Effort& effort) noexcept {
+  travel_to(X);
+  const double rounding = guard(X);
+  const ArmMap at = arms_at(a_, X);
+  TriangleBatch batch(a_, b_, X);
+  std::size_t found = 0;
+  const auto look = [&] {
+    effort.spend(TriangleBatch::work * batch.size());
+    batch.flush(reach, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (points.distance[k] > reach || !(points.distance[k] > 0)) return;
+      const NearPair near = near_pair(pair, k, points);
+      if (found == out.size()) found = keep_nearer_half(out, reach);
+      out[found++] = near;
+    });
+  };
+  each_due({}, reach + rounding, [&](std::size_t k) {
+    if (!effort.spend(work_to_look)) return;
+    alignas(64) double gap[block];
+    gaps_at(lanes_[k], at, gap);
+    learn(k, *std::min_element(gap, gap + block), rounding);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      if (gap[lane] > reach + rounding) continue;
+      batch.add(items_[k].a[lane], items_[k].b[lane]);
+      if (batch.full()) look();
+    }
+  });
+  look();
+  if (effort.is_spent()) return {0, -1};
+  return {found, reach};
+}
+
+std::size_t NeighbourList::violations(const Transform& X, double least, std::span<Violation> out,
+                                      Effort& effort) noexcept {
+  const double rounding = guard(X);
+  const ArmMap at = arms_at(a_, X);
+  const auto deeper = [](const Violation& x, const Violation& y) { return x.gap < y.gap; };
+  std::size_t found = 0;
+  TriangleBatch batch(a_, b_, X);
+  std::array<double, block> along{};  // gaps of the batch
+  const auto look = [&] {
+    effort.spend(TriangleBatch::work * batch.size());
+    batch.flush(least, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
+      if (points.distance[k] > least) return;
+      const double known = std::min(0.0, along[static_cast<std::size_t>(k)]);
+      const Violation one{pair.i, pair.j, points.distance[k] > 0 ? points.gap[k] : known};
+      if (found == out.size()) {
+        if (!deeper(one, out[0])) return;
+        std::pop_heap(out.begin(), out.end(), deeper);
+        --found;
+      }
+      out[found++] = one;
+      std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
+    });
+  };
+  each_due(displacement(last_, X), least + rounding, [&](std::size_t k) {
+    if (!effort.spend(work_to_look)) return;
+    alignas(64) double gap[block];
+    gaps_at(lanes_[k], at, gap);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      if (gap[lane] > least + rounding) continue;
+      along[static_cast<std::size_t>(batch.size())] = gap[lane];
+      batch.add(items_[k].a[lane], items_[k].b[lane]);
+      if (batch.full()) look();
+    }
+  });
+  look();
+  return found;
+}
+
+Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
+  PairSweep pairs(a_, b_, motion, clearance);
+  travel_to(pairs.start().X);
+  const double rounding = guard(pairs.start().X), room = clearance + pairs.guard();
+  const Displacement ahead = along(motion, centre_);
+  const ArmMap from = arms_at(a_, pairs.start().X), to = arms_at(a_, pairs.end());
+  const ArmMap bend = arm_map(motion.bend(), Vec3::Zero());
+  std::size_t open = 0;
+  each_due(ahead, room, [&](std::size_t k) {
+    if (!effort.spend(2 * work_to_look)) {
+      const double known = (spare(due_[k]) - room) / std::max(ahead.of(due_[k].arm), 1e-300);
+      return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
+    }
+    PathLanes path;
+    gaps_along(lanes_[k], from, to, bend, path);
+    learn(k, *std::min_element(path.from, path.from + block), rounding);
+    for (std::size_t lane = 0; lane < size_of(k); ++lane) {
+      const double floor = pairs.floor_of(path.from[lane]);
+      const double least = std::min(path.from[lane], path.to[lane]) - floor;
+      if (least >= 0 && least >= pairs.hangs_by(path.bend[lane])) continue;
+      const double room = path.from[lane] - floor, used = path.from[lane] - path.to[lane];
+      open_[open++] = {static_cast<std::uint32_t>(k * block + lane), room <= 0     ? 0
+                                                                     : room < used ? room / used
+                                                                                   : 1};
+    }
+  });
+  // What is likely to stop the path soonest comes first: then the others need be clear no further.
+  const auto first = open_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
+  const auto few = first + static_cast<std::ptrdiff_t>(std::min(open, block));
+  std::partial_sort(first, few, last, [](const Open& x, const Open& y) {
+    return x.until != y.until ? x.until < y.until : x.item < y.item;
+  });
+  follow({open_.data(), open}, pairs, ahead, effort);
+  return pairs.result();
+}
+
+void NeighbourList::follow(std::span<const Open> open, PairSweep& pairs, const Displacement& ahead,
+                           Effort& effort) noexcept {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double clearance = pairs.clearance();
+  TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
+  const auto normal_of = [&](std::uint32_t item) {
+    const PairLanes& lanes = lanes_[item / block];
+    const std::size_t k = item % block;
+    return Vec3(lanes.normal[0][k], lanes.normal[1][k], lanes.normal[2][k]);
+  };
+  const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {
+    return pairs.is_clear_along(pair.i, pair.j, n);
+  };
+  // What slides past with little room, one edge over another, is clear along a normal of the
+  // surface, where the nearest points lead from one side of it to the other.
+  Vec3 hint = Vec3::Zero();
+  const auto passes_over = [&](const TriangleBatch::Pair& pair) {
+    const Corners ta = place(pairs.start().X, corners(surface(a_), pair.i));
+    const Corners tb = corners(surface(b_), pair.j);
+    for (const Vec3& way : {hint, face_normal(tb), face_normal(ta)})
+      for (const double side : {1.0, -1.0}) {
+        const Vec3 n = side * way;
+        if (!(gap_along(n, ta, tb) > 0) || !passes(pair, n)) continue;
+        set_normal(pair.tag, n);
+        hint = n;
+        return true;
+      }
+    return false;
+  };
+  const auto look_at_end = [&] {
+    effort.spend(TriangleBatch::work * at_end.size());
+    at_end.flush(infinity, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& p) {
+      if (p.distance[k] > 0 && passes(pair, normal(p, k)))
+        return set_normal(pair.tag, normal(p, k));
+      if (!effort.spend(work_to_advance)) {
+        const Due& due = due_[pair.tag / block];
+        const double room = clearance + pairs.guard();
+        const double known = (spare(due) - room) / std::max(ahead.of(due.arm), 1e-300);
+        return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
+      }
+      Vec3 n = normal_of(pair.tag);
+      double from = 0;
+      if (n != Vec3::Zero()) {
+        const PairSweep::Step step = pairs.step_along(pair.i, pair.j, n, pairs.start());
+        if (step.gap > 2 * clearance) from = step.length;
+      }
+      if (from < pairs.free_until()) effort.spend(pairs.advance(pair.i, pair.j, from, n));
+    });
+  };
+  const auto look_at_start = [&] {
+    effort.spend(TriangleBatch::work * at_start.size());
+    at_start.flush(infinity, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& p) {
+      for (int i = 0; k == 0 && i < at_start.size(); ++i) pairs.saw_at_start(p.distance[i]);
+      if (p.distance[k] > 0) {
+        set_normal(pair.tag, normal(p, k));
+        if (passes(pair, normal(p, k)) || passes_over(pair)) return;
+      }
+      at_end.add(pair, place(pairs.end(), corners(surface(a_), pair.i)),
+                 corners(surface(b_), pair.j));
+      if (at_end.full()) look_at_end();
+    });
+  };
+  std::size_t looked_at = 0;
+  for (const Open& one : open) {
+    const Pairs& of = items_[one.item / block];
+    const TriangleBatch::Pair pair{of.a[one.item % block], of.b[one.item % block], one.item};
+    const Vec3 n = normal_of(one.item);
+    if (pairs.free_until() < 1 && n != Vec3::Zero() && passes(pair, n)) continue;
+    at_start.add(pair, place(pairs.start().X, corners(surface(a_), pair.i)),
+                 corners(surface(b_), pair.j));
+    // The first has the last word before any other is looked at: these need be clear no further.
+    if (at_start.full() || ++looked_at == 1) look_at_start(), look_at_end();
+  }
+  look_at_start();
+  look_at_end();
+}
+
+}  // namespace sonde

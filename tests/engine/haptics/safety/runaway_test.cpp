@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/safety/runaway.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace sonde {
+namespace {
+
+constexpr double dt = 1e-3;
+
+struct RunawayTest : testing::Test {
+  Runaway runaway{2};
+  /// Straight on at a speed (m/s) for some ticks.
+  void go(double speed, int ticks, bool pushed) {
+    for (int i = 0; i < ticks; ++i) runaway.observe(speed * dt * Vec3::UnitX(), dt, pushed);
+  }
+};
+
+TEST_F(RunawayTest, a_hand_that_is_fast_under_a_force_is_seen_until_it_is_slow_and_free) {
+  go(3, 15, true);
+  EXPECT_FALSE(runaway.seen()) << "not for so short";
+  go(3, 15, true);
+  EXPECT_TRUE(runaway.seen());
+  runaway.release();
+  EXPECT_TRUE(runaway.seen()) << "free, and fast still";
+  go(0, 100, false);
+  EXPECT_TRUE(runaway.seen()) << "slow, and not free";
+  runaway.release();
+  EXPECT_FALSE(runaway.seen());
+}
+
+TEST_F(RunawayTest, thrown_out_of_the_contact_it_is_seen_on_its_way) {
+  go(4, 3, true);
+  go(4, 20, false);
+  EXPECT_TRUE(runaway.seen());
+}
+
+TEST_F(RunawayTest, a_hand_moves_freely_as_fast_as_it_likes) {
+  go(10, 1000, false);
+  EXPECT_FALSE(runaway.seen());
+}
+
+TEST_F(RunawayTest, slower_than_that_nothing_is_seen_however_hard_it_is_pushed) {
+  go(1.99, 1000, true);
+  EXPECT_FALSE(runaway.seen());
+}
+
+// 5 mm to and fro at 100 Hz: 3 m/s at its fastest, and nowhere in the mean.
+TEST_F(RunawayTest, a_buzz_is_none) {
+  Vec3 before = Vec3::Zero();
+  for (int i = 1; i < 1000; ++i) {
+    const Vec3 here(0.005 * std::sin(2 * std::numbers::pi * 100 * dt * i), 0, 0);
+    runaway.observe(here - before, dt, true);
+    before = here;
+    ASSERT_FALSE(runaway.seen()) << i;
+  }
+}
+
+TEST_F(RunawayTest, a_slow_device_that_steps_every_eighth_tick_is_as_fast_as_it_is) {
+  for (int i = 0; i < 1000; ++i)
+    runaway.observe(i % 8 == 0 ? Vec3(0.008, 0, 0) : Vec3::Zero(), dt, true);  // 1 m/s
+  EXPECT_FALSE(runaway.seen());
+}
+
+TEST_F(RunawayTest, without_time_a_number_or_a_limit_nothing_is_seen) {
+  runaway.observe(Vec3(1, 0, 0), 0, true);
+  runaway.observe(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), dt, true);
+  EXPECT_FALSE(runaway.seen());
+  Runaway unlimited(0);
+  for (int i = 0; i < 100; ++i) unlimited.observe(Vec3(1, 0, 0), dt, true);
+  EXPECT_FALSE(unlimited.seen());
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,512 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/proximity/sweep/neighbour_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/proximity/queries/placement.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/exact_reference.hpp"
+#include "tests/support/pairs.hpp"
+
+namespace sonde {
+namespace {
+
+using Key = std::pair<std::uint32_t, std::uint32_t>;
+
+std::map<Key, double> gaps(std::span<const NearPair> pairs) {
+  std::map<Key, double> out;
+  for (const NearPair& p : pairs) out[{p.triangle_a, p.triangle_b}] = p.gap;
+  return out;
+}
+
+/// A small random motion of X about the probe's centre of mass.
+Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
+  const Vec3 turn = test::random_in_ball(random, by / a.mass.radius);
+  const Quat q = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * X.q).normalized();
+  return {q, X * a.mass.com + test::random_in_ball(random, by) - q * a.mass.com};
+}
+
+double rounding_at(const test::BodyPair& pair, const Pose& X) {
+  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
+}
+
+// Reference: near_pairs, itself tested against all pairs. The list is asked again and again while
+// the probe walks off, so that its memory of bounds and normals is used.
+TEST(NeighbourList, near_agrees_with_near_pairs_while_within_reach) {
+  Effort unlimited;
+  std::mt19937_64 random(1);
+  std::vector<NearPair> from_list(1 << 15), from_trees(1 << 15);
+  for (const auto& pair : test::body_pairs(51)) {
+    NeighbourList list(*pair.a, *pair.b);
+    int compared = 0;
+    std::size_t pairs_seen = 0;
+    for (int i = 0; i < 12; ++i) {
+      Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
+      const double reach = test::uniform(random, 0.05, 0.3) * pair.a->mass.radius;
+      ASSERT_TRUE(list.build(Transform(X), reach, unlimited)) << pair.name;
+      EXPECT_LE(list.reach_at(Transform(X)), reach);
+      EXPECT_NEAR(list.reach_at(Transform(X)), reach, 10 * rounding_at(pair, X));
+      for (int step = 0; step < 20; ++step) {
+        X = nudged(random, *pair.a, X, 0.03 * reach);
+        const double left = list.reach_at(Transform(X));
+        if (left <= 0) break;
+        const double asked = test::uniform(random, 0, 1) * left;
+        const auto near = list.near(Transform(X), asked, from_list, unlimited);
+        const auto expected = near_pairs(*pair.a, *pair.b, Transform(X), asked, from_trees);
+        EXPECT_EQ(near.reach, asked);
+        const auto got = gaps({from_list.data(), near.count}),
+                   want = gaps({from_trees.data(), expected.count});
+        EXPECT_EQ(got.size(), near.count);
+        const double rounding = rounding_at(pair, X);
+        for (const auto& [key, gap] : want)
+          if (gap < asked - rounding) {
+            ASSERT_EQ(got.count(key), 1u) << pair.name << gap << " of " << asked;
+            EXPECT_NEAR(got.at(key), gap, rounding);
+          }
+        for (const auto& [key, gap] : got)
+          if (gap < asked - rounding) {
+            EXPECT_EQ(want.count(key), 1u) << pair.name;
+          }
+        ++compared;
+        pairs_seen += near.count;
+      }
+    }
+    EXPECT_GT(compared, 100) << pair.name;
+    EXPECT_GT(pairs_seen, 100u) << pair.name;
+  }
+}
+
+// Reference: distances of all pairs. Whatever is nearer than reach_at is in the list, which `near`
+// with that reach shows.
+TEST(NeighbourList, its_reach_after_a_move_is_a_true_bound) {
+  Effort unlimited;
+  std::mt19937_64 random(2);
+  std::vector<NearPair> out(1 << 15);
+  for (const auto& pair : test::body_pairs(52)) {
+    NeighbourList list(*pair.a, *pair.b);
+    int used = 0;
+    for (int i = 0; i < 40; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 1.2);
+      const double reach = 0.3 * pair.a->mass.radius;
+      ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
+      const Transform X(nudged(random, *pair.a, start, test::uniform(random, 0, 0.7) * reach));
+      const double left = list.reach_at(X);
+      EXPECT_LE(left, reach);
+      if (left <= 0) continue;
+      ++used;
+      const auto got = gaps({out.data(), list.near(X, left, out, unlimited).count});
+      const auto ta = test::placed_triangles(*pair.a, X), tb = test::placed_triangles(*pair.b, {});
+      for (std::uint32_t a = 0; a < ta.size(); ++a)
+        for (std::uint32_t b = 0; b < tb.size(); ++b) {
+          const double distance = closest_points(ta[a], tb[b]).distance;
+          const double rounding = rounding_at(pair, start);
+          if (distance > rounding && distance < left - rounding) {
+            EXPECT_EQ(got.count({a, b}), 1u) << pair.name << distance << " " << left;
+          }
+        }
+    }
+    EXPECT_GT(used, 15) << pair.name;
+  }
+}
+
+// Both sweeps are conservative, and they advance the same pairs by the same rule: they end at the
+// same place but for what boxes leave over, which is less than the clearance. Freedom itself is
+// tested with exact predicates on all pairs.
+TEST(NeighbourList, sweep_along_agrees_with_sweep) {
+  Effort unlimited;
+  std::mt19937_64 random(3);
+  for (const auto& pair : test::body_pairs(53)) {
+    NeighbourList list(*pair.a, *pair.b);
+    int hits = 0, compared = 0;
+    for (int i = 0; i < 120; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 0.9);
+      const double reach = 0.4 * pair.a->mass.radius;
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(start))) continue;
+      ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
+      const Chart chart(pair.a->mass, start);
+      for (int again = 0; again < 6; ++again) {
+        const Vec6 to = chart.coordinates(nudged(random, *pair.a, start, 0.4 * reach));
+        const Motion motion(chart, Vec6::Zero(), to);
+        const double clearance = 1e-4 * reach;
+        const double path = motion.linear_distance() + motion.turn_bound() * pair.a->mass.radius;
+        if (path + clearance > list.reach_at(Transform(start))) continue;
+        const Sweep expected = sweep(*pair.a, *pair.b, motion, clearance);
+        const Sweep got = list.sweep_along(motion, clearance, unlimited);
+        const double allowed = (2 * clearance + 100 * rounding_at(pair, start)) / path;
+        EXPECT_EQ(got.hit, expected.hit) << pair.name;
+        // Where the probe slides along, a little more room is a longer way.
+        EXPECT_NEAR(got.free_until, expected.free_until, 30 * allowed) << pair.name;
+        for (const double s : {got.free_until, 0.99 * got.free_until, 0.5 * got.free_until})
+          EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(s))) << pair.name;
+        hits += got.hit;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 50) << pair.name;
+    EXPECT_GT(hits, 5) << pair.name;
+  }
+}
+
+/// A small motion of X: a turn of at most `turn` about the point of the probe at `centre` (mesh
+/// frame), and that point moved by at most `by`.
+Pose rolled(std::mt19937_64& random, const Pose& X, const Vec3& centre, double by, double turn) {
+  const Vec3 about = test::random_in_ball(random, turn);
+  const Quat q = (Quat(Eigen::AngleAxisd(about.norm(), about.normalized())) * X.q).normalized();
+  return {q, X * centre + test::random_in_ball(random, by) - q * centre};
+}
+
+// Reference: where the points of the probe are at any part of the way, by the motion itself.
+TEST(NeighbourList, no_point_goes_further_than_is_reckoned_from_the_centre) {
+  std::mt19937_64 random(5);
+  for (const auto& pair : test::body_pairs(55))
+    for (int i = 0; i < 50; ++i) {
+      const double radius = pair.a->mass.radius;
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 1);
+      const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, 2 * radius);
+      const double size = std::pow(10, test::uniform(random, -4, -0.3));
+      Chart chart(pair.a->mass, nudged(random, *pair.a, start, 0.1 * radius));
+      chart.absorb_free_spin(start);
+      const Vec6 from = chart.coordinates(start);
+      Vec6 to = from + chart.coordinates(
+                           rolled(random, chart.device(), centre, 0.1 * size * radius, size));
+      const Motion motion(chart, from, to);
+      const NeighbourList::Displacement most = NeighbourList::along(motion, centre);
+      double furthest = 0;  // of what is allowed
+      for (int k = 0; k < 20; ++k) {
+        const Vec3 x = centre + test::random_in_ball(random, radius);
+        const double s = test::uniform(random, 0, 1);
+        const double gone = (motion.at(s) * x - motion.at(0) * x).norm();
+        const double allowed = s * most.of((x - centre).norm());
+        EXPECT_LE(gone, allowed + rounding_at(pair, start)) << pair.name << " " << s;
+        furthest = std::max(furthest, gone / allowed);
+      }
+      EXPECT_GT(furthest, 0.2) << pair.name;  // the bound is of use
+    }
+}
+
+// Reference: distances of all pairs, and exact predicates on all pairs for what a sweep calls free.
+// The list is laid out for a probe that turns about one of its corners, which is asked and swept on
+// and on until it has used up its room.
+TEST(NeighbourList, laid_out_for_turns_about_a_corner_it_misses_nothing) {
+  Effort unlimited;
+  std::mt19937_64 random(6);
+  std::vector<NearPair> out(1 << 15);
+  int looks = 0, found = 0, sweeps = 0, far_turns = 0;
+  for (int round = 0; round < 6; ++round)
+    for (const auto& pair : test::body_pairs(56)) {
+      const Body &a = *pair.a, &b = *pair.b;
+      const double radius = a.mass.radius;
+      const Pose start = test::random_pose(random, a, b, 1);
+      if (test::any_pair_meets(a, b, Transform(start))) continue;
+      const auto corner = static_cast<std::size_t>(test::uniform(random, 0, 0.999) *
+                                                   static_cast<double>(a.soup.vertices.size()));
+      const Vec3 centre = a.soup.vertices[corner];
+      const double size = std::pow(10, test::uniform(random, -3, -0.3));
+      const NeighbourList::Displacement room{size * radius * test::uniform(random, 0.01, 1),
+                                             size * test::uniform(random, 0.3, 1)};
+      NeighbourList list(a, b);
+      if (!list.build(Transform(start), centre, room, unlimited)) continue;
+      Pose at = start;
+      for (int step = 0; step < 15; ++step) {
+        const Pose to = rolled(random, at, centre, 0.15 * room.linear, 0.15 * room.turn);
+        Chart chart(a.mass, start);
+        chart.absorb_free_spin(at);
+        const Motion motion(chart, chart.coordinates(at), chart.coordinates(to));
+        if (!list.covers(motion, 1e-6 * radius)) break;
+        const double free_until = list.sweep_along(motion, 1e-6 * radius, unlimited).free_until;
+        for (const double part : {0.3, 0.7, 1.0})
+          ASSERT_FALSE(test::any_pair_meets(a, b, motion.at(part * free_until))) << pair.name;
+        ++sweeps;
+        const Vec6 from = chart.coordinates(at);
+        at = chart.pose(from + 0.999 * free_until * (chart.coordinates(to) - from));
+        const double reach = test::uniform(random, 0.2, 1) * list.reach_at(Transform(at));
+        if (reach <= 0) break;
+        // A turn about the centre of mass alone would have used up more than the room by now.
+        far_turns += room.linear < room.turn * (centre - a.mass.com).norm();
+        const auto got = gaps({out.data(), list.near(Transform(at), reach, out, unlimited).count});
+        const auto ta = test::placed_triangles(a, Transform(at)),
+                   tb = test::placed_triangles(b, {});
+        const double rounding = rounding_at(pair, at);
+        for (std::uint32_t i = 0; i < ta.size(); ++i)
+          for (std::uint32_t k = 0; k < tb.size(); ++k) {
+            const double distance = closest_points(ta[i], tb[k]).distance;
+            if (distance <= rounding || distance >= reach - rounding) continue;
+            EXPECT_EQ(got.count({i, k}), 1u) << pair.name << " " << distance << " of " << reach;
+            ++found;
+          }
+        ++looks;
+      }
+    }
+  EXPECT_GT(looks, 100);
+  EXPECT_GT(sweeps, 100);
+  EXPECT_GT(found, 100);
+  EXPECT_GT(far_turns, 20);
+}
+
+TEST(NeighbourList, says_so_when_there_are_too_many_and_before_it_is_built) {
+  Effort unlimited;
+  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 100, 8));
+  NeighbourList list(*knot, *knot);
+  EXPECT_LT(list.reach_at(Transform()), 0);
+  EXPECT_FALSE(list.build(Transform(), 1, unlimited));
+  EXPECT_LT(list.reach_at(Transform()), 0);
+  Transform away;
+  away.p = Vec3(1, 0, 0);
+  EXPECT_TRUE(list.build(away, 0.1, unlimited));
+  EXPECT_NEAR(list.reach_at(away), 0.1, 1e-11);
+}
+
+TEST(NeighbourList, does_not_allocate) {
+  Effort unlimited;
+  std::mt19937_64 random(4);
+  const auto pairs = test::body_pairs(54);
+  std::vector<NearPair> out(50);
+  for (const auto& pair : pairs) {
+    NeighbourList list(*pair.a, *pair.b);
+    const Pose X = test::random_pose(random, *pair.a, *pair.b, 1.2);
+    const Chart chart(pair.a->mass, X);
+    Vec6 to = Vec6::Zero();
+    to[4] = 0.1 * pair.a->mass.radius;
+    test::AllocationCounter counter;
+    list.build(Transform(X), 0.3 * pair.a->mass.radius, unlimited);
+    list.near(Transform(X), 0.2 * pair.a->mass.radius, out, unlimited);
+    list.sweep_along(Motion(chart, Vec6::Zero(), to), 1e-4 * pair.a->mass.radius, unlimited);
+    counter.stop();
+    EXPECT_EQ(counter.allocations(), 0u) << pair.name;
+  }
+}
+
+// Reference: the same calls with all the effort they want, themselves tested above, and exact
+// predicates for what a sweep calls free. The way that is known to be free grows with the effort,
+// and is never longer than the whole answer.
+TEST(NeighbourList, gives_up_with_what_is_known_when_the_effort_runs_out) {
+  std::mt19937_64 random(9);
+  std::vector<NearPair> out(1 << 15);
+  int part_ways = 0, given_up = 0;
+  for (const auto& pair : test::body_pairs(54))
+    for (int i = 0; i < 20; ++i) {
+      const Pose start = test::random_pose(random, *pair.a, *pair.b, 0.9);
+      const double reach = 0.4 * pair.a->mass.radius, clearance = 1e-4 * reach;
+      if (test::any_pair_meets(*pair.a, *pair.b, Transform(start))) continue;
+      const Chart chart(pair.a->mass, start);
+      const Vec6 to = chart.coordinates(nudged(random, *pair.a, start, 0.3 * reach));
+      const Motion motion(chart, Vec6::Zero(), to);
+      Effort unlimited;
+      NeighbourList whole(*pair.a, *pair.b);
+      ASSERT_TRUE(whole.build(Transform(start), reach, unlimited));
+      const std::size_t all = whole.near(Transform(start), 0.5 * reach, out, unlimited).count;
+      const Sweep swept = whole.sweep_along(motion, clearance, unlimited);
+      for (const std::int64_t work : {1, 30, 100, 300, 1000, 3000, 100000}) {
+        Effort to_build(work, 0), to_look(work, 0), to_sweep(work, 0);
+        NeighbourList list(*pair.a, *pair.b);
+        if (!list.build(Transform(start), reach, to_build)) {
+          EXPECT_TRUE(to_build.is_spent());
+          EXPECT_LT(list.reach_at(Transform(start)), 0);
+          ASSERT_TRUE(list.build(Transform(start), reach, unlimited));
+        }
+        const NearPairs near = list.near(Transform(start), 0.5 * reach, out, to_look);
+        EXPECT_EQ(near.reach < 0, to_look.is_spent());
+        EXPECT_EQ(near.count, near.reach < 0 ? 0 : all) << pair.name;
+        const Sweep part = list.sweep_along(motion, clearance, to_sweep);
+        EXPECT_LE(part.free_until, swept.free_until + 0.01) << pair.name;
+        EXPECT_TRUE(to_sweep.is_spent() || !part.given_up);
+        EXPECT_TRUE(part.hit || !part.given_up);
+        EXPECT_FALSE(test::any_pair_meets(*pair.a, *pair.b, motion.at(part.free_until)));
+        given_up += part.given_up;
+        part_ways += part.given_up && part.free_until > 0;
+      }
+    }
+  EXPECT_GT(given_up, 50);
+  EXPECT_GT(part_ways, 10);
+}
+
+/// A plate in `strips` strips along y, bent along x by `sag` (m) from a flat one, so that no two of
+/// its strips are one facet.
+PolygonSoup bent_plate(double half, int strips, double sag, double thickness) {
+  PolygonSoup out;
+  for (int i = 0; i <= strips; ++i) {
+    const double x = half * (2.0 * i / strips - 1), z = -sag * (x / half) * (x / half);
+    for (const Vec3& p : {Vec3(x, -half, z), Vec3(x, half, z), Vec3(x, half, z - thickness),
+                          Vec3(x, -half, z - thickness)})
+      out.points.push_back(p);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(strips); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t next = (k + 1) % 4;
+      out.polygons.push_back({4 * i + k, 4 * i + 4 + k, 4 * i + 4 + next, 4 * i + next});
+    }
+  const std::size_t last = 4 * static_cast<std::size_t>(strips);
+  out.polygons.push_back({0, 1, 2, 3});
+  out.polygons.push_back({last + 3, last + 2, last + 1, last});
+  return out;
+}
+
+/// Two plates, one upside down on the other with a gap, that slide over each other.
+struct Sliding {
+  test::BodyPair pair;
+  Pose start;
+  double gap;
+};
+Sliding sliding_plates(std::mt19937_64& random) {
+  const auto any = [&](double low, double high) { return test::uniform(random, low, high); };
+  const auto plate = [&](double half) {
+    const double sag = half * std::pow(10, any(-7, -4));
+    return bent_plate(half, static_cast<int>(any(3, 9)), sag, 0.1 * half);
+  };
+  Sliding out;
+  out.gap = std::pow(10, any(-7, -4));
+  PolygonSoup upper = plate(any(0.02, 0.06));
+  for (Vec3& x : upper.points) x = Vec3(x.x(), -x.y(), -x.z());
+  out.pair = {"plates", test::body(upper), test::body(plate(0.05))};
+  const Quat turn(Eigen::AngleAxisd(any(-3, 3), Vec3::UnitZ()));
+  out.start = {turn, Vec3(any(-0.03, 0.03), any(-0.03, 0.03), out.gap)};
+  return out;
+}
+
+/// Least distance of all pairs, by exact_distance, where the probe is.
+double exact_distance_at(const test::BodyPair& pair, const Transform& X) {
+  return test::least_exact_distance(test::Placed(*pair.a, X), test::Placed(*pair.b, {}));
+}
+
+// By hand: a triangle that stands beside another, a little higher than that. The direction upwards,
+// by which the list knew it last, leaves hardly any gap; that does not let it come as near. The
+// promise is the clearance, since at the start all is far apart.
+TEST(NeighbourList, AStaleDirectionDoesNotLowerTheClearance) {
+  const auto triangle = [](double size) {
+    return test::body({{{-size, -size, 0}, {size, -size, 0}, {0, size, 0}}, {{0, 1, 2}}});
+  };
+  const test::BodyPair pair{"beside", triangle(0.1), triangle(1)};
+  Effort unlimited;
+  for (const double height : {1e-2, 1e-3, 1e-5}) {
+    NeighbourList list(*pair.a, *pair.b);
+    const Chart chart(pair.a->mass, {});
+    Vec6 above = Vec6::Zero(), beside = Vec6::Zero(), over = Vec6::Zero();
+    above[5] = 1;
+    beside[3] = 4;
+    beside[5] = over[5] = height;
+    ASSERT_TRUE(list.build(Transform(chart.pose(above)), 20, unlimited));
+    const Motion away(chart, above, beside), back(chart, beside, over);
+    EXPECT_FALSE(list.sweep_along(away, 0.1 * height, unlimited).hit);
+    const double clearance = 10 * height;
+    const Sweep swept = list.sweep_along(back, clearance, unlimited);
+    EXPECT_TRUE(swept.hit);
+    EXPECT_GE(exact_distance_at(pair, back.at(swept.free_until)), clearance * (1 - 1e-9));
+  }
+}
+
+/// A path that slides the probe along the plates, turns it a little, and lets it press on by a part
+/// of its gap.
+Pose slid(std::mt19937_64& random, const Sliding& plates, const Pose& X, double by) {
+  const double turn = by / plates.pair.a->mass.radius;
+  const double tip = plates.gap / plates.pair.a->mass.radius;
+  const Vec3 about(test::uniform(random, -tip, tip), test::uniform(random, -tip, tip),
+                   test::uniform(random, -turn, turn));
+  const Quat q = (Quat(Eigen::AngleAxisd(about.norm(), about.normalized())) * X.q).normalized();
+  const Vec3& com = plates.pair.a->mass.com;
+  const Vec3 way(test::uniform(random, -by, by), test::uniform(random, -by, by),
+                 plates.gap * test::uniform(random, -1, 0.5));
+  return {q, X * com + way - q * com};
+}
+
+struct Slides {
+  int sweeps = 0, hits = 0, free = 0;
+};
+
+/// Sweeps one list along path after path, so that its directions are of other places. References:
+/// exact distances at samples of each path. Promised is the clearance, or half of the least
+/// distance at the start where that is less.
+void check_slides(std::uint64_t seed, int rounds, int samples, Slides& tally) {
+  std::mt19937_64 random(seed);
+  Effort unlimited;
+  for (int round = 0; round < rounds; ++round) {
+    const Sliding plates = sliding_plates(random);
+    const test::BodyPair& pair = plates.pair;
+    Pose at = plates.start;
+    const double rounding = rounding_at(pair, at);
+    double distance = exact_distance_at(pair, Transform(at));
+    if (distance < 0.01 * plates.gap) continue;
+    NeighbourList list(*pair.a, *pair.b);
+    for (int step = 0; step < 12; ++step) {
+      const double by = pair.a->mass.radius * std::pow(10, test::uniform(random, -4, -0.7));
+      const Pose to = slid(random, plates, at, by);
+      Chart chart(pair.a->mass, plates.start);
+      const Motion motion(chart, chart.coordinates(at), chart.coordinates(to));
+      const double clearance = distance * test::uniform(random, 0.1, 1.5);
+      if (!list.covers(motion, clearance) &&
+          !list.build(Transform(at), pair.a->mass.com, {10 * by, 0.5}, unlimited))
+        break;
+      if (!list.covers(motion, clearance)) break;
+      const Sweep swept = list.sweep_along(motion, clearance, unlimited);
+      const double promised = std::min(clearance, 0.5 * distance) * (1 - 1e-9) - rounding;
+      for (int k = 0; k <= samples; ++k) {
+        const double s = swept.free_until * k / samples;
+        const double kept = exact_distance_at(pair, motion.at(s));
+        ASSERT_GE(kept, promised) << "seed " << seed << ", round " << round << ", step " << step
+                                  << ": at " << s << " of " << swept.free_until << ", from "
+                                  << distance << " with a clearance of " << clearance;
+      }
+      ++tally.sweeps;
+      (swept.hit ? tally.hits : tally.free)++;
+      const Vec6 from = chart.coordinates(at);
+      at = chart.pose(from + 0.999 * swept.free_until * (chart.coordinates(to) - from));
+      distance = exact_distance_at(pair, Transform(at));
+      if (distance < 1e-4 * plates.gap) break;
+    }
+  }
+}
+
+// What lies flush on the other body slides past edge after edge of it, with hardly any room.
+TEST(NeighbourList, FlushFacesThatSlideKeepTheirClearance) {
+  Slides tally;
+  check_slides(21, 40, 6, tally);
+  EXPECT_GT(tally.sweeps, 200);
+  EXPECT_GT(tally.hits, 40);
+  EXPECT_GT(tally.free, 60);
+}
+TEST(NeighbourList, Full_FlushFacesThatSlideKeepTheirClearance) {
+  Slides tally;
+  for (std::uint64_t seed = 100; seed < 110; ++seed) {
+    check_slides(seed, 40, 24, tally);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  EXPECT_GT(tally.sweeps, 2000);
+}
+
+// Reference: the list made in one go.
+TEST(NeighbourList, made_bit_by_bit_it_is_the_same_list) {
+  Effort unlimited;
+  std::mt19937_64 random(7);
+  std::vector<NearPair> at_once(1 << 15), in_bits(1 << 15);
+  for (const auto& pair : test::body_pairs(51)) {
+    const Transform X(test::random_pose(random, *pair.a, *pair.b, 0.7));
+    const double reach = 0.2 * pair.a->mass.radius;
+    NeighbourList whole(*pair.a, *pair.b), bits(*pair.a, *pair.b);
+    ASSERT_TRUE(whole.build(X, reach, unlimited)) << pair.name;
+    Effort little(30, 0);
+    bool done = bits.build(X, reach, little);
+    int times = 1;
+    for (; !done && times < 100000; ++times) {
+      ASSERT_TRUE(bits.is_unfinished()) << pair.name;
+      EXPECT_LT(bits.reach_at(X), 0) << "covers nothing yet";
+      EXPECT_NEAR(bits.reach_when_finished(X, {}), whole.reach_at(X), 0) << pair.name;
+      Effort more(30, 0);
+      done = bits.go_on(more);
+    }
+    EXPECT_GT(times, 1) << pair.name;
+    EXPECT_FALSE(bits.is_unfinished());
+    EXPECT_EQ(bits.size(), whole.size()) << pair.name;
+    const double asked = 0.99 * whole.reach_at(X);
+    const auto want = whole.near(X, asked, at_once, unlimited);
+    const auto got = bits.near(X, asked, in_bits, unlimited);
+    EXPECT_EQ(gaps({in_bits.data(), got.count}), gaps({at_once.data(), want.count})) << pair.name;
+  }
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/loaded_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <QUrl>
+#include <QWindow>
+
+#include "tests/ui/window_fixture.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+TEST_F(WindowTest, a_bad_file_keeps_what_was_open) {
+  open_cubes();
+  Session* const before = window->session();
+  folder.write("bad.sonde.json", "{\"unit\": \"m\", ");
+  folder.write("bad.off", "OFF\n1 1 0\n0 0\n");
+  window->prompts().ask_scene = [this] { return path("bad.sonde.json"); };
+  window->findChild<QAction*>("open_scene")->trigger();
+  ASSERT_TRUE(wait_until([this] { return failed == 1; }));
+  open({path("cube.off"), path("bad.off")}, 1.0);
+  open({path("no-such.sonde.json")});
+  open({path("cube.off")});
+  EXPECT_EQ(failed, 4);
+  EXPECT_EQ(complaints.size(), 4u);
+  EXPECT_TRUE(complaints[0].contains("bad.sonde.json")) << complaints[0].toStdString();
+  EXPECT_EQ(window->session(), before);
+  const std::uint64_t tick = shown().tick;
+  EXPECT_TRUE(wait_until([&] { return shown().tick > tick + 10; })) << "it still runs";
+}
+
+TEST_F(WindowTest, giving_up_the_unit_keeps_what_was_open) {
+  open_cubes();
+  Session* const before = window->session();
+  open({path("large.off"), path("large.off")});
+  EXPECT_EQ(failed, 1);
+  EXPECT_TRUE(complaints.empty()) << "to give up is no error";
+  EXPECT_EQ(window->session(), before);
+}
+
+TEST_F(WindowTest, two_meshes_ask_their_unit_and_suit_the_gains) {
+  answered_unit = 1e-3;
+  open({path("large.off"), path("open.off")});
+  ASSERT_EQ(opened, 1);
+  EXPECT_EQ(guess, "mm");
+  const Session& session = *window->session();
+  const double radius = session.probe().mass.radius;
+  EXPECT_NEAR(radius, 0.05 * std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(session.coupling().k * 0.02 * radius, session.coupling().max_force, 1e-9);
+  EXPECT_TRUE(session.probe().solid);
+  EXPECT_FALSE(session.fixed().solid);
+  ASSERT_TRUE(wait_until([this] { return shown().separation.status == Status::separated; }));
+  auto* status = window->findChild<QLabel*>("what_happens");
+  EXPECT_TRUE(wait_until([&] { return status->text().contains("open edges"); }))
+      << status->text().toStdString();
+  // On the side of the eye, a gap of a twentieth of the radius away.
+  EXPECT_GT((com() - session.fixed().mass.com).dot(window->viewport().camera().axes().towards), 0);
+}
+
+/// Reading took no time: what was to say so must not come up later, over the question.
+TEST_F(WindowTest, the_question_for_the_unit_stays_on_top_and_can_be_answered) {
+  window->prompts().ask_bodies = dialogs(*window).ask_bodies;
+  bool alone = false;
+  constexpr int long_enough_ms = 5000;  // four seconds are Qt's own patience before progress shows
+  QTimer::singleShot(long_enough_ms, window.get(), [&] {
+    QWidget* question = QApplication::activeModalWidget();
+    alone = question && question->objectName() == "bodies_dialog";
+    for (QWidget* other : QApplication::topLevelWidgets())
+      if (other != question && other != window.get() && other->isVisible()) alone = false;
+    if (alone) {
+      auto* ok = question->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+      QTest::mouseClick(question->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                        ok->mapTo(question, ok->rect().center()));
+    }
+    while (QWidget* stuck = QApplication::activeModalWidget()) stuck->close();
+  });
+  open({path("large.off"), path("large.off")});
+  EXPECT_TRUE(alone);
+  EXPECT_EQ(opened, 1) << "the question did not take the click";
+}
+
+class DropTest : public WindowTest {
+ protected:
+  void drop(const QStringList& files) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& file : files) urls.push_back(QUrl::fromLocalFile(file));
+    data.setUrls(urls);
+    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window.get(), &drop);
+  }
+};
+
+TEST_F(DropTest, takes_a_scene_or_two_meshes) {
+  drop({QString::fromStdString(scene.string())});
+  ASSERT_TRUE(wait_until([this] { return opened == 1; }));
+  answered_unit = 1e-3;
+  drop({path("large.off"), path("open.off")});
+  ASSERT_TRUE(wait_until([this] { return opened == 2; }));
+  EXPECT_EQ(window->session()->probe().name, "large");
+}
+
+TEST_F(WindowTest, opens_again_and_again) {
+  for (int i = 0; i < 5; ++i) open_cubes();
+  EXPECT_EQ(opened, 5);
+}
+
+TEST_F(WindowTest, closes_while_opening) {
+  window->open({QStringLiteral(SONDE_RESOURCES "/scenes/torus-knots.sonde.json")});
+  wait(5);
+  window.reset();
+}
+
+TEST(Opening, guesses_a_unit) {
+  const auto guess = [](double side) {
+    MeshPair pair;
+    pair.probe_size = Vec3(1, 1, 1) * side / 4;
+    pair.fixed_size = Vec3(1, side, 1);
+    return std::string(guess_unit(pair));
+  };
+  EXPECT_EQ(guess(90), "mm");
+  EXPECT_EQ(guess(9), "cm");
+  EXPECT_EQ(guess(1.2), "m");
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/loaded_scene.hpp"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "engine/mesh_io/read_mesh.hpp"
+#include "engine/scene/write_scene.hpp"
+#include "engine/settings/settings.hpp"
+#include "engine/text/number_text.hpp"
+#include "ui/base/resources.hpp"
+#include "ui/document/view_direction.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double depth_at_limit = 0.02;  // of the probe's radius
+constexpr double start_gap = 0.05;       // of the probe's radius
+
+/// The part of a job's progress from `from` to `to`.
+Progress part(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double fraction) { return progress(from + (to - from) * fraction); };
+}
+
+Vec3 size_of(const PolygonSoup& soup) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : soup.points) box.extend(point);
+  return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
+}
+
+/// Largest value of direction · x over the vertices of the body's triangles.
+double reach(const Body& body, const Vec3& direction) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Triangle& triangle : body.soup.triangles)
+    for (const auto index : triangle)
+      most = std::max(most, direction.dot(body.soup.vertices[index]));
+  return most;
+}
+
+/// On the side of the default camera, but to the right, so that neither body hides the other.
+Vec3 start_direction() {
+  const Vec3 towards = default_view_direction();
+  const Vec3 right = Vec3::UnitZ().cross(towards).normalized();
+  return towards + right;
+}
+
+/// Turns that axis of a mesh to z, the scene's up.
+Quat turned_up(UpAxis up) {
+  constexpr double quarter = std::numbers::pi / 2;
+  if (up == UpAxis::x) return Quat(Eigen::AngleAxisd(-quarter, Vec3::UnitY()));
+  if (up == UpAxis::y) return Quat(Eigen::AngleAxisd(quarter, Vec3::UnitX()));
+  return Quat::Identity();
+}
+
+/// A factor such as 25.4 comes out of a division with a wrong last digit.
+double rounded(double x) { return parse_number(number_text(x, 15)).value_or(x); }
+
+/// The mesh's axis that is nearest to the scene's up.
+UpAxis up_of(const Quat& q_WM) {
+  const Vec3 up_M = q_WM.conjugate() * Vec3::UnitZ();
+  Eigen::Index axis = 2;
+  up_M.cwiseAbs().maxCoeff(&axis);
+  return static_cast<UpAxis>(axis);
+}
+
+void scale(PolygonSoup& soup, double factor) {
+  for (Vec3& point : soup.points) point *= factor;
+}
+
+std::optional<Vec3> vector_in(const QJsonObject& object, const char* key) {
+  const QJsonArray array = object.value(QLatin1String(key)).toArray();
+  if (array.size() != 3) return std::nullopt;
+  return Vec3(array[0].toDouble(), array[1].toDouble(), array[2].toDouble());
+}
+
+/// camera_position, camera_target and camera_up of the scene's `view`: world frame, scene's unit.
+/// A camera with no place to stand is none.
+std::optional<CameraPlace> camera_of(const Scene& scene) {
+  const QJsonObject view = QJsonDocument::fromJson(QByteArray::fromStdString(scene.view)).object();
+  const auto position = vector_in(view, "camera_position");
+  const auto target = vector_in(view, "camera_target");
+  if (!position || !target) return std::nullopt;
+  const Vec3 up = vector_in(view, "camera_up").value_or(Vec3::UnitZ());
+  if (!((*position - *target).cross(up).norm() > 0)) return std::nullopt;
+  const Pose X_FW = inverse(scene.fixed.pose);
+  return CameraPlace{X_FW * Vec3(*position * scene.unit), X_FW * Vec3(*target * scene.unit),
+                     X_FW.q * up};
+}
+
+}  // namespace
+
+LoadedScene open_scene(const std::filesystem::path& file, const Progress& progress) {
+  return open_scene(read_scene(file), progress);
+}
+
+LoadedScene open_scene(const Scene& scene, const Progress& progress) {
+  std::vector<TimedPose> trajectory;
+  if (!scene.device.profile.empty())
+    find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
+  if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
+  auto probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
+  auto fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory));
+}
+
+LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory) {
+  std::optional<DeviceProfile> device;
+  if (!scene.device.profile.empty())
+    device = find_device_profile(scene.device.profile, device_profile_folders());
+  return {.pair = pair,
+          .scene = scene,
+          .name = scene.name,
+          .probe_file = scene.probe.mesh,
+          .fixed_file = scene.fixed.mesh,
+          .start = relative_pose(scene),
+          .coupling = scene.coupling,
+          .servo = scene.servo,
+          .trajectory = std::move(trajectory),
+          .device = std::move(device),
+          .device_settings = scene.device.settings,
+          .camera = camera_of(scene)};
+}
+
+MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,
+                   const Progress& progress) {
+  MeshPair pair;
+  pair.probe_file = probe;
+  pair.fixed_file = fixed;
+  pair.probe = read_mesh(probe, 1, part(progress, 0, 0.5));
+  pair.fixed = read_mesh(fixed, 1, part(progress, 0.5, 1));
+  pair.probe_size = size_of(pair.probe);
+  pair.fixed_size = size_of(pair.fixed);
+  pair.probe_edges = analyse_topology(compacted(triangulate_all(pair.probe)));
+  pair.fixed_edges = analyse_topology(compacted(triangulate_all(pair.fixed)));
+  return pair;
+}
+
+const char* guess_unit(const MeshPair& pair) {
+  const double side = std::max(pair.probe_size.maxCoeff(), pair.fixed_size.maxCoeff());
+  if (side >= 20) return "mm";
+  return side >= 2 ? "cm" : "m";
+}
+
+PairSetup same_unit(double metres) {
+  PairSetup setup;
+  setup.probe.unit = setup.fixed.unit = metres;
+  return setup;
+}
+
+PairSetup guess_setup(const MeshPair& pair) {
+  return same_unit(unit_in_metres(guess_unit(pair)).value_or(1));
+}
+
+double same_size_scale(const MeshPair& pair, const PairSetup& setup) {
+  const double fixed = pair.fixed_size.maxCoeff() * setup.fixed.unit * setup.fixed.scale;
+  const double probe = pair.probe_size.maxCoeff() * setup.probe.unit;
+  return probe > 0 ? fixed / probe : 1;
+}
+
+Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
+  Scene scene;
+  scene.unit = setup.fixed.unit;
+  scene.probe = {.mesh = pair.probe_file,
+                 .model = setup.probe.model,
+                 .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
+                 .pose = {turned_up(setup.probe.up), Vec3::Zero()}};
+  scene.fixed = {.mesh = pair.fixed_file,
+                 .model = setup.fixed.model,
+                 .scale = rounded(setup.fixed.scale),
+                 .pose = {turned_up(setup.fixed.up), Vec3::Zero()}};
+  scene.name = pair.probe_file.stem().string() + " against " + pair.fixed_file.stem().string();
+  return scene;
+}
+
+PairSetup setup_of(const Scene& scene) {
+  const auto body = [&scene](const SceneBody& from) {
+    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model};
+  };
+  return {body(scene.probe), body(scene.fixed)};
+}
+
+Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now) {
+  Scene changed = scene;
+  changed.unit = now.fixed.unit;
+  changed.fixed.scale = now.fixed.scale;
+  changed.probe.scale = rounded(now.probe.scale * now.probe.unit / now.fixed.unit);
+  changed.fixed.model = now.fixed.model;
+  changed.probe.model = now.probe.model;
+  const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
+  const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
+    if (before == after && grown == 1) return pose;
+    const Quat turn = turned_up(before).conjugate() * turned_up(after);
+    const Pose placed{before == after ? pose.q : pose.q * turn, pose.p * grown};
+    return storable(placed, changed.unit);
+  };
+  changed.probe.pose = moved(scene.probe.pose, old.probe.up, now.probe.up);
+  changed.fixed.pose = moved(scene.fixed.pose, old.fixed.up, now.fixed.up);
+  return changed;
+}
+
+LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& progress) {
+  Scene scene = scene_of(pair, setup);
+  scale(pair.probe, scene.unit * scene.probe.scale);
+  scale(pair.fixed, scene.unit * scene.fixed.scale);
+  const auto build = [](const PolygonSoup& soup, const SceneBody& body, const Progress& report) {
+    return make_body(soup, body.model, body.mesh.stem().string(), report);
+  };
+  auto probe = build(pair.probe, scene.probe, part(progress, 0, 0.5));
+  auto fixed = build(pair.fixed, scene.fixed, part(progress, 0.5, 1));
+  scene.coupling = suited_coupling(probe->mass);
+  const Quat q_FW = scene.fixed.pose.q.conjugate();
+  const Pose start = beside(*probe, *fixed, q_FW * start_direction(), q_FW * scene.probe.pose.q);
+  scene.probe.pose = storable(scene.fixed.pose * start, scene.unit);
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, {});
+}
+
+Coupling suited_coupling(const MassProperties& probe) {
+  Coupling coupling;
+  const double k = coupling.max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
+  set(coupling, "k", k);
+  set(coupling, "k_t", k);
+  // The classic spring that turns as stiffly as the object norm does: kÎ, over the mean axis.
+  set(coupling, "k_r", k * probe.inertia.mean());
+  return coupling;
+}
+
+Pose beside(const Body& probe, const Body& fixed, const Vec3& direction, const Quat& q_FM) {
+  const Vec3 d = direction.normalized();
+  const double gap = start_gap * probe.mass.radius;
+  const double along = reach(fixed, d) + reach(probe, q_FM.conjugate() * Vec3(-d)) + gap;
+  // Sideways the centres of mass are in line.
+  const Vec3 across = fixed.mass.com - q_FM * probe.mass.com;
+  return {q_FM, across - d * d.dot(across) + d * along};
+}
+
+}  // namespace sonde::ui
