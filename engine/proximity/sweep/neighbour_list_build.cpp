@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/base/recent.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
@@ -81,6 +82,7 @@ bool NeighbourList::build_by(const Plan& plan, const Transform& X, const Vec3& c
 bool NeighbourList::go_on(Effort& effort) noexcept {
   const Placement at(a_, b_, X_);
   SlotPairs found;
+  Recent<double> arms;
   Candidates candidates{{a_, b_, X_}, planned_, guard(X_)};
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
   // What is found below a pair goes by the arm of its box of A, which is the longer one.
@@ -94,7 +96,7 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
   unfinished_ = false;
   while (candidates.fit && !unfinished_ && !to_visit_.empty()) {
     const SlotPair p = to_visit_.pop();
-    const double arm = arm_of(p.a);
+    const double arm = arms.at(p.a, [&](std::uint32_t slot) { return arm_of(slot); });
     const float limit = at.above(planned_.of(arm));
     if (p.bound > limit) continue;
     if (at.is_leaf(p)) {  // the roots alone
