@@ -178,22 +178,20 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
   const double near = std::max(reach, 2 * least_asked_);
   const auto affordable = static_cast<std::int64_t>(
       std::min(1e18, good_share_for_list * static_cast<double>(effort.left())));
-  const auto list = [&](double ample, std::int64_t most) {
-    const NeighbourList::Displacement room{
-        std::max(share * ample, 1.5 * (near + ahead.linear)),
-        std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
-    const bool fits = effort.within(share_for_list, [&](Effort& part) {
-      return part.at_most(most, [&](Effort& e) { return list_.build(X, centre, room, e); });
-    });
-    // What the tick's effort was too little for goes on in the next ones.
-    const bool cut_short = list_.is_unfinished() && list_.work_of_build() < most;
-    if (!cut_short) list_reach_.learn(wanted, ample, fits, list_.work_of_build(), affordable);
-    return fits || cut_short;
+  const auto room = [&](double ample) {
+    return NeighbourList::Displacement{std::max(share * ample, 1.5 * (near + ahead.linear)),
+                                       std::max((1 - share) * ample / radius, 1.5 * ahead.turn)};
   };
   const double ample = list_reach_.choose(wanted), least = NeighbourReach::least(wanted);
-  const std::int64_t most = ample > least ? list_reach_.most_work() : effort.left();
-  const bool fits = list(ample, most);
-  if (!fits && ample > least) list(least, effort.left());
+  const NeighbourList::Plan plan{room(ample), room(least), list_reach_.most_work()};
+  const bool fits = effort.within(
+      share_for_list, [&](Effort& part) { return list_.build_by(plan, X, centre, part); });
+  // What the tick's effort was too little for goes on in the next ones.
+  if (list_.is_unfinished()) return;
+  const std::int64_t work = list_.work_of_build();
+  const bool shrunk = list_.is_least() && ample > least;
+  if (shrunk) list_reach_.learn(wanted, ample, false, work, affordable);
+  list_reach_.learn(wanted, shrunk ? least : ample, fits, work, affordable);
 }
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,

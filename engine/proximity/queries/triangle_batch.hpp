@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/recent.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/triangles/triangle_lanes.hpp"
@@ -27,9 +28,7 @@ class TriangleBatch {
   int size() const { return count_; }
 
   /// Not while it is full.
-  void add(std::uint32_t i, std::uint32_t j) {
-    add({i, j, 0}, place(X_, corners(surface(a_), i)), corners(surface(b_), j));
-  }
+  void add(std::uint32_t i, std::uint32_t j) { add({i, j, 0}, placed(i), corners(surface(b_), j)); }
   void add(const Pair& pair, const Corners& a, const Corners& b) {
     set_lane(lanes_, count_, a, b);
     pairs_[static_cast<std::size_t>(count_++)] = pair;
@@ -46,9 +45,16 @@ class TriangleBatch {
   }
 
  private:
+  /// A triangle of A comes up with one of B after the other, and so do its neighbours, which are
+  /// next to it in the order of the tree.
+  const Corners& placed(std::uint32_t i) {
+    return placed_.at(i, [&](std::uint32_t k) { return place(X_, corners(surface(a_), k)); });
+  }
+
   const Body& a_;
   const Body& b_;
   const Transform& X_;
+  Recent<Corners> placed_;
   int count_ = 0;
   std::array<Pair, 8> pairs_;
   TrianglePairs8 lanes_;

@@ -10,7 +10,7 @@ namespace sonde {
 namespace {
 
 // In the units of Effort: of a block of pairs, of one pair.
-constexpr int work_to_look = 5, work_to_take = 4, work_to_advance = 20;
+constexpr int work_to_look = 5, work_to_advance = 20;
 
 Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
@@ -25,6 +25,7 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
       items_((capacity + block - 1) / block),
       lanes_(items_.size()),
       due_(items_.size()),
+      due_of_pair_(capacity),
       open_(capacity),
       capacity_(capacity),
       centre_(a.mass.com) {
@@ -38,112 +39,6 @@ NeighbourList::Displacement NeighbourList::along(const Motion& motion,
   const double bend = 0.5 * motion.acceleration_per_radius() * arm.norm();
   return {((v.linear + v.angular.cross(arm)).norm() + bend) * (1 + 1e-9),
           motion.turn_bound() * (1 + 1e-12)};
-}
-
-double NeighbourList::arm_of(std::uint32_t slot) const noexcept {
-  return (a_.tree.center(slot) - centre_).norm() * (1 + 1e-6) + a_.tree.half_diagonal(slot);
-}
-
-/// Pairs of triangles on their way into the list, eight of which are compared at a time.
-struct NeighbourList::Candidates {
-  TriangleBatch batch;
-  Displacement room;
-  double rounding;                  // m
-  std::array<double, block> arm{};  // m
-  bool fit = true;                  // so far
-};
-
-void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
-  clear();
-  X_ = last_ = X;
-  linear_ = turned_ = 0;
-  centre_ = centre;
-  work_of_build_ = 0;
-  longest_arm_ = ((centre - a_.mass.com).norm() + a_.mass.radius) * (1 + 1e-12);
-}
-
-void NeighbourList::take(Candidates& of) noexcept {
-  const double widest = of.room.of(*std::max_element(of.arm.begin(), of.arm.end()));
-  of.batch.flush(widest + 2 * of.rounding, [&](const TriangleBatch::Pair& pair, int lane,
-                                               const ClosestPoints8& points) {
-    const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
-    const double arm = of.arm[static_cast<std::size_t>(lane)];
-    if (distance > of.room.of(arm)) return;
-    of.fit = of.fit && count_ < capacity_;
-    if (!of.fit) return;
-    const bool apart = points.distance[lane] > 0;
-    append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
-  });
-}
-
-bool NeighbourList::build(const Transform& X, const Vec3& centre, const Displacement& room,
-                          Effort& effort) noexcept {
-  start(X, centre);
-  planned_ = room;
-  to_visit_.clear();
-  to_visit_.push(roots(a_.tree, b_.tree));
-  return go_on(effort);
-}
-
-bool NeighbourList::go_on(Effort& effort) noexcept {
-  const Placement at(a_, b_, X_);
-  SlotPairs found;
-  Candidates candidates{{a_, b_, X_}, planned_, guard(X_)};
-  const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
-  // What is found below a pair goes by the arm of its box of A, which is the longer one.
-  const auto sort_out = [&](const SlotPair& p, double arm) {
-    if (!at.is_leaf(p)) return to_visit_.push(p);
-    spend(work_to_take);
-    candidates.arm[static_cast<std::size_t>(candidates.batch.size())] = arm;
-    candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
-    if (candidates.batch.full()) take(candidates);
-  };
-  unfinished_ = false;
-  while (candidates.fit && !unfinished_ && !to_visit_.empty()) {
-    const SlotPair p = to_visit_.pop();
-    const double arm = arm_of(p.a);
-    const float limit = at.above(planned_.of(arm));
-    if (p.bound > limit) continue;
-    if (at.is_leaf(p)) {  // the roots alone
-      sort_out(p, arm);
-      continue;
-    }
-    at.open_by_faces(p, limit, found);
-    for (const SlotPair& child : found) sort_out(child, arm);
-    unfinished_ = !spend(work_to_open(found.count));
-  }
-  take(candidates);
-  if (!candidates.fit) return clear(), false;
-  if (unfinished_) return false;
-  fill_last();
-  room_ = planned_;
-  return true;
-}
-
-void NeighbourList::append(const Pair& pair, const Due& due, const Vec3& normal) noexcept {
-  const std::size_t k = count_ / block, lane = count_ % block;
-  due_[k] = lane == 0
-                ? due
-                : Due{std::min(due_[k].distance, due.distance), std::max(due_[k].arm, due.arm)};
-  items_[k].a[lane] = pair.a;
-  items_[k].b[lane] = pair.b;
-  const Corners ta = corners(surface(a_), pair.a);
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < 3; ++i)
-      lanes_[k].arm[c][i][lane] = ta[c][static_cast<int>(i)] - a_.mass.com[static_cast<int>(i)];
-  set_normal(static_cast<std::uint32_t>(count_++), normal);
-}
-
-void NeighbourList::fill_last() noexcept {
-  if (count_ % block == 0) return;
-  PairLanes& lanes = lanes_[count_ / block];
-  const std::size_t last = count_ % block - 1;
-  for (std::size_t lane = last + 1; lane < block; ++lane) {
-    for (auto& corner : lanes.arm)
-      for (auto& row : corner) row[lane] = row[last];
-    for (auto& row : lanes.normal) row[lane] = row[last];
-    lanes.top[lane] = lanes.top[last];
-  }
 }
 
 NeighbourList::Displacement NeighbourList::displacement(const Transform& from,
@@ -198,6 +93,12 @@ void NeighbourList::each_due(const Displacement& ahead, double within,
     if (spare(due_[k]) > within + ahead.of(due_[k].arm)) continue;
     visit(k);
   }
+}
+
+Vec3 NeighbourList::normal_of(std::uint32_t item) const noexcept {
+  const PairLanes& lanes = lanes_[item / block];
+  const std::size_t k = item % block;
+  return {lanes.normal[0][k], lanes.normal[1][k], lanes.normal[2][k]};
 }
 
 void NeighbourList::set_normal(std::uint32_t item, const Vec3& normal) noexcept {
@@ -319,11 +220,6 @@ void NeighbourList::follow(std::span<const Open> open, PairSweep& pairs, const D
   const double infinity = std::numeric_limits<double>::infinity();
   const double clearance = pairs.clearance();
   TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
-  const auto normal_of = [&](std::uint32_t item) {
-    const PairLanes& lanes = lanes_[item / block];
-    const std::size_t k = item % block;
-    return Vec3(lanes.normal[0][k], lanes.normal[1][k], lanes.normal[2][k]);
-  };
   const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {
     return pairs.is_clear_along(pair.i, pair.j, n);
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -37,12 +38,24 @@ class NeighbourList {
   /// Along a motion, at most; at s of it, by no more than s times that.
   static Displacement along(const Motion& motion, const Vec3& centre) noexcept;
 
+  /// How much room a list is to have: as much as `ample`, or where it turns out on the way that
+  /// this takes more work than `most` or more pairs than fit, no more than `least`. What was found
+  /// by then serves: no list is begun anew.
+  struct Plan {
+    Displacement ample;
+    Displacement least;  ///< of either part no more than ample
+    std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  };
+
   /// Takes down every pair at a distance of at most room.of(its arm) at X, the arm being that of
   /// the triangle of A about the centre (A's mesh frame). False (and nothing is covered) where
   /// there are more than it holds, or the effort ran out: then go_on() can finish it, some other
   /// time.
+  bool build_by(const Plan& plan, const Transform& X, const Vec3& centre, Effort& effort) noexcept;
   bool build(const Transform& X, const Vec3& centre, const Displacement& room,
-             Effort& effort) noexcept;
+             Effort& effort) noexcept {
+    return build_by({room, room}, X, centre, effort);
+  }
   /// Every pair that may be within reach at X.
   bool build(const Transform& X, double reach, Effort& effort) noexcept {
     return build(X, a_.mass.com, {reach, 0}, effort);
@@ -58,6 +71,8 @@ class NeighbourList {
   void clear() noexcept { count_ = 0, room_.linear = -1, unfinished_ = false; }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
+  /// Has the last list no more room than the least of its plan?
+  bool is_least() const noexcept { return least_only_; }
   /// What the last list took to make, in the units of Effort.
   std::int64_t work_of_build() const noexcept { return work_of_build_; }
 
@@ -117,10 +132,13 @@ class NeighbourList {
   void start(const Transform& X, const Vec3& centre) noexcept;
   /// Takes down those of them that are near enough.
   void take(Candidates& of) noexcept;
+  /// Goes on with the least room: the pairs that are beyond it are dropped.
+  void shrink(Candidates& of) noexcept;
   /// Takes down a pair, and the direction that separates it where the probe is (zero: none).
   void append(const Pair& pair, const Due& due, const Vec3& normal) noexcept;
   /// Lanes that are not used repeat the last one.
   void fill_last() noexcept;
+  Vec3 normal_of(std::uint32_t item) const noexcept;
   void set_normal(std::uint32_t item, const Vec3& normal) noexcept;
   /// Takes down the least gap found in a block where the probe is.
   void learn(std::size_t k, double gap, double rounding) noexcept;
@@ -133,6 +151,7 @@ class NeighbourList {
   std::vector<Pairs> items_;
   std::vector<PairLanes> lanes_;
   std::vector<Due> due_;
+  std::vector<Due> due_of_pair_;  // of a list that is being made
   std::vector<Open> open_;
   std::size_t count_ = 0;
   std::size_t capacity_;
@@ -141,6 +160,8 @@ class NeighbourList {
   double longest_arm_ = 0;
   Displacement room_;             // of the list; linear negative: there is none
   Displacement planned_;          // of the list that is being made
+  Plan plan_;                     // for it
+  bool least_only_ = false;       // nothing is planned but the least
   PairStack<SlotPair> to_visit_;  // for it
   bool unfinished_ = false;
   Transform X_;        // of the list

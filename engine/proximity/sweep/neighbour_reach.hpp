@@ -5,7 +5,7 @@
 
 namespace sonde {
 
-/// How far the next list of pairs (pair_list.hpp) is to reach. One that reaches further takes
+/// How far the next list of pairs (neighbour_list.hpp) is to reach. One that reaches further takes
 /// longer to make and serves longer; which reach costs least depends on how the surfaces lie. So
 /// it is found on the way: as long as what a list costs for the travel that it allows falls, the
 /// reach goes on growing (or shrinking), and turns back where it rises.
@@ -19,7 +19,7 @@ class NeighbourReach {
   /// The reach to try, m, where so much is wanted at least; and the least one worth trying.
   double choose(double wanted) const noexcept;
   static double least(double wanted) noexcept;
-  /// A list that takes more work is to be left and made with the least reach.
+  /// A list that takes more work is to go on with the least reach.
   std::int64_t most_work() const noexcept;
   /// What became of the list that was chosen: the units of work that it took, and those that it
   /// should take at most. What does not fit is made smaller, and after that given up.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/sweep/neighbour_list.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/pairs.hpp"
+
+namespace sonde {
+namespace {
+
+using Keys = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+Keys keys(std::span<const NearPair> pairs, double nearer) {
+  Keys out;
+  for (const NearPair& p : pairs)
+    if (p.gap < nearer) out.insert({p.triangle_a, p.triangle_b});
+  return out;
+}
+
+// Reference: near_pairs, itself tested against all pairs. Whether it is the work or the room for
+// pairs that ends the plan for more, and wherever on the way: what is stated of the list is the
+// least room, and all that lies within it was found.
+TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least) {
+  Effort unlimited;
+  std::mt19937_64 random(12);
+  std::vector<NearPair> from_list(1 << 15), from_trees(1 << 15);
+  int by_work = 0, by_count = 0, whole = 0;
+  std::size_t pairs_seen = 0;
+  for (const auto& pair : test::body_pairs(51)) {
+    const double radius = pair.a->mass.radius;
+    for (int i = 0; i < 40; ++i) {
+      const Pose pose = test::random_pose(random, *pair.a, *pair.b, 0.7);
+      const Transform X(pose);
+      const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, radius);
+      const NeighbourList::Displacement ample{test::uniform(random, 0.05, 0.2) * radius,
+                                              test::uniform(random, 0, 0.1)};
+      const double part = test::uniform(random, 0.1, 0.9);
+      const NeighbourList::Displacement least{part * ample.linear, part * ample.turn};
+      NeighbourList large(*pair.a, *pair.b), small(*pair.a, *pair.b);
+      ASSERT_TRUE(large.build(X, centre, ample, unlimited)) << pair.name;
+      ASSERT_TRUE(small.build(X, centre, least, unlimited)) << pair.name;
+      const std::int64_t work = large.work_of_build();
+      const bool few = i % 2 == 0 && large.size() > small.size();
+      const std::size_t capacity = few ? (small.size() + large.size()) / 2 : large.size() + 1;
+      NeighbourList list(*pair.a, *pair.b, capacity);
+      NeighbourList::Plan plan{ample, least};
+      if (!few)
+        plan.most =
+            static_cast<std::int64_t>(test::uniform(random, 0, 1.2) * static_cast<double>(work));
+      ASSERT_TRUE(list.build_by(plan, X, centre, unlimited)) << pair.name;
+      if (few) {
+        EXPECT_TRUE(list.is_least());
+      } else {
+        EXPECT_EQ(list.is_least(), plan.most < work) << pair.name;
+      }
+      EXPECT_EQ(list.reach_at(X), (list.is_least() ? small : large).reach_at(X));
+      EXPECT_LE(list.size(), large.size());
+      EXPECT_GE(list.size(), list.is_least() ? small.size() : large.size());
+      (!list.is_least() ? whole : few ? by_count : by_work) += 1;
+      const Pose moved{pose.q, pose.p + test::random_in_ball(random, 0.5 * least.linear)};
+      for (const Transform& at : {X, Transform(moved)}) {
+        const double reach = list.reach_at(at);
+        const double sure =
+            reach - 1e-14 * (extent(*pair.a) + extent(*pair.b) + at.p.cwiseAbs().maxCoeff());
+        const auto got = list.near(at, reach, from_list, unlimited);
+        const auto want = near_pairs(*pair.a, *pair.b, at, reach, from_trees);
+        EXPECT_EQ(keys({from_list.data(), got.count}, sure),
+                  keys({from_trees.data(), want.count}, sure))
+            << pair.name;
+        pairs_seen += got.count;
+      }
+    }
+  }
+  EXPECT_GT(by_work, 30);
+  EXPECT_GT(by_count, 30);
+  EXPECT_GT(whole, 5);
+  EXPECT_GT(pairs_seen, 1000u);
+}
+
+}  // namespace
+}  // namespace sonde
