@@ -10,7 +10,6 @@ namespace sonde {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-using Polygon = std::vector<std::size_t>;
 
 /// Angles whose sine is below this count as straight while ears are clipped. It only steers the
 /// choice of ears, never what is kept.
@@ -78,9 +77,12 @@ class EarClipper {
 
   void clip() {
     std::size_t at = 0, tried = 0;
+    int stuck = 0;
     while (left_ > 3) {
+      if (stuck == most_stuck) return cut_in_order(at);
       if (tried > left_) {  // crosses itself: take the least bad corner and go on
         cut(at = most_convex(at));
+        ++stuck;
       } else if (is_ear(at)) {
         cut(at);
       } else {
@@ -95,6 +97,21 @@ class EarClipper {
   }
 
  private:
+  /// Rounds without an ear, after which a polygon counts as a tangle. Each costs up to the square
+  /// of its corners; a drawn polygon that crosses itself once or twice has as few of them.
+  static constexpr int most_stuck = 64;
+
+  /// What is left of a tangle, for which no triangulation is better than another.
+  void cut_in_order(std::size_t at) {
+    for (; left_ > 3; --left_) {
+      emit(at);
+      next_[previous_[at]] = next_[at];
+      previous_[next_[at]] = previous_[at];
+      at = next_[next_[at]];
+    }
+    emit(at);
+  }
+
   double turn_at(std::size_t i) const {
     return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]);
   }

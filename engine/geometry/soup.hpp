@@ -21,13 +21,15 @@ struct Soup {
 };
 
 /// A polygon soup as a file gives it, before triangulation.
+using Polygon = std::vector<std::size_t>;  ///< its corners, as indices of points
 struct PolygonSoup {
   std::vector<Vec3> points;
-  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<Polygon> polygons;
 };
 
 /// The triangles of a polygon soup (by ear clipping in the polygon's best-fit plane, so that
-/// concave polygons keep their shape), with degenerate ones set aside.
+/// concave polygons keep their shape), with degenerate ones set aside. A polygon that crosses
+/// itself has no right triangulation: each of its corners is in a triangle, and that is all.
 struct Triangulated {
   Soup soup;
   /// Triangles with no area (an index twice, or corners that cannot be told from collinear).

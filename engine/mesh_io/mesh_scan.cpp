@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace sonde {
 namespace {
@@ -13,18 +15,19 @@ std::string_view without_plus(std::string_view word) {
   return word;
 }
 
-enum class Number { none, finite, not_finite };
-
-Number classify(std::string_view word) {
+/// A word as a number: infinite where it is too large, 0 where it is too small for a double; none
+/// where it is no number.
+std::optional<double> number(std::string_view word) {
   word = without_plus(word);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size()) return Number::none;
-  if (error == std::errc::result_out_of_range)  // too small is zero, too large is not finite
-    return word.find("e-") != word.npos || word.find("E-") != word.npos ? Number::finite
-                                                                        : Number::not_finite;
-  if (error != std::errc()) return Number::none;
-  return std::isfinite(value) ? Number::finite : Number::not_finite;
+  if (end != word.data() + word.size()) return {};
+  if (error == std::errc::result_out_of_range)
+    return word.find("e-") != word.npos || word.find("E-") != word.npos
+               ? 0
+               : std::numeric_limits<double>::infinity();
+  if (error != std::errc()) return {};
+  return value;
 }
 
 }  // namespace
@@ -73,7 +76,7 @@ void MeshScanner::find_line_end() {
 
 bool MeshScanner::next_line() {
   while (next_ < text_.size()) {
-    if ((++lines_seen_ & 0xffff) == 0) report();
+    if ((++lines_seen_ & 0x3fff) == 0) report();
     find_line_end();
     while (at_ < end_ && is_blank(text_[at_])) ++at_;
     if (at_ < end_) return true;
@@ -94,20 +97,19 @@ std::size_t MeshScanner::skip_words() {
   return n;
 }
 
-void MeshScanner::copy_coordinate(std::string& out) {
+double MeshScanner::coordinate() {
   const std::string_view w = word();
   if (w.empty()) refuse("three coordinates expected");
-  const Number kind = classify(w);
-  if (kind == Number::none) refuse(shown(w) + " is not a number");
-  if (kind == Number::not_finite) refuse("the coordinate " + shown(w) + " is not finite");
-  out += ' ';
-  out += without_plus(w);
+  const std::optional<double> value = number(w);
+  if (!value) refuse(shown(w) + " is not a number");
+  if (!std::isfinite(*value)) refuse("the coordinate " + shown(w) + " is not finite");
+  return *value;
 }
 
 void MeshScanner::check_number() {
   const std::string_view w = word();
   if (w.empty()) refuse("the line ends too early");
-  if (classify(w) == Number::none) refuse(shown(w) + " is not a number");
+  if (!number(w)) refuse(shown(w) + " is not a number");
 }
 
 std::int64_t MeshScanner::integer(std::string_view word, const char* what) const {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
+#include "engine/geometry/pose.hpp"
 
 namespace sonde {
 
@@ -29,8 +30,14 @@ class MeshScanner {
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return text_.size() - next_; }
 
-  /// The next word as a finite coordinate: appended to `out` with a blank before it.
-  void copy_coordinate(std::string& out);
+  std::size_t bytes_in_line() const { return end_ - at_; }
+
+  /// The next word as a coordinate: finite. One too small for a double is 0.
+  double coordinate();
+  Vec3 point() {  // in this order
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    return {x, y, z};
+  }
   /// The next word as a number (finite or not), passed over.
   void check_number();
   /// The next word as a whole number of at least zero; `what` says what it should be.

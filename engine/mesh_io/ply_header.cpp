@@ -65,7 +65,7 @@ PlyRole role_of(const PlyElement& element, bool is_list, std::string_view name) 
   return has_role(element, role) ? PlyRole::other : role;  // the first counts
 }
 
-/// CGAL reads coordinates of two types and indices of two; in text all are read alike.
+/// Binary files hold coordinates of two types and indices of two; in text all are read alike.
 void check_types(MeshScanner& scan, const PlyProperty& property, PlyFormat format) {
   const bool is_text = format == PlyFormat::text;
   const PlyKind kind = property.type->kind;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
@@ -12,16 +13,13 @@ namespace {
 
 /// What a step takes besides what is counted where it is done, in the units of Effort.
 constexpr int work_of_step = 500;
-/// Turn of one step, as |Δv|: a linearised turn is of little use beyond.
-constexpr double largest_turn = 0.3;
-/// Times that a step is thought over for what would be in its way; then it ends where its sweep
-/// does.
-constexpr int most_cuts = 6;
+constexpr const DescentTuning& tuned = descent_tuning;
 
 /// The step with its turn kept within bounds. Where it would lead out of the chart it goes along
 /// the rim, to what lies there on the way from O to its end.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
-  Vec6 target = y + std::min(1.0, largest_turn / std::max(chart.v(step).norm(), 1e-30)) * step;
+  Vec6 target =
+      y + std::min(1.0, tuned.largest_turn / std::max(chart.v(step).norm(), 1e-30)) * step;
   const double limit = std::max(Chart::largest_v, chart.v(y).norm());
   const double v = chart.v(target).norm();
   if (v > limit) target.head<3>() *= limit / v;
@@ -67,7 +65,7 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
 struct Descent::Pace {
   double scale;    ///< m: about how long a step is
   double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
-  /// m: no further is a step looked at, since long paths are dear to sweep.
+  /// m: no further is a step looked at, since long paths cost much to sweep.
   double longest = std::numeric_limits<double>::max();
   /// m: no further does it go. What is in the way of a step is looked for up to where it would go
   /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
@@ -78,10 +76,10 @@ struct Descent::Pace {
   /// Steps that undo each other straddle a sharp edge: they are halved until they settle on it.
   Vec6 damped(const Vec6& step) {
     const double size = step.norm();
-    if (step.dot(last) < -0.25 * size * last.norm())
+    if (step.dot(last) < tuned.turns_back * size * last.norm())
       damped_to = 0.5 * std::min({damped_to, size, last.norm()});
     else
-      damped_to *= 1.5;
+      damped_to *= tuned.longest_growth;
     return shortened(step, damped_to);
   }
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
@@ -90,8 +88,8 @@ struct Descent::Pace {
     stalled = moved > worth_while ? 0 : stalled + 1;
     scale = std::max(moved, 0.1 * scale);
     const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
-    bending =
-        cut_short ? std::min(4 * bending, 1e6 / radius) : std::max(0.5 * bending, 0.1 / radius);
+    bending = cut_short ? std::min(tuned.bending_growth * bending, tuned.most_bending / radius)
+                        : std::max(tuned.bending_decay * bending, tuned.least_bending / radius);
   }
 };
 
@@ -102,18 +100,19 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   const double size2 = step.squaredNorm();
   // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
   // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
-  const double room = std::min(0.8 * size2 / y.norm(), std::max(pace.bending * size2, margin));
+  const double room =
+      std::min(tuned.most_room * size2 / y.norm(), std::max(pace.bending * size2, margin));
   // Where so much is not to be had, a part of it is: what has come too near its contacts for a
   // straight step to lead anywhere gets away from them again.
-  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= 0.25) {
+  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= tuned.less_room) {
     const Vec6 lifted = rows_.solve(part, ContactRows::Narrow::open).y - y;
-    if (!(-y.dot(lifted) > 0.1 * size2)) continue;
+    if (!(-y.dot(lifted) > tuned.least_gain * size2)) continue;
     step = lifted;
     break;
   }
   if (rise > 0) {
     const Vec6 risen = rows_.solve(margin, ContactRows::Narrow::keep, rise).y - y;
-    if (-y.dot(risen) > 0.1 * size2) step = risen;
+    if (-y.dot(risen) > tuned.least_gain * size2) step = risen;
   }
   step = within_chart(chart, y, step);
   // At the rim of the chart nothing may be left of it.
@@ -146,7 +145,7 @@ std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) n
 
 void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
   // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
-  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / largest_turn);
+  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / tuned.largest_turn);
   const Vec6 piece = out.y / pieces;
   Vec6 near = out.y;
   Sweep swept;
@@ -156,7 +155,8 @@ void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcom
     near = swept.hit ? Vec6(near + swept.free_until * (next - near)) : next;
   }
   out.move_to(near);
-  if (!rows_.gather(chart, near, 16 * margin, 4 * margin, effort)) return;
+  if (!rows_.gather(chart, near, tuned.least_reach * margin, tuned.flat_within * margin, effort))
+    return;
   report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
 }
 
@@ -177,21 +177,25 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   const double radius = chart.mass().radius;
   Outcome out;
   Vec6 y = start;
-  Pace pace{.scale = expected_step > 0 ? expected_step : 0.05 * radius, .bending = 0.5 / radius};
-  // A long path is dear to sweep where surfaces slide along each other: it is worked up to.
-  if (expected_step > 0) pace.longest = std::max(8 * expected_step, 0.02 * radius);
+  Pace pace{.scale = expected_step > 0 ? expected_step : tuned.first_scale * radius,
+            .bending = tuned.first_bending / radius};
+  if (expected_step > 0)
+    pace.longest =
+        std::max(tuned.longest_per_expected * expected_step, tuned.first_longest * radius);
   // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
   bool known = rows_.again(chart, y);
   for (;;) {
     const double length = y.norm();
     const double margin = this->margin(chart, length);
-    const double widest = std::max(0.03 * radius, 16 * margin);
+    const double nearest_reach = tuned.least_reach * margin;
+    const double widest = std::max(tuned.widest_reach * radius, nearest_reach);
     out.move_to(y);
     const double reach =
-        std::clamp((out.iterations == 0 ? 2 : 0.5) * pace.scale, 16 * margin, widest);
-    if (!known && !rows_.gather(chart, y, reach, 4 * margin, effort)) {
+        std::clamp((out.iterations == 0 ? tuned.reach_at_first : tuned.reach_later) * pace.scale,
+                   nearest_reach, widest);
+    if (!known && !rows_.gather(chart, y, reach, tuned.flat_within * margin, effort)) {
       if (out.iterations > 0) return out;
-      rows_.look_less_far(4 * margin);
+      rows_.look_less_far(tuned.flat_within * margin);
       rows_.carry(chart, y);
       report(out, y, rows_.solve(margin, ContactRows::Narrow::keep));
       return out;
@@ -205,24 +209,30 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       const double off = (out.held - y).norm();
       // Where no row holds it the probe can come all the way back, however little that is.
       const bool held = out.contacts.size > 0;
-      return (held && off <= std::max(goal.residual * length, 0.2 * margin) &&
-              rows_.smallest_gap() <= 1.9 * margin) ||
+      return (held && off <= std::max(goal.residual * length, tuned.off_in_margins * margin) &&
+              rows_.smallest_gap() <= tuned.settled_gap * margin) ||
              !(off > 0);
     };
     out.converged = settled();
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
-    if (late || out.iterations >= goal.steps || pace.stalled >= 4) {
-      if (rows_.smallest_gap() > 2 * margin) close_up(chart, margin, effort, out);
+    const bool stalled = pace.stalled >= tuned.most_stalled;
+    if (late || stalled || out.iterations >= goal.steps) {
+      out.limited += stalled;
+      if (rows_.smallest_gap() > tuned.touching_gap * margin) close_up(chart, margin, effort, out);
       return out;
     }
     ++out.iterations;
     effort.spend(work_of_step);
-    pace.longest *= 1.5;
+    pace.longest *= tuned.longest_growth;
     double rise = 0;
     Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
-    for (int round = 0; round < most_cuts; ++round) {
+    for (int round = 0;; ++round) {
+      if (round == tuned.most_cuts) {
+        ++out.limited;
+        break;
+      }
       const ContactRows::Look look =
           rows_.cut(chart, y, Motion(chart, y, y + step), margin, effort);
       if (look.clear || effort.is_spent()) break;
@@ -233,7 +243,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
         if (out.converged) return out;
       }
       // Contacts that the rows know bend into the path by so much.
-      rise = look.news ? 0 : rise + 1.2 * look.lost;
+      rise = look.news ? 0 : rise + tuned.rise_per_loss * look.lost;
       step = next_step(chart, y, nearest, margin, rise, pace);
     }
     if (!(step.squaredNorm() > 0)) return out;
@@ -243,9 +253,9 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     if (!swept.given_up)
       longest_path_ *= 2;
     else if (out.iterations == 1)
-      longest_path_ = 0.25 * Motion(chart, y, target).farthest(radius);
+      longest_path_ = tuned.longest_after_giving_up * Motion(chart, y, target).farthest(radius);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
-    pace.learn(step, swept, 1e-3 * std::max(margin, 1e-3 * size), radius);
+    pace.learn(step, swept, tuned.nowhere * std::max(margin, 1e-3 * size), radius);
   }
 }
 

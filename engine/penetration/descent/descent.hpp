@@ -42,6 +42,8 @@ class Descent {
     double residual = 0;
     int iterations = 0;
     bool converged = false;
+    /// Steps that a limit on looks or on fruitless steps cut short (DescentTuning).
+    int limited = 0;
 
     void move_to(const Vec6& to) noexcept;
   };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde {
@@ -12,10 +13,7 @@ namespace {
 constexpr ContactRows::Finding few{.most_pairs = 96, .most_listed = 0};
 constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
 
-/// A turn of more than this, as |Δv|, is beyond what linearised contacts can say anything about.
-constexpr double largest_turn = 0.3;
-/// Times that a leap is thought over for what would be in its way.
-constexpr int most_cuts = 6;
+constexpr const DescentTuning& tuned = descent_tuning;
 /// Of what the rows of the first guess promised: a leap that gains less is not worth while.
 constexpr double worth = 0.1;
 
@@ -26,7 +24,8 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   const double turn = chart.v(step).norm(), length = step.norm();
-  step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
+  step *=
+      std::min({1.0, tuned.largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
   const double limit = std::max(Chart::largest_v, chart.v(y).norm());
   while (chart.v(y + step).norm() > limit) step *= 0.5;
   return step;
@@ -69,7 +68,7 @@ std::optional<Vec6> LeapDescent::around(const Chart& chart, const Vec6& first, d
                                         ContactRows& rows, double trust, const Vec6& y) {
   Vec6 step = first;
   Effort unlimited;
-  for (int round = 0; round < most_cuts; ++round) {
+  for (int round = 0; round < tuned.most_cuts; ++round) {
     const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
       // The rows know all that is in the way, and it bends into it; or there is no room for more.
@@ -96,7 +95,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
   };
   if (take(step)) {
     pace.trust = 2 * std::max(length, 0.5 * pace.trust);
-    pace.bending *= 0.5;
+    pace.bending *= tuned.bending_decay;
     return true;
   }
   // Curved contacts leave room for themselves; it is worth less than what is gained.
@@ -112,7 +111,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
     pace.trust = 1.2 * std::max(pace.moved, 0.5 * pace.trust);
     return true;
   }
-  pace.bending *= 4;
+  pace.bending *= tuned.bending_growth;
   for (const double part : {0.4, 0.16})
     if (take(part * step)) {
       pace.trust = 1.2 * pace.moved;
@@ -130,14 +129,14 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   Descent::Outcome out;
   out.y = start;
   Pace pace{.trust = goal.reach * start.norm(),
-            .bending = 0.5 / radius,
+            .bending = tuned.first_bending / radius,
             .complete = goal.guide != Guide::outlines};
   Effort effort = deadline.effort();
   for (;;) {
     const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
     const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
     const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
-    const double flat = goal.guide == Guide::many ? 4 * margin : 0;
+    const double flat = goal.guide == Guide::many ? tuned.flat_within * margin : 0;
     const bool looked = rows.gather(chart, out.y, reach, flat, effort);
     if (!looked && out.iterations == 0) return out;
     if (!looked) rows.carry(chart, out.y);
@@ -146,7 +145,8 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;
     if (!looked) return out;
-    out.converged = off <= goal.tolerance * length && rows.smallest_gap() <= 1.9 * margin;
+    out.converged =
+        off <= goal.tolerance * length && rows.smallest_gap() <= tuned.settled_gap * margin;
     const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
     if (out.converged || (hopeless && out.iterations >= 3)) return out;
     if (out.iterations >= goal.steps || pace.trust < 0.2 * margin) return out;

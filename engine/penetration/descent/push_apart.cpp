@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
@@ -13,14 +14,15 @@
 namespace sonde {
 namespace {
 
-/// Looks at where the probe has come to, before it is given up.
+/// Looks at where the probe has come to, before this start is given up: another one is tried.
 constexpr int most_looks = 25;
 /// Pairs that one look takes down. Those of a deep overlap contradict each other; more of them are
 /// more work, and lead out no oftener.
 constexpr std::size_t most_pairs = 48;
 /// Of the probe's radius: how far apart triangles are to be.
 constexpr double margin_of_radius = 2e-4;
-constexpr double largest_turn = 0.3, largest_v = 0.9;
+/// |v| of the pose: beyond it the chart, which ends at 1, is too far from linear.
+constexpr double largest_v = 0.9;
 
 /// A direction in which two triangles come apart, and the gap that there is along it.
 struct WayOut {
@@ -116,7 +118,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
     look(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one is inside the other
     Vec6 step = compromise();
-    step *= std::min(1.0, largest_turn / std::max(chart.v(step).norm(), 1e-30));
+    step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
     if (!(chart.v(y).norm() < largest_v && y.norm() < farthest)) return std::nullopt;
   }

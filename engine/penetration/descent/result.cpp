@@ -29,6 +29,7 @@ Separation make_separation(const Chart& chart, const Descent::Outcome& found) no
   Separation out = separated_at(chart.device());
   out.iterations = found.iterations;
   out.converged = found.converged;
+  out.limited = found.limited;
   if (found.y.squaredNorm() <= 0) return out;
   out.status = Status::penetrating;
   out.separated = chart.pose(found.y);

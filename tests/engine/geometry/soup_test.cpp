@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "engine/geometry/topology.hpp"
 #include "tests/support/shapes.hpp"
@@ -186,6 +187,21 @@ TEST(IsDegenerate, TellsNeedlesFromLines) {
     EXPECT_TRUE(is_degenerate(b, b, b));
   }
   EXPECT_TRUE(is_degenerate(Vec3(0, 0, 0), Vec3(1, 1, 1) / 3, Vec3(1, 1, 1)));
+}
+
+// A tangle has no right triangulation; it must be over in time (a minute would end the test), with
+// each corner in a triangle.
+TEST(Triangulate, ATangleOfManyCornersKeepsThemAll) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> anywhere(-1, 1);
+  Outline outline(50'000);
+  for (auto& [x, y] : outline) x = anywhere(random), y = anywhere(random);
+  const Soup soup = triangulate_all(one_polygon(outline));
+  EXPECT_EQ(soup.triangles.size(), outline.size() - 2);
+  std::vector<char> used(outline.size());
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t i : t) used[i] = 1;
+  EXPECT_EQ(std::ranges::count(used, 1), std::ssize(outline));
 }
 
 }  // namespace

@@ -75,6 +75,24 @@ std::string raw(T value, bool big_endian = false) {
   return bytes;
 }
 
+/// As Geomview writes it; `prefix`: of the keyword, with so many more numbers a vertex.
+inline std::string as_binary_off(const PolygonSoup& soup, const std::string& prefix = "",
+                                 int more = 0) {
+  const auto whole = [](std::size_t n) { return raw(static_cast<std::uint32_t>(n), true); };
+  std::string out =
+      prefix + "OFF BINARY\n" + whole(soup.points.size()) + whole(soup.polygons.size()) + whole(0);
+  for (const Vec3& x : soup.points) {
+    for (const double c : x) out += raw(static_cast<float>(c), true);
+    for (int k = 0; k < more; ++k) out += raw(0.5f, true);
+  }
+  for (const auto& polygon : soup.polygons) {
+    out += whole(polygon.size());
+    for (const std::size_t i : polygon) out += whole(i);
+    out += whole(3) + raw(1.f, true) + raw(0.f, true) + raw(0.f, true);  // a colour
+  }
+  return out;
+}
+
 inline std::string as_binary_ply(const PolygonSoup& soup, bool big_endian) {
   std::string out = ply_header(soup, big_endian ? "binary_big_endian" : "binary_little_endian");
   for (const Vec3& x : soup.points)

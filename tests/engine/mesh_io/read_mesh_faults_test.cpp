@@ -61,7 +61,6 @@ TEST(MeshFaults, Off) {
       {{"# nothing\n\n", ": the file holds nothing but comments"},
        {"off\n3 1 0\n", ":1: not an OFF file: it starts with \"off\""},
        {"\x01\x02junk\n", ":1: not an OFF file: it starts with \"??junk\""},
-       {"OFF BINARY\n\x01\x02", ":1: binary OFF is not supported"},
        {"4OFF\n3 1 0\n", ":1: the 4OFF variant of OFF is not supported"},
        {"nOFF\n3\n3 1 0\n", ":1: the nOFF variant of OFF is not supported"},
        {"SKEL\n", ":1: the SKEL variant of OFF is not supported"},
@@ -98,6 +97,34 @@ TEST(MeshFaults, Off) {
         ":6: the file ends after 1 of 2 declared faces"},
        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\n3 2 1 0\n",
         ":8: data after the last of the 1 declared faces"}});
+}
+
+TEST(MeshFaults, OffBinary) {
+  PolygonSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.polygons = {{0, 1, 2}};
+  const std::string good = test::as_binary_off(triangle);
+  const std::size_t start = 11, face = start + 12 + 36;  // "OFF BINARY\n", counts, points
+  const auto with = [&](std::size_t at, const std::string& bytes) {
+    return std::string(good).replace(at, bytes.size(), bytes);
+  };
+  const auto whole = [](std::uint32_t n) { return test::raw(n, true); };
+  const std::string nan = test::raw(std::numeric_limits<float>::quiet_NaN(), true);
+  check("a.off",
+        {{good, "accepted"},
+         {good.substr(0, 14), ": byte 14: the file ends inside the numbers of vertices and faces"},
+         {with(start, whole(0)), ": byte 11: the mesh has no vertices"},
+         {with(start + 4, whole(0)), ": byte 11: the mesh has no faces"},
+         {with(start, whole(0xffffffff)),
+          ": byte 11: the header declares 4294967295 vertices and 1 faces, but only 68 bytes "
+          "follow"},
+         {with(start + 12 + 16, nan), ": byte 39: a coordinate of vertex 2 of 3 is not finite"},
+         {with(face, whole(2)), ": byte 59: face 1 of 1 has fewer than three corners"},
+         {with(face, whole(0xffffffff)), ": byte 91: the file ends inside face 1 of 1"},
+         {with(face + 8, whole(3)),
+          ": byte 67: vertex index 3 in face 1 of 1 is out of range (0 to 2)"},
+         {with(face + 16, whole(0xffffffff)), ": byte 91: the file ends inside face 1 of 1"},
+         {good + "x", ": byte 91: 1 bytes more than the header declares"}});
 }
 
 TEST(MeshFaults, Obj) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/mesh_io/read_mesh.hpp"
 
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,6 +57,7 @@ class AnyFormat : public testing::TestWithParam<const char*> {
   std::string contents(const PolygonSoup& soup) const {
     const std::string kind = GetParam();
     if (kind == "off") return test::as_off(soup);
+    if (kind == "binary off") return test::as_binary_off(soup);
     if (kind == "obj") return test::as_obj(soup);
     if (kind == "text ply") return test::as_text_ply(soup);
     if (kind == "little ply") return test::as_binary_ply(soup, false);
@@ -71,8 +74,8 @@ class AnyFormat : public testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(ReadMesh, AnyFormat,
-                         testing::Values("off", "obj", "text ply", "little ply", "big ply",
-                                         "text stl", "binary stl"));
+                         testing::Values("off", "binary off", "obj", "text ply", "little ply",
+                                         "big ply", "text stl", "binary stl"));
 
 TEST_P(AnyFormat, ReadsBackWhatWasWritten) {
   const PolygonSoup mesh = single_precision_mesh();
@@ -81,6 +84,7 @@ TEST_P(AnyFormat, ReadsBackWhatWasWritten) {
   EXPECT_EQ(got.points.size(), mesh.points.size());  // corners of STL become vertices again
   if (is_stl()) return;
   expect_same(got, mesh);
+  if (GetParam() == std::string("binary off")) return;  // it holds single precision
   expect_same(read_mesh(folder_.write(name(), contents(mixed_mesh()))), mixed_mesh());
 }
 
@@ -177,15 +181,14 @@ TEST_P(AnyFormat, RandomDamageNeverCrashes) {
 
 TEST_P(AnyFormat, CarriageReturnsAndByteOrderMark) {
   const std::string kind = GetParam();
-  if (kind == "little ply" || kind == "big ply" || kind == "binary stl") return;  // not text
+  if (kind.starts_with("binary") || kind == "little ply" || kind == "big ply") return;
   const PolygonSoup mesh = single_precision_mesh();
   std::string text = "\xef\xbb\xbf";
   for (const char c : contents(mesh)) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
   expect_same_triangles(read_mesh(folder_.write(name(), text)), mesh);
 }
 
-// --------------------------------------------------------------------------- what files have in
-// them
+// ------------------------------------------------------------------------ what files have in them
 
 PolygonSoup read_text(const std::string& name, const std::string& text) {
   const TempFolder folder;
@@ -203,6 +206,13 @@ TEST(ReadOff, CommentsBlankLinesColoursAndNormals) {
       "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0.5 0 0 1\n3 0 1 2\n",
       "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0.5\n3 0 1 2 0.5 0.5 0.5 1\n"};
   for (const std::string& text : texts) expect_same(read_text("a.off", text), one_triangle());
+}
+
+TEST(ReadOff, BinaryVerticesMayHaveTextureColourAndNormal) {
+  const PolygonSoup mesh = single_precision_mesh();
+  const TempFolder folder;
+  expect_same(read_mesh(folder.write("a.off", test::as_binary_off(mesh, "STCN", 9))), mesh);
+  expect_same(read_mesh(folder.write("b.off", test::as_binary_off(mesh, "C", 4))), mesh);
 }
 
 TEST(ReadObj, StatementsThatAreNoMeshArePassedOver) {
@@ -277,6 +287,25 @@ TEST(RealMeshes, AllAreReadOrRefusedForAReason) {
     }
   }
   EXPECT_EQ(refused, (std::vector<std::string>{"b9.ply", "prim.off"}));
+}
+
+// Reference: CGAL's readers, on files that they read; the rest of them hold what CGAL stumbles on
+// (binary formats told by their first bytes, comments, colours).
+TEST(RealMeshes, AreWhatCgalReads) {
+  int compared = 0;
+  for (const auto& file : test::real_meshes()) {
+    std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+    PolygonSoup want;
+    if (!CGAL::IO::read_polygon_soup(file.string(), points, want.polygons) || points.empty())
+      continue;
+    for (const auto& p : points) want.points.emplace_back(p.x(), p.y(), p.z());
+    try {
+      expect_same(read_mesh(file), want);
+      ++compared;
+    } catch (const InputError&) {  // AllAreReadOrRefusedForAReason knows which
+    }
+  }
+  EXPECT_GE(compared, 40);
 }
 
 // Reference: counts from the headers of the files; V of the unit cube and of the other formats of

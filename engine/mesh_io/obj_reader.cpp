@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "engine/mesh_io/mesh_checks.hpp"
+#include "engine/mesh_io/mesh_readers.hpp"
 #include "engine/mesh_io/mesh_scan.hpp"
 
 namespace sonde {
@@ -26,7 +26,7 @@ struct Furthest {
 };
 
 /// One corner, "v", "v/vt", "v//vn" or "v/vt/vn": the vertex, from 1.
-std::int64_t check_corner(MeshScanner& scan, std::string_view word, std::size_t vertices) {
+std::int64_t read_corner(MeshScanner& scan, std::string_view word, std::size_t vertices) {
   const std::string_view vertex = word.substr(0, word.find('/'));
   const std::string_view rest = word.substr(vertex.size());
   if (vertex.empty() || rest.find_first_not_of("/-+0123456789") != rest.npos ||
@@ -42,48 +42,40 @@ std::int64_t check_corner(MeshScanner& scan, std::string_view word, std::size_t 
   return known + 1 + index;
 }
 
-void check_face(MeshScanner& scan, std::size_t vertices, Furthest& furthest, std::string& out) {
-  out += 'f';
-  std::size_t corners = 0;
-  for (std::string_view word = scan.word(); !word.empty(); word = scan.word(), ++corners) {
-    const std::int64_t index = check_corner(scan, word, vertices);
+Polygon read_face(MeshScanner& scan, std::size_t vertices, Furthest& furthest) {
+  Polygon face;
+  for (std::string_view word = scan.word(); !word.empty(); word = scan.word()) {
+    const std::int64_t index = read_corner(scan, word, vertices);
     if (index > furthest.index) furthest = {index, scan.line()};
-    out += ' ';
-    out += std::to_string(index);
+    face.push_back(static_cast<std::size_t>(index - 1));
   }
-  out += '\n';
-  if (corners < 3) scan.refuse("a face with fewer than three corners");
+  if (face.size() < 3) scan.refuse("a face with fewer than three corners");
+  return face;
 }
 
 }  // namespace
 
-CheckedMesh check_obj(const std::string& file, std::string_view text, const Progress& progress) {
-  MeshScanner scan(file, text, '#', true, progress);
-  CheckedMesh out;
-  out.text.reserve(text.size());
+PolygonSoup read_obj(const std::string& file, std::string_view bytes, const Progress& progress) {
+  MeshScanner scan(file, bytes, '#', true, progress);
+  PolygonSoup out;
   Furthest furthest;
   while (scan.next_line()) {
     const std::string_view keyword = scan.word();
-    if (keyword == "v") {
-      out.text += 'v';
-      for (int k = 0; k < 3; ++k) scan.copy_coordinate(out.text);
-      out.text += '\n';
-      ++out.points;
-    } else if (keyword == "f" || keyword == "fo") {
-      check_face(scan, out.points, furthest, out.text);
-      ++out.polygons;
-    } else if (std::ranges::find(ignored, keyword) == ignored.end()) {
+    if (keyword == "v")
+      out.points.push_back(scan.point());
+    else if (keyword == "f" || keyword == "fo")
+      out.polygons.push_back(read_face(scan, out.points.size(), furthest));
+    else if (std::ranges::find(ignored, keyword) == ignored.end())
       scan.refuse("unknown statement " + shown(keyword));
-    }
   }
-  if (furthest.index > static_cast<std::int64_t>(out.points))
+  if (furthest.index > static_cast<std::int64_t>(out.points.size()))
     scan.refuse_at(furthest.line, "vertex index " + std::to_string(furthest.index) +
                                       " is out of range: the file has " +
-                                      std::to_string(out.points) + " vertices");
-  if (out.points > std::numeric_limits<std::int32_t>::max())
+                                      std::to_string(out.points.size()) + " vertices");
+  if (out.points.size() > std::numeric_limits<std::int32_t>::max())
     throw InputError::in(file, "more than 2^31 vertices");
-  if (out.points == 0) throw InputError::in(file, "the mesh has no vertices");
-  if (out.polygons == 0) throw InputError::in(file, "the mesh has no faces");
+  if (out.points.empty()) throw InputError::in(file, "the mesh has no vertices");
+  if (out.polygons.empty()) throw InputError::in(file, "the mesh has no faces");
   return out;
 }
 
