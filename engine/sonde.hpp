@@ -3,7 +3,7 @@
 
 /// Sonde as a library: how deep two polygon soups are in each other, the nearest pose at which they
 /// are apart, and the force and torque that go with it. This header is all that a program needs; it
-/// needs Eigen and nothing else. resources/docs/library.md shows it in use.
+/// needs Eigen and nothing else. resources/docs/use/library.md shows it in use.
 ///
 /// Frames are in the names: X_FM is the pose of the probe's mesh frame M in the fixed body's mesh
 /// frame F, x_F = X_FM * x_M. A mesh frame is that of the mesh's file, in metres. O is the pose

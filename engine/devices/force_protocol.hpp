@@ -11,7 +11,7 @@
 #include "engine/devices/hid_report_descriptor.hpp"
 
 /// The open protocol of self-built force devices, version 1:
-/// resources/docs/force-device-protocol.md is its specification. Both directions are here, for the
+/// resources/docs/develop/force-device-protocol.md is its specification. Both directions are here, for the
 /// device's side is what the tests play. Numbers are little-endian, SI, float 32 where they are not
 /// whole.
 namespace sonde::force_protocol {

@@ -9,7 +9,7 @@
 
 namespace sonde::test {
 
-/// A pair of bodies with a device path, as the table of resources/docs/compare.md has it.
+/// A pair of bodies with a device path, as the table of resources/docs/use/compare.md has it.
 struct ComparedPair {
   std::string name;
   std::function<CompareSetup()> setup;

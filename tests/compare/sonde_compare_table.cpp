@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sonde-compare-table [--pictures FOLDER] [PAIR...]: the table of resources/docs/compare.md on
+// sonde-compare-table [--pictures FOLDER] [PAIR...]: the table of resources/docs/use/compare.md on
 // standard output, or the lines of some pairs; with a folder, their pictures as well.
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep two meshes are in each other, as their files place them: resources/docs/library.md.
+// How deep two meshes are in each other, as their files place them: resources/docs/use/library.md.
 #include <cstdio>
 #include <sonde/sonde.hpp>
 #include <stdexcept>

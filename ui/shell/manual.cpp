@@ -3,6 +3,7 @@
 
 #include <QDesktopServices>
 #include <QDir>
+#include <QDirIterator>
 #include <QHBoxLayout>
 #include <QImageReader>
 #include <QLabel>
@@ -19,18 +20,21 @@
 namespace sonde::ui {
 namespace {
 
-/// Pages as they are written, but for pictures that this Qt cannot draw: a link to them instead.
+/// Pages as they are written, without comments, and with a link in place of each picture that this
+/// Qt cannot draw.
 class Pages : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
   QVariant loadResource(int type, const QUrl& name) override {
-    QVariant found = QTextBrowser::loadResource(type, name);
+    const QVariant found = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::MarkdownResource) return found;
-    static const bool drawn = QImageReader::supportedImageFormats().contains("svg");
-    if (drawn) return found;
     QString text = QString::fromUtf8(found.toByteArray());
+    static const QRegularExpression comment(QStringLiteral("<!--.*?-->\n*"),
+                                            QRegularExpression::DotMatchesEverythingOption);
+    text.remove(comment);
+    static const bool drawn = QImageReader::supportedImageFormats().contains("svg");
     static const QRegularExpression picture(QStringLiteral(R"(!\[([^\]]*)\]\(([^)]*\.svg)\))"));
-    text.replace(picture, QStringLiteral("[Picture: \\1](\\2)"));
+    if (!drawn) text.replace(picture, QStringLiteral("[Picture: \\1](\\2)"));
     return text.toUtf8();
   }
 };
@@ -46,12 +50,21 @@ QString anchor_of(const QString& heading) {
   return name;
 }
 
+/// Every page below a folder, as a path from there, in the order in which a search visits them.
+QStringList pages_below(const QString& folder) {
+  QStringList pages;
+  QDirIterator found(folder, {QStringLiteral("*.md")}, QDir::Files, QDirIterator::Subdirectories);
+  while (found.hasNext()) pages += QDir(folder).relativeFilePath(found.next());
+  pages.sort();
+  return pages;
+}
+
 }  // namespace
 
 Manual::Manual(const QString& folder, QWidget* parent)
     : QDialog(parent, Qt::Window),
       folder_(folder),
-      pages_(QDir(folder).entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name)),
+      pages_(pages_below(folder)),
       browser_(new Pages(this)),
       search_(new QLineEdit(this)),
       found_(new QLabel(this)) {
@@ -89,8 +102,8 @@ Manual::Manual(const QString& folder, QWidget* parent)
   connect(browser_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
   connect(browser_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
     // Pages of the manual open here; what is on the web, or a file beside it, is the system's.
-    const QString page = QFileInfo(link.path()).fileName();
-    if (page.isEmpty() || pages_.contains(page))
+    const QString page = page_of(browser_->source().resolved(link));
+    if (pages_.contains(page))
       open_page(page, link.fragment());
     else
       QDesktopServices::openUrl(browser_->source().resolved(link));
@@ -101,7 +114,8 @@ Manual::Manual(const QString& folder, QWidget* parent)
 }
 
 void Manual::open_page(const QString& name, const QString& heading) {
-  if (!name.isEmpty()) browser_->setSource(QUrl::fromLocalFile(QDir(folder_).filePath(name)));
+  if (!name.isEmpty() && name != page_of(browser_->source()))
+    browser_->setSource(QUrl::fromLocalFile(QDir(folder_).filePath(name)));
   if (heading.isEmpty()) return;
   for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
     if (block.blockFormat().headingLevel() == 0 || anchor_of(block.text()) != heading) continue;
@@ -111,8 +125,12 @@ void Manual::open_page(const QString& name, const QString& heading) {
   }
 }
 
+QString Manual::page_of(const QUrl& url) const {
+  return QDir(folder_).relativeFilePath(QDir::cleanPath(url.toLocalFile()));
+}
+
 int Manual::page_now() const {
-  return std::max(0, static_cast<int>(pages_.indexOf(browser_->source().fileName())));
+  return std::max(0, static_cast<int>(pages_.indexOf(page_of(browser_->source()))));
 }
 
 bool Manual::find_next(const QString& text) {

@@ -7,6 +7,7 @@
 class QLabel;
 class QLineEdit;
 class QTextBrowser;
+class QUrl;
 
 namespace sonde::ui {
 
@@ -14,9 +15,9 @@ namespace sonde::ui {
 /// from page to page.
 class Manual : public QDialog {
  public:
-  /// The folder its pages (*.md) are in; index.md is the first.
+  /// The folder that its pages (*.md) lie below; index.md is the first.
   Manual(const QString& folder, QWidget* parent);
-  /// A page; of that, the heading a link names (empty: the beginning).
+  /// A page, by its path from the folder; of that, the heading a link names (empty: the beginning).
   void open_page(const QString& name, const QString& heading = {});
   /// The next place with this text, after the one found last: on this page, then on those after it.
   /// False where no page has it.
@@ -24,6 +25,8 @@ class Manual : public QDialog {
   QTextBrowser& browser() { return *browser_; }
 
  private:
+  /// The path of a page from the folder.
+  QString page_of(const QUrl& url) const;
   int page_now() const;
   QString folder_;
   QStringList pages_;

@@ -12,7 +12,7 @@ struct BoundOptions {
   /// Counted work, the same bits for the same work: a cell of rotations is 1, a point's depth in
   /// both bodies is 10. It ends before that where half as much again raised the bound by less
   /// than 2 %. The more, the nearer to what can be shown by one point at a time
-  /// (resources/docs/penetration.md has the trade).
+  /// (resources/docs/understand/penetration.md has the trade).
   int work = 20'000;
 };
 

@@ -26,7 +26,7 @@ Limits limits() {
           .buttons = 3};
 }
 
-// The bytes are those of the examples in resources/docs/force-device-protocol.md, written out by
+// The bytes are those of the examples in resources/docs/develop/force-device-protocol.md, written out by
 // hand from the tables there.
 TEST(ForceProtocol, a_pose_report_is_as_documented) {
   const PoseReport report{.sequence = 0x0102,
