@@ -42,7 +42,7 @@ void TickLog::add(const BlockHead& head, BlockBytes bytes) { store(head, 0, std:
 
 void TickLog::seal() {
   const auto hand_on = [this](std::string block) {
-    const auto bytes = std::make_shared<const std::string>(std::move(block));
+    auto bytes = std::make_shared<const std::string>(std::move(block));
     if (sealed) sealed(bytes);
     return bytes;
   };
