@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/mesh_report.hpp"
+#include "app/recordings.hpp"
 
 namespace sonde::app {
 namespace {
@@ -35,8 +37,21 @@ std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
   return bodies;
 }
 
+void describe_recordings(const InfoOptions& options) {
+  std::vector<std::unique_ptr<Recording>> recordings;
+  ProgressLine progress(options.output.quiet);
+  for (const std::string& file : options.meshes)
+    recordings.push_back(read_recording(file, progress.percent("reading " + file)));
+  progress.clear();
+  write_result(options.output, options.output.json ? to_json(recordings) : to_text(recordings));
+}
+
 void run(const InfoOptions& options) {
   check_output(options.output, {options.meshes.begin(), options.meshes.end()});
+  const auto recordings = std::ranges::count_if(
+      options.meshes, [](const std::string& file) { return is_recording(file); });
+  if (recordings == std::ssize(options.meshes)) return describe_recordings(options);
+  if (recordings > 0) throw UsageError("give meshes or recordings, not both at once");
   const auto bodies = load_all(options);
   std::vector<MeshReport> reports;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -49,8 +64,10 @@ void run(const InfoOptions& options) {
 Command add_info_command(CLI::App& program) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* parser = program.add_subcommand(
-      "info", "What meshes hold: counts, model, mass properties, bounds and defects");
-  parser->add_option("MESH", options->meshes, "OFF, OBJ, PLY or STL files")->required();
+      "info",
+      "What meshes hold: counts, model, mass properties, bounds and defects; or recordings");
+  parser->add_option("MESH", options->meshes, "OFF, OBJ, PLY or STL files, or recordings")
+      ->required();
   parser
       ->add_option("--model", options->model,
                    "solid (the interior counts), surface (only the triangles) or auto")

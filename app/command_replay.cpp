@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <iostream>
 #include <memory>
+#include <utility>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
-#include "app/timed.hpp"
-#include "engine/haptics/loop/haptic_loop.hpp"
+#include "engine/recording/loop_run.hpp"
+#include "engine/recording/recording.hpp"
+#include "engine/recording/recording_writer.hpp"
 #include "engine/scene/poses.hpp"
 
 namespace sonde::app {
@@ -18,6 +21,7 @@ struct ReplayOptions {
   SolverOptions solver;
   OutputOptions output;
   std::string trajectory;
+  std::string record;
   std::string coupling_mode;
   SettingValues coupling;
   SettingValues servo;
@@ -31,17 +35,11 @@ constexpr std::array<Column, 30> columns{
      {"tz", "N*m"},     {"depth", "m"},    {"sigma", "m^2"}, {"contacts", ""}, {"iterations", ""},
      {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""},   {"converged", ""}}};
 
-/// One tick's outcome.
-struct Tick {
-  TimedSeparation result;
-  Wrench wrench;
-};
-
-Row row_of(const TimedPose& at, const Tick& tick, double rate_hz) {
-  const Separation& s = tick.result.separation;
+Row row_of(const Snapshot& tick, double rate_hz) {
+  const Separation& s = tick.separation;
   const bool failed = s.status == Status::failed;
-  Row row{at.t};
-  append(row, at.pose);
+  Row row{tick.time};
+  append(row, s.device);
   if (failed)
     append_nothing(row, 7);
   else
@@ -54,36 +52,68 @@ Row row_of(const TimedPose& at, const Tick& tick, double rate_hz) {
     row.insert(row.end(), {s.depth, s.sigma});
   row.push_back(std::int64_t{failed ? 0 : s.clusters.size});
   row.push_back(std::int64_t{s.iterations});
-  row.push_back(tick.result.time_us);
+  row.push_back(tick.tick_us);
   row.push_back(std::int64_t{tick.wrench.saturated});
-  row.push_back(std::int64_t{tick.result.time_us > 1e6 / rate_hz});
+  row.push_back(std::int64_t{tick.tick_us > 1e6 / rate_hz});
   row.push_back(std::int64_t{s.jumped});
   row.push_back(std::int64_t{s.converged});
   return row;
 }
 
-/// The haptic loop over the path, as the servo would run it.
-std::vector<Tick> run_loop(const Pair& pair, const Scene& scene, std::span<const TimedPose> path,
-                           const SolverOptions& options, ProgressLine& progress) {
-  std::vector<Tick> ticks(path.size());
-  HapticLoop loop(pair, options.chosen_method(), scene.coupling);
-  StaticOptions search = options.static_options();
-  search.budget = {};    // the budget is that of a tick
-  bool started = false;  // a search that failed leaves nothing to follow: search again
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const bool searched = !started;
-    if (searched) loop.reset(path[i].pose, search);
-    const bool by_search = searched && loop.separation().jumped;
-    const double dt = i == 0 ? 0 : path[i].t - path[i - 1].t;
-    ticks[i].result.time_us = timed_us([&] { loop.tick(path[i].pose, dt, options.budget); });
-    ticks[i].result.separation = loop.separation();
-    ticks[i].result.separation.jumped |= by_search;
-    ticks[i].wrench = loop.wrench();
-    started = started || loop.separation().status != Status::failed;
-    progress.show("replaying", i + 1, path.size());
+/// What the command line replaces of gains.
+void replace(Coupling& coupling, const ReplayOptions& options) {
+  if (const auto mode = coupling_mode(options.coupling_mode)) coupling.mode = *mode;
+  for (const auto& [key, value] : options.coupling) set(coupling, key, value);
+}
+
+/// What is run: a scene along a path, with the gains of each tick.
+struct Job {
+  Scene scene;
+  std::vector<LoopStep> steps;
+  std::vector<std::filesystem::path> inputs;
+};
+
+/// What becomes of the ticks: rows of the table, and where it is asked for a recording.
+class Results {
+ public:
+  Results(const ReplayOptions& options, const Pair& pair, const Scene& scene)
+      : options_(options), scene_(scene), log_(pair.probe().mass.radius, scene.servo.rate_hz) {}
+
+  void add(const Snapshot& tick) {
+    if (tick.separation.status == Status::failed)
+      failures_.emplace_back(table_.rows.size(), tick.separation);
+    table_.rows.push_back(row_of(tick, scene_.servo.rate_hz));
+    if (!options_.record.empty()) log_.add(tick);
   }
-  progress.clear();
-  return ticks;
+
+  void write() {
+    for (const auto& [index, separation] : failures_) report_failure(separation, index);
+    if (!options_.record.empty()) {
+      log_.seal();
+      write_recording(options_.record, header_of(scene_, log_.probe_radius()), log_);
+    }
+    write_result(options_.output, options_.output.json ? to_json(table_) : to_csv(table_));
+  }
+
+ private:
+  const ReplayOptions& options_;
+  const Scene& scene_;
+  ResultTable table_{columns, {}};
+  std::vector<std::pair<std::size_t, Separation>> failures_;
+  TickLog log_;
+};
+
+/// The haptic loop over the path, as the servo would run it.
+void run_in_step(const Pair& pair, const Job& job, const SolverOptions& options,
+                 ProgressLine& progress, Results& results) {
+  const LoopRun run{.budget = options.budget,
+                    .search = options.static_options(),
+                    .rate_hz = job.scene.servo.rate_hz};
+  std::size_t done = 0;
+  run_loop(pair, job.steps, run, [&](const Snapshot& tick) {
+    results.add(tick);
+    progress.show("replaying", ++done, job.steps.size());
+  });
 }
 
 /// The wrench of a separation that belongs to no motion: nothing is damped.
@@ -97,33 +127,62 @@ Wrench still_wrench(const Body& probe, const Separation& s, const Coupling& coup
 }
 
 /// Every row searched for itself.
-std::vector<Tick> search_rows(const Pair& pair, const Scene& scene, std::span<const TimedPose> path,
-                              const SolverOptions& options, ProgressLine& progress) {
+void search_rows(const Pair& pair, const Job& job, const SolverOptions& options,
+                 ProgressLine& progress, Results& results) {
   std::vector<Pose> poses;
-  for (const TimedPose& at : path) poses.push_back(at.pose);
-  std::vector<Tick> ticks;
-  for (const TimedSeparation& result : search_all(pair, poses, options, progress))
-    ticks.push_back({result, still_wrench(pair.probe(), result.separation, scene.coupling)});
-  return ticks;
+  for (const LoopStep& step : job.steps) poses.push_back(step.at.pose);
+  Snapshot tick;
+  for (const TimedSeparation& result : search_all(pair, poses, options, progress)) {
+    const LoopStep& step = job.steps[tick.tick++];
+    tick.time = step.at.t;
+    tick.separation = result.separation;
+    tick.wrench = still_wrench(pair.probe(), result.separation, step.coupling);
+    tick.coupling = step.coupling;
+    tick.tick_us = result.time_us;
+    tick.rate_hz = job.scene.servo.rate_hz;
+    results.add(tick);
+  }
 }
 
-/// The scene with what the command line replaces in it.
-Scene scene_for(const ReplayOptions& options) {
+Job job_of_recording(const ReplayOptions& options) {
+  const std::unique_ptr<Recording> recording = read_recording(options.bodies.scene);
+  if (!recording->cut.empty() && !options.output.quiet)
+    std::cerr << "sonde: " << recording->file.string() << ": " << recording->cut
+              << "; what is before it is replayed\n";
+  check_meshes(recording->header, recording->file);
+  return {
+      recording->header.scene,
+      steps_of(recording->ticks),
+      {recording->file, recording->header.scene.probe.mesh, recording->header.scene.fixed.mesh}};
+}
+
+Job job_of_scene(const ReplayOptions& options) {
   Scene scene = scene_of(options.bodies);
   if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
   if (!scene.trajectory) throw UsageError("the scene names no trajectory: give --trajectory");
-  if (const auto mode = coupling_mode(options.coupling_mode)) scene.coupling.mode = *mode;
-  for (const auto& [key, value] : options.coupling) set(scene.coupling, key, value);
-  for (const auto& [key, value] : options.servo) set(scene.servo, key, value);
-  return scene;
+  std::vector<std::filesystem::path> inputs = inputs_of(scene);
+  inputs.push_back(*scene.trajectory);
+  std::vector<LoopStep> steps = steps_of(read_trajectory(*scene.trajectory), scene.coupling);
+  return {std::move(scene), std::move(steps), std::move(inputs)};
+}
+
+/// With what the command line replaces in it.
+Job job_for(const ReplayOptions& options) {
+  const bool recorded = is_recording(options.bodies.scene);
+  if (recorded && !options.trajectory.empty())
+    throw UsageError("a recording has its own path: leave out --trajectory");
+  Job job = recorded ? job_of_recording(options) : job_of_scene(options);
+  for (LoopStep& step : job.steps) replace(step.coupling, options);
+  replace(job.scene.coupling, options);
+  for (const auto& [key, value] : options.servo) set(job.scene.servo, key, value);
+  return job;
 }
 
 void run(const ReplayOptions& options) {
-  const Scene scene = scene_for(options);
-  std::vector<std::filesystem::path> inputs = inputs_of(scene);
-  inputs.push_back(*scene.trajectory);
-  check_output(options.output, inputs);
-  const std::vector<TimedPose> path = read_trajectory(*scene.trajectory);
+  const Job job = job_for(options);
+  const Scene& scene = job.scene;
+  check_output(options.output, job.inputs);
+  if (!options.record.empty()) check_output("--record", options.record, job.inputs);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
@@ -132,15 +191,13 @@ void run(const ReplayOptions& options) {
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
-  const std::vector<Tick> ticks = solver.coherent()
-                                      ? run_loop(pair, scene, path, solver, progress)
-                                      : search_rows(pair, scene, path, solver, progress);
-  ResultTable table{columns, {}};
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    report_failure(ticks[i].result.separation, i);
-    table.rows.push_back(row_of(path[i], ticks[i], scene.servo.rate_hz));
-  }
-  write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
+  Results results(options, pair, scene);
+  if (solver.coherent())
+    run_in_step(pair, job, solver, progress, results);
+  else
+    search_rows(pair, job, solver, progress, results);
+  progress.clear();
+  results.write();
 }
 
 }  // namespace
@@ -150,6 +207,10 @@ Command add_replay_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "replay", "The haptic loop over a recorded device path: one tick for each row");
   add_scene(*parser, options->bodies);
+  parser->get_option("SCENE")->description(
+      "scene file, NAME.sonde.json; or a recording, whose path and gains are run again");
+  parser->add_option("--record", options->record,
+                     "recording to write, whole or not at all: NAME.sonderec");
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");

@@ -104,12 +104,16 @@ void add_setting_flags(CLI::App& parser, std::span<const Setting> settings, Sett
 }
 
 void check_output(const OutputOptions& options, const std::vector<std::filesystem::path>& inputs) {
-  if (!options.to_file()) return;
+  if (options.to_file()) check_output("--out", options.out, inputs);
+}
+
+void check_output(const std::string& flag, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs) {
   std::error_code error;
   for (const auto& input : inputs)
-    if (std::filesystem::equivalent(options.out, input, error))
-      throw UsageError("--out " + options.out + " is one of the inputs; it would be overwritten");
-  check_writable(options.out);
+    if (std::filesystem::equivalent(file, input, error))
+      throw UsageError(flag + " " + file + " is one of the inputs; it would be overwritten");
+  check_writable(file);
 }
 
 void write_result(const OutputOptions& options, const std::string& text) {

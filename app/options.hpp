@@ -60,6 +60,9 @@ void add_setting_flags(CLI::App& parser, std::span<const Setting> settings, Sett
 
 /// Refuses, before any work, an output that cannot be written or is one of the inputs.
 void check_output(const OutputOptions& options, const std::vector<std::filesystem::path>& inputs);
+/// The same of a file that another flag names.
+void check_output(const std::string& flag, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs);
 /// Writes the result, whole.
 void write_result(const OutputOptions& options, const std::string& text);
 

@@ -108,6 +108,17 @@ Prompts dialogs(QWidget& window) {
                                         last_folder(),
                                         QStringLiteral("Recorded paths (*.csv);;All files (*)"));
   };
+  prompts.ask_recording = [parent] {
+    return QFileDialog::getOpenFileName(parent, QStringLiteral("Open a recording"), last_folder(),
+                                        QStringLiteral("Recordings (*.sonderec);;All files (*)"));
+  };
+  prompts.ask_record = [parent] {
+    const QString name =
+        QDateTime::currentDateTime().toString(QStringLiteral("'sonde-'yyyyMMdd-HHmmss'.sonderec'"));
+    return QFileDialog::getSaveFileName(parent, QStringLiteral("Record to a file"),
+                                        QDir(last_folder()).filePath(name),
+                                        QStringLiteral("Recordings (*.sonderec)"));
+  };
   prompts.ask_picture = [parent] {
     const QString name =
         QDateTime::currentDateTime().toString(QStringLiteral("'sonde-'yyyyMMdd-HHmmss'.png'"));

@@ -32,6 +32,8 @@ struct Prompts {
   std::function<QString()> ask_scene;  ///< empty: given up
   /// Probe and fixed body, of which one may be known.
   std::function<std::optional<std::pair<QString, QString>>(const QString& first)> ask_meshes;
+  std::function<QString()> ask_recording;      ///< a recording to open; empty: given up
+  std::function<QString()> ask_record;         ///< a recording to write; empty: given up
   std::function<QString()> ask_path;           ///< a recorded path to read; empty: given up
   std::function<QString()> ask_picture;        ///< a file to write; empty: given up
   std::function<QString()> ask_tuning;         ///< a folder to read; empty: given up

@@ -168,15 +168,17 @@ void ReadoutPanel::take(const MassProperties& probe, bool any_solid) {
   force_plot_->clear();
 }
 
-void ReadoutPanel::sample(const Snapshot& snapshot) {
+void ReadoutPanel::sample(const Instant& now) {
+  const Snapshot& snapshot = now.snapshot;
   depth_plot_->add(snapshot.time, snapshot.separation.depth);
   force_plot_->add(snapshot.time, snapshot.wrench.force.norm());
 }
 
-void ReadoutPanel::show_numbers(const Snapshot& snapshot,
-                                const std::optional<BackgroundResult>& searched) {
+void ReadoutPanel::show_numbers(const Instant& now) {
+  const Snapshot& snapshot = now.snapshot;
+  coupling_ = snapshot.coupling;
   show_held(snapshot);
-  show_ways(snapshot.separation, searched);
+  show_ways(snapshot.separation, now.searched);
   show_wrench(snapshot.wrench);
   show_loop(snapshot);
   depth_plot_->update();

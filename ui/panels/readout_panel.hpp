@@ -4,9 +4,8 @@
 #include <QDockWidget>
 #include <optional>
 
-#include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
+#include "ui/document/instant.hpp"
 
 class QFormLayout;
 class QLabel;
@@ -26,11 +25,10 @@ class ReadoutPanel : public QDockWidget {
 
   /// A new pair was opened: the probe, and whether there can be a lower bound.
   void take(const MassProperties& probe, bool any_solid);
-  void set_coupling(const Coupling& coupling) { coupling_ = coupling; }
   /// Adds to the curves: called with every frame.
-  void sample(const Snapshot& snapshot);
+  void sample(const Instant& now);
   /// Writes the numbers: a few times a second, so that they can be read.
-  void show_numbers(const Snapshot& snapshot, const std::optional<BackgroundResult>& searched);
+  void show_numbers(const Instant& now);
 
  private:
   QLabel* value(QFormLayout& form, const QString& name, const char* object, const QString& doc);

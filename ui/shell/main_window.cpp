@@ -23,6 +23,7 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/actions/stiffness_control.hpp"
@@ -50,16 +51,6 @@ constexpr int frame_ms = 16;
 constexpr qint64 numbers_ms = 120;  // faster than that nobody reads
 constexpr qint64 search_ms = 100;   // it shares the machine with the servo
 constexpr double swing_seconds = 1.6;
-
-bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
-
-/// Would the picture of b look like that of a?
-bool same_picture(const Snapshot& a, const Snapshot& b) {
-  return a.separation.status == b.separation.status &&
-         same(a.separation.device, b.separation.device) &&
-         same(a.separation.separated, b.separation.separated) && a.wrench.force == b.wrench.force &&
-         a.wrench.torque == b.wrench.torque && a.paused == b.paused;
-}
 
 }  // namespace
 
@@ -105,25 +96,29 @@ MainWindow::MainWindow(QWidget* parent)
   statusBar()->addWidget(what_happens_, 1);
   statusBar()->addPermanentWidget(device_status_);
   statusBar()->addPermanentWidget(rates_);
+  add_history();
   add_menus(*this);
   mouse_->moved = [this](const Pose& pose) {
-    if (session()) session()->set_device_pose(pose);
+    if (session() && !history_->looking_back()) session()->set_device_pose(pose);
   };
   coupling_panel_->changed = [this](const Coupling& coupling) {
     if (session()) session()->set_coupling(coupling);
     documents_->set_coupling(coupling);
-    readout_->set_coupling(coupling);
     viewport_->set_coupling(coupling);
     stiffness_->show_gains(coupling);
   };
   coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
   mouse_->settled = [this](const Pose& before, bool one_of_many) {
+    if (history_->looking_back()) return;
     documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
                            one_of_many);
   };
   connect_devices();
   connect_documents();
-  stiffness_->ticked = [this](const Snapshot& tick) { log_->add(force_log_.add(tick)); };
+  stiffness_->ticked = [this](const Snapshot& tick) {
+    log_->add(force_log_.add(tick));
+    history_->add(tick);
+  };
   stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
   opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
   opener_->failed = [this](const QString& reason) {
@@ -152,6 +147,21 @@ void MainWindow::connect_devices() {
     documents_->set_device_settings(settings);
   };
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+void MainWindow::add_history() {
+  history_ = new HistoryControl(
+      *opener_, prompts_, *this,
+      {.session = [this] { return session(); },
+       .scene = [this] { return documents_->document().content().scene; },
+       .may_leave = [this] { return documents_->may_leave(); },
+       .show = [this](DrawnSession drawn) { show_session(std::move(drawn)); },
+       .pause = [this](bool on) { pause(on); },
+       .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
+  addDockWidget(Qt::BottomDockWidgetArea, &history_->timeline());
+  addDockWidget(Qt::BottomDockWidgetArea, &history_->plots());
+  tabifyDockWidget(log_, &history_->plots());
+  history_->plots().hide();
 }
 
 DocumentView MainWindow::document_view() {
@@ -217,7 +227,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::open(const QStringList& files, std::optional<double> unit) {
   statusBar()->showMessage(QStringLiteral("Opening %1 …").arg(QFileInfo(files.value(0)).fileName()),
                            4000);
-  documents_->open(files, unit);
+  if (files.size() == 1 && is_recording(files[0].toStdString()))
+    history_->open_recording(files[0]);
+  else
+    documents_->open(files, unit);
 }
 
 void MainWindow::ask_path() {
@@ -236,8 +249,9 @@ void MainWindow::show_start_page() { start_page_->present(); }
 void MainWindow::show_nothing() {
   devices_->attach(nullptr);
   stiffness_->attach(nullptr);
+  history_->attach(nullptr);
   force_log_.end();
-  shown_.reset();
+  forget_shown();
   searched_.reset();
   drawn_ = {};
   show_start_page();
@@ -250,8 +264,9 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   force_log_.end();
   Session& now = *drawn_.session;
   now.set_force(force_);  // what Esc took away stays away
-  shown_.reset();
+  forget_shown();
   searched_.reset();
+  history_->attach(session());
   viewport_->show_session(drawn_, same_document);
   if (same_document)
     coupling_panel_->apply(documents_->document().content().scene.coupling);
@@ -261,9 +276,8 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   // Last: it may have something to report, and a frame be drawn meanwhile.
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
-  readout_->set_coupling(open.coupling());
   readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
-  const QString name = QString::fromStdString(open.opened().name);
+  const QString name = QString::fromStdString(open.loaded().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
   log_->add(QStringLiteral("LoadedScene %1.   %2")
                 .arg(name, natures(session()->probe(), session()->fixed())));
@@ -297,8 +311,16 @@ void MainWindow::set_device_pose(const Pose& X_FM) {
   mouse_->take(session()->probe().mass, X_FM);
 }
 
+/// What was kept is looked at in a pause, so that going on is going on live.
 void MainWindow::set_paused(bool paused) {
+  if (!paused) history_->leave();
+  pause(paused);
+}
+
+void MainWindow::pause(bool paused) {
   if (session()) session()->set_paused(paused);
+  if (session() && !history_->looking_back())
+    mouse_->take(session()->probe().mass, session()->device_pose());
   emit paused_changed(session() && paused);
 }
 
@@ -311,15 +333,16 @@ void MainWindow::set_force(bool on) {
 void MainWindow::reset() {
   if (!session()) return;
   const Pose before = session()->device_pose();
-  place(session()->opened().start);
+  place(session()->loaded().start);
   documents_->moved_from(before, QStringLiteral("Reset"), false);
 }
 
 void MainWindow::place(const Pose& X_FM) {
   force_log_.end();
+  history_->leave();
   session()->place(X_FM);
   mouse_->take(session()->probe().mass, X_FM);
-  shown_.reset();
+  forget_shown();
   emit paused_changed(false);
 }
 
@@ -331,6 +354,7 @@ void MainWindow::on_frame() {
   if (clock_.elapsed() >= device_due_) show_device();
   if (!session()) return;
   stiffness_->frame(clock_.elapsed());
+  history_->frame(clock_.elapsed());
   draw_if_changed();
   ++rate_frames_;
   if (!shown_) return;
@@ -342,20 +366,28 @@ void MainWindow::on_frame() {
   }
 }
 
+/// What there is to show: of the servo, or of what was kept.
+std::optional<Instant> MainWindow::newest() {
+  if (history_->looking_back()) return history_->instant();
+  const Snapshot* now = session()->latest();
+  if (!now) return {};
+  Instant live{.snapshot = *now, .searched = searched_};
+  live.snapshot.paused = session()->paused();
+  return live;
+}
+
 void MainWindow::draw_if_changed() {
-  const Snapshot* newest = session()->latest();
-  if (!newest) return;
-  Snapshot next = *newest;
-  next.paused = session()->paused();
-  const bool changed = !shown_ || !same_picture(*shown_, next);
-  shown_ = next;
-  readout_->sample(next);
-  const bool swings = swing_ && next.separation.status == Status::penetrating;
+  const std::optional<Instant> next = newest();
+  if (!next) return;
+  const bool changed = !instant_ || !same_picture(*instant_, *next);
+  instant_ = next;
+  shown_ = next->snapshot;
+  readout_->sample(*next);
+  const bool swings = swing_ && shown_->separation.status == Status::penetrating;
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
   const double swing = swings ? 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn) : 1;
-  const bool known = searched_ && same(searched_->device, next.separation.device);
-  viewport_->draw(next, swing, known ? &*searched_ : nullptr);
+  viewport_->draw(*next, swing);
   ++frames_;
 }
 
@@ -365,19 +397,21 @@ void MainWindow::ask_search() {
   if (!readout_->isVisible() || session()->paused()) return;
   const qint64 now = clock_.elapsed();
   const Pose& device = shown_->separation.device;
-  if (!same(device, search_pose_)) {
+  if (!same_pose(device, search_pose_)) {
     search_pose_ = device;
     rest_since_ = now;
   }
   if (const auto result = session()->searched()) {
     const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
-    if (drawn && !(searched_ && same(searched_->device, result->device))) viewport_->invalidate();
+    if (drawn && !(searched_ && same_pose(searched_->device, result->device)))
+      viewport_->invalidate();
     searched_ = result;
+    history_->add(*result);
     search_due_ = search_asked_ + std::max(search_ms, qint64(1e-2 * result->time_us));
   }
-  const bool rests = now - rest_since_ > search_ms && !same(device, asked_pose_);
+  const bool rests = now - rest_since_ > search_ms && !same_pose(device, asked_pose_);
   if (!rests && now < search_due_) return;
-  if (searched_ && same(searched_->device, device)) return;
+  if (searched_ && same_pose(searched_->device, device)) return;
   session()->ask_search(device);
   asked_pose_ = device;
   search_asked_ = now;
@@ -391,16 +425,17 @@ void MainWindow::show_numbers() {
     rate_since_ = now;
     rate_frames_ = 0;
   }
-  readout_->show_numbers(*shown_, searched_);
-  pose_panel_->show_pose(session()->device_pose());
+  readout_->show_numbers(*instant_);
+  pose_panel_->show_pose(instant_->live ? session()->device_pose() : shown_->separation.device);
   show_status();
 }
 
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
-  QString happens = happening(s, searched_);
-  if (searched_) log_->add(QString::fromUtf8(words(way_out(s.separation, *searched_))));
-  if (const QString fault = force_log_.recent(s.time); !fault.isEmpty())
+  QString happens = happening(*instant_);
+  if (instant_->live && searched_)
+    log_->add(QString::fromUtf8(words(way_out(s.separation, *searched_))));
+  if (const QString fault = force_log_.recent(s.time); instant_->live && !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
   what_happens_->show_text(
       QStringLiteral("%1   %2").arg(happens, natures(session()->probe(), session()->fixed())));
@@ -458,7 +493,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
   event->acceptProposedAction();
   // Whoever drops is still holding a drag: answer it first, then ask and open.
-  QTimer::singleShot(0, this, [this, files] { documents_->drop(files); });
+  QTimer::singleShot(0, this, [this, files] {
+    if (files.size() == 1 && is_recording(files[0].toStdString()))
+      history_->open_recording(files[0]);
+    else
+      documents_->drop(files);
+  });
 }
 
 }  // namespace sonde::ui

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
+#include "ui/document/instant.hpp"
 #include "ui/shell/escape_key.hpp"
 #include "ui/shell/force_log.hpp"
 #include "ui/views/drawn_session.hpp"
@@ -23,6 +24,7 @@ class DevicePanel;
 class DocumentControl;
 struct DocumentView;
 class ElidedLabel;
+class HistoryControl;
 class LogPanel;
 class MouseProbe;
 class Opener;
@@ -50,6 +52,7 @@ class MainWindow : public QMainWindow {
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
   StiffnessControl& stiffness() { return *stiffness_; }
+  HistoryControl& history() { return *history_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -87,13 +90,17 @@ class MainWindow : public QMainWindow {
   void connect_devices();
   void connect_documents();
   DocumentView document_view();
+  void add_history();
   void place(const Pose& X_FM);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();
   void show_holder();
   void on_frame();
+  std::optional<Instant> newest();
   void draw_if_changed();
+  void forget_shown() { shown_.reset(), instant_.reset(); }
+  void pause(bool paused);
   void complain(const QString& reason);
   void ask_search();
   void show_numbers();
@@ -115,6 +122,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
+  HistoryControl* history_ = nullptr;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   EscapeKey escape_;
@@ -122,6 +130,7 @@ class MainWindow : public QMainWindow {
   QElapsedTimer clock_;
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
+  std::optional<Instant> instant_;  ///< the same, with all that belongs to it
   std::optional<BackgroundResult> searched_;
   bool force_ = true;
   bool swing_ = false;

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "ui/actions/document_control.hpp"
+#include "ui/actions/history_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
@@ -177,6 +178,33 @@ void add_probe_menu(MainWindow& window, QToolBar& bar) {
   bar.addSeparator();
 }
 
+void add_history_menu(MainWindow& window) {
+  QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Time"));
+  HistoryControl* history = &window.history();
+  MainWindow* w = &window;
+  const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
+  add(window, menu, "open_recording", QStringLiteral("&Open a recording…"), {},
+      [history](bool) { history->ask_recording(); });
+  add(window, menu, "record", QStringLiteral("&Record or stop"), key("Ctrl+Shift+R"),
+      [history](bool) { history->set_recording(!history->recorder().recording()); });
+  menu.addSeparator();
+  add(window, menu, "play_back", QStringLiteral("&Play or hold what was kept"), key("P"),
+      [history](bool) { history->play(!history->playback().playing()); });
+  add(window, menu, "step_back", QStringLiteral("One tick &back"), key(","),
+      [history](bool) { history->step(-1); });
+  add(window, menu, "step_on", QStringLiteral("One tick o&n"), key("."),
+      [history](bool) { history->step(1); });
+  add(window, menu, "go_live", QStringLiteral("Back to &live"), key("End"),
+      [history](bool) { history->go_live(); });
+  menu.addSeparator();
+  add(window, menu, "run_again", QStringLiteral("Run again with the &gains of now"), {},
+      [history, w](bool) {
+        if (w->session()) history->run_again(Method::pdg, w->session()->coupling());
+      });
+  add(window, menu, "run_again_pdt", QStringLiteral("Run again without turns (PD_&t)"), {},
+      [history](bool) { history->run_again(Method::pdt, {}); });
+}
+
 void add_view_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
   MainWindow* w = &window;
@@ -230,6 +258,7 @@ void add_menus(MainWindow& window) {
   add_file_menu(window, *bar);
   add_edit_menu(window);
   add_probe_menu(window, *bar);
+  add_history_menu(window);
   add_view_menu(window, *bar);
   add_help_menu(window);
 }

@@ -23,7 +23,8 @@ QString natures(const Body& probe, const Body& fixed) {
   return nature("Probe", probe) + QStringLiteral("   ") + nature("Fixed body", fixed);
 }
 
-QString happening(const Snapshot& s, const std::optional<BackgroundResult>& searched) {
+QString happening(const Instant& now) {
+  const Snapshot& s = now.snapshot;
   QString happens;
   if (s.paused)
     happens = QStringLiteral("Paused.");
@@ -37,7 +38,7 @@ QString happening(const Snapshot& s, const std::optional<BackgroundResult>& sear
     happens = QStringLiteral("Free.");
   else
     happens = QStringLiteral("In contact.");
-  if (const char* way = searched ? words(way_out(s.separation, *searched)) : ""; *way != 0)
+  if (const char* way = now.searched ? words(way_out(s.separation, *now.searched)) : ""; *way != 0)
     happens += QLatin1Char(' ') + QString::fromUtf8(way);
   return happens;
 }

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 
-#include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/servo.hpp"
+#include "ui/document/instant.hpp"
 
 namespace sonde::ui {
 
@@ -13,6 +11,6 @@ namespace sonde::ui {
 QString natures(const Body& probe, const Body& fixed);
 
 /// What the probe does now, and what keeps the force away, if anything.
-QString happening(const Snapshot& snapshot, const std::optional<BackgroundResult>& searched);
+QString happening(const Instant& now);
 
 }  // namespace sonde::ui

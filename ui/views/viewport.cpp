@@ -48,6 +48,12 @@ QString describe(const char* role, const Body& body) {
       .arg(body.soup.triangles.size());
 }
 
+/// What the picture is of, where that is not what happens now.
+QString banner_of(const Instant& now) {
+  if (!now.live) return QStringLiteral("At %1 s – Space: live").arg(now.snapshot.time, 0, 'f', 3);
+  return now.snapshot.paused ? HintView::pause_banner() : QString();
+}
+
 /// Does the processor draw, rather than a graphics card?
 bool software_drawn(QVTKOpenGLNativeWidget& widget) {
   widget.makeCurrent();
@@ -239,13 +245,14 @@ void Viewport::update_legend() {
   s.hints->set_legend(std::move(legend));
 }
 
-void Viewport::draw(const Snapshot& snapshot, double swing, const BackgroundResult* searched) {
+void Viewport::draw(const Instant& now, double swing) {
   Scenery& s = *scenery_;
+  const Snapshot& snapshot = now.snapshot;
   if (!s.probe) return;
   s.last_device = snapshot.separation.device;
   s.last_separated = snapshot.separation.separated;
   const Vec3 com = s.last_device * s.mass.com;
-  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched};
+  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched_here(now)};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.
@@ -253,18 +260,18 @@ void Viewport::draw(const Snapshot& snapshot, double swing, const BackgroundResu
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
   camera().clip_to(s.centre, std::max(s.radius, away + 3 * s.mass.radius));
   s.window->Render();
-  update_text(snapshot);
+  update_text(now);
   dirty_ = false;
 }
 
-void Viewport::update_text(const Snapshot& snapshot) {
+void Viewport::update_text(const Instant& now) {
   Scenery& s = *scenery_;
   std::vector<PlacedLabel> labels;
   for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
       labels.push_back(
           {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
-  s.hints->set_banner(snapshot.paused ? HintView::pause_banner() : QString());
+  s.hints->set_banner(banner_of(now));
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());

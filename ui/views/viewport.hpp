@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
-#include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/servo.hpp"
 #include "ui/document/handles.hpp"
+#include "ui/document/instant.hpp"
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
 #include "ui/views/drawn_session.hpp"
@@ -44,8 +43,7 @@ class Viewport : public QWidget {
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
-  /// `searched`: what is known of the snapshot's device pose, if anything.
-  void draw(const Snapshot& snapshot, double swing, const BackgroundResult* searched = nullptr);
+  void draw(const Instant& now, double swing);
 
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
   void invalidate() { dirty_ = true; }
@@ -81,7 +79,7 @@ class Viewport : public QWidget {
 
  private:
   struct Scenery;
-  void update_text(const Snapshot& snapshot);
+  void update_text(const Instant& now);
   void update_legend();
   void apply_layers();
   void look_by_default();

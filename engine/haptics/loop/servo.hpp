@@ -22,6 +22,7 @@ struct Snapshot {
   Separation separation;
   Wrench wrench;           ///< on the hand, after every limit
   HandState hand;          ///< why there is no force; rows, energy
+  Coupling coupling;       ///< the gains of this tick, on their way to those asked for
   double tick_us = 0;      ///< time the tick's computation took
   double rate_hz = 0;      ///< measured over the last 100 ms or so
   std::uint64_t late = 0;  ///< ticks that began or ended past their deadline, so far

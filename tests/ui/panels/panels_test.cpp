@@ -145,7 +145,7 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
                         .pdt = FoundWay{.depth = 0, .separated = hand},
                         .lower_bound = 0.0};
   auto* readout = find<ReadoutPanel>("readout_panel");
-  readout->show_numbers(snapshot, free);
+  readout->show_numbers({snapshot, free});
   EXPECT_EQ(find<QLabel>("nearest_value")->text(), "free at the hand");
   EXPECT_EQ(find<QLabel>("pdt_value")->text(), "free at the hand");
   EXPECT_EQ(find<QLabel>("bound_value")->text(), "–");
@@ -153,7 +153,7 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
   EXPECT_TRUE(find<QLabel>("depth_value")->text().contains("11.800 mm"))
       << find<QLabel>("depth_value")->text().toStdString();
   free.device.p.x() += 1e-3;  // of a pose before: no judgement
-  readout->show_numbers(snapshot, free);
+  readout->show_numbers({snapshot, free});
   EXPECT_TRUE(find<QLabel>("pdt_value")->text().contains("mm"));
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/recording/recording.hpp"
+
+namespace sonde::app {
+
+/// For people: what each recording holds, whether it ends whole, and whether its meshes are there.
+std::string to_text(const std::vector<std::unique_ptr<Recording>>& recordings);
+/// {"units": {...}, "recordings": [{...}, ...]}.
+std::string to_json(const std::vector<std::unique_ptr<Recording>>& recordings);
+
+}  // namespace sonde::app

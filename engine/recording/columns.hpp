@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sonde {
+
+/// What a column's numbers are in a file, little-endian.
+enum class Stored { f64, f32, u64, u32, u8 };
+const char* name_of(Stored as);
+std::size_t width(Stored as) noexcept;  ///< bytes
+
+/// A number as it is stored, and back. Whole numbers are exact up to 2^53.
+std::uint64_t bits_of(double value, Stored as) noexcept;
+double value_of(std::uint64_t bits, Stored as) noexcept;
+
+/// One quantity of a row: where it comes from and where it goes.
+template <class Row>
+struct Column {
+  const char* name;
+  const char* unit;  ///< SI, "" where there is none
+  Stored as;
+  double (*get)(const Row& row);
+  void (*set)(Row& row, double value);
+};
+
+/// Numbers of one width, each combined (XOR) with the one before, in planes of bytes: first the
+/// lowest byte of each, the highest last. What changes slowly becomes runs of zeros.
+void append_planes(std::string& out, std::span<const std::uint64_t> bits, std::size_t width);
+/// Takes them off the front again. Throws std::invalid_argument where the text is too short.
+std::vector<std::uint64_t> take_planes(std::string_view& in, std::size_t count, std::size_t width);
+
+void append_count(std::string& out, std::uint32_t count);
+std::uint32_t take_count(std::string_view& in);  ///< throws std::invalid_argument
+
+/// The number of rows, then column after column.
+template <class Row>
+void append_table(std::string& out, std::span<const Row> rows,
+                  std::span<const Column<Row>> columns) {
+  append_count(out, static_cast<std::uint32_t>(rows.size()));
+  std::vector<std::uint64_t> bits(rows.size());
+  for (const Column<Row>& column : columns) {
+    for (std::size_t i = 0; i < rows.size(); ++i) bits[i] = bits_of(column.get(rows[i]), column.as);
+    append_planes(out, bits, width(column.as));
+  }
+}
+
+/// Takes a table off the front. Throws std::invalid_argument where the text is too short for it.
+template <class Row>
+std::vector<Row> take_table(std::string_view& in, std::span<const Column<Row>> columns) {
+  const std::size_t count = take_count(in);
+  std::vector<Row> rows;
+  for (const Column<Row>& column : columns) {
+    const std::vector<std::uint64_t> bits = take_planes(in, count, width(column.as));
+    rows.resize(count);  // not before: the text has shown that it can hold so many
+    for (std::size_t i = 0; i < count; ++i) column.set(rows[i], value_of(bits[i], column.as));
+  }
+  return rows;
+}
+
+}  // namespace sonde

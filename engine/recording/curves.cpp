@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/recording/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched) {
+  const Separation& s = tick.separation;
+  const auto depth = [](const std::optional<FoundWay>& way) { return way ? way->depth : none; };
+  return {s.status == Status::failed ? none : s.depth,
+          searched ? depth(searched->nearest) : none,
+          searched ? depth(searched->pdt) : none,
+          searched ? searched->lower_bound.value_or(none) : none,
+          tick.wrench.force.norm(),
+          tick.wrench.force.x(),
+          tick.wrench.force.y(),
+          tick.wrench.force.z(),
+          tick.wrench.torque.norm(),
+          tick.tick_us,
+          tick.hand.rows.age,
+          tick.hand.energy.given};
+}
+
+/// Gathers the lowest and the highest point of one part, in their order.
+class Part {
+ public:
+  void add(double time, float value) {
+    if (std::isnan(value)) return;
+    if (!any_ || value < low_.value) low_ = {time, value};
+    if (!any_ || value > high_.value) high_ = {time, value};
+    any_ = true;
+  }
+  void end(std::vector<CurvePoint>& out) {
+    if (!any_) return;
+    const bool low_first = low_.time <= high_.time;
+    out.push_back(low_first ? low_ : high_);
+    if (low_.time != high_.time) out.push_back(low_first ? high_ : low_);
+    any_ = false;
+  }
+
+ private:
+  CurvePoint low_, high_;
+  bool any_ = false;
+};
+
+}  // namespace
+
+void Curves::add(const Snapshot& tick, double time, const BackgroundResult* searched) {
+  times_.push_back(time);
+  const std::array<double, curve_count> values = values_of(tick, searched);
+  for (std::size_t i = 0; i < curve_count; ++i) values_[i].push_back(static_cast<float>(values[i]));
+  if (most_ == 0 || times_.size() <= most_) return;
+  times_.pop_front();
+  for (std::deque<float>& column : values_) column.pop_front();
+}
+
+void Curves::clear() {
+  times_.clear();
+  for (std::deque<float>& column : values_) column.clear();
+}
+
+std::size_t Curves::bytes() const {
+  return times_.size() * (sizeof(double) + curve_count * sizeof(float));
+}
+
+double Curves::at(Curve curve, double time) const {
+  const auto after = std::ranges::upper_bound(times_, time);
+  if (after == times_.begin()) return none;
+  return static_cast<double>(values_[static_cast<std::size_t>(curve)]
+                                    [static_cast<std::size_t>(after - times_.begin() - 1)]);
+}
+
+std::vector<CurvePoint> Curves::outline(Curve curve, double from, double to,
+                                        std::size_t columns) const {
+  std::vector<CurvePoint> out;
+  if (times_.empty() || columns == 0 || !(to > from)) return out;
+  const std::deque<float>& values = values_[static_cast<std::size_t>(curve)];
+  auto begin = std::ranges::lower_bound(times_, from), end = std::ranges::upper_bound(times_, to);
+  if (begin != times_.begin()) --begin;
+  if (end != times_.end()) ++end;
+  const double part = (to - from) / static_cast<double>(columns);
+  auto value = values.begin() + (begin - times_.begin());
+  Part gathered;
+  double column = -1;
+  for (auto time = begin; time != end; ++time, ++value) {
+    const double now = std::floor((*time - from) / part);
+    if (now != column) gathered.end(out);
+    column = now;
+    gathered.add(*time, *value);
+  }
+  gathered.end(out);
+  return out;
+}
+
+Curves curves_of(const TickLog& ticks, const Progress& progress) {
+  Curves curves;
+  const std::uint64_t count = ticks.end() - ticks.begin();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Snapshot tick = ticks.at(ticks.begin() + i);
+    const RecordedSearch* search = ticks.searched(tick.time);
+    curves.add(tick, tick.time, search ? &search->result : nullptr);
+    if (progress && i % TickLog::block_ticks == 0 &&
+        !progress(static_cast<double>(i) / static_cast<double>(count)))
+      throw Cancelled();
+  }
+  return curves;
+}
+
+}  // namespace sonde

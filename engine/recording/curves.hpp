@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "engine/haptics/loop/background_search.hpp"
+#include "engine/haptics/loop/servo.hpp"
+#include "engine/recording/tick_log.hpp"
+
+namespace sonde {
+
+/// What is drawn over time.
+enum class Curve {
+  held,      ///< m, depth of the separated pose that holds the probe
+  nearest,   ///< m, √PD_g as last searched
+  straight,  ///< m, PD_t as last searched
+  bound,     ///< m, lower bound as last searched
+  force,     ///< N, |F| on the hand
+  force_x,
+  force_y,
+  force_z,
+  torque,   ///< N·m, |τ|
+  tick_us,  ///< µs, time of the tick
+  age,      ///< s, of the contact rows
+  energy,   ///< J, net work on the hand
+};
+constexpr std::size_t curve_count = 12;
+
+struct CurvePoint {
+  double time = 0;  ///< s
+  double value = 0;
+};
+
+/// Quantities of every tick, as columns: quick to draw over minutes. Where a quantity is not there,
+/// its value is NaN.
+class Curves {
+ public:
+  /// The oldest ticks go where there are more; 0: no limit.
+  explicit Curves(std::uint64_t most = 0) : most_(most) {}
+
+  /// The next tick, at a time that does not fall; what was found by a search until then.
+  void add(const Snapshot& tick, double time, const BackgroundResult* searched);
+  void clear();
+
+  std::size_t size() const { return times_.size(); }
+  double first_time() const { return times_.empty() ? 0 : times_.front(); }
+  double last_time() const { return times_.empty() ? 0 : times_.back(); }
+  /// At the last tick that is not later than that; NaN where there is none.
+  double at(Curve curve, double time) const;
+  /// Of each of so many equal parts of that time the lowest and the highest point, in their order,
+  /// with one point beyond each end: what a picture of that many columns shows of all the points.
+  std::vector<CurvePoint> outline(Curve curve, double from, double to, std::size_t columns) const;
+  std::size_t bytes() const;  ///< of memory
+
+ private:
+  std::uint64_t most_;
+  std::deque<double> times_;
+  std::array<std::deque<float>, curve_count> values_;
+};
+
+/// Those of a whole log, which is decoded for it.
+Curves curves_of(const TickLog& ticks, const Progress& progress = {});
+
+}  // namespace sonde

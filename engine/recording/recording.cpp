@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/recording/recording.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+namespace sonde {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that stays readable while it is held, whatever happens to its name.
+class OpenFile {
+ public:
+  explicit OpenFile(const fs::path& file)
+      : file_(file), descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+    struct ::stat status {};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail(errno);
+    if (S_ISDIR(status.st_mode)) fail(EISDIR);
+    size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  const fs::path& path() const { return file_; }
+  /// As much of it as there is.
+  std::string read(std::uint64_t offset, std::size_t most) const {
+    std::string bytes(static_cast<std::size_t>(
+                          std::min<std::uint64_t>(most, size_ > offset ? size_ - offset : 0)),
+                      '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t n = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
+                                static_cast<off_t>(offset + done));
+      if (n < 0 && errno != EINTR) fail(errno);
+      if (n == 0) break;
+      if (n > 0) done += static_cast<std::size_t>(n);
+    }
+    bytes.resize(done);
+    return bytes;
+  }
+
+ private:
+  [[noreturn]] void fail(int error) const {
+    throw InputError::in(file_.string(), std::generic_category().message(error));
+  }
+  fs::path file_;
+  int descriptor_;
+  std::uint64_t size_ = 0;
+};
+
+ReadHeader header_of_file(const OpenFile& file) {
+  constexpr std::size_t fixed_size = 20, most = 1u << 24;
+  std::string bytes = file.read(0, fixed_size);
+  if (bytes.size() == fixed_size) {
+    std::string_view rest = std::string_view(bytes).substr(12);
+    bytes = file.read(0, fixed_size + std::min<std::size_t>(most, take_count(rest)));
+  }
+  return read_header(bytes, file.path());
+}
+
+/// Reads the blocks from `offset` on. Why there are no more; empty at the end of a whole one.
+class BlockReader {
+ public:
+  BlockReader(Recording& into, std::shared_ptr<const OpenFile> file)
+      : into_(into), file_(std::move(file)) {}
+
+  /// False where there is no more, with the reason in `cut`.
+  bool next() {
+    try {
+      return read_one();
+    } catch (const std::invalid_argument& bad) {
+      return stop(bad.what());
+    }
+  }
+
+ private:
+  bool stop(const std::string& reason) {
+    into_.cut = "byte " + std::to_string(into_.readable) + ": " + reason;
+    return false;
+  }
+
+  bool read_one() {
+    const std::uint64_t at = into_.readable;
+    const std::string first = file_->read(at, BlockHead::size);
+    if (first.empty()) return stop("it ends without its last block");
+    const BlockHead head = head_of(first);
+    const std::size_t size = BlockHead::size + head.packed;
+    const std::string bytes = file_->read(at, size);
+    if (bytes.size() < size) return stop("it ends within a block");
+    if (!is_sound(head, bytes)) return stop("the checksum of a block is wrong");
+    if (head.kind == BlockKind::end) return end(at + size);
+    if (head.kind == BlockKind::searches)
+      for (const RecordedSearch& search : searches_in(content_of(head, bytes)))
+        into_.ticks.add(search);
+    else
+      into_.ticks.add(head, [file = file_, at, size] { return file->read(at, size); });
+    into_.readable = at + size;
+    return true;
+  }
+
+  bool end(std::uint64_t at) {
+    into_.readable = at;
+    if (at < into_.bytes) stop("there is more after its last block");
+    return false;
+  }
+
+  Recording& into_;
+  std::shared_ptr<const OpenFile> file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& progress) {
+  const auto open = std::make_shared<const OpenFile>(file);
+  ReadHeader read = header_of_file(*open);
+  const double radius = read.header.probe_radius, rate = read.header.rate_hz;
+  auto recording = std::make_unique<Recording>(Recording{.file = file,
+                                                         .header = std::move(read.header),
+                                                         .ticks = TickLog(radius, rate),
+                                                         .bytes = open->size(),
+                                                         .readable = read.size});
+  for (BlockReader blocks(*recording, open); blocks.next();)
+    if (progress &&
+        !progress(static_cast<double>(recording->readable) / static_cast<double>(recording->bytes)))
+      throw Cancelled();
+  return recording;
+}
+
+}  // namespace sonde

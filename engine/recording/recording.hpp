@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/recording/recording_header.hpp"
+#include "engine/recording/tick_log.hpp"
+
+namespace sonde {
+
+/// A recording, read: every block's checksum has been looked at, and ticks are fetched from the
+/// file when they are asked for.
+struct Recording {
+  std::filesystem::path file;
+  RecordingHeader header;
+  TickLog ticks;
+  std::uint64_t bytes = 0;  ///< of the file
+  /// Where the last whole block ends, and why the file is not read beyond; empty where the
+  /// recording is whole. A program that was killed leaves one that is not.
+  std::uint64_t readable = 0;
+  std::string cut = {};
+};
+
+/// Throws InputError, naming the file, the byte and the reason, where there is no header that can
+/// be read; Cancelled. What is cut or damaged further on is read up to there, and says so.
+std::unique_ptr<Recording> read_recording(const std::filesystem::path& file,
+                                          const Progress& progress = {});
+
+}  // namespace sonde

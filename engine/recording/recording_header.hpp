@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/scene/scene.hpp"
+
+namespace sonde {
+
+/// By what a mesh file is known again.
+struct FileMark {
+  std::uint64_t bytes = 0;
+  std::uint32_t crc = 0;  ///< CRC-32 of all of it
+  bool operator==(const FileMark&) const = default;
+};
+/// Reads all of the file. Throws InputError.
+FileMark mark_of(const std::filesystem::path& file);
+
+/// What a recording says of itself before its first tick.
+struct RecordingHeader {
+  Scene scene;  ///< at its beginning; paths as in a scene file beside the recording
+  FileMark probe, fixed;
+  double probe_radius = 0;  ///< m, which tells which contacts are together
+  double rate_hz = 0;       ///< asked of the servo
+  std::string started;      ///< UTC, ISO 8601
+};
+
+/// The header of a recording that begins now: reads the meshes for their marks.
+RecordingHeader header_of(const Scene& scene, double probe_radius);
+
+constexpr std::uint32_t recording_version = 1;
+
+/// The first bytes of a file in that folder: "SONDEREC", the version, how much follows and its
+/// CRC-32, each of 4 bytes, and JSON that names every column with its unit. Throws InputError where
+/// the scene cannot be written as text.
+std::string header_bytes(const RecordingHeader& header, const std::filesystem::path& file);
+
+/// The header that a file begins with, and how many bytes it is. Throws InputError naming the file,
+/// the byte and the reason: no recording, a newer version, cut, damaged.
+struct ReadHeader {
+  RecordingHeader header;
+  std::size_t size = 0;
+};
+ReadHeader read_header(std::string_view bytes, const std::filesystem::path& file);
+
+/// Does the file begin as a recording does? False where it cannot be read.
+bool is_recording(const std::filesystem::path& file);
+
+/// Throws InputError that names the recording and the mesh where a mesh of the scene is gone, or is
+/// another than was recorded.
+void check_meshes(const RecordingHeader& header, const std::filesystem::path& recording);
+
+}  // namespace sonde

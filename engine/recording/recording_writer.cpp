@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/recording/recording_writer.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/base/threads.hpp"
+#include "engine/text/output_file.hpp"
+
+namespace sonde {
+namespace {
+
+std::string system_reason(int error) {
+  return "cannot be written: " + std::generic_category().message(error);
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Scene& scene,
+                                 double probe_radius)
+    : file_(file) {
+  check_writable(file);
+  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw InputError::in(file.string(), system_reason(errno));
+  thread_ = std::thread([this, scene, probe_radius] { run(scene, probe_radius); });
+}
+
+RecordingWriter::~RecordingWriter() {
+  finish();
+  ::close(descriptor_);
+}
+
+void RecordingWriter::add(BlockBytes block) {
+  const std::scoped_lock lock(mutex_);
+  if (failure_ || finishing_) return;
+  waiting_.push_back(std::move(block));
+  news_.notify_one();
+}
+
+void RecordingWriter::finish() {
+  {
+    const std::scoped_lock lock(mutex_);
+    finishing_ = true;
+    news_.notify_one();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+std::optional<std::string> RecordingWriter::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
+}
+
+/// None: all is written.
+std::optional<BlockBytes> RecordingWriter::next() {
+  std::unique_lock lock(mutex_);
+  news_.wait(lock, [this] { return finishing_ || !waiting_.empty(); });
+  if (waiting_.empty()) return {};
+  BlockBytes block = std::move(waiting_.front());
+  waiting_.pop_front();
+  return block;
+}
+
+void RecordingWriter::run(const Scene& scene, double probe_radius) {
+  name_thread("sonde-record");
+  try {
+    write(header_bytes(header_of(scene, probe_radius), file_));
+    while (const std::optional<BlockBytes> block = next()) {
+      const std::string bytes = (*block)();
+      const BlockHead head = head_of(bytes);
+      if (head.kind == BlockKind::ticks) ticks_ += head.rows;
+      write(bytes);
+    }
+    write(end_block(ticks_));
+    if (::fsync(descriptor_) != 0) throw InputError::in(file_.string(), system_reason(errno));
+  } catch (const std::exception& bad) {
+    const std::scoped_lock lock(mutex_);
+    failure_ = bad.what();
+    waiting_.clear();
+  }
+}
+
+/// Whole or not at all.
+void RecordingWriter::write(const std::string& bytes) {
+  if (!write_all(descriptor_, bytes)) {
+    const int error = errno;
+    // What is left of a block is cut off; a file that cannot be cut can be read all the same.
+    [[maybe_unused]] const int cut =
+        ::ftruncate(descriptor_, static_cast<off_t>(bytes_.load(std::memory_order_relaxed)));
+    throw InputError::in(file_.string(), system_reason(error));
+  }
+  bytes_.fetch_add(bytes.size(), std::memory_order_relaxed);
+}
+
+void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
+                     const TickLog& ticks) {
+  std::string bytes = header_bytes(header, file);
+  for (const BlockBytes& block : ticks.all()) bytes += block();
+  bytes += end_block(ticks.end() - ticks.begin());
+  write_whole(file, bytes);
+}
+
+}  // namespace sonde

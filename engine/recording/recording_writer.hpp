@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/recording/recording_header.hpp"
+#include "engine/recording/tick_log.hpp"
+
+namespace sonde {
+
+/// Writes a recording block by block, in a thread of its own. After a kill the file can be read up
+/// to the last whole block.
+class RecordingWriter {
+ public:
+  /// Throws InputError where the file cannot be made. The meshes are read for their marks in the
+  /// thread, so what is wrong with them is a failure().
+  RecordingWriter(const std::filesystem::path& file, const Scene& scene, double probe_radius);
+  ~RecordingWriter();  ///< finishes it
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// Returns at once. After a failure, nothing is written any more.
+  void add(BlockBytes block);
+  /// Waits until all is written, with the block that says so.
+  void finish();
+  /// Why the file ends early; none where it does not. It holds all blocks before, whole.
+  std::optional<std::string> failure() const;
+  std::uint64_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  void run(const Scene& scene, double probe_radius);
+  void write(const std::string& bytes);
+  std::optional<BlockBytes> next();
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::uint64_t ticks_ = 0;
+  std::atomic<std::uint64_t> bytes_{0};  ///< whole blocks
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  std::deque<BlockBytes> waiting_;
+  bool finishing_ = false;
+  std::optional<std::string> failure_;
+  std::thread thread_;
+};
+
+/// A recording whole at once, or not at all: of ticks that are all there. Throws InputError.
+void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
+                     const TickLog& ticks);
+
+}  // namespace sonde

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "engine/haptics/loop/background_search.hpp"
+#include "engine/haptics/loop/servo.hpp"
+#include "engine/recording/columns.hpp"
+
+namespace sonde {
+
+/// A search that had ended by a time of the recording, s.
+struct RecordedSearch {
+  double time = 0;
+  BackgroundResult result;
+};
+
+/// What is kept of a tick: device pose, depth, times and gains to the bit; the separated pose as
+/// the motion from the device pose, wrench and contacts to seven digits. Reading these columns puts
+/// that motion into the separated pose (ticks_in() makes the pose of it).
+std::span<const Column<Snapshot>> tick_columns();
+std::span<const Column<Contact>> contact_columns();
+std::span<const Column<RecordedSearch>> search_columns();
+
+}  // namespace sonde

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/recording/block.hpp"
+
+#include <stdexcept>
+
+#include "tests/engine/recording/made_up_ticks.hpp"
+
+namespace sonde::test {
+namespace {
+
+TEST(Block, the_head_says_what_follows) {
+  const std::vector<Snapshot> ticks = made_up_ticks(100);
+  const std::string block = tick_block(ticks);
+  const BlockHead head = head_of(block);
+  EXPECT_EQ(head.kind, BlockKind::ticks);
+  EXPECT_EQ(head.rows, 100u);
+  EXPECT_EQ(head.first, ticks.front().time);
+  EXPECT_EQ(head.last, ticks.back().time);
+  EXPECT_EQ(block.size(), BlockHead::size + head.packed);
+  EXPECT_EQ(content_of(head, block), tick_content(ticks));
+  EXPECT_EQ(head_of(end_block(7)).rows, 7u);
+  EXPECT_EQ(head_of(end_block(7)).kind, BlockKind::end);
+}
+
+TEST(Block, any_bit_that_is_another_is_noticed) {
+  const std::string block = tick_block(made_up_ticks(8));
+  for (std::size_t bit = 0; bit < 8 * block.size(); ++bit) {
+    std::string damaged = block;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    EXPECT_THROW(content_of(head_of(damaged), damaged), std::invalid_argument) << bit;
+  }
+}
+
+TEST(Block, what_is_there_is_smaller_where_nothing_moves) {
+  const std::vector<Snapshot> moving = made_up_ticks(500);
+  std::vector<Snapshot> still(500, moving[6]);
+  for (std::size_t i = 0; i < still.size(); ++i) still[i].time = moving[i].time;
+  EXPECT_LT(tick_block(still).size(), tick_block(moving).size() / 10);
+}
+
+}  // namespace
+}  // namespace sonde::test

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/history_control.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QFileInfo>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
+#include "engine/recording/loop_run.hpp"
+#include "ui/actions/meshes_dialog.hpp"
+#include "ui/actions/opener.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr qint64 state_ms = 60;  // faster than that nobody reads
+
+/// Whole: the program may be in another folder later.
+std::filesystem::path path_of(const QString& file) {
+  return std::filesystem::absolute(file.toStdString());
+}
+
+/// The ticks of blocks, which another thread may go on adding to.
+TickLog log_of(const std::vector<BlockBytes>& blocks, double probe_radius, double rate_hz) {
+  TickLog log(probe_radius, rate_hz);
+  for (const BlockBytes& block : blocks)
+    if (const BlockHead head = head_of(block()); head.kind == BlockKind::ticks)
+      log.add(head, block);
+  return log;
+}
+
+/// What a run with other gains is made of.
+struct Order {
+  Pair pair;
+  std::vector<BlockBytes> blocks;
+  double rate_hz = 0;
+  Budget budget;
+  Method method = Method::pdg;
+  std::optional<Coupling> gains;
+};
+
+void run(const Order& order, KeptTicks& into, const Progress& progress) {
+  constexpr double reading = 0.05;
+  const double radius = order.pair.probe().mass.radius;
+  std::vector<LoopStep> steps =
+      steps_of(log_of(order.blocks, radius, order.rate_hz), part_of(progress, 0, reading));
+  if (order.gains)
+    for (LoopStep& step : steps) step.coupling = *order.gains;
+  into.ticks = std::make_unique<TickLog>(radius, order.rate_hz);
+  LoopRun loop{.budget = order.budget, .search = {}, .rate_hz = order.rate_hz};
+  loop.search.method = order.method;
+  std::size_t done = 0;
+  run_loop(order.pair, steps, loop, [&](const Snapshot& tick) {
+    into.ticks->add(tick);
+    into.curves.add(tick, tick.time, nullptr);
+    if (++done % TickLog::block_ticks == 0)
+      report(progress, reading + (1 - reading) * double(done) / double(steps.size()));
+  });
+  into.ticks->seal();
+}
+
+}  // namespace
+
+HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window, HistoryView view)
+    : QObject(&window),
+      opener_(opener),
+      prompts_(prompts),
+      view_(std::move(view)),
+      timeline_(new TimelinePanel(&window)),
+      plots_(new PlotsPanel(&window)),
+      job_(&window) {
+  timeline_->sought = [this](double time) { look_at(time); };
+  timeline_->stepped = [this](int ticks) { step(ticks); };
+  timeline_->played = [this](bool on) { play(on); };
+  timeline_->looped = [this](bool on) { playback_.set_loop(on); };
+  timeline_->recorded = [this](bool on) { set_recording(on); };
+  timeline_->replay_shown = [this](bool on) { show_replay(on); };
+  timeline_->speed_changed = [this](double speed) { playback_.set_speed(speed); };
+  timeline_->live_wanted = [this] { go_live(); };
+  plots_->sought = [this](double time) { look_at(time); };
+}
+
+HistoryControl::~HistoryControl() { recorder_.stop(); }
+
+void HistoryControl::attach(Session* session) {
+  stop_recording();
+  job_.abandon();
+  leave();
+  opened_.reset();
+  replay_.reset();
+  shows_replay_ = false;
+  if (session) {
+    const double radius = session->probe().mass.radius;
+    recorder_.begin(radius, session->loaded().servo.rate_hz);
+    plots_->take(LengthUnit(radius));
+  }
+  show_state();
+}
+
+const TickLog* HistoryControl::kept() const {
+  return opened_ ? &opened_->log() : recorder_.ticks();
+}
+
+/// Null where there is nothing to plot.
+const Curves* HistoryControl::curves() const {
+  const Curves& all = opened_ ? opened_->curves : recorder_.curves();
+  return all.size() > 0 ? &all : nullptr;
+}
+
+void HistoryControl::frame(qint64 now) {
+  const double seconds = 1e-3 * static_cast<double>(now - std::exchange(last_frame_, now));
+  playback_.advance(seconds);
+  if (!recorder_.failure().isEmpty()) stop_recording();
+  const TickLog* log = kept();
+  if (log)
+    plots_->show_state({.kept = curves(),
+                        .replay = replay_ ? &replay_->curves : nullptr,
+                        .time = looking_back() ? playback_.time() : log->last_time()},
+                       now);
+  if (now < state_due_) return;
+  state_due_ = now + state_ms;
+  show_state();
+}
+
+std::optional<Instant> HistoryControl::instant() {
+  if (!looking_back()) return {};
+  try {
+    return playback_.instant();
+  } catch (const InputError& bad) {
+    go_live();
+    prompts_.report_error(QString::fromUtf8(bad.what()));
+    return {};
+  }
+}
+
+void HistoryControl::begin_looking() {
+  if (looking_back() || !kept() || !view_.session()) return;
+  paused_before_ = view_.session()->paused();
+  view_.pause(true);
+  playback_.look_at(shows_replay_ && replay_ ? &replay_->log() : kept());
+}
+
+void HistoryControl::look_at(double time) {
+  begin_looking();
+  playback_.seek(time);
+  show_state();
+}
+
+void HistoryControl::step(int ticks) {
+  begin_looking();
+  playback_.step(ticks);
+  show_state();
+}
+
+void HistoryControl::play(bool on) {
+  begin_looking();
+  playback_.play(on);
+  show_state();
+}
+
+void HistoryControl::show_replay(bool on) {
+  shows_replay_ = on && replay_;
+  begin_looking();
+  const double time = playback_.time();
+  playback_.look_at(shows_replay_ ? &replay_->log() : kept());
+  playback_.seek(time);
+  show_state();
+}
+
+void HistoryControl::go_live() {
+  if (!looking_back()) return;
+  leave();
+  view_.pause(paused_before_);
+  show_state();
+}
+
+void HistoryControl::set_recording(bool on) {
+  if (!on) return stop_recording();
+  const QString file = view_.session() ? prompts_.ask_record() : QString();
+  if (!file.isEmpty()) record(file);
+  show_state();
+}
+
+void HistoryControl::record(const QString& file) {
+  if (!view_.session()) return;
+  try {
+    remember_folder_of(file);
+    recorder_.record(path_of(file), view_.scene());
+    view_.say(QStringLiteral("Recording to %1").arg(file));
+  } catch (const InputError& bad) {
+    prompts_.report_error(QString::fromUtf8(bad.what()));
+  }
+  show_state();
+}
+
+void HistoryControl::stop_recording() {
+  if (!recorder_.recording()) return;
+  const QString file = QString::fromStdString(recorder_.writer()->file().string());
+  const QString failure = recorder_.stop();
+  show_state();
+  if (failure.isEmpty())
+    view_.say(QStringLiteral("Recorded %1").arg(file));
+  else
+    prompts_.report_error(failure);
+}
+
+void HistoryControl::ask_recording() {
+  const QString file = prompts_.ask_recording();
+  if (file.isEmpty()) return;
+  remember_folder_of(file);
+  open_recording(file);
+}
+
+void HistoryControl::open_recording(const QString& file) {
+  if (!view_.may_leave()) return;
+  const auto kept = std::make_shared<KeptTicks>();
+  kept->name = QFileInfo(file).fileName();
+  opener_.make(
+      QStringLiteral("Opening %1").arg(kept->name),
+      [kept, path = path_of(file)](const Progress& progress) {
+        kept->recording = read_recording(path, part_of(progress, 0, 0.2));
+        check_meshes(kept->recording->header, path);
+        kept->curves = curves_of(kept->recording->ticks, part_of(progress, 0.2, 0.5));
+        return open_scene(kept->recording->header.scene, part_of(progress, 0.5, 1));
+      },
+      [this, kept](DrawnSession drawn) { opened(std::move(drawn), kept); }, [] {});
+}
+
+void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording) {
+  view_.show(std::move(drawn));
+  opened_ = recording;
+  if (opened_->log().empty())
+    prompts_.report_error(QStringLiteral("%1 holds no tick.").arg(opened_->name));
+  look_at(opened_->log().first_time());
+  if (const std::string& cut = opened_->recording->cut; !cut.empty())
+    view_.say(QStringLiteral("%1: %2. What is before it is shown.")
+                  .arg(opened_->name, QString::fromStdString(cut)));
+}
+
+void HistoryControl::run_again(Method method, const std::optional<Coupling>& gains) {
+  Session* session = view_.session();
+  if (!session || !kept() || kept()->empty()) return;
+  recorder_.seal();
+  const auto into = std::make_shared<KeptTicks>();
+  const auto order = std::make_shared<Order>(Order{.pair = session->loaded().pair,
+                                                   .blocks = kept()->all(),
+                                                   .rate_hz = kept()->rate_hz(),
+                                                   .budget = {},
+                                                   .method = method,
+                                                   .gains = gains});
+  job_.start(
+      QStringLiteral("Running it again"),
+      [into, order](const Progress& progress) { run(*order, *into, progress); },
+      [this, into](const std::exception_ptr& error) {
+        if (error) {
+          const QString reason = reason_of(error);
+          if (!reason.isEmpty()) prompts_.report_error(reason);
+          return;
+        }
+        replay_ = into;
+        show_replay(true);
+        if (replayed) replayed();
+      });
+}
+
+void HistoryControl::show_state() {
+  TimelineState state;
+  const TickLog* log = kept();
+  state.recording = recorder_.recording();
+  state.replayed = replay_ != nullptr;
+  state.shows_replay = shows_replay_;
+  state.looking = looking_back();
+  state.playing = playback_.playing();
+  if (opened_) state.of = opened_->name;
+  if (looking_back()) log = playback_.ticks();
+  if (log && !log->empty()) {
+    state.any = true;
+    state.from = log->first_time();
+    state.to = log->last_time();
+    state.time = state.looking ? playback_.time() : state.to;
+    state.tick = state.looking ? playback_.index() - log->begin() : 0;
+  }
+  timeline_->show_state(state);
+}
+
+}  // namespace sonde::ui

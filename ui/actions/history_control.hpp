@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "engine/recording/curves.hpp"
+#include "engine/recording/recording.hpp"
+#include "ui/actions/prompts.hpp"
+#include "ui/base/job.hpp"
+#include "ui/document/playback.hpp"
+#include "ui/document/recorder.hpp"
+#include "ui/panels/plots_panel.hpp"
+#include "ui/panels/timeline_panel.hpp"
+#include "ui/views/drawn_session.hpp"
+
+namespace sonde::ui {
+
+class Opener;
+
+/// What looking back needs of the window it is in.
+struct HistoryView {
+  std::function<Session*()> session;
+  std::function<Scene()> scene;  ///< as a file would hold it now
+  std::function<bool()> may_leave;
+  std::function<void(DrawnSession)> show;
+  std::function<void(bool)> pause;
+  std::function<void(const QString&)> say;  ///< in passing
+};
+
+/// Ticks with their curves: what can be looked back on.
+struct KeptTicks {
+  QString name;
+  std::unique_ptr<Recording> recording;  ///< of a file
+  std::unique_ptr<TickLog> ticks;        ///< of a run in memory
+  Curves curves;
+  const TickLog& log() const { return recording ? recording->ticks : *ticks; }
+};
+
+/// Everything about time: keeps the last minutes of the session, records them, opens recordings,
+/// shows any instant of them, and runs them again with other gains. While somebody looks back the
+/// servo is paused, so that what the hand feels is always what is on the screen.
+class HistoryControl : public QObject {
+ public:
+  HistoryControl(Opener& opener, Prompts& prompts, QWidget& window, HistoryView view);
+  ~HistoryControl() override;
+
+  TimelinePanel& timeline() { return *timeline_; }
+  PlotsPanel& plots() { return *plots_; }
+  const Playback& playback() const { return playback_; }
+  const Recorder& recorder() const { return recorder_; }
+
+  /// Another session is open, or none: what was kept is gone, and a recording ends.
+  void attach(Session* session);
+  void add(const Snapshot& tick) { recorder_.add(tick); }
+  void add(const BackgroundResult& search) { recorder_.add(search); }
+  /// With each frame, at so many ms.
+  void frame(qint64 now);
+
+  /// None while the servo is what is shown.
+  std::optional<Instant> instant();
+  bool looking_back() const { return playback_.looking(); }
+  void look_at(double time);
+  void step(int ticks);
+  void play(bool on);
+  /// The run with other gains instead of what was kept, at the same time.
+  void show_replay(bool on);
+  /// Shows the servo again, which goes on if it went before.
+  void go_live();
+  /// The same, and the servo stays as it is.
+  void leave() { playback_.look_at(nullptr); }
+
+  void set_recording(bool on);  ///< asks for a file
+  void record(const QString& file);
+  void ask_recording();
+  /// With its scene, which becomes the document.
+  void open_recording(const QString& file);
+
+  /// The path of what is kept or was opened, with these gains; the method is Method::pdt for a run
+  /// by translation alone. In a worker; ends in replayed().
+  void run_again(Method method, const std::optional<Coupling>& gains);
+  const KeptTicks* replay() const { return replay_.get(); }
+  std::function<void()> replayed;
+
+ private:
+  const TickLog* kept() const;  ///< that of the file, or of the session; null where there is none
+  void begin_looking();
+  void stop_recording();
+  const Curves* curves() const;
+  void show_state();
+  void opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording);
+
+  Opener& opener_;
+  Prompts& prompts_;
+  HistoryView view_;
+  TimelinePanel* timeline_;
+  PlotsPanel* plots_;
+  Job job_;
+  Recorder recorder_;
+  Playback playback_;
+  std::shared_ptr<KeptTicks> opened_;  ///< of a file; null: the session's own
+  std::shared_ptr<KeptTicks> replay_;
+  bool shows_replay_ = false;
+  bool paused_before_ = false;
+  qint64 last_frame_ = 0;
+  qint64 state_due_ = 0;
+};
+
+}  // namespace sonde::ui

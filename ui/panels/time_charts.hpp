@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "engine/recording/curves.hpp"
+#include "ui/base/format.hpp"
+
+namespace sonde::ui {
+
+/// How a curve is called and drawn.
+struct CurveStyle {
+  Curve curve;
+  QString name;
+  QString unit;
+  double scale;  ///< from SI to the unit
+  QColor colour;
+};
+/// In the order of Curve.
+std::vector<CurveStyle> curve_styles(const LengthUnit& unit);
+
+/// A curve to draw, as it is or dashed.
+struct ChartLine {
+  const Curves* of;
+  Curve curve;
+  bool dashed = false;
+};
+
+/// What the charts show.
+struct ChartView {
+  std::vector<ChartLine> lines;
+  double from = 0, to = 1;  ///< s
+  double cursor = 0;        ///< s
+  LengthUnit unit;
+};
+
+/// Curves over one time, a chart for each unit, drawn by VTK. Of any number of ticks it draws as
+/// many points as there are pixels: the lowest and the highest of each column.
+class TimeCharts : public QWidget {
+ public:
+  explicit TimeCharts(QWidget* parent);
+  ~TimeCharts() override;
+
+  void draw(const ChartView& view);
+  /// How many points the last picture has of all lines.
+  std::size_t points() const;
+  QWidget* canvas() const;
+  QImage picture() const;
+  /// The time at a place of the canvas, in Qt's pixels from the left; s.
+  double time_at(double x) const;
+
+  std::function<void(double time)> clicked, hovered;
+  std::function<void(double seconds)> dragged;             ///< the picture is to move so far
+  std::function<void(double factor, double time)> zoomed;  ///< about that time
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+  double pressed_ = -1;  ///< pixels from the left; below zero: not
+  double last_ = 0;
+  bool moved_ = false;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <cstdint>
+#include <functional>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QHBoxLayout;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace sonde::ui {
+
+/// What the timeline shows.
+struct TimelineState {
+  double from = 0, to = 0;  ///< s, what there is to look back on
+  double time = 0;          ///< s, what is on show; live: the end
+  std::uint64_t tick = 0;   ///< of those there are, from 0
+  bool any = false;         ///< there is something
+  bool looking = false;     ///< false: live
+  bool playing = false;
+  bool recording = false;
+  QString of;             ///< the recording that was opened; empty: the last minutes of the session
+  bool replayed = false;  ///< it was run again with other gains, beside it
+  bool shows_replay = false;  ///< that run is on show
+};
+
+/// The dock under the view: where in time the picture is, and what moves it.
+class TimelinePanel : public QDockWidget {
+ public:
+  explicit TimelinePanel(QWidget* parent = nullptr);
+
+  void show_state(const TimelineState& state);
+
+  std::function<void(double time)> sought;
+  std::function<void(int ticks)> stepped;
+  std::function<void(bool on)> played, looped, recorded, replay_shown;
+  std::function<void(double speed)> speed_changed;
+  std::function<void()> live_wanted;
+
+ private:
+  QToolButton* button(QHBoxLayout& row, const char* object, const QString& text,
+                      const QString& doc);
+  void seek_to(int place);
+
+  TimelineState state_;
+  QSlider* track_;
+  QToolButton *record_, *back_, *play_, *on_, *live_;
+  QCheckBox *loop_, *replay_;
+  QDoubleSpinBox* speed_;
+  QLabel* text_;
+};
+
+}  // namespace sonde::ui
