@@ -160,7 +160,7 @@ QStringList DocumentControl::files() const {
 void DocumentControl::watch() { watch_.watch(document_.empty() ? QStringList() : files()); }
 
 void DocumentControl::opened(const Session& session) {
-  const LoadedScene& opened = session.opened();
+  const LoadedScene& opened = session.loaded();
   auto bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
   on_show_ = bodies;
   index_on_show_ = 0;
@@ -316,7 +316,7 @@ void DocumentControl::change_bodies(const QString& what, const Content& wanted,
         return opened;
       },
       [this, what, wanted](DrawnSession drawn) {
-        const LoadedScene& opened = drawn.session->opened();
+        const LoadedScene& opened = drawn.session->loaded();
         Content content = wanted;
         content.scene = opened.scene;
         content.bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});

@@ -101,7 +101,7 @@ void StiffnessControl::ask_load() {
 }
 
 void StiffnessControl::load(const QString& folder) {
-  if (session_) tuner_.load(folder, session_->opened());
+  if (session_) tuner_.load(folder, session_->loaded());
 }
 
 void StiffnessControl::ask_compute() {
@@ -119,7 +119,7 @@ void StiffnessControl::compute(const QString& folder) {
                     .device = device,
                     .mode = session_->coupling().mode,
                     .kind = panel_->kind()},
-                   session_->opened());
+                   session_->loaded());
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
   }

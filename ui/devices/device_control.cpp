@@ -47,7 +47,7 @@ void DeviceControl::choose(const InputSource& source) {
 void DeviceControl::attach(Session* session) {
   session_ = session;
   if (!session_) return;
-  const LoadedScene& opened = session_->opened();
+  const LoadedScene& opened = session_->loaded();
   of_scene_ = opened.servo;
   const auto* path = std::get_if<PathSource>(&source_);
   const bool without_path = path && path->file.empty() && opened.trajectory.empty();
@@ -95,7 +95,7 @@ void DeviceControl::hold() {
 }
 
 void DeviceControl::follow_path(const PathSource& path) {
-  session_->replay(path.file.empty() ? session_->opened().trajectory : *path.path);
+  session_->replay(path.file.empty() ? session_->loaded().trajectory : *path.path);
 }
 
 ServoSettings DeviceControl::servo() const {
@@ -120,9 +120,9 @@ std::filesystem::path DeviceControl::settings_file() const {
 void DeviceControl::load_settings() {
   settings_ = {};
   damaged_ = false;
-  from_scene_ = session_ && session_->opened().device_settings;
+  from_scene_ = session_ && session_->loaded().device_settings;
   if (from_scene_) {
-    settings_ = *session_->opened().device_settings;
+    settings_ = *session_->loaded().device_settings;
     return;
   }
   const std::filesystem::path file = settings_file();
@@ -177,7 +177,7 @@ void DeviceControl::frame(const Quat& q_FV) {
 
 std::vector<InputSource> DeviceControl::choices() const {
   std::vector<InputSource> all{MouseSource{}};
-  if (session_ && !session_->opened().trajectory.empty()) all.emplace_back(PathSource{});
+  if (session_ && !session_->loaded().trajectory.empty()) all.emplace_back(PathSource{});
   for (const DeviceProfile& profile : profiles_) all.emplace_back(SimulatedSource{profile});
   for (const ConnectedDevice& device : watch_.connected()) all.emplace_back(source_of(device.info));
   if (std::ranges::none_of(all, [this](const InputSource& h) { return same(h, source_); }))

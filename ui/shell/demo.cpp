@@ -23,7 +23,7 @@ constexpr double least_lit = 0.01;
 /// With no trajectory: from the start straight towards the fixed body's centre, a third of the way
 /// past where the two balls round the bodies would meet.
 std::vector<TimedPose> path_inwards(const Session& session) {
-  const Pose from = session.opened().start;
+  const Pose from = session.loaded().start;
   const Vec3 com = from * session.probe().mass.com;
   const Vec3 way = session.fixed().mass.com - com;
   Pose to = from;
@@ -56,7 +56,7 @@ Demo::Demo(MainWindow& window, std::string picture)
 }
 
 void Demo::play() {
-  path_ = window_.session()->opened().trajectory;
+  path_ = window_.session()->loaded().trajectory;
   if (path_.size() < 2) path_ = path_inwards(*window_.session());
   frames_at_start_ = window_.frames();
   begin(Act::forward);

@@ -263,7 +263,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   const Session& open = *session();  // by now it may be another
   readout_->set_coupling(open.coupling());
   readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
-  const QString name = QString::fromStdString(open.opened().name);
+  const QString name = QString::fromStdString(open.loaded().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
   log_->add(QStringLiteral("LoadedScene %1.   %2")
                 .arg(name, natures(session()->probe(), session()->fixed())));
@@ -311,7 +311,7 @@ void MainWindow::set_force(bool on) {
 void MainWindow::reset() {
   if (!session()) return;
   const Pose before = session()->device_pose();
-  place(session()->opened().start);
+  place(session()->loaded().start);
   documents_->moved_from(before, QStringLiteral("Reset"), false);
 }
 

@@ -106,7 +106,7 @@ TEST_F(DocumentTest, reset_can_be_undone) {
   drag(Qt::LeftButton, {500, 400}, {60, 0});
   const Pose dragged = pose();
   key(Qt::Key_R);
-  EXPECT_TRUE(comes_to(window->session()->opened().start));
+  EXPECT_TRUE(comes_to(window->session()->loaded().start));
   act("undo");
   EXPECT_TRUE(comes_to(dragged));
 }
@@ -118,9 +118,9 @@ TEST_F(DocumentTest, gains_poses_and_starts_are_undone_in_their_order) {
   set_k("700");
   act("start_from_here");
   EXPECT_TRUE(document().modified());
-  EXPECT_LT((window->session()->opened().start.p - dragged.p).norm(), 1e-12);
+  EXPECT_LT((window->session()->loaded().start.p - dragged.p).norm(), 1e-12);
   act("undo");
-  EXPECT_EQ(window->session()->opened().start.p, start.p);
+  EXPECT_EQ(window->session()->loaded().start.p, start.p);
   EXPECT_EQ(window->session()->coupling().k, 700);
   act("undo");
   EXPECT_EQ(window->session()->coupling().k, 500);
@@ -130,7 +130,7 @@ TEST_F(DocumentTest, gains_poses_and_starts_are_undone_in_their_order) {
   for (int i = 0; i < 3; ++i) act("redo");
   EXPECT_TRUE(comes_to(dragged));
   EXPECT_EQ(window->session()->coupling().k, 700);
-  EXPECT_LT((window->session()->opened().start.p - dragged.p).norm(), 1e-12);
+  EXPECT_LT((window->session()->loaded().start.p - dragged.p).norm(), 1e-12);
 }
 
 TEST_F(DocumentTest, it_is_saved_and_reads_the_same) {
@@ -143,7 +143,7 @@ TEST_F(DocumentTest, it_is_saved_and_reads_the_same) {
   EXPECT_TRUE(complaints.empty());
   const Scene saved = read_scene(scene);
   EXPECT_EQ(saved.coupling.k, 650);
-  EXPECT_EQ(relative_pose(saved).p, window->session()->opened().start.p);
+  EXPECT_EQ(relative_pose(saved).p, window->session()->loaded().start.p);
   EXPECT_EQ(saved.probe.mesh, folder / "cube.off");
   wait(900);  // longer than the watch waits for a file to rest
   EXPECT_EQ(opened, 1) << "what we write ourselves is not read again";

@@ -251,8 +251,8 @@ TEST_F(SimulatedDeviceTest, what_a_scene_sets_never_reaches_the_file_of_the_devi
 }
 
 TEST_F(SimulatedDeviceTest, the_loop_runs_as_the_device_wants_and_else_as_the_scene_says) {
-  const auto passive = [this] { return window->session()->opened().servo.passivity.control; };
-  const auto rate = [this] { return window->session()->opened().servo.rate_hz; };
+  const auto passive = [this] { return window->session()->loaded().servo.passivity.control; };
+  const auto rate = [this] { return window->session()->loaded().servo.rate_hz; };
   auto* box = window->findChild<QCheckBox*>("passivity_control");
   choose("sigma.7 (simulated)");
   EXPECT_FALSE(passive());

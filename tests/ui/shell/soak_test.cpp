@@ -56,7 +56,7 @@ class Soak : public WindowTest {
   void open_torus_knots() {
     open({QStringLiteral(SONDE_RESOURCES "/scenes/torus-knots.sonde.json")});
     window->devices().choose(find_source("sigma.7", device_profile_folders()));
-    path = window->session()->opened().trajectory;
+    path = window->session()->loaded().trajectory;
     ASSERT_GE(path.size(), 2u);
   }
 

@@ -27,7 +27,7 @@ TEST_F(WindowTest, the_default_scene_opens) {
   open({QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
   ASSERT_EQ(opened, 1) << (complaints.empty() ? "" : complaints[0].toStdString());
   EXPECT_GT(lit_share(picture()), 0.03);
-  EXPECT_GE(window->session()->opened().trajectory.size(), 2u);
+  EXPECT_GE(window->session()->loaded().trajectory.size(), 2u);
 }
 
 struct LayerCase {
