@@ -21,6 +21,9 @@ inline const QColor straight{235, 235, 225};  ///< the way out without a turn, P
 inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
 inline const QColor hole{255, 235, 160};      ///< where a mesh is not closed
 inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree which side is out
+inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut at
+inline const QColor measure{255, 255, 255};   ///< what was measured
+inline const QColor chosen{255, 255, 255};    ///< the contact that is marked
 inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};

@@ -25,6 +25,7 @@
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/elided_label.hpp"
 #include "ui/base/format.hpp"
@@ -94,6 +95,8 @@ MainWindow::MainWindow(QWidget* parent)
   coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
+  seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   readout_->raise();
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   log_->hide();
@@ -188,6 +191,7 @@ void MainWindow::show_document() {
   setWindowTitle(document.empty() ? QStringLiteral("Sonde")
                                   : QStringLiteral("%1[*] – Sonde").arg(name));
   setWindowModified(document.modified());
+  seeing_->show_saved();
 }
 
 /// What a box says is gone with the box.
@@ -236,6 +240,7 @@ void MainWindow::show_start_page() { start_page_->present(); }
 void MainWindow::show_nothing() {
   devices_->attach(nullptr);
   stiffness_->attach(nullptr);
+  seeing_->attach(nullptr);
   force_log_.end();
   shown_.reset();
   searched_.reset();
@@ -253,6 +258,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   shown_.reset();
   searched_.reset();
   viewport_->show_session(drawn_, same_document);
+  seeing_->attach(&now);
   if (same_document)
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else
@@ -350,6 +356,7 @@ void MainWindow::draw_if_changed() {
   const bool changed = !shown_ || !same_picture(*shown_, next);
   shown_ = next;
   readout_->sample(next);
+  seeing_->frame(next);
   const bool swings = swing_ && next.separation.status == Status::penetrating;
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
@@ -392,6 +399,7 @@ void MainWindow::show_numbers() {
     rate_frames_ = 0;
   }
   readout_->show_numbers(*shown_, searched_);
+  seeing_->show_numbers(*shown_);
   pose_panel_->show_pose(session()->device_pose());
   show_status();
 }

@@ -28,6 +28,7 @@ class MouseProbe;
 class Opener;
 class PosePanel;
 class ReadoutPanel;
+class SeeingControl;
 class StartPage;
 class StiffnessControl;
 class Viewport;
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
   StiffnessControl& stiffness() { return *stiffness_; }
+  SeeingControl& seeing() { return *seeing_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -115,6 +117,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
+  SeeingControl* seeing_ = nullptr;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   EscapeKey escape_;

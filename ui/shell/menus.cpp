@@ -16,6 +16,7 @@
 #include "ui/document/recent_files.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/manual.hpp"
+#include "ui/shell/seeing_menu.hpp"
 #include "ui/views/hint_view.hpp"
 #include "ui/views/viewport.hpp"
 
@@ -231,6 +232,7 @@ void add_menus(MainWindow& window) {
   add_edit_menu(window);
   add_probe_menu(window, *bar);
   add_view_menu(window, *bar);
+  add_seeing_menu(window, *window.menuBar(), window.seeing());
   add_help_menu(window);
 }
 

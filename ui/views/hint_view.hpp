@@ -25,6 +25,13 @@ struct PlacedLabel {
   QPolygonF stroke{};
 };
 
+/// What colours mean that run over a range: the first at the first tick, the last at the last.
+struct ColourScale {
+  QString title;
+  std::vector<QColor> colours;
+  QStringList ticks;  ///< at even distances
+};
+
 /// All text in the view, drawn by Qt on a clear sheet above the picture: legend (what the colours
 /// are, what the lengths mean), labels beside arrows, a ruler, and how the mouse moves the probe.
 class HintView : public QWidget {
@@ -38,6 +45,8 @@ class HintView : public QWidget {
   /// One large line under the ruler: "Paused"; empty for none.
   void set_banner(const QString& text);
   void set_hint_visible(bool visible);
+  /// A column of colours at the right; none where there are no colours.
+  void set_scale(ColourScale scale);
 
   /// Parts of the view with no legend, ruler, banner or hint in them: below the legend, and beside
   /// it. The banner's place counts, banner or not.
@@ -64,12 +73,15 @@ class HintView : public QWidget {
   void draw_labels(QPainter& painter) const;
   void draw_ruler(QPainter& painter) const;
   void draw_banner(QPainter& painter) const;
+  QRectF scale_box() const;
+  void draw_scale(QPainter& painter) const;
 
   std::vector<LegendLine> legend_;
   std::vector<PlacedLabel> labels_;
   double ruler_pixels_ = 0;
   QString ruler_text_;
   QString banner_;
+  ColourScale scale_;
   bool hint_visible_ = true;
 };
 

@@ -56,6 +56,8 @@ ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
 
 ProbeView::~ProbeView() { renderer_->RemoveActor(actor_); }
 
+vtkActor& ProbeView::actor() { return *actor_; }
+
 void ProbeView::draw(const Frame& frame) {
   place(*actor_, frame.snapshot.separation.device);
   actor_->VisibilityOn();

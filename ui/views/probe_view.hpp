@@ -16,6 +16,7 @@ class ProbeView : public Overlay {
  public:
   ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
   ~ProbeView() override;
+  vtkActor& actor();  ///< to be drawn in another look
 
  private:
   void draw(const Frame& frame) override;

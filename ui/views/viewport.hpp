@@ -11,10 +11,13 @@
 #include "engine/body/body.hpp"
 #include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "engine/proximity/queries/gap_field.hpp"
 #include "ui/document/handles.hpp"
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
 #include "ui/views/drawn_session.hpp"
+#include "ui/views/measure_view.hpp"
+#include "ui/views/seeing.hpp"
 
 namespace sonde::ui {
 
@@ -29,7 +32,23 @@ enum class Layer {
   trail,
   hint,
   handles,
-  defects
+  defects,
+  gaps,      ///< colours of the gap
+  cut,       ///< the cut plane's outline and handles, where there is a cut
+  measures,  ///< points that were picked
+};
+
+/// A point of a body that is seen in the picture.
+struct Pick {
+  bool on_probe = false;
+  Vec3 x;  ///< in that body's mesh frame, m
+};
+
+/// How near the bodies are to each other, to be painted on them.
+struct Gaps {
+  GapField probe, fixed;
+  Pose separated;    ///< X_FM of the probe whose gaps they are
+  double reach = 0;  ///< m, of the last colour
 };
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
@@ -59,6 +78,20 @@ class Viewport : public QWidget {
   /// The handles of a probe there, as they are drawn; none where they are not.
   std::optional<Handles> handles(const Pose& X_FM) const;
 
+  void set_seeing(const Seeing& seeing);
+  const Seeing& seeing() const;
+  /// The handles of the cut plane as they are drawn; none where they are not.
+  std::optional<Handles> cut_handles() const;
+  /// Marks the contact of that cluster; 0: none.
+  void choose_contact(std::uint64_t id);
+  /// The nearest point of a body at a place in the view, in Qt's pixels: not of what is hidden or
+  /// cut away.
+  std::optional<Pick> pick(QPointF at) const;
+  void add_measured(const MeasuredPoint& point);
+  void clear_measured();
+  const std::vector<MeasuredPoint>& measured() const;
+  void set_gaps(const Gaps& gaps);
+
   Camera camera() const;
   CameraPlace place() const;
   void look(const CameraPlace& place);
@@ -83,7 +116,9 @@ class Viewport : public QWidget {
   struct Scenery;
   void update_text(const Snapshot& snapshot);
   void update_legend();
+  void update_scale();
   void apply_layers();
+  void apply_seeing();
   void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
