@@ -23,6 +23,7 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/actions/export_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/actions/seeing_control.hpp"
@@ -96,6 +97,8 @@ MainWindow::MainWindow(QWidget* parent)
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  exporter_ = new ExportControl(*viewport_, *this);
+  connect_export();
   seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   readout_->raise();
   addDockWidget(Qt::BottomDockWidgetArea, log_);
@@ -155,6 +158,13 @@ void MainWindow::connect_devices() {
     documents_->set_device_settings(settings);
   };
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+void MainWindow::connect_export() {
+  exporter_->snapshot = [this] { return shown_ ? &*shown_ : nullptr; };
+  exporter_->searched = [this] { return searched_ ? &*searched_ : nullptr; };
+  exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  exporter_->fail = [this](const QString& reason) { complain(reason); };
 }
 
 DocumentView MainWindow::document_view() {
@@ -241,6 +251,7 @@ void MainWindow::show_nothing() {
   devices_->attach(nullptr);
   stiffness_->attach(nullptr);
   seeing_->attach(nullptr);
+  exporter_->attach(nullptr);
   force_log_.end();
   shown_.reset();
   searched_.reset();
@@ -259,6 +270,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   searched_.reset();
   viewport_->show_session(drawn_, same_document);
   seeing_->attach(&now);
+  exporter_->attach(&drawn_);
   if (same_document)
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else

@@ -23,6 +23,7 @@ class DevicePanel;
 class DocumentControl;
 struct DocumentView;
 class ElidedLabel;
+class ExportControl;
 class LogPanel;
 class MouseProbe;
 class Opener;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   DeviceControl& devices() { return *devices_; }
   StiffnessControl& stiffness() { return *stiffness_; }
   SeeingControl& seeing() { return *seeing_; }
+  ExportControl& exporter() { return *exporter_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -88,6 +90,7 @@ class MainWindow : public QMainWindow {
  private:
   void connect_devices();
   void connect_documents();
+  void connect_export();
   DocumentView document_view();
   void place(const Pose& X_FM);
   void show_session(DrawnSession drawn, bool same_document = false);
@@ -118,6 +121,7 @@ class MainWindow : public QMainWindow {
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
   SeeingControl* seeing_ = nullptr;
+  ExportControl* exporter_ = nullptr;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   EscapeKey escape_;

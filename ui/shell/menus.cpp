@@ -14,6 +14,7 @@
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
+#include "ui/shell/export_menu.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/manual.hpp"
 #include "ui/shell/seeing_menu.hpp"
@@ -126,6 +127,7 @@ void add_file_menu(MainWindow& window, QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(add(window, menu, "screenshot", QStringLiteral("&Screenshot…"),
                     QKeySequence(QStringLiteral("S")), [w](bool) { w->ask_picture(); }));
+  add_export_menu(window, menu, window.exporter());
   menu.addSeparator();
   add(window, menu, "quit", QStringLiteral("&Quit"), QKeySequence::Quit, [w](bool) { w->close(); });
   bar.addSeparator();

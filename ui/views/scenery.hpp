@@ -77,6 +77,7 @@ struct Viewport::Scenery {
   Quat q_FW = Quat::Identity();
   double radius = 1;  ///< of the fixed body, about centre
   Pose last_device, last_separated;
+  std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
   std::array<bool, 13> shown{true, true,  true,  true,  false, false, false,

@@ -275,7 +275,8 @@ QPointF Viewport::on_screen(const Vec3& point) const {
   double out[4];
   camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
   if (!(std::abs(out[3]) > 0)) return {};
-  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+  const QSize view = view_size();
+  return {(out[0] / out[3] + 1) / 2 * view.width(), (1 - out[1] / out[3]) / 2 * view.height()};
 }
 
 QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
@@ -284,7 +285,9 @@ QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
   return polygon;
 }
 
-double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }
+double Viewport::aspect() const {
+  return double(view_size().width()) / std::max(view_size().height(), 1);
+}
 
 QWidget* Viewport::canvas() const { return scenery_->widget; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPolygonF>
+#include <QSize>
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
@@ -49,6 +50,14 @@ struct Gaps {
   GapField probe, fixed;
   Pose separated;    ///< X_FM of the probe whose gaps they are
   double reach = 0;  ///< m, of the last colour
+};
+
+/// What a picture is to be like that goes to a file.
+struct PictureOptions {
+  QSize size{1920, 1080};    ///< pixels
+  bool transparent = false;  ///< no background
+  bool overlays = true;      ///< arrows, contacts, the ghost, and text
+  double swing = 1;          ///< as of Viewport::draw
 };
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
@@ -104,6 +113,11 @@ class Viewport : public QWidget {
   QWidget* canvas() const;
   /// The picture as drawn by OpenGL, with no text.
   QImage picture() const;
+  /// One of any size, of which no side may be larger than that; null where there is nothing to
+  /// draw, or no room for it. The window's own picture stays as it is.
+  QImage picture(const Snapshot& snapshot, const PictureOptions& options,
+                 const BackgroundResult* searched = nullptr);
+  static constexpr int largest_picture = 16'384;  ///< pixels: OpenGL's limit where Mesa draws
   /// What OpenGL has to offer: to be made the default before there is an application.
   static QSurfaceFormat surface_format();
   /// The class of window VTK makes on this machine, for the test that it can draw at all.
@@ -122,6 +136,8 @@ class Viewport : public QWidget {
   void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
+  /// Of the picture that is being drawn, as text and glyphs are laid out.
+  QSize view_size() const;
 
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;
