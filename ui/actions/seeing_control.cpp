@@ -168,7 +168,7 @@ void SeeingControl::show_numbers(const Snapshot& snapshot) {
 
 void SeeingControl::measure(QPointF at) {
   const auto hit = viewport_.pick(at);
-  if (!hit) return;
+  if (!hit || !session_) return;
   const Body& other = hit->on_probe ? session_->fixed() : session_->probe();
   const Pose& device = shown_.device;
   const Vec3 there = hit->on_probe ? device * hit->x : inverse(device) * hit->x;

@@ -389,7 +389,8 @@ void MainWindow::ask_search() {
     rest_since_ = now;
   }
   if (const auto result = session()->searched()) {
-    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
+    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight) ||
+                       viewport_->shown(Layer::bound);
     if (drawn && !(searched_ && same(searched_->device, result->device))) viewport_->invalidate();
     searched_ = result;
     search_due_ = search_asked_ + std::max(search_ms, qint64(1e-2 * result->time_us));

@@ -34,6 +34,21 @@ void draw_plate(QPainter& painter, const QRectF& box) {
   painter.drawRoundedRect(box, 5, 5);
 }
 
+void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry) {
+  const LegendMark mark = entry.mark;
+  QColor fill = entry.colour;
+  if (mark == LegendMark::clear || mark == LegendMark::mesh) fill.setAlphaF(0.4);
+  const bool filled = mark != LegendMark::wires && mark != LegendMark::ring;
+  painter.setBrush(filled ? QBrush(fill) : QBrush(Qt::NoBrush));
+  painter.setPen(mark == LegendMark::filled || mark == LegendMark::clear ? QPen(Qt::NoPen)
+                                                                         : QPen(entry.colour, 1.2));
+  if (mark == LegendMark::ring) return painter.drawEllipse(box);
+  painter.drawRoundedRect(box, 2, 2);
+  if (mark != LegendMark::mesh && mark != LegendMark::wires) return;
+  painter.drawLine(box.topLeft(), box.bottomRight());
+  painter.drawLine(box.topRight(), box.bottomLeft());
+}
+
 }  // namespace
 
 HintView::HintView(QWidget* parent) : QWidget(parent) {
@@ -123,9 +138,7 @@ void HintView::draw_legend(QPainter& painter) const {
   draw_plate(painter, legend_box());
   double y = margin + 5;
   for (const LegendLine& entry : legend_) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(entry.colour);
-    painter.drawRoundedRect(QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), 2, 2);
+    draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry);
     painter.setPen(colour::text);
     painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1), entry.text);
     y += line;
@@ -227,6 +240,7 @@ void HintView::draw_ruler(QPainter& painter) const {
   const double right = width() - margin - 4;
   const double left = right - ruler_pixels_;
   const double y = ruler_box().bottom() - 2;
+  draw_plate(painter, ruler_box().adjusted(-6, -4, 6, 4));
   painter.setPen(QPen(colour::text, 2));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - 5), QPointF(left, y));

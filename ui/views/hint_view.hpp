@@ -11,10 +11,14 @@
 
 namespace sonde::ui {
 
-/// One line of the legend: a colour and what it stands for.
+/// How a thing is drawn, besides its colour.
+enum class LegendMark { filled, clear, mesh, wires, ring };
+
+/// One line of the legend: a colour and a mark, and what they stand for.
 struct LegendLine {
   QColor colour;
   QString text;
+  LegendMark mark = LegendMark::filled;
 };
 
 /// A label, the point on screen it is about, and the line there that it may not cover.

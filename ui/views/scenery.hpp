@@ -26,6 +26,7 @@
 #include "ui/views/separation_view.hpp"
 #include "ui/views/trail_view.hpp"
 #include "ui/views/viewport.hpp"
+#include "ui/views/witness_view.hpp"
 #include "ui/views/wrench_view.hpp"
 
 namespace sonde::ui {
@@ -42,6 +43,7 @@ struct Viewport::Scenery {
         handles(*above, shapes),
         cut(*above, shapes),
         measures(*top, shapes),
+        witness(*top, shapes),
         probe_gaps(*bodies),
         fixed_gaps(*bodies) {}
 
@@ -64,6 +66,7 @@ struct Viewport::Scenery {
   HandleView handles;
   CutView cut;
   MeasureView measures;
+  WitnessView witness;
   GapView probe_gaps, fixed_gaps;
   std::unique_ptr<DefectView> defects;
 
@@ -80,10 +83,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 13> shown{true, true,  true,  true,  false, false, false,
-                             true, false, false, false, true,  false};  ///< by Layer
+  std::array<bool, 14> shown{true, true,  true,  true,  false, false, false,
+                             true, false, false, false, true,  false, false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 13> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 14> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -96,6 +99,7 @@ struct Viewport::Scenery {
              {Layer::gaps, &probe_gaps},
              {Layer::gaps, &fixed_gaps},
              {Layer::cut, &cut},
+             {Layer::bound, &witness},
              {Layer::measures, &measures}}};
   }
 };

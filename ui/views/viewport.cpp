@@ -107,13 +107,15 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
   s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, session.fixed().solid);
   s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
-  const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
+  const auto found = [&](FoundView::Way way, FoundView::Shape shape, const char* name,
+                         const QColor& colour) {
     return std::make_unique<FoundView>(*s.bodies, *drawn.probe_surface, session.probe().solid, way,
-                                       QLatin1String(name), colour);
+                                       shape, QLatin1String(name), colour);
   };
-  s.nearest = found(&BackgroundResult::nearest, "nearest way out", colour::nearest);
-  s.straight = found(&BackgroundResult::pdt, "PD_t", colour::straight);
-  s.defects = std::make_unique<DefectView>(*s.above, drawn);
+  s.nearest =
+      found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
+  s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
   s.pair = session.loaded().pair;
   s.trail.clear();
   s.measures.clear();
@@ -161,10 +163,16 @@ void Viewport::update_legend() {
   std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
                                  {colour::fixed, s.descriptions[1]}};
   if (shown(Layer::ghost))
-    legend.push_back({colour::ghost, QStringLiteral("separated probe, as held")});
-  if (shown(Layer::nearest)) legend.push_back({colour::nearest, QStringLiteral("nearest way out")});
+    legend.push_back(
+        {colour::ghost, QStringLiteral("separated probe, as held"), LegendMark::clear});
+  if (shown(Layer::nearest))
+    legend.push_back({colour::nearest, QStringLiteral("nearest way out"), LegendMark::mesh});
   if (shown(Layer::straight))
-    legend.push_back({colour::straight, QStringLiteral("nearest without a turn (PD_t)")});
+    legend.push_back(
+        {colour::straight, QStringLiteral("nearest without a turn (PD_t)"), LegendMark::wires});
+  if (shown(Layer::bound))
+    legend.push_back(
+        {colour::bound, QStringLiteral("witness of the lower bound"), LegendMark::ring});
   if (shown(Layer::contacts))
     legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {

@@ -36,6 +36,7 @@ enum class Layer {
   defects,
   gaps,      ///< colours of the gap
   cut,       ///< the cut plane's outline and handles, where there is a cut
+  bound,     ///< the witness of the lower bound
   measures,  ///< points that were picked
 };
 

@@ -58,6 +58,7 @@ QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options
   s.widget->makeCurrent();
   s.window->SetSize(options.size.width(), options.size.height());
   s.hints->setUpdatesEnabled(false);
+  s.hints->set_hint_visible(false);  // how the mouse moves the probe belongs to the window
   s.hints->resize(*s.picture_size);
   draw(snapshot, options.swing, searched);
   QImage image = drawn(*s.window, options.size);
@@ -70,6 +71,7 @@ QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options
   s.shown = shown;
   s.picture_size.reset();
   s.hints->setGeometry(rect());
+  s.hints->set_hint_visible(this->shown(Layer::hint));
   s.hints->setUpdatesEnabled(true);
   s.bodies->SetGradientBackground(gradient);
   s.bodies->SetBackground(background);

@@ -36,6 +36,7 @@ void Viewport::apply_seeing() {
   apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.pair->fixed().solid, through_fixed);
   apply_look(s.probe->actor(), s.seeing.probe, colour::probe, s.pair->probe().solid, through_probe);
   s.probe->set_visible(s.seeing.probe != Look::hidden);
+  s.defects->set_cut(through_probe, through_fixed);
   s.fixed_gaps.set_cut(through_fixed);
   s.probe_gaps.set_cut(through_probe);
 }

@@ -283,6 +283,18 @@ TEST_F(SeeingTest, axis_views_look_along_the_axes) {
   }
 }
 
+/// Turned with the fixed body, whose frame the window shows.
+TEST_F(SeeingTest, a_scene_says_from_where_it_is_looked_at) {
+  const auto file = folder.write("looked.sonde.json", R"({"unit": "m",
+      "probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off", "pose": [0, 0, 0, 0, 0, 0, 1]},
+      "view": {"direction": [3, 0, 4], "up": [0, 1, 0]}})");
+  open({QString::fromStdString(file.string())});
+  const ViewAxes axes = window->viewport().camera().axes();
+  EXPECT_LT((axes.towards - Vec3(-0.6, 0, 0.8)).norm(), 1e-9);
+  EXPECT_NEAR(axes.up.dot(Vec3(0, -1, 0)), 1, 1e-9);
+}
+
 TEST_F(SeeingTest, a_view_is_saved_with_the_scene_and_undone) {
   action("from_above").trigger();
   const CameraPlace above = window->viewport().place();

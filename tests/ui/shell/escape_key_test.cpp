@@ -65,6 +65,7 @@ const Opening openings[] = {
     {"export_picture", by_action("export_picture")},
     {"export_animation", by_action("export_animation")},
     {"export_vtk", by_action("export_vtk")},
+    {"find_command", by_action("find_command")},
     {"keys", by_action("keys")},
     {"about", by_action("about")},
     {"manual",
