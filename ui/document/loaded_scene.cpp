@@ -81,13 +81,19 @@ std::optional<Vec3> vector_in(const QJsonObject& object, const char* key) {
 }
 
 /// camera_position, camera_target and camera_up of the scene's `view`: world frame, scene's unit.
+/// Or its `direction`, towards the eye, and `up`: then the window chooses the target and how near.
 /// A camera with no place to stand is none.
 std::optional<CameraPlace> camera_of(const Scene& scene) {
   const QJsonObject view = QJsonDocument::fromJson(QByteArray::fromStdString(scene.view)).object();
-  const auto position = vector_in(view, "camera_position");
-  const auto target = vector_in(view, "camera_target");
+  auto position = vector_in(view, "camera_position");
+  auto target = vector_in(view, "camera_target");
+  Vec3 up = vector_in(view, "camera_up").value_or(Vec3::UnitZ());
+  if (const auto direction = vector_in(view, "direction"); direction && !position) {
+    target = Vec3::Zero();
+    position = direction;
+    up = vector_in(view, "up").value_or(Vec3::UnitZ());
+  }
   if (!position || !target) return std::nullopt;
-  const Vec3 up = vector_in(view, "camera_up").value_or(Vec3::UnitZ());
   if (!((*position - *target).cross(up).norm() > 0)) return std::nullopt;
   const Pose X_FW = inverse(scene.fixed.pose);
   return CameraPlace{X_FW * Vec3(*position * scene.unit), X_FW * Vec3(*target * scene.unit),

@@ -26,10 +26,6 @@ namespace {
 QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-QString in_colour(const QColor& colour, const QString& words) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(colour.name(), words);
-}
-
 const QColor& colour_of(DeviceState state) {
   if (state == DeviceState::ready) return colour::ready;
   return state == DeviceState::silent ? colour::contact : colour::force;

@@ -18,10 +18,6 @@
 namespace sonde::ui {
 namespace {
 
-QString in_colour(const QColor& colour, const QString& text) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(colour.name(), text);
-}
-
 constexpr double degrees = 180 / std::numbers::pi;
 
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
@@ -227,7 +223,9 @@ void ReadoutPanel::show_ways(const Separation& separation,
   }
   const bool fresh = same(searched->device, separation.device);
   const auto in_shade = [&](const QString& text) {
-    return in_colour(fresh ? colour::text : colour::faint, text);
+    return fresh ? text
+                 : QStringLiteral("<span style='color:%1'>%2</span>")
+                       .arg(faint_text(palette()).name(), text);
   };
   const WayOut way = way_out(separation, *searched);
   why_->setText(QString::fromUtf8(words(way)));

@@ -24,10 +24,6 @@ namespace {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-QString in_colour(const QColor& colour, const QString& words) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(colour.name(), words);
-}
-
 MapPoint point_of(const Coupling& gains, GainAxis axis) {
   if (axis == GainAxis::object) return {gains.k, 0};
   return axis == GainAxis::rotation ? MapPoint{gains.k_r, gains.b_r}

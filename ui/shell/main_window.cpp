@@ -23,9 +23,11 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/elided_label.hpp"
 #include "ui/base/format.hpp"
@@ -85,6 +87,10 @@ MainWindow::MainWindow(QWidget* parent)
   coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
+  seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  exporter_ = new ExportControl(*viewport_, *this);
+  connect_export();
+  seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   readout_->raise();
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   log_->hide();
@@ -164,6 +170,15 @@ void MainWindow::add_history() {
   history_->plots().hide();
 }
 
+void MainWindow::connect_export() {
+  exporter_->snapshot = [this] { return shown_ ? &*shown_ : nullptr; };
+  exporter_->searched = [this] {
+    return instant_ && instant_->searched ? &*instant_->searched : nullptr;
+  };
+  exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  exporter_->fail = [this](const QString& reason) { complain(reason); };
+}
+
 DocumentView MainWindow::document_view() {
   return {.session = [this] { return session(); },
           .show = [this](DrawnSession drawn, bool same) { show_session(std::move(drawn), same); },
@@ -198,6 +213,7 @@ void MainWindow::show_document() {
   setWindowTitle(document.empty() ? QStringLiteral("Sonde")
                                   : QStringLiteral("%1[*] – Sonde").arg(name));
   setWindowModified(document.modified());
+  seeing_->show_saved();
 }
 
 /// What a box says is gone with the box.
@@ -250,6 +266,8 @@ void MainWindow::show_nothing() {
   devices_->attach(nullptr);
   stiffness_->attach(nullptr);
   history_->attach(nullptr);
+  seeing_->attach(nullptr);
+  exporter_->attach(nullptr);
   force_log_.end();
   forget_shown();
   searched_.reset();
@@ -268,6 +286,8 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   searched_.reset();
   history_->attach(session());
   viewport_->show_session(drawn_, same_document);
+  seeing_->attach(&now);
+  exporter_->attach(&drawn_);
   if (same_document)
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else
@@ -383,6 +403,7 @@ void MainWindow::draw_if_changed() {
   instant_ = next;
   shown_ = next->snapshot;
   readout_->sample(*next);
+  seeing_->frame(*shown_);
   const bool swings = swing_ && shown_->separation.status == Status::penetrating;
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;
@@ -402,7 +423,8 @@ void MainWindow::ask_search() {
     rest_since_ = now;
   }
   if (const auto result = session()->searched()) {
-    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight);
+    const bool drawn = viewport_->shown(Layer::nearest) || viewport_->shown(Layer::straight) ||
+                       viewport_->shown(Layer::bound);
     if (drawn && !(searched_ && same_pose(searched_->device, result->device)))
       viewport_->invalidate();
     searched_ = result;
@@ -426,6 +448,7 @@ void MainWindow::show_numbers() {
     rate_frames_ = 0;
   }
   readout_->show_numbers(*instant_);
+  seeing_->show_numbers(*shown_);
   pose_panel_->show_pose(instant_->live ? session()->device_pose() : shown_->separation.device);
   show_status();
 }

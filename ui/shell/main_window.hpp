@@ -24,12 +24,14 @@ class DevicePanel;
 class DocumentControl;
 struct DocumentView;
 class ElidedLabel;
+class ExportControl;
 class HistoryControl;
 class LogPanel;
 class MouseProbe;
 class Opener;
 class PosePanel;
 class ReadoutPanel;
+class SeeingControl;
 class StartPage;
 class StiffnessControl;
 class Viewport;
@@ -53,6 +55,8 @@ class MainWindow : public QMainWindow {
   DeviceControl& devices() { return *devices_; }
   StiffnessControl& stiffness() { return *stiffness_; }
   HistoryControl& history() { return *history_; }
+  SeeingControl& seeing() { return *seeing_; }
+  ExportControl& exporter() { return *exporter_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -89,6 +93,7 @@ class MainWindow : public QMainWindow {
  private:
   void connect_devices();
   void connect_documents();
+  void connect_export();
   DocumentView document_view();
   void add_history();
   void place(const Pose& X_FM);
@@ -123,6 +128,8 @@ class MainWindow : public QMainWindow {
   DevicePanel* device_panel_;
   StiffnessControl* stiffness_;
   HistoryControl* history_ = nullptr;
+  SeeingControl* seeing_ = nullptr;
+  ExportControl* exporter_ = nullptr;
   ElidedLabel* what_happens_;
   QLabel *device_status_, *rates_;
   EscapeKey escape_;

@@ -15,8 +15,12 @@
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
+#include "ui/shell/command_palette.hpp"
+#include "ui/shell/desk_menu.hpp"
+#include "ui/shell/export_menu.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/shell/manual.hpp"
+#include "ui/shell/seeing_menu.hpp"
 #include "ui/views/hint_view.hpp"
 #include "ui/views/viewport.hpp"
 
@@ -126,6 +130,7 @@ void add_file_menu(MainWindow& window, QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(add(window, menu, "screenshot", QStringLiteral("&Screenshot…"),
                     QKeySequence(QStringLiteral("S")), [w](bool) { w->ask_picture(); }));
+  add_export_menu(window, menu, window.exporter());
   menu.addSeparator();
   add(window, menu, "quit", QStringLiteral("&Quit"), QKeySequence::Quit, [w](bool) { w->close(); });
   bar.addSeparator();
@@ -220,6 +225,8 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             Layer::nearest);
   add_layer(window, menu, "show_straight", QStringLiteral("Nearest way out without a turn (PD_t)"),
             key("6"), Layer::straight);
+  add_layer(window, menu, "show_bound", QStringLiteral("Witness of the lower bound"), key("7"),
+            Layer::bound);
   add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
             Layer::defects);
   add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
@@ -234,6 +241,7 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
              [w](bool on) { w->set_swing(on); });
   menu.addSeparator();
+  add_desk_menu(window, menu);
   for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
     menu.addAction(dock->toggleViewAction());
 }
@@ -245,6 +253,8 @@ void add_help_menu(MainWindow& window) {
       [w](bool) { open_manual(*w); });
   add(window, menu, "keys", QStringLiteral("Mouse and &keys"), QKeySequence(QStringLiteral("F2")),
       [w](bool) { show_keys(*w); });
+  add(window, menu, "find_command", QStringLiteral("&Find a command…"),
+      QKeySequence(QStringLiteral("Ctrl+Shift+P")), [w](bool) { find_command(*w->menuBar(), *w); });
   add(window, menu, "about", QStringLiteral("&About Sonde"), {}, [w](bool) { show_about(*w); });
 }
 
@@ -260,6 +270,7 @@ void add_menus(MainWindow& window) {
   add_probe_menu(window, *bar);
   add_history_menu(window);
   add_view_menu(window, *bar);
+  add_seeing_menu(window, *window.menuBar(), window.seeing());
   add_help_menu(window);
 }
 

@@ -159,7 +159,7 @@ int run(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("sonde"));
   QApplication::setApplicationName(QStringLiteral("sonde-view"));
   QApplication::setApplicationDisplayName(QStringLiteral("Sonde"));  // in the titles of dialogs
-  apply_theme(application);
+  apply_theme(application, chosen_theme());
   MainWindow window;
   const auto ask = std::exchange(window.prompts().report_error, say);
   if (const auto code = choose_device(window, parsed.arguments)) return *code;

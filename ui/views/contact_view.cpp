@@ -2,17 +2,24 @@
 #include "ui/views/contact_view.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui {
+namespace {
+
+constexpr double ring_angle = 1.93 * std::numbers::pi;
+
+}  // namespace
 
 ContactView::Marker::Marker(vtkRenderer& renderer, GlyphShapes& shapes)
     : on_probe{renderer, shapes, colour::probe.lighter(130)},
       on_fixed{renderer, shapes, colour::contact},
       normal{renderer, shapes, colour::contact} {}
 
-ContactView::ContactView(vtkRenderer& renderer, GlyphShapes& shapes) {
+ContactView::ContactView(vtkRenderer& renderer, GlyphShapes& shapes)
+    : ring_(renderer, shapes, colour::chosen) {
   for (int i = 0; i < ContactSet::capacity; ++i)
     markers_.push_back(std::make_unique<Marker>(renderer, shapes));
 }
@@ -23,6 +30,7 @@ void ContactView::draw(const Frame& frame) {
   double largest = 0;
   for (const ContactCluster& c : clusters) largest = std::max(largest, c.contact.multiplier);
   int shown = 0;
+  ring_.hide();
   for (const ContactCluster& cluster : clusters) {
     const Contact& contact = cluster.contact;
     Marker& marker = *markers_[static_cast<std::size_t>(shown++)];
@@ -34,6 +42,7 @@ void ContactView::draw(const Frame& frame) {
     const Vec3 tip = contact.on_fixed + contact.normal * length;
     marker.normal.set(contact.on_fixed, tip, 1.3 * frame.pixel);
     label(tip, {}, colour::contact, {contact.on_fixed, tip});  // nothing to say, not to be covered
+    if (chosen_ != 0 && cluster.id == chosen_) mark(frame, cluster);
   }
   for (int i = shown; i < ContactSet::capacity; ++i) {
     Marker& marker = *markers_[static_cast<std::size_t>(i)];
@@ -43,7 +52,19 @@ void ContactView::draw(const Frame& frame) {
   }
 }
 
+void ContactView::mark(const Frame& frame, const ContactCluster& cluster) {
+  const Contact& contact = cluster.contact;
+  ring_.set(contact.on_fixed, contact.normal, any_normal(contact.normal) * (14 * frame.pixel),
+            ring_angle, 1.6 * frame.pixel);
+  label(contact.on_fixed,
+        QStringLiteral("contact %1: λ %2, gap %3")
+            .arg(cluster.id)
+            .arg(frame.unit.text(contact.multiplier), frame.unit.text(contact.gap)),
+        colour::chosen);
+}
+
 void ContactView::hide() {
+  ring_.hide();
   for (const auto& marker : markers_) {
     marker->on_probe.hide();
     marker->on_fixed.hide();

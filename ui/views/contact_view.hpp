@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace sonde::ui {
 class ContactView : public Overlay {
  public:
   ContactView(vtkRenderer& renderer, GlyphShapes& shapes);
+  /// The cluster that is marked: by a ring round it and its number; 0: none.
+  void choose(std::uint64_t id) { chosen_ = id; }
 
  private:
   struct Marker {
@@ -24,6 +27,9 @@ class ContactView : public Overlay {
   };
   void draw(const Frame& frame) override;
   void hide() override;
+  void mark(const Frame& frame, const ContactCluster& cluster);
+  Arc ring_;
+  std::uint64_t chosen_ = 0;
   std::vector<std::unique_ptr<Marker>> markers_;  ///< ContactSet::capacity of them, made once
 };
 

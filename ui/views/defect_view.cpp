@@ -3,6 +3,7 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -20,6 +21,9 @@ vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
                                       const QColor& colour, float width) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
+  // They lie on the body: it hides those behind it, and not those in front.
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -8);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
@@ -44,6 +48,17 @@ DefectView::DefectView(vtkRenderer& renderer, const DrawnSession& drawn) : rende
 DefectView::~DefectView() {
   for (const auto& actors : {probe_, fixed_})
     for (const auto& actor : actors) renderer_->RemoveActor(actor);
+}
+
+void DefectView::set_cut(vtkPlane* probe, vtkPlane* fixed) {
+  const auto cut = [](const auto& actors, vtkPlane* plane) {
+    for (const auto& actor : actors) {
+      actor->GetMapper()->RemoveAllClippingPlanes();
+      if (plane) actor->GetMapper()->AddClippingPlane(plane);
+    }
+  };
+  cut(probe_, probe);
+  cut(fixed_, fixed);
 }
 
 void DefectView::draw(const Frame& frame) {

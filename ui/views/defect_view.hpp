@@ -9,16 +9,19 @@
 #include "ui/views/overlay.hpp"
 
 class vtkActor;
+class vtkPlane;
 class vtkRenderer;
 
 namespace sonde::ui {
 
-/// Where the meshes are not closed: the edges of holes as thin lines, those between flipped faces
-/// as thick ones.
+/// Where the meshes are not closed, hidden by what lies before it: the edges of holes as thin
+/// lines, those between flipped faces as thick ones.
 class DefectView : public Overlay {
  public:
   DefectView(vtkRenderer& renderer, const DrawnSession& drawn);
   ~DefectView() override;
+  /// The bodies are cut there; null: not cut.
+  void set_cut(vtkPlane* probe, vtkPlane* fixed);
 
  private:
   void draw(const Frame& frame) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/hint_view.hpp"
 
+#include <QLinearGradient>
 #include <QPainter>
 #include <algorithm>
 #include <utility>
@@ -31,6 +32,21 @@ void draw_plate(QPainter& painter, const QRectF& box) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(plate);
   painter.drawRoundedRect(box, 5, 5);
+}
+
+void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry) {
+  const LegendMark mark = entry.mark;
+  QColor fill = entry.colour;
+  if (mark == LegendMark::clear || mark == LegendMark::mesh) fill.setAlphaF(0.4);
+  const bool filled = mark != LegendMark::wires && mark != LegendMark::ring;
+  painter.setBrush(filled ? QBrush(fill) : QBrush(Qt::NoBrush));
+  painter.setPen(mark == LegendMark::filled || mark == LegendMark::clear ? QPen(Qt::NoPen)
+                                                                         : QPen(entry.colour, 1.2));
+  if (mark == LegendMark::ring) return painter.drawEllipse(box);
+  painter.drawRoundedRect(box, 2, 2);
+  if (mark != LegendMark::mesh && mark != LegendMark::wires) return;
+  painter.drawLine(box.topLeft(), box.bottomRight());
+  painter.drawLine(box.topRight(), box.bottomLeft());
 }
 
 }  // namespace
@@ -89,6 +105,12 @@ void HintView::set_hint_visible(bool visible) {
   update();
 }
 
+void HintView::set_scale(ColourScale scale) {
+  if (scale.ticks == scale_.ticks && scale.title == scale_.title) return;
+  scale_ = std::move(scale);
+  update();
+}
+
 void HintView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -97,6 +119,7 @@ void HintView::paintEvent(QPaintEvent* /*event*/) {
   if (hint_visible_) draw_hint(painter);
   draw_ruler(painter);
   draw_banner(painter);
+  draw_scale(painter);
 }
 
 QRectF HintView::legend_box() const {
@@ -115,9 +138,7 @@ void HintView::draw_legend(QPainter& painter) const {
   draw_plate(painter, legend_box());
   double y = margin + 5;
   for (const LegendLine& entry : legend_) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(entry.colour);
-    painter.drawRoundedRect(QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), 2, 2);
+    draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry);
     painter.setPen(colour::text);
     painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1), entry.text);
     y += line;
@@ -183,7 +204,7 @@ std::vector<QRectF> HintView::label_boxes() const {
     const QSizeF size(metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
     labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
   }
-  std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_)};
+  std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_), scale_box()};
   if (hint_visible_) taken.push_back(laid_out_hint().plate);
   return place_labels(labels, taken, size());
 }
@@ -219,6 +240,7 @@ void HintView::draw_ruler(QPainter& painter) const {
   const double right = width() - margin - 4;
   const double left = right - ruler_pixels_;
   const double y = ruler_box().bottom() - 2;
+  draw_plate(painter, ruler_box().adjusted(-6, -4, 6, 4));
   painter.setPen(QPen(colour::text, 2));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - 5), QPointF(left, y));
@@ -245,6 +267,38 @@ void HintView::draw_banner(QPainter& painter) const {
   painter.setPen(colour::contact);
   painter.drawText(box, Qt::AlignCenter, banner_);
   painter.setFont(font());
+}
+
+QRectF HintView::scale_box() const {
+  if (scale_.colours.empty()) return {};
+  constexpr double tall = 170;
+  const QFontMetricsF metrics(font());
+  double wide = metrics.horizontalAdvance(scale_.title);
+  for (const QString& tick : scale_.ticks)
+    wide = std::max(wide, metrics.horizontalAdvance(tick) + 24);
+  const double top = banner_box(pause_banner()).bottom() + margin;
+  return {width() - margin - wide - 18, top, wide + 18, tall + metrics.height() + 22};
+}
+
+void HintView::draw_scale(QPainter& painter) const {
+  if (scale_.colours.empty()) return;
+  const QFontMetricsF metrics(font());
+  const QRectF box = scale_box();
+  draw_plate(painter, box);
+  painter.setPen(colour::text);
+  painter.drawText(QPointF(box.left() + 9, box.top() + 5 + metrics.ascent()), scale_.title);
+  const QRectF bar(box.left() + 9, box.top() + metrics.height() + 14, 14,
+                   box.height() - metrics.height() - 26);
+  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+  const double last = std::max(double(scale_.colours.size()) - 1, 1.0);
+  for (std::size_t i = 0; i < scale_.colours.size(); ++i)
+    gradient.setColorAt(double(i) / last, scale_.colours[i]);
+  painter.fillRect(bar, gradient);
+  for (int i = 0; i < scale_.ticks.size(); ++i) {
+    const double y = bar.bottom() - bar.height() * i / std::max(scale_.ticks.size() - 1, 1);
+    painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
+    painter.drawText(QPointF(bar.right() + 8, y + metrics.ascent() / 2 - 1), scale_.ticks[i]);
+  }
 }
 
 }  // namespace sonde::ui

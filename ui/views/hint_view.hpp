@@ -11,10 +11,14 @@
 
 namespace sonde::ui {
 
-/// One line of the legend: a colour and what it stands for.
+/// How a thing is drawn, besides its colour.
+enum class LegendMark { filled, clear, mesh, wires, ring };
+
+/// One line of the legend: a colour and a mark, and what they stand for.
 struct LegendLine {
   QColor colour;
   QString text;
+  LegendMark mark = LegendMark::filled;
 };
 
 /// A label, the point on screen it is about, and the line there that it may not cover.
@@ -23,6 +27,13 @@ struct PlacedLabel {
   QString text;
   QColor colour;
   QPolygonF stroke{};
+};
+
+/// What colours mean that run over a range: the first at the first tick, the last at the last.
+struct ColourScale {
+  QString title;
+  std::vector<QColor> colours;
+  QStringList ticks;  ///< at even distances
 };
 
 /// All text in the view, drawn by Qt on a clear sheet above the picture: legend (what the colours
@@ -38,6 +49,8 @@ class HintView : public QWidget {
   /// One large line under the ruler: "Paused"; empty for none.
   void set_banner(const QString& text);
   void set_hint_visible(bool visible);
+  /// A column of colours at the right; none where there are no colours.
+  void set_scale(ColourScale scale);
 
   /// Parts of the view with no legend, ruler, banner or hint in them: below the legend, and beside
   /// it. The banner's place counts, banner or not.
@@ -64,12 +77,15 @@ class HintView : public QWidget {
   void draw_labels(QPainter& painter) const;
   void draw_ruler(QPainter& painter) const;
   void draw_banner(QPainter& painter) const;
+  QRectF scale_box() const;
+  void draw_scale(QPainter& painter) const;
 
   std::vector<LegendLine> legend_;
   std::vector<PlacedLabel> labels_;
   double ruler_pixels_ = 0;
   QString ruler_text_;
   QString banner_;
+  ColourScale scale_;
   bool hint_visible_ = true;
 };
 

@@ -56,6 +56,8 @@ ProbeView::ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
 
 ProbeView::~ProbeView() { renderer_->RemoveActor(actor_); }
 
+vtkActor& ProbeView::actor() { return *actor_; }
+
 void ProbeView::draw(const Frame& frame) {
   place(*actor_, frame.snapshot.separation.device);
   actor_->VisibilityOn();
@@ -77,13 +79,24 @@ void GhostView::draw(const Frame& frame) {
 
 void GhostView::hide() { actor_->VisibilityOff(); }
 
-FoundView::FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way,
+FoundView::FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, Shape shape,
                      const QString& name, const QColor& colour)
     : renderer_(&renderer),
       actor_(ghost_actor(renderer, surface, colour, solid)),
       way_(way),
       name_(name),
-      colour_(colour) {}
+      colour_(colour) {
+  vtkProperty& property = *actor_->GetProperty();
+  if (shape == Shape::mesh) {
+    const QColor edge = colour.darker(150);
+    property.EdgeVisibilityOn();
+    property.SetEdgeColor(edge.redF(), edge.greenF(), edge.blueF());
+  } else {
+    property.SetRepresentationToWireframe();
+    property.SetOpacity(1);
+    property.BackfaceCullingOff();
+  }
+}
 
 FoundView::~FoundView() { renderer_->RemoveActor(actor_); }
 

@@ -16,6 +16,7 @@ class ProbeView : public Overlay {
  public:
   ProbeView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
   ~ProbeView() override;
+  vtkActor& actor();  ///< to be drawn in another look
 
  private:
   void draw(const Frame& frame) override;
@@ -37,13 +38,18 @@ class GhostView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// A way out that was searched for: the probe there, translucent, with its depth beside it.
+/// A way out that was searched for: the probe there, with its depth beside it, in a shape of its
+/// own besides its colour.
 class FoundView : public Overlay {
  public:
+  enum class Shape {
+    mesh,  ///< translucent, with the edges of its triangles
+    wires  ///< the edges alone
+  };
   /// Which of the ways: a member of what was searched.
   using Way = std::optional<FoundWay> BackgroundResult::*;
-  FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, const QString& name,
-            const QColor& colour);
+  FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, Shape shape,
+            const QString& name, const QColor& colour);
   ~FoundView() override;
 
  private:

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/viewport.hpp"
 
-#include <QVTKInteractor.h>
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkRenderer.h>
 
 #include <QImage>
 #include <QOpenGLContext>
@@ -20,14 +13,7 @@
 
 #include "ui/base/theme.hpp"
 #include "ui/document/view_direction.hpp"
-#include "ui/views/contact_view.hpp"
-#include "ui/views/defect_view.hpp"
-#include "ui/views/handle_view.hpp"
-#include "ui/views/hint_view.hpp"
-#include "ui/views/probe_view.hpp"
-#include "ui/views/separation_view.hpp"
-#include "ui/views/trail_view.hpp"
-#include "ui/views/wrench_view.hpp"
+#include "ui/views/scenery.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -81,59 +67,6 @@ void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, cons
 
 }  // namespace
 
-struct Viewport::Scenery {
-  explicit Scenery(Viewport& owner)
-      : widget(new QVTKOpenGLNativeWidget(&owner)),
-        hints(new HintView(&owner)),
-        screw(*above, shapes),
-        contacts(*above, shapes),
-        wrench(*above, shapes),
-        trail(*above),
-        handles(*above, shapes) {}
-
-  // The overlays have a depth buffer of their own: no body hides a contact.
-  vtkNew<vtkRenderer> bodies;
-  vtkNew<vtkRenderer> above;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  QVTKOpenGLNativeWidget* widget;
-  HintView* hints;
-  GlyphShapes shapes;
-  vtkSmartPointer<vtkActor> fixed_actor;
-  std::unique_ptr<ProbeView> probe;
-  std::unique_ptr<GhostView> ghost;
-  std::unique_ptr<FoundView> nearest, straight;
-  SeparationView screw;
-  ContactView contacts;
-  WrenchView wrench;
-  TrailView trail;
-  HandleView handles;
-  std::unique_ptr<DefectView> defects;
-
-  // Of the session on show.
-  MassProperties mass;
-  LengthUnit unit;
-  std::array<QString, 2> descriptions;
-  Eigen::AlignedBox3d probe_box, fixed_box;
-  Vec3 centre = Vec3::Zero();  ///< of the fixed body
-  Quat q_FW = Quat::Identity();
-  double radius = 1;  ///< of the fixed body, about centre
-  Pose last_device, last_separated;
-  std::array<bool, 10> shown{true,  true,  true, true,  false,
-                             false, false, true, false, false};  ///< by Layer
-
-  std::array<std::pair<Layer, Overlay*>, 9> overlays() {
-    return {{{Layer::ghost, ghost.get()},
-             {Layer::nearest, nearest.get()},
-             {Layer::straight, straight.get()},
-             {Layer::trail, &trail},
-             {Layer::wrench, &wrench},
-             {Layer::screw, &screw},
-             {Layer::contacts, &contacts},
-             {Layer::handles, &handles},
-             {Layer::defects, defects.get()}}};
-  }
-};
-
 Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique<Scenery>(*this)) {
   setObjectName(QStringLiteral("viewport"));
   setMinimumSize(320, 240);
@@ -145,12 +78,14 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   s.window->SetMultiSamples(0);     // see show_session
   s.widget->setRenderWindow(s.window);
   s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
-  s.window->SetNumberOfLayers(2);
+  s.window->SetNumberOfLayers(3);
   s.window->AddRenderer(s.bodies);
-  s.window->AddRenderer(s.above);
-  s.above->SetLayer(1);
-  s.above->SetActiveCamera(s.bodies->GetActiveCamera());
-  s.above->InteractiveOff();
+  for (int layer = 1; vtkRenderer * renderer : {s.above.Get(), s.top.Get()}) {
+    s.window->AddRenderer(renderer);
+    renderer->SetLayer(layer++);
+    renderer->SetActiveCamera(s.bodies->GetActiveCamera());
+    renderer->InteractiveOff();
+  }
   set_background(*s.bodies);
   s.hints->raise();
 }
@@ -176,18 +111,24 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
 
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
   s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, session.fixed().solid);
-  s.fixed_actor->VisibilityOn();
   s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
-  const auto found = [&](FoundView::Way way, const char* name, const QColor& colour) {
+  const auto found = [&](FoundView::Way way, FoundView::Shape shape, const char* name,
+                         const QColor& colour) {
     return std::make_unique<FoundView>(*s.bodies, *drawn.probe_surface, session.probe().solid, way,
-                                       QLatin1String(name), colour);
+                                       shape, QLatin1String(name), colour);
   };
-  s.nearest = found(&BackgroundResult::nearest, "nearest way out", colour::nearest);
-  s.straight = found(&BackgroundResult::pdt, "PD_t", colour::straight);
-  s.defects = std::make_unique<DefectView>(*s.above, drawn);
+  s.nearest =
+      found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
+  s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
+  s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
+  s.pair = session.loaded().pair;
   s.trail.clear();
+  s.measures.clear();
+  s.probe_gaps.clear();
+  s.fixed_gaps.clear();
   apply_layers();
+  apply_seeing();
   set_coupling(session.coupling());
 
   if (same_view) return invalidate();
@@ -228,21 +169,32 @@ void Viewport::update_legend() {
   std::vector<LegendLine> legend{{colour::probe, s.descriptions[0]},
                                  {colour::fixed, s.descriptions[1]}};
   if (shown(Layer::ghost))
-    legend.push_back({colour::ghost, QStringLiteral("separated probe, as held")});
-  if (shown(Layer::nearest)) legend.push_back({colour::nearest, QStringLiteral("nearest way out")});
+    legend.push_back(
+        {colour::ghost, QStringLiteral("separated probe, as held"), LegendMark::clear});
+  if (shown(Layer::nearest))
+    legend.push_back({colour::nearest, QStringLiteral("nearest way out"), LegendMark::mesh});
   if (shown(Layer::straight))
-    legend.push_back({colour::straight, QStringLiteral("nearest without a turn (PD_t)")});
+    legend.push_back(
+        {colour::straight, QStringLiteral("nearest without a turn (PD_t)"), LegendMark::wires});
+  if (shown(Layer::bound))
+    legend.push_back(
+        {colour::bound, QStringLiteral("witness of the lower bound"), LegendMark::ring});
   if (shown(Layer::contacts))
     legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {
     legend.push_back({colour::force, s.wrench.force_legend(s.unit)});
     legend.push_back({colour::torque, s.wrench.torque_legend()});
   }
+  if (s.seeing.cut.on)
+    legend.push_back({colour::cut, QStringLiteral("cut plane: drag its arrow or rings")});
+  if (shown(Layer::measures))
+    legend.push_back({colour::measure, QStringLiteral("measuring: click on a body, twice")});
   if (shown(Layer::defects)) {
     legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
     legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
   s.hints->set_legend(std::move(legend));
+  update_scale();
 }
 
 void Viewport::draw(const Instant& now, double swing) {
@@ -338,7 +290,8 @@ QPointF Viewport::on_screen(const Vec3& point) const {
   double out[4];
   camera->GetCompositeProjectionTransformMatrix(aspect(), -1, 1)->MultiplyPoint(in, out);
   if (!(std::abs(out[3]) > 0)) return {};
-  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+  const QSize view = view_size();
+  return {(out[0] / out[3] + 1) / 2 * view.width(), (1 - out[1] / out[3]) / 2 * view.height()};
 }
 
 QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
@@ -347,7 +300,9 @@ QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
   return polygon;
 }
 
-double Viewport::aspect() const { return double(width()) / std::max(height(), 1); }
+double Viewport::aspect() const {
+  return double(view_size().width()) / std::max(view_size().height(), 1);
+}
 
 QWidget* Viewport::canvas() const { return scenery_->widget; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPolygonF>
+#include <QSize>
 #include <QSurfaceFormat>
 #include <QWidget>
 #include <memory>
@@ -9,11 +10,14 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/proximity/queries/gap_field.hpp"
 #include "ui/document/handles.hpp"
 #include "ui/document/instant.hpp"
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
 #include "ui/views/drawn_session.hpp"
+#include "ui/views/measure_view.hpp"
+#include "ui/views/seeing.hpp"
 
 namespace sonde::ui {
 
@@ -28,7 +32,32 @@ enum class Layer {
   trail,
   hint,
   handles,
-  defects
+  defects,
+  gaps,      ///< colours of the gap
+  cut,       ///< the cut plane's outline and handles, where there is a cut
+  bound,     ///< the witness of the lower bound
+  measures,  ///< points that were picked
+};
+
+/// A point of a body that is seen in the picture.
+struct Pick {
+  bool on_probe = false;
+  Vec3 x;  ///< in that body's mesh frame, m
+};
+
+/// How near the bodies are to each other, to be painted on them.
+struct Gaps {
+  GapField probe, fixed;
+  Pose separated;    ///< X_FM of the probe whose gaps they are
+  double reach = 0;  ///< m, of the last colour
+};
+
+/// What a picture is to be like that goes to a file.
+struct PictureOptions {
+  QSize size{1920, 1080};    ///< pixels
+  bool transparent = false;  ///< no background
+  bool overlays = true;      ///< arrows, contacts, the ghost, and text
+  double swing = 1;          ///< as of Viewport::draw
 };
 
 /// The 3-D view: the two bodies, the overlays above them, and the text above those. It draws when
@@ -57,6 +86,20 @@ class Viewport : public QWidget {
   /// The handles of a probe there, as they are drawn; none where they are not.
   std::optional<Handles> handles(const Pose& X_FM) const;
 
+  void set_seeing(const Seeing& seeing);
+  const Seeing& seeing() const;
+  /// The handles of the cut plane as they are drawn; none where they are not.
+  std::optional<Handles> cut_handles() const;
+  /// Marks the contact of that cluster; 0: none.
+  void choose_contact(std::uint64_t id);
+  /// The nearest point of a body at a place in the view, in Qt's pixels: not of what is hidden or
+  /// cut away.
+  std::optional<Pick> pick(QPointF at) const;
+  void add_measured(const MeasuredPoint& point);
+  void clear_measured();
+  const std::vector<MeasuredPoint>& measured() const;
+  void set_gaps(const Gaps& gaps);
+
   Camera camera() const;
   CameraPlace place() const;
   void look(const CameraPlace& place);
@@ -69,6 +112,11 @@ class Viewport : public QWidget {
   QWidget* canvas() const;
   /// The picture as drawn by OpenGL, with no text.
   QImage picture() const;
+  /// One of any size, of which no side may be larger than that; null where there is nothing to
+  /// draw, or no room for it. The window's own picture stays as it is.
+  QImage picture(const Snapshot& snapshot, const PictureOptions& options,
+                 const BackgroundResult* searched = nullptr);
+  static constexpr int largest_picture = 16'384;  ///< pixels: OpenGL's limit where Mesa draws
   /// What OpenGL has to offer: to be made the default before there is an application.
   static QSurfaceFormat surface_format();
   /// The class of window VTK makes on this machine, for the test that it can draw at all.
@@ -81,10 +129,14 @@ class Viewport : public QWidget {
   struct Scenery;
   void update_text(const Instant& now);
   void update_legend();
+  void update_scale();
   void apply_layers();
+  void apply_seeing();
   void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
+  /// Of the picture that is being drawn, as text and glyphs are laid out.
+  QSize view_size() const;
 
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;

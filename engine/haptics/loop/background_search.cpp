@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "engine/body/body.hpp"
-#include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/search/static_search.hpp"
 
 namespace sonde {
@@ -38,10 +37,24 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM) {
     const auto turned = search(pair, X_FM, Method::pdg);
     if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
   }
-  if (out.pdt) out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM);
+  if (out.pdt)
+    if (const auto bound = witnessed_lower_bound(pair.probe(), pair.fixed(), X_FM)) {
+      out.lower_bound = bound->depth;
+      out.witness = bound->witness;
+    }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
   out.time_us = time.count();
   return out;
+}
+
+BackgroundResult answer(const Pair& pair, const Pose& X_FM) {
+  try {
+    return compute(pair, X_FM);
+  } catch (const std::exception&) {  // no memory left: there is no answer for this pose
+    BackgroundResult none;
+    none.device = X_FM;
+    return none;
+  }
 }
 
 }  // namespace
@@ -91,13 +104,7 @@ void BackgroundSearch::State::run() {
     if (stopping) return;
     const Pose X_FM = *std::exchange(wanted, std::nullopt);
     lock.unlock();
-    BackgroundResult found;
-    try {
-      found = compute(pair, X_FM);
-    } catch (const std::exception&) {  // no memory left: there is no answer for this pose
-      found = BackgroundResult{};
-      found.device = X_FM;
-    }
+    const BackgroundResult found = answer(pair, X_FM);
     lock.lock();
     result = found;
   }

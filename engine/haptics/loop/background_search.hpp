@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
 
@@ -22,6 +23,7 @@ struct BackgroundResult {
   std::optional<FoundWay> nearest;    ///< the nearest that either search found: PD_g's upper bound
   std::optional<FoundWay> pdt;        ///< without a turn; none where the search failed
   std::optional<double> lower_bound;  ///< of √PD_g, m
+  std::optional<BoundWitness> witness = {};  ///< of that bound
   double time_us = 0;
 };
 

@@ -235,13 +235,28 @@ class TurnSearch {
 
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
                                         const Deadline& deadline, const BoundOptions& options) {
+  const auto bound = witnessed_lower_bound(probe, fixed, X_FM, deadline, options);
+  if (!bound) return std::nullopt;
+  return bound->depth;
+}
+
+std::optional<LowerBound> witnessed_lower_bound(const Body& probe, const Body& fixed,
+                                                const Pose& X_FM, const Deadline& deadline,
+                                                const BoundOptions& options) {
   if (!probe.solid && !fixed.solid) return std::nullopt;
   const CommonDepth depth(probe, fixed, X_FM);
   const std::vector<CommonPoint> points = deep_points(depth, deadline);
-  if (points.empty()) return 0;
-  double best = TurnSearch(depth, points).run(options.work, deadline);
-  for (const CommonPoint& s : points) best = std::max(best, bound_of(s, probe.mass.inertia));
-  return best * (1 - 1e-9);
+  if (points.empty()) return LowerBound{};
+  LowerBound bound;
+  double most = 0;
+  for (const CommonPoint& s : points) {
+    const double alone = bound_of(s, probe.mass.inertia);
+    if (alone <= most) continue;
+    most = alone;
+    bound.witness = BoundWitness{depth.X_FW() * s.x, s.depth()};
+  }
+  bound.depth = std::max(most, TurnSearch(depth, points).run(options.work, deadline)) * (1 - 1e-9);
+  return bound;
 }
 
 }  // namespace sonde

@@ -41,7 +41,7 @@ TEST_F(WindowTest, a_dock_that_was_closed_is_in_the_view_menu) {
     if (action->text() == "&View") view = action->menu();
   ASSERT_TRUE(view);
   const auto docks = window->findChildren<QDockWidget*>();
-  EXPECT_EQ(docks.size(), 6);
+  EXPECT_GE(docks.size(), 8);
   for (QDockWidget* dock : docks) {
     dock->close();
     ASSERT_TRUE(view->actions().contains(dock->toggleViewAction()))

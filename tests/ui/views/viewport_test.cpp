@@ -87,6 +87,39 @@ TEST_F(WindowTest, the_ways_out_are_drawn_by_a_key) {
   }
 }
 
+TEST_F(WindowTest, the_witness_of_the_bound_is_drawn_by_a_key) {
+  open_cubes();
+  ASSERT_TRUE(wait_until([this] { return window->searched() && window->searched()->witness; }));
+  window->set_paused(true);
+  wait(100);
+  const QImage without = picture();
+  auto* action = window->findChild<QAction*>("show_bound");
+  ASSERT_TRUE(action);
+  action->trigger();
+  EXPECT_GT(pixels_between(without, picture()), 60);
+  action->trigger();
+  EXPECT_LT(pixels_between(without, picture()), 20);
+}
+
+/// The face at +x is half open: from there its edges are seen, from behind the body hides them.
+TEST_F(WindowTest, a_body_hides_the_defects_behind_it) {
+  const auto file = folder.write("hole.sonde.json", R"({"unit": "mm",
+      "probe": {"mesh": "large.off", "pose": [0, 0, 500, 1, 0, 0, 0]},
+      "fixed": {"mesh": "open.off", "pose": [0, 0, 0, 1, 0, 0, 0]}})");
+  open({QString::fromStdString(file.string())});
+  window->set_paused(true);
+  window->viewport().set_shown(Layer::hint, false);
+  const auto drawn_from = [this](const Vec3& side) {
+    window->viewport().camera().look_at(Vec3(0.05, 0.05, 0.05), side, Vec3::UnitZ(), 0.5);
+    window->viewport().set_shown(Layer::defects, false);
+    const QImage without = picture();
+    window->viewport().set_shown(Layer::defects, true);
+    return pixels_between(without, picture());
+  };
+  EXPECT_GT(drawn_from(Vec3::UnitX()), 100);
+  EXPECT_LT(drawn_from(-Vec3::UnitX()), 30);
+}
+
 TEST_F(WindowTest, the_hint_says_how_and_can_be_hidden) {
   open_cubes();
   window->set_paused(true);

@@ -33,6 +33,23 @@ TEST(LowerBound, a_ball_in_a_box) {
   }
 }
 
+// By hand: two cubes that overlap by d. A point of the overlap is a deep in the one and d − a in
+// the other, seen along the overlap, and no deeper: d in all. The bound is the same with it.
+TEST(LowerBound, has_a_witness_as_deep_as_two_cubes_overlap) {
+  const auto cube = test::body(test::box({0.1, 0.1, 0.1}));
+  for (const double d : {0.002, 0.01, 0.03}) {
+    const Pose X_FM = at(0.1 - d, 0.01, -0.005);
+    const auto bound = witnessed_lower_bound(*cube, *cube, X_FM);
+    ASSERT_TRUE(bound && bound->witness);
+    EXPECT_EQ(bound->depth, depth_lower_bound(*cube, *cube, X_FM).value());
+    EXPECT_LE(bound->witness->depth, d * (1 + 1e-6));
+    EXPECT_GE(bound->witness->depth, 0.9 * d);
+    EXPECT_GE(bound->witness->at.x(), 0.05 - d - 1e-9) << "in both";
+    EXPECT_LE(bound->witness->at.x(), 0.05 + 1e-9);
+  }
+  EXPECT_FALSE(witnessed_lower_bound(*cube, *cube, at(0.2, 0, 0))->witness);
+}
+
 // By hand, from below. A point x of both solids, ball of radius e about it in A and of d − e in B,
 // must be displaced by d in all; Î = 0.1²/6 about every axis, so μ = r²/Î, and the best x is the
 // highest, on the axis: e = d, r = 0.05 − d. From above: the search over rotations against a

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window as a desk: themes, the keyboard's way through the docks, commands found by words.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/ui/window_fixture.hpp"
+#include "ui/base/theme.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+class DeskTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (HasFatalFailure()) return;
+    open_cubes();
+    window->activateWindow();
+    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+  }
+  void TearDown() override {
+    const QPalette plain;
+    QApplication::setPalette(plain);
+    static_cast<QApplication*>(QApplication::instance())->setStyleSheet({});
+    WindowTest::TearDown();
+  }
+};
+
+TEST_F(DeskTest, a_theme_is_chosen_and_kept_and_labels_follow) {
+  const auto window_lightness = [] {
+    return QApplication::palette().color(QPalette::Window).lightness();
+  };
+  const auto coloured = [this] {
+    QString all;
+    for (const QLabel* label : window->findChildren<QLabel*>()) all += label->text();
+    return all.count(QStringLiteral("color:") + colour::ghost.name());
+  };
+  window->findChild<QAction*>("theme_dark")->trigger();
+  EXPECT_LT(window_lightness(), 80);
+  EXPECT_GT(coloured(), 0);
+  window->findChild<QAction*>("theme_light")->trigger();
+  EXPECT_GT(window_lightness(), 200);
+  EXPECT_EQ(coloured(), 0) << "light text on a light window";
+  EXPECT_EQ(chosen_theme(), Theme::light);
+  window->findChild<QAction*>("theme_system")->trigger();
+  EXPECT_EQ(window_lightness() < 128, system_is_dark());
+  window->findChild<QAction*>("theme_dark")->trigger();
+  EXPECT_GT(coloured(), 0);
+}
+
+TEST_F(DeskTest, the_keyboard_comes_to_every_dock_and_back_to_the_view) {
+  QStringList seen;
+  const auto dock_of_focus = [this]() -> QString {
+    for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
+      if (dock->isAncestorOf(QApplication::focusWidget())) return dock->objectName();
+    return {};
+  };
+  for (int i = 0; i < 20; ++i) {
+    QTest::keyClick(window.get(), Qt::Key_F6);
+    const QString now = dock_of_focus();
+    if (now.isEmpty()) break;
+    seen << now;
+  }
+  EXPECT_EQ(QApplication::focusWidget(), window->viewport().canvas());
+  for (const char* dock : {"coupling_panel", "device_panel", "pose_panel", "seeing_panel"})
+    EXPECT_TRUE(seen.contains(dock)) << dock << " of " << seen.join(' ').toStdString();
+  EXPECT_EQ(seen.removeDuplicates(), 0);
+}
+
+TEST_F(DeskTest, a_command_is_found_by_its_words) {
+  ASSERT_FALSE(window->viewport().shown(Layer::trail));
+  QTimer::singleShot(0, window.get(), [] {
+    QWidget* palette = QApplication::activeModalWidget();
+    ASSERT_TRUE(palette);
+    auto* words = palette->findChild<QLineEdit*>("command_words");
+    QTest::keyClicks(words, "trail vi");
+    QTest::keyClick(words, Qt::Key_Return);
+  });
+  QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(wait_until([this] { return window->viewport().shown(Layer::trail); }));
+}
+
+TEST_F(DeskTest, every_command_of_a_menu_has_a_name_for_the_keyboard) {
+  // Alt and a letter opens each menu; no two of the bar share one.
+  QStringList letters;
+  for (const QAction* menu : window->menuBar()->actions()) {
+    const int at = menu->text().indexOf('&');
+    ASSERT_GE(at, 0) << menu->text().toStdString();
+    letters << menu->text().mid(at + 1, 1).toLower();
+  }
+  EXPECT_EQ(letters.removeDuplicates(), 0);
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

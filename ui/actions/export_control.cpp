@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/export_control.hpp"
+
+#include <vtkPolyData.h>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QProcess>
+#include <filesystem>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/text/output_file.hpp"
+#include "ui/actions/meshes_dialog.hpp"
+#include "ui/export/image_file.hpp"
+#include "ui/export/new_folder.hpp"
+#include "ui/export/tables.hpp"
+#include "ui/views/drawn_session.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int steps_of_series = 25;  // frames a second of the separation's one second
+constexpr int film_rate = 25;
+
+std::filesystem::path path_of(const QString& file) { return file.toStdString(); }
+
+}  // namespace
+
+/// The separation, picture by picture, between which the window stays alive.
+struct ExportControl::Animation {
+  Animation(const QString& name, const PictureWanted& what, const Snapshot& of)
+      : folder_name(name), folder(path_of(name)), wanted(what), snapshot(of) {}
+  QString folder_name;
+  NewFolder folder;
+  PictureWanted wanted;
+  Snapshot snapshot;
+  int next = 0;
+  std::unique_ptr<QProcess> film;
+};
+
+ExportControl::ExportControl(Viewport& viewport, QWidget& window)
+    : QObject(&window), viewport_(viewport), job_(&window) {
+  QWidget* parent = &window;
+  ask_picture = [parent, this](ExportDialog::Of of) -> std::optional<PictureWanted> {
+    ExportDialog dialog(of, viewport_.size(), parent);
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.wanted();
+  };
+  ask_file = [parent](const QString& title, const QString& name, const QString& filter) {
+    const QString file =
+        QFileDialog::getSaveFileName(parent, title, QDir(last_folder()).filePath(name), filter);
+    if (!file.isEmpty()) remember_folder_of(file);
+    return file;
+  };
+  connect(&timer_, &QTimer::timeout, this, [this] { draw_next(); });
+}
+
+ExportControl::~ExportControl() = default;
+
+void ExportControl::attach(const DrawnSession* drawn) {
+  if (animation_) finish(QStringLiteral("another document was opened meanwhile"));
+  drawn_ = drawn;
+}
+
+/// For another thread: shells of their own round the points and triangles that are drawn.
+Surfaces ExportControl::surfaces() const {
+  const auto shell_of = [](vtkPolyData* surface) {
+    auto shell = vtkSmartPointer<vtkPolyData>::New();
+    shell->ShallowCopy(surface);
+    return shell;
+  };
+  return {shell_of(drawn_->probe_surface), shell_of(drawn_->fixed_surface),
+          drawn_->session->probe().mass.com};
+}
+
+/// Does it, and says how it went.
+void ExportControl::write(const QString& file, const std::function<void()>& write) {
+  try {
+    write();
+    say(QStringLiteral("Saved %1").arg(file));
+  } catch (const std::exception& bad) {
+    fail(QString::fromUtf8(bad.what()));
+  }
+}
+
+void ExportControl::export_picture() {
+  if (!drawn_ || !snapshot()) return;
+  const auto wanted = ask_picture(ExportDialog::Of::picture);
+  if (!wanted) return;
+  const QString file = ask_file(QStringLiteral("Export a picture"), QStringLiteral("sonde.png"),
+                                QStringLiteral("Pictures (*.png)"));
+  if (file.isEmpty() || !drawn_ || !snapshot()) return;
+  write(file, [&] {
+    write_image(path_of(file), viewport_.picture(*snapshot(), wanted->options, searched()));
+  });
+}
+
+void ExportControl::export_tables() {
+  if (!drawn_ || !snapshot()) return;
+  const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
+                                QStringLiteral("Tables (*.csv)"));
+  if (file.isEmpty() || !drawn_ || !snapshot()) return;
+  const Moment moment = moment_of(*snapshot());
+  write(file, [&] {
+    std::filesystem::path contacts = path_of(file);
+    contacts.replace_extension(".contacts.csv");
+    check_writable(contacts);  // before the first of the two
+    write_whole(path_of(file), moments_csv({&moment, 1}));
+    write_whole(contacts, contacts_csv({&moment, 1}));
+  });
+}
+
+void ExportControl::export_gltf() {
+  if (!drawn_ || !snapshot()) return;
+  const QString file = ask_file(QStringLiteral("Export glTF"), QStringLiteral("sonde.gltf"),
+                                QStringLiteral("glTF (*.gltf)"));
+  if (file.isEmpty() || !drawn_ || !snapshot()) return;
+  job_.start(
+      QStringLiteral("Exporting glTF"),
+      [file, what = surfaces(), moment = moment_of(*snapshot())](const Progress&) {
+        write_gltf(path_of(file), what, moment);
+      },
+      [this, file](const std::exception_ptr& error) {
+        error ? fail(reason_of(error)) : say(QStringLiteral("Saved %1").arg(file));
+      });
+}
+
+void ExportControl::export_vtk(bool series) {
+  if (!drawn_ || !snapshot()) return;
+  const QString folder =
+      ask_file(series ? QStringLiteral("Export the separation for ParaView: a new folder")
+                      : QStringLiteral("Export for ParaView: a new folder"),
+               QStringLiteral("sonde-vtk"), QString());
+  if (folder.isEmpty() || !drawn_ || !snapshot()) return;
+  const Snapshot now = *snapshot();
+  std::vector<Moment> moments{moment_of(now)};
+  if (series) moments = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
+  job_.start(
+      QStringLiteral("Exporting for ParaView"),
+      [folder, what = surfaces(), moments = std::move(moments)](const Progress& progress) {
+        write_vtk(path_of(folder), what, moments, progress);
+      },
+      [this, folder](const std::exception_ptr& error) {
+        error ? fail(reason_of(error)) : say(QStringLiteral("Saved %1").arg(folder));
+      });
+}
+
+void ExportControl::export_animation() {
+  if (!drawn_ || !snapshot() || animation_) return;
+  const auto wanted = ask_picture(ExportDialog::Of::animation);
+  if (!wanted) return;
+  const QString folder = ask_file(QStringLiteral("Export the separation: a new folder of pictures"),
+                                  QStringLiteral("sonde-separation"), QString());
+  if (folder.isEmpty() || !drawn_ || !snapshot()) return;
+  try {
+    animation_ = std::make_unique<Animation>(folder, *wanted, *snapshot());
+  } catch (const InputError& bad) {
+    return fail(QString::fromUtf8(bad.what()));
+  }
+  timer_.start(0);
+}
+
+/// One a turn of the event loop: Esc and the window work meanwhile.
+void ExportControl::draw_next() {
+  Animation& a = *animation_;
+  PictureOptions options = a.wanted.options;
+  options.swing = double(a.next) / (a.wanted.frames - 1);
+  try {
+    const QString name = QStringLiteral("frame_%1.png").arg(a.next, 4, 10, QLatin1Char('0'));
+    write_image(a.folder.path() / name.toStdString(),
+                viewport_.picture(a.snapshot, options, nullptr));
+  } catch (const std::exception& bad) {
+    return finish(QString::fromUtf8(bad.what()));
+  }
+  if (++a.next < a.wanted.frames) return;
+  timer_.stop();
+  if (a.wanted.film) return make_film();
+  finish({});
+}
+
+void ExportControl::make_film() {
+  animation_->film = std::make_unique<QProcess>();
+  QProcess& film = *animation_->film;
+  film.setWorkingDirectory(QString::fromStdString(animation_->folder.path().string()));
+  const auto ended = [this, &film] {
+    if (film.exitStatus() == QProcess::NormalExit && film.exitCode() == 0) return finish({});
+    const QByteArray said = film.readAllStandardError().trimmed();
+    finish(QStringLiteral("ffmpeg: %1").arg(QString::fromUtf8(said.split('\n').last())));
+  };
+  connect(&film, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this, ended,
+          Qt::QueuedConnection);
+  // An even number of pixels each way: most players want no other.
+  film.start(film_maker(),
+             {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
+              QStringLiteral("-framerate"), QString::number(film_rate), QStringLiteral("-i"),
+              QStringLiteral("frame_%04d.png"), QStringLiteral("-vf"),
+              QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"), QStringLiteral("-pix_fmt"),
+              QStringLiteral("yuv420p"), QStringLiteral("separation.mp4")});
+}
+
+void ExportControl::finish(const QString& reason) {
+  timer_.stop();
+  const std::unique_ptr<Animation> done = std::move(animation_);
+  viewport_.invalidate();
+  if (!reason.isEmpty()) return fail(reason);
+  write(done->folder_name, [&] { done->folder.keep(); });
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ui/actions/export_dialog.hpp"
+#include "ui/base/job.hpp"
+#include "ui/export/vtk_scene.hpp"
+
+namespace sonde::ui {
+
+struct DrawnSession;
+
+/// Writes what is on show to files that others read: pictures, tables, ParaView's, glTF. Each
+/// appears whole or not at all.
+class ExportControl : public QObject {
+ public:
+  ExportControl(Viewport& viewport, QWidget& window);
+  ~ExportControl() override;
+
+  void attach(const DrawnSession* drawn);
+
+  // Ask, then write; nothing where nothing is open.
+  void export_picture();
+  void export_tables();
+  void export_vtk(bool series);
+  void export_gltf();
+  void export_animation();
+  bool busy() const { return job_.running() || animation_ != nullptr; }
+
+  // What is asked; tests answer themselves. An empty name: do nothing.
+  std::function<std::optional<PictureWanted>(ExportDialog::Of)> ask_picture;
+  std::function<QString(const QString& title, const QString& name, const QString& filter)> ask_file;
+
+  /// The newest snapshot; none before the first.
+  std::function<const Snapshot*()> snapshot;
+  std::function<const BackgroundResult*()> searched;
+  std::function<void(const QString&)> say, fail;
+
+ private:
+  struct Animation;
+  void write(const QString& file, const std::function<void()>& write);
+  void draw_next();
+  void make_film();
+  void finish(const QString& reason);
+  Surfaces surfaces() const;
+
+  Viewport& viewport_;
+  Job job_;
+  const DrawnSession* drawn_ = nullptr;
+  QTimer timer_;
+  std::unique_ptr<Animation> animation_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <atomic>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/proximity/queries/gap_field.hpp"
+
+namespace sonde::ui {
+
+class Session;
+class Viewport;
+
+/// Paints the gaps between the separated probe and the fixed body, each on the other, where they
+/// are near. They are computed in a thread of its own, for the newest pose once the last is done.
+class GapPainter {
+ public:
+  explicit GapPainter(Viewport& viewport);
+  ~GapPainter();
+  GapPainter(const GapPainter&) = delete;
+  GapPainter& operator=(const GapPainter&) = delete;
+
+  void set_on(bool on);
+  bool on() const { return on_; }
+  /// Other bodies from now on; null: none.
+  void attach(const Session* session);
+  /// To be called with every frame.
+  void frame(const Separation& separation);
+
+ private:
+  struct Painted {
+    Pose separated;
+    GapField probe, fixed;
+    double reach = 0;
+  };
+  void stop();
+  void begin(const Pose& separated);
+  void take();
+
+  Viewport& viewport_;
+  const Session* session_ = nullptr;
+  bool on_ = false;
+  std::shared_ptr<std::atomic<bool>> stopping_;
+  std::future<Painted> coming_;
+  std::optional<Pose> asked_;
+};
+
+}  // namespace sonde::ui

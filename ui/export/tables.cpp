@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/tables.hpp"
+
+#include <initializer_list>
+
+#include "engine/text/number_text.hpp"
+
+namespace sonde::ui {
+namespace {
+
+void add(std::string& line, double value) {
+  if (!line.empty()) line += ',';
+  line += number_text(value);
+}
+void add(std::string& line, const Vec3& x) {
+  for (const double value : x) add(line, value);
+}
+void add(std::string& line, const Pose& pose) {
+  add(line, pose.p);
+  for (const double value : {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()}) add(line, value);
+}
+
+const char* name_of(Status status) {
+  switch (status) {
+    case Status::separated:
+      return "separated";
+    case Status::penetrating:
+      return "penetrating";
+    case Status::failed:
+      return "failed";
+  }
+  return "";
+}
+
+}  // namespace
+
+double share_of_force(const Contact& contact, const ContactClusters& all) {
+  double sum = 0;
+  for (const ContactCluster& c : all) sum += c.contact.multiplier;
+  return sum > 0 ? contact.multiplier / sum : 0;
+}
+
+std::string moments_csv(std::span<const Moment> moments) {
+  std::string text =
+      "t [s],px [m],py [m],pz [m],qw,qx,qy,qz,sx [m],sy [m],sz [m],sqw,sqx,sqy,sqz,"
+      "depth [m],sigma [m^2],translation [m],rotation [m],fx [N],fy [N],fz [N],"
+      "tx [N m],ty [N m],tz [N m],contacts,status\n";
+  for (const Moment& m : moments) {
+    std::string line;
+    add(line, m.time);
+    add(line, m.probe);
+    add(line, m.separation.separated);
+    for (const double value :
+         {m.separation.depth, m.separation.sigma, m.separation.translation, m.separation.rotation})
+      add(line, value);
+    add(line, m.wrench.force);
+    add(line, m.wrench.torque);
+    add(line, m.separation.clusters.size);
+    text += line + ',' + name_of(m.separation.status) + '\n';
+  }
+  return text;
+}
+
+std::string contacts_csv(std::span<const Moment> moments) {
+  std::string text =
+      "t [s],contact,share,multiplier [m],gap [m],ax [m],ay [m],az [m],bx [m],by [m],bz [m],"
+      "nx,ny,nz,rows\n";
+  for (const Moment& m : moments)
+    for (const ContactCluster& c : m.separation.clusters) {
+      std::string line;
+      add(line, m.time);
+      line += ',' + std::to_string(c.id);
+      add(line, share_of_force(c.contact, m.separation.clusters));
+      add(line, c.contact.multiplier);
+      add(line, c.contact.gap);
+      add(line, c.contact.on_probe);
+      add(line, c.contact.on_fixed);
+      add(line, c.contact.normal);
+      add(line, c.rows);
+      text += line + '\n';
+    }
+  return text;
+}
+
+}  // namespace sonde::ui

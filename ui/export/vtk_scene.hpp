@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <functional>
+#include <span>
+
+#include "ui/export/moment.hpp"
+
+class vtkPolyData;
+
+namespace sonde::ui {
+
+/// The two bodies as they are drawn, each in its mesh frame.
+struct Surfaces {
+  vtkSmartPointer<vtkPolyData> probe, fixed;
+  Vec3 com = Vec3::Zero();  ///< the probe's centre of mass, in its mesh frame
+};
+
+/// A surface at a pose, as data of its own.
+vtkSmartPointer<vtkPolyData> surface_at(vtkPolyData& surface, const Pose& pose);
+/// The contacts of a moment as points on the fixed body, with normal [1], on_probe [m], gap [m],
+/// multiplier [m], share and cluster.
+vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment);
+/// The centre of mass with force [N] and torque [N m].
+vtkSmartPointer<vtkPolyData> wrench_point(const Moment& moment, const Vec3& com);
+
+/// Writes a new folder for ParaView: sonde.vtm for one moment, else sonde_0000.vtm and so on with
+/// sonde.vtm.series, which has their times. Each holds the blocks fixed, probe, ghost (the
+/// separated probe), contacts and wrench; they are VTP files beside, the fixed body once for all.
+/// Throws InputError, and Cancelled where `progress` says so; then there is no folder.
+void write_vtk(const std::filesystem::path& folder, const Surfaces& surfaces,
+               std::span<const Moment> moments,
+               const std::function<bool(double fraction)>& progress = {});
+
+/// Writes the same of one moment as a glTF 2.0 file, its data inside, in the colours of the view.
+/// Throws InputError.
+void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment);
+
+}  // namespace sonde::ui

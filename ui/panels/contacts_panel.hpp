@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <cstdint>
+#include <functional>
+
+#include "engine/penetration/contact/separation.hpp"
+#include "ui/base/format.hpp"
+
+class QLabel;
+class QTreeWidget;
+
+namespace sonde::ui {
+
+/// The dock of contacts: the clusters that carry the separation, what carries more above. A row
+/// that is chosen is marked in the view, and the other way round.
+class ContactsPanel : public QDockWidget {
+ public:
+  explicit ContactsPanel(QWidget* parent = nullptr);
+
+  void set_unit(const LengthUnit& unit);
+  void show_contacts(const Separation& separation);
+  /// The row of that cluster; 0: none. It stays chosen while the cluster comes and goes.
+  void choose(std::uint64_t id);
+  std::uint64_t chosen() const { return chosen_; }
+
+  std::function<void(std::uint64_t id)> chosen_changed;
+
+ private:
+  void on_selection();
+
+  QTreeWidget* rows_;
+  QLabel* summary_;
+  LengthUnit unit_;
+  std::uint64_t chosen_ = 0;
+  bool filling_ = false;
+};
+
+}  // namespace sonde::ui

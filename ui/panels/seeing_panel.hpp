@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <QStringList>
+#include <functional>
+
+#include "ui/views/seeing.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QListWidget;
+class QSlider;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+/// The dock for seeing inside: how the bodies are drawn, the plane they are cut at, and the views
+/// that were saved. It shows what it is told and says what is wanted.
+class SeeingPanel : public QDockWidget {
+ public:
+  explicit SeeingPanel(QWidget* parent = nullptr);
+
+  void show_seeing(const Seeing& seeing);
+  /// Where the bodies are, for the slider of the cut: its ends are that far from the centre.
+  void set_extent(const Vec3& centre, double radius);
+  void show_saved(const QStringList& names);
+
+  std::function<void(const Seeing&)> changed;
+  std::function<void()> snap_wanted;  ///< the cut through the contact
+  std::function<void()> face_wanted;  ///< the cut across the line of sight
+  std::function<void()> save_wanted;  ///< the view as it is
+  std::function<void(int)> view_wanted, forget_wanted;
+
+ private:
+  void add_looks(QVBoxLayout& layout);
+  void add_cut(QVBoxLayout& layout);
+  void add_saved(QVBoxLayout& layout);
+  void say();
+  void move_cut(int place);
+
+  Seeing seeing_;
+  Vec3 centre_ = Vec3::Zero();
+  double radius_ = 1;
+  QComboBox *fixed_ = nullptr, *probe_ = nullptr;
+  QCheckBox *cut_ = nullptr, *cut_fixed_ = nullptr, *cut_probe_ = nullptr;
+  QSlider* place_ = nullptr;
+  QListWidget* saved_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/desk_menu.hpp"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <vector>
+
+#include "ui/base/theme.hpp"
+#include "ui/shell/main_window.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+/// The first thing in a dock that takes the keyboard; null where nothing does.
+QWidget* first_control(const QDockWidget& dock) {
+  if (!dock.widget()) return nullptr;
+  for (QWidget* inside : dock.widget()->findChildren<QWidget*>())
+    if (inside->isVisible() && inside->isEnabled() && (inside->focusPolicy() & Qt::TabFocus))
+      return inside;
+  return nullptr;
+}
+
+/// From the view through the docks, those behind another in their tabs too, and back.
+void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
+  std::vector<QDockWidget*> docks;
+  for (QDockWidget* dock : all)
+    if (dock->toggleViewAction()->isChecked()) docks.push_back(dock);  // open, if behind another
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < docks.size(); ++i)
+    if (docks[i]->isAncestorOf(QApplication::focusWidget())) next = i + 1;
+  // A dock that goes behind another would hand the keyboard to whoever comes next in its chain.
+  window.viewport().canvas()->setFocus(Qt::TabFocusReason);
+  for (; next < docks.size(); ++next) {
+    docks[next]->raise();
+    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);  // its tab is on show
+    QWidget* control = first_control(*docks[next]);
+    if (control) return control->setFocus(Qt::TabFocusReason);
+  }
+}
+
+}  // namespace
+
+void add_desk_menu(MainWindow& window, QMenu& menu) {
+  QMenu* themes = menu.addMenu(QStringLiteral("T&heme"));
+  auto* group = new QActionGroup(themes);
+  struct Choice {
+    const char *object, *text;
+    Theme theme;
+  };
+  for (const Choice& choice :
+       {Choice{"theme_dark", "&Dark", Theme::dark}, Choice{"theme_light", "&Light", Theme::light},
+        Choice{"theme_system", "The &system's", Theme::system}}) {
+    QAction* action = themes->addAction(QString::fromUtf8(choice.text));
+    action->setObjectName(QLatin1String(choice.object));
+    action->setCheckable(true);
+    action->setChecked(chosen_theme() == choice.theme);
+    group->addAction(action);
+    QObject::connect(action, &QAction::triggered, &window,
+                     [theme = choice.theme] { choose_theme(*qApp, theme); });
+  }
+  QAction* next = menu.addAction(QStringLiteral("&Keyboard to the next dock"));
+  next->setObjectName(QStringLiteral("next_dock"));
+  next->setShortcut(QKeySequence(Qt::Key_F6));
+  MainWindow* w = &window;
+  // In the order they were made: the window's own changes with each that comes to the front.
+  QObject::connect(next, &QAction::triggered, w,
+                   [w, docks = w->findChildren<QDockWidget*>()] { focus_next(*w, docks); });
+}
+
+}  // namespace sonde::ui

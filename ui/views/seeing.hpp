@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde::ui {
+
+/// How a body is drawn.
+enum class Look { opaque, xray, wireframe, hidden };
+
+/// A plane beyond which bodies are not drawn: on the side that its normal points to.
+struct CutPlane {
+  bool on = false;
+  bool fixed = true;  ///< cuts the fixed body
+  bool probe = false;
+  Vec3 point = Vec3::Zero();    ///< in the fixed body's mesh frame, m
+  Vec3 normal = Vec3::UnitX();  ///< unit
+  bool cuts_away(const Vec3& x) const { return on && (x - point).dot(normal) > 0; }
+};
+
+/// What is done to the picture to see inside.
+struct Seeing {
+  Look probe = Look::opaque, fixed = Look::opaque;
+  CutPlane cut;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a Viewport does to let people see inside.
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPlane.h>
+
+#include "engine/proximity/queries/ray_hit.hpp"
+#include "ui/base/theme.hpp"
+#include "ui/views/body_look.hpp"
+#include "ui/views/scenery.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double square_part = 1.05;  // of the fixed body's radius: the outline is beside the body
+
+}  // namespace
+
+void Viewport::set_seeing(const Seeing& seeing) {
+  scenery_->seeing = seeing;
+  apply_seeing();
+  if (scenery_->probe) update_legend();
+  invalidate();
+}
+
+const Seeing& Viewport::seeing() const { return scenery_->seeing; }
+
+void Viewport::apply_seeing() {
+  Scenery& s = *scenery_;
+  const CutPlane& cut = s.seeing.cut;
+  s.cut.set(cut, square_part * s.radius);
+  if (!s.probe) return;
+  vtkPlane* const through_fixed = cut.on && cut.fixed ? &s.cut.plane() : nullptr;
+  vtkPlane* const through_probe = cut.on && cut.probe ? &s.cut.plane() : nullptr;
+  apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.pair->fixed().solid, through_fixed);
+  apply_look(s.probe->actor(), s.seeing.probe, colour::probe, s.pair->probe().solid, through_probe);
+  s.probe->set_visible(s.seeing.probe != Look::hidden);
+  s.defects->set_cut(through_probe, through_fixed);
+  s.fixed_gaps.set_cut(through_fixed);
+  s.probe_gaps.set_cut(through_probe);
+}
+
+std::optional<Handles> Viewport::cut_handles() const {
+  const Scenery& s = *scenery_;
+  if (!s.pair || !s.seeing.cut.on || !shown(Layer::cut)) return std::nullopt;
+  return s.cut.handles(HandleView::pixels * metres_per_pixel(s.seeing.cut.point));
+}
+
+void Viewport::choose_contact(std::uint64_t id) {
+  scenery_->contacts.choose(id);
+  invalidate();
+}
+
+std::optional<Pick> Viewport::pick(QPointF at) const {
+  const Scenery& s = *scenery_;
+  if (!s.pair) return {};
+  vtkNew<vtkMatrix4x4> back;
+  back->DeepCopy(
+      s.bodies->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect(), -1, 1));
+  back->Invert();
+  const double in[4] = {2 * at.x() / width() - 1, 1 - 2 * at.y() / height(), 0, 1};
+  double out[4];
+  back->MultiplyPoint(in, out);
+  const Vec3 eye = camera().eye();
+  const Vec3 along = (Vec3(out[0], out[1], out[2]) / out[3] - eye).normalized();
+  std::optional<Pick> best;
+  double nearest = 0;
+  const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut) {
+    if (look == Look::hidden) return;
+    const Pose X_BF = inverse(X_FB);
+    const Vec3 from = X_BF * eye;
+    const Vec3 direction = X_BF.q * along;
+    const auto hit = ray_hit(body.soup, from, direction, [&](const Vec3& x) {
+      return !cut || !s.seeing.cut.cuts_away(X_FB * x);
+    });
+    if (!hit || (best && hit->distance >= nearest)) return;
+    nearest = hit->distance;
+    best = Pick{probe, from + hit->distance * direction};
+  };
+  try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
+  try_body(true, s.pair->probe(), s.last_device, s.seeing.probe, s.seeing.cut.probe);
+  return best;
+}
+
+void Viewport::add_measured(const MeasuredPoint& point) {
+  scenery_->measures.add(point);
+  invalidate();
+}
+
+void Viewport::clear_measured() {
+  scenery_->measures.clear();
+  invalidate();
+}
+
+const std::vector<MeasuredPoint>& Viewport::measured() const { return scenery_->measures.points(); }
+
+void Viewport::set_gaps(const Gaps& gaps) {
+  Scenery& s = *scenery_;
+  s.probe_gaps.set(gaps.probe, gaps.separated, gaps.reach);
+  s.fixed_gaps.set(gaps.fixed, Pose{}, gaps.reach);
+  s.gap_reach = gaps.reach;
+  update_scale();
+  invalidate();
+}
+
+/// The colours of the gap, with their lengths.
+void Viewport::update_scale() {
+  const Scenery& s = *scenery_;
+  if (!shown(Layer::gaps) || !(s.gap_reach > 0)) return s.hints->set_scale({});
+  ColourScale scale{QStringLiteral("gap, %1").arg(s.unit.name()), {}, {}};
+  constexpr int colours = 32, ticks = 5;
+  for (int i = 0; i < colours; ++i) scale.colours.push_back(gap_colour(i / double(colours - 1)));
+  for (int i = 0; i < ticks; ++i)
+    scale.ticks << number(s.gap_reach * i / (ticks - 1) / s.unit.metres());
+  s.hints->set_scale(std::move(scale));
+}
+
+}  // namespace sonde::ui
