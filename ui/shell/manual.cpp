@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QImageReader>
 #include <QLabel>
 #include <QLineEdit>
@@ -27,6 +28,7 @@ class Pages : public QTextBrowser {
   using QTextBrowser::QTextBrowser;
   QVariant loadResource(int type, const QUrl& name) override {
     const QVariant found = QTextBrowser::loadResource(type, name);
+    if (type == QTextDocument::ImageResource) return fitted(source().resolved(name), found);
     if (type != QTextDocument::MarkdownResource) return found;
     QString text = QString::fromUtf8(found.toByteArray());
     static const QRegularExpression comment(QStringLiteral("<!--.*?-->\n*"),
@@ -36,6 +38,15 @@ class Pages : public QTextBrowser {
     static const QRegularExpression picture(QStringLiteral(R"(!\[([^\]]*)\]\(([^)]*\.svg)\))"));
     if (!drawn) text.replace(picture, QStringLiteral("[Picture: \\1](\\2)"));
     return text.toUtf8();
+  }
+
+ private:
+  /// A picture no wider than the page.
+  QVariant fitted(const QUrl& file, const QVariant& otherwise) const {
+    const QImage picture(file.toLocalFile());
+    const int width = viewport()->width() - 2 * static_cast<int>(document()->documentMargin());
+    if (picture.isNull() || picture.width() <= width || width < 100) return otherwise;
+    return picture.scaledToWidth(width, Qt::SmoothTransformation);
   }
 };
 
