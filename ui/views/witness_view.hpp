@@ -8,8 +8,8 @@
 
 namespace sonde::ui {
 
-/// What shows the lower bound: a point that lies deep in both bodies, and a ball about it, as three
-/// rings. Whatever the motion that separates them, the probe's point comes out of that ball.
+/// What shows the lower bound: a point deep in the two bodies together, and a ball about it, as
+/// three rings. Whatever the motion that separates them, the probe's point comes out of that ball.
 class WitnessView : public Overlay {
  public:
   WitnessView(vtkRenderer& renderer, GlyphShapes& shapes);

@@ -25,15 +25,16 @@ std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, co
                                         const Deadline& deadline = {},
                                         const BoundOptions& options = {});
 
-/// What shows most of a bound by itself: a point of both bodies at the pose asked about. Of the
-/// probe, the point there must come away from where it is by `depth`, whatever the motion.
+/// What shows most of a bound by itself: a point that lies deep in the two bodies together, at the
+/// pose asked about; it may lie outside the one, so much deeper in the other. The probe's point
+/// there must be moved by `depth`, whatever the motion that separates them.
 struct BoundWitness {
   Vec3 at = Vec3::Zero();  ///< in the fixed body's mesh frame, m
   double depth = 0;        ///< how deep it lies in the two bodies together, m
 };
 struct LowerBound {
   double depth = 0;                          ///< as of depth_lower_bound, m
-  std::optional<BoundWitness> witness = {};  ///< none where no point was found in both
+  std::optional<BoundWitness> witness = {};  ///< none where no such point was found
 };
 /// The same bound with its witness.
 std::optional<LowerBound> witnessed_lower_bound(const Body& probe, const Body& fixed,
