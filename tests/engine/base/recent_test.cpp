@@ -9,7 +9,7 @@ namespace sonde {
 namespace {
 
 // Reference: the function itself, at numbers that share places and at the largest.
-TEST(Recent, GivesWhatTheFunctionGives) {
+TEST(Recent, gives_what_the_function_gives) {
   Recent<std::uint64_t, 8> recent;
   std::mt19937_64 random(1);
   const auto square = [](std::uint32_t n) { return std::uint64_t{n} * n; };
@@ -20,7 +20,7 @@ TEST(Recent, GivesWhatTheFunctionGives) {
   }
 }
 
-TEST(Recent, MakesWhatIsAskedForAgainOnce) {
+TEST(Recent, makes_what_is_asked_for_again_once) {
   Recent<int, 8> recent;
   int made = 0;
   const auto make = [&](std::uint32_t n) { return ++made, static_cast<int>(n); };

@@ -26,8 +26,8 @@ Limits limits() {
           .buttons = 3};
 }
 
-// The bytes are those of the examples in resources/docs/develop/force-device-protocol.md, written out by
-// hand from the tables there.
+// The bytes are those of the examples in resources/docs/develop/force-device-protocol.md, written
+// out by hand from the tables there.
 TEST(ForceProtocol, a_pose_report_is_as_documented) {
   const PoseReport report{.sequence = 0x0102,
                           .time_us = 0x03040506,

@@ -42,7 +42,7 @@ void check(const std::string& name, const std::vector<Fault>& faults) {
   for (const Fault& fault : faults) EXPECT_EQ(said(name, fault.text), fault.message) << fault.text;
 }
 
-TEST(MeshFaults, Files) {
+TEST(MeshFaults, files) {
   const TempFolder folder;
   EXPECT_EQ(said_of(folder.path() / "none.off"), ": no such file");
   EXPECT_EQ(said_of(folder.write("empty.obj", "")), ": the file is empty");
@@ -55,7 +55,7 @@ TEST(MeshFaults, Files) {
               ": unknown mesh format: OFF, OBJ, PLY and STL are read");
 }
 
-TEST(MeshFaults, Off) {
+TEST(MeshFaults, off) {
   check(
       "a.off",
       {{"# nothing\n\n", ": the file holds nothing but comments"},
@@ -99,7 +99,7 @@ TEST(MeshFaults, Off) {
         ":8: data after the last of the 1 declared faces"}});
 }
 
-TEST(MeshFaults, OffBinary) {
+TEST(MeshFaults, off_binary) {
   PolygonSoup triangle;
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.polygons = {{0, 1, 2}};
@@ -127,7 +127,7 @@ TEST(MeshFaults, OffBinary) {
          {good + "x", ": byte 91: 1 bytes more than the header declares"}});
 }
 
-TEST(MeshFaults, Obj) {
+TEST(MeshFaults, obj) {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   check("a.obj",
         {{"# nothing\n", ": the mesh has no vertices"},
@@ -161,7 +161,7 @@ const std::string corners = "property list uchar int vertex_indices\n";
 const std::string usual = "element vertex 3\n" + xyz + "element face 1\n" + corners;
 const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
 
-TEST(MeshFaults, PlyHeader) {
+TEST(MeshFaults, ply_header) {
   check(
       "a.ply",
       {{"plx\n", ":1: not a PLY file: it must start with \"ply\""},
@@ -196,7 +196,7 @@ TEST(MeshFaults, PlyHeader) {
         ":9: element \"nothing\" has no properties"}});
 }
 
-TEST(MeshFaults, PlyText) {
+TEST(MeshFaults, ply_text) {
   check("a.ply",
         {{ply(usual, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), ":11: three coordinates expected"},
          {ply(usual, "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n"),
@@ -215,7 +215,7 @@ TEST(MeshFaults, PlyText) {
          {ply(usual, points + "3 0 1 2\n3 0 1 2\n"), ":14: data after the last declared element"}});
 }
 
-TEST(MeshFaults, PlyBinary) {
+TEST(MeshFaults, ply_binary) {
   const std::string little = "binary_little_endian";
   const std::size_t start = ply(usual, "", little).size();
   const auto at = [&](std::size_t n) { return ": byte " + std::to_string(start + n) + ": "; };
@@ -244,7 +244,7 @@ TEST(MeshFaults, PlyBinary) {
                    at(49) + "1 bytes more than the header declares"}});
 }
 
-TEST(MeshFaults, StlText) {
+TEST(MeshFaults, stl_text) {
   const std::string open = "solid a\nfacet normal 0 0 1\nouter loop\n";
   const std::string v = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
   check("a.stl", {{"solid a\nendsolid a\n", ": the mesh has no triangles"},
@@ -266,7 +266,7 @@ TEST(MeshFaults, StlText) {
                    ":10: data outside of a solid: \"more\""}});
 }
 
-TEST(MeshFaults, StlBinary) {
+TEST(MeshFaults, stl_binary) {
   std::string good = test::as_binary_stl(test::tetrahedron(1));
   const auto with = [&](std::size_t at, const std::string& bytes) {
     return std::string(good).replace(at, bytes.size(), bytes);
@@ -292,7 +292,7 @@ TEST(MeshFaults, StlBinary) {
 }
 
 // Reference: a thousand million vertices would take 24 GB, and minutes.
-TEST(MeshFaults, HostileCountsFailAtOnce) {
+TEST(MeshFaults, hostile_counts_fail_at_once) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(said("a.off", "OFF\n1000000000 1 0\n0 0 0\n"),
             ":2: the header declares 1000000000 vertices and 1 faces, but only 6 bytes follow");
@@ -309,7 +309,7 @@ TEST(MeshFaults, HostileCountsFailAtOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
-TEST(MeshFaults, ScalingBeyondRange) {
+TEST(MeshFaults, scaling_beyond_range) {
   const TempFolder folder;
   const auto file = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_THROW(read_mesh(file, 1e10), InputError);

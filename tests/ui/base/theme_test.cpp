@@ -26,7 +26,7 @@ double contrast(const QColor& a, const QColor& b) {
   return std::max(one, other) / std::min(one, other);
 }
 
-TEST(Theme, FaintTextCanBeReadOnLightAndDarkWindowsAndStandsBack) {
+TEST(Theme, faint_text_can_be_read_on_light_and_dark_windows_and_stands_back) {
   const QColor light_window(239, 239, 239), dark_window(36, 41, 48);
   for (const auto& [window, text] :
        {std::pair(light_window, QColor(Qt::black)), std::pair(dark_window, colour::text)}) {
@@ -84,7 +84,7 @@ Rgb lab(const QColor& colour, const Seen& seen) {
 }
 
 /// A difference of 2.3 is just noticed side by side; ten times that is another colour.
-TEST(Theme, ColoursOfThePictureDifferForThoseWhoSeeFewerHues) {
+TEST(Theme, colours_of_the_picture_differ_for_those_who_see_fewer_hues) {
   const std::pair<const char*, QColor> all[] = {
       {"probe", colour::probe},     {"fixed", colour::fixed},      {"ghost", colour::ghost},
       {"contact", colour::contact}, {"force", colour::force},      {"torque", colour::torque},
@@ -99,7 +99,7 @@ TEST(Theme, ColoursOfThePictureDifferForThoseWhoSeeFewerHues) {
       }
 }
 
-TEST(Theme, ColoursCanBeReadOnALightWindowAndStayOnADarkOne) {
+TEST(Theme, colours_can_be_read_on_a_light_window_and_stay_on_a_dark_one) {
   QPalette light, dark;
   light.setColor(QPalette::Window, QColor(240, 242, 245));
   dark.setColor(QPalette::Window, QColor(36, 41, 48));
@@ -110,7 +110,7 @@ TEST(Theme, ColoursCanBeReadOnALightWindowAndStayOnADarkOne) {
   }
 }
 
-TEST(Theme, LabelsInThePicturesColoursCanBeReadOnIt) {
+TEST(Theme, labels_in_the_pictures_colours_can_be_read_on_it) {
   for (const QColor& colour : {colour::probe, colour::fixed, colour::ghost, colour::contact,
                                colour::force, colour::torque, colour::nearest, colour::straight})
     EXPECT_GT(contrast(colour, colour::background_bottom), 4.5) << colour.name().toStdString();
