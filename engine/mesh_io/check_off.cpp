@@ -35,7 +35,7 @@ Counts read_counts(MeshScanner& scan) {
     if (!scan.next_line()) scan.refuse("the file ends before the number of vertices");
     first = scan.word();
   }
-  if (first == "BINARY") scan.refuse("binary OFF is not supported");
+  if (first == "BINARY") scan.refuse("a binary OFF whose first line is not \"OFF BINARY\"");
   const std::int64_t vertices = scan.integer(first, "a number of vertices");
   if (vertices < 0) scan.refuse(shown(first) + " is not a number of vertices");
   const Counts counts{static_cast<std::uint64_t>(vertices), scan.count("a number of faces")};

@@ -10,6 +10,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/mesh_io/binary_off.hpp"
 #include "engine/mesh_io/cgal_readers.hpp"
 #include "engine/mesh_io/mesh_checks.hpp"
 
@@ -174,6 +175,8 @@ PolygonSoup parse(MeshFormat format, const std::string& file, std::string_view b
                   const Progress& progress) {
   if (format == MeshFormat::stl && is_binary_stl(bytes))
     return read_binary_stl(file, bytes, progress);
+  if (format == MeshFormat::off && is_binary_off(bytes))
+    return read_binary_off(file, bytes, progress);
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
   if (format == MeshFormat::stl && !looks_like_text_stl(bytes)) refuse_stl(file, bytes);

@@ -35,12 +35,44 @@ inline void put_polygons(std::ostream& out, const PolygonSoup& soup, const char*
   }
 }
 
+template <class T>
+std::string raw(T value, bool big_endian = false) {
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  if (big_endian != (std::endian::native == std::endian::big))
+    bytes.assign(bytes.rbegin(), bytes.rend());
+  return bytes;
+}
+
 inline std::string as_off(const PolygonSoup& soup) {
   auto out = exact_stream();
   out << "OFF\n" << soup.points.size() << ' ' << soup.polygons.size() << " 0\n";
   for (const Vec3& x : soup.points) out << x.x() << ' ' << x.y() << ' ' << x.z() << '\n';
   put_polygons(out, soup, "", true, 0);
   return out.str();
+}
+
+/// As Geomview has it: 32 bits each, big-endian, after each face a number of colour values.
+inline std::string as_binary_off(const PolygonSoup& soup, const std::string& keyword = "OFF",
+                                 int more_of_vertex = 0, int colours = 0) {
+  const auto whole = [](std::size_t n) { return raw(static_cast<std::int32_t>(n), true); };
+  const auto floats = [](int n) {
+    std::string out;
+    for (int i = 0; i < n; ++i) out += raw(0.5F, true);
+    return out;
+  };
+  std::string out =
+      keyword + " BINARY\n" + whole(soup.points.size()) + whole(soup.polygons.size()) + whole(0);
+  for (const Vec3& x : soup.points) {
+    for (const double c : x) out += raw(static_cast<float>(c), true);
+    out += floats(more_of_vertex);
+  }
+  for (const auto& polygon : soup.polygons) {
+    out += whole(polygon.size());
+    for (const std::size_t i : polygon) out += whole(i);
+    out += whole(static_cast<std::size_t>(colours)) + floats(colours);
+  }
+  return out;
 }
 
 inline std::string as_obj(const PolygonSoup& soup) {
@@ -64,15 +96,6 @@ inline std::string as_text_ply(const PolygonSoup& soup) {
   for (const Vec3& x : soup.points) out << x.x() << ' ' << x.y() << ' ' << x.z() << '\n';
   put_polygons(out, soup, "", true, 0);
   return out.str();
-}
-
-template <class T>
-std::string raw(T value, bool big_endian = false) {
-  std::string bytes(sizeof(T), '\0');
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  if (big_endian != (std::endian::native == std::endian::big))
-    bytes.assign(bytes.rbegin(), bytes.rend());
-  return bytes;
 }
 
 inline std::string as_binary_ply(const PolygonSoup& soup, bool big_endian) {

@@ -42,6 +42,34 @@ void check(const std::string& name, const std::vector<Fault>& faults) {
   for (const Fault& fault : faults) EXPECT_EQ(said(name, fault.text), fault.message) << fault.text;
 }
 
+/// The bytes with some of them replaced by a whole number.
+std::string with(std::string bytes, std::size_t at, std::int32_t value) {
+  return bytes.replace(at, 4, test::raw(value, true));
+}
+
+TEST(MeshFaults, BinaryOff) {
+  const PolygonSoup one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::string good = test::as_binary_off(one);
+  ASSERT_EQ(good.size(), 79U);  // 11 of the first line, 3 counts, 9 coordinates, 5 of the face
+  std::string infinite = good;
+  infinite.replace(27, 4, test::raw(std::numeric_limits<float>::infinity(), true));
+  check("a.off",
+        {{with(good, 11, 0), ": byte 11: the mesh has no vertices"},
+         {with(good, 15, 0), ": byte 11: the mesh has no faces"},
+         {with(good, 11, -3), ": byte 11: the number of vertices is -3"},
+         {with(good, 11, 1 << 30),
+          ": byte 11: the header declares 1073741824 vertices and 1 faces, but only 56 bytes "
+          "follow"},
+         {infinite, ": byte 27: a coordinate of vertex 1 of 3 is not finite"},
+         {with(good, 59, 2), ": byte 59: face 1 of 1 has fewer than three corners"},
+         {with(good, 59, 1 << 30),
+          ": byte 59: face 1 of 1 has 1073741824 corners, but only 16 bytes follow"},
+         {with(good, 67, 3), ": byte 67: vertex index 3 in face 1 of 1 is out of range (0 to 2)"},
+         {with(good, 67, -1), ": byte 67: vertex index -1 in face 1 of 1 is out of range (0 to 2)"},
+         {with(good, 75, 1), ": byte 79: the file ends inside face 1 of 1"},
+         {good + "x", ": byte 79: 1 bytes more than the header declares"}});
+}
+
 TEST(MeshFaults, Files) {
   const TempFolder folder;
   EXPECT_EQ(said_of(folder.path() / "none.off"), ": no such file");
@@ -61,7 +89,8 @@ TEST(MeshFaults, Off) {
       {{"# nothing\n\n", ": the file holds nothing but comments"},
        {"off\n3 1 0\n", ":1: not an OFF file: it starts with \"off\""},
        {"\x01\x02junk\n", ":1: not an OFF file: it starts with \"??junk\""},
-       {"OFF BINARY\n\x01\x02", ":1: binary OFF is not supported"},
+       {"OFF BINARY\n\x01\x02", ": byte 13: the file ends inside the number of vertices"},
+       {"OFF\nBINARY\n", ":2: a binary OFF whose first line is not \"OFF BINARY\""},
        {"4OFF\n3 1 0\n", ":1: the 4OFF variant of OFF is not supported"},
        {"nOFF\n3\n3 1 0\n", ":1: the nOFF variant of OFF is not supported"},
        {"SKEL\n", ":1: the SKEL variant of OFF is not supported"},
