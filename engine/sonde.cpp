@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "engine/body/body.hpp"
+#include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
 namespace {
@@ -36,6 +38,15 @@ PolygonSoup checked(std::span<const Vec3> vertices,
   return out;
 }
 
+void check(const Knob& knob) {
+  if (knob.time != 0 && knob.accuracy != 0)
+    throw InputError::in("the knob", "a time and an accuracy: the one follows from the other");
+  if (!(knob.time >= 0) || !std::isfinite(knob.time))
+    throw InputError::in("the knob", "a time must be positive and finite");
+  if (!(knob.accuracy >= 0 && knob.accuracy < 1))
+    throw InputError::in("the knob", "an accuracy must be above 0 and below 1");
+}
+
 }  // namespace
 
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model model, double scale,
@@ -63,6 +74,19 @@ BodyFacts facts(const Body& body) {
 
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
   return separate_static(pair, X_FM, options);
+}
+
+Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method,
+                std::uint64_t seed) {
+  check(knob);
+  const AccuracyCurve curve(default_calibration(), Answers::search, method, bool(pair.sketches()));
+  StaticOptions options;
+  options.method = method;
+  options.seed = seed;
+  options.budget.microseconds = budget_us(knob, curve);
+  options.want_lower_bound = false;
+  const Separation found = separate_static(pair, X_FM, options);
+  return {found, claim_of(found, options.budget.microseconds, curve)};
 }
 
 struct Follower::State {

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
+#include "engine/calibration/knob.hpp"                  // Knob, Claim
 #include "engine/geometry/mass.hpp"                     // MassProperties
 #include "engine/geometry/model.hpp"                    // Model
 #include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
@@ -83,6 +84,21 @@ BodyFacts facts(const Body& body);
 /// one thread or two. May be called on one pair from any number of threads at once. Allocates.
 /// @throws std::bad_alloc.
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
+
+/// An answer to the knob.
+struct Answer {
+  Separation separation;
+  Claim claim;  ///< how near to the true depth it claims to be
+};
+
+/// The same with one knob: a time, and the accuracy follows, or an accuracy, and the time follows,
+/// by what was measured on the pairs that the calibration which ships is made of. Without a bound.
+/// Neither: until it has converged. Times are those of the wall's clock, so no two runs need give
+/// the same bits.
+/// @throws InputError where both are given, the time is negative or not finite, or the accuracy is
+/// negative, not finite, or 1 and more. @throws std::bad_alloc.
+Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method = Method::pdg,
+                std::uint64_t seed = 1);
 
 /// The separated pose of a probe that moves, pose by pose: each is reached from the one before
 /// along a path swept free, on which √σ to the new device pose never rises. So it never pops

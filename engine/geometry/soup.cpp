@@ -5,24 +5,12 @@
 #include <cmath>
 
 #include "engine/base/progress.hpp"
+#include "engine/geometry/ear_clipping.hpp"
 
 namespace sonde {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-
-/// Angles whose sine is below this count as straight while ears are clipped. It only steers the
-/// choice of ears, never what is kept.
-constexpr double straight = 1e-12;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Turn from a→b to b→c: positive where it is to the left, zero where it is straight.
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const Vec2 ab = b - a, bc = c - b;
-  const double z = cross(ab, bc);
-  return std::abs(z) <= straight * ab.norm() * bc.norm() ? 0 : z;
-}
 
 /// Newell's normal, relative to the first corner so that far from the origin it stays accurate;
 /// `unit` is the size of the polygon.
@@ -57,106 +45,6 @@ std::vector<Vec2> flatten(const std::vector<Vec3>& points, const Polygon& polygo
   }
   return flat;
 }
-
-/// Clips the ears of one polygon, going round so that a convex one does not become a fan.
-class EarClipper {
- public:
-  EarClipper(const Polygon& polygon, std::vector<Vec2> flat, std::vector<Triangle>& out)
-      : polygon_(polygon), flat_(std::move(flat)), out_(out) {
-    const std::size_t n = polygon.size();
-    next_.resize(n);
-    previous_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      next_[i] = (i + 1) % n;
-      previous_[i] = (i + n - 1) % n;
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      if (turn_at(i) <= 0) blockers_.push_back(i);
-    left_ = n;
-  }
-
-  void clip() {
-    std::size_t at = 0, tried = 0;
-    int stuck = 0;
-    while (left_ > 3) {
-      if (stuck == most_stuck) return cut_in_order(at);
-      if (tried > left_) {  // crosses itself: take the least bad corner and go on
-        cut(at = most_convex(at));
-        ++stuck;
-      } else if (is_ear(at)) {
-        cut(at);
-      } else {
-        at = next_[at];
-        ++tried;
-        continue;
-      }
-      tried = 0;
-      at = next_[next_[at]];
-    }
-    emit(at);
-  }
-
- private:
-  /// Rounds without an ear, after which a polygon counts as a tangle. Each costs up to the square
-  /// of its corners; a drawn polygon that crosses itself once or twice has as few of them.
-  static constexpr int most_stuck = 64;
-
-  /// What is left of a tangle, for which no triangulation is better than another.
-  void cut_in_order(std::size_t at) {
-    for (; left_ > 3; --left_) {
-      emit(at);
-      next_[previous_[at]] = next_[at];
-      previous_[next_[at]] = previous_[at];
-      at = next_[next_[at]];
-    }
-    emit(at);
-  }
-
-  double turn_at(std::size_t i) const {
-    return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]);
-  }
-
-  /// Convex, and no other corner inside or on it. Only corners that are not convex can be.
-  bool is_ear(std::size_t i) const {
-    if (turn_at(i) <= 0) return false;
-    const Vec2 &a = flat_[previous_[i]], &b = flat_[i], &c = flat_[next_[i]];
-    return std::none_of(blockers_.begin(), blockers_.end(), [&](std::size_t k) {
-      const Vec2& x = flat_[k];
-      if (x == a || x == b || x == c)
-        return false;  // a corner, or a bridge to a hole that meets one
-      return turn(a, b, x) >= 0 && turn(b, c, x) >= 0 && turn(c, a, x) >= 0;
-    });
-  }
-
-  std::size_t most_convex(std::size_t start) const {
-    std::size_t best = start;
-    for (std::size_t i = next_[start]; i != start; i = next_[i])
-      if (turn_at(i) > turn_at(best)) best = i;
-    return best;
-  }
-
-  void emit(std::size_t i) {
-    const auto vertex = [&](std::size_t k) { return static_cast<std::uint32_t>(polygon_[k]); };
-    out_.push_back({vertex(previous_[i]), vertex(i), vertex(next_[i])});
-  }
-
-  void cut(std::size_t i) {
-    emit(i);
-    next_[previous_[i]] = next_[i];
-    previous_[next_[i]] = previous_[i];
-    --left_;
-    // A corner only becomes more convex when its neighbour goes, so blockers only ever leave.
-    std::erase_if(blockers_, [&](std::size_t k) {
-      return k == i || ((k == next_[i] || k == previous_[i]) && turn_at(k) > 0);
-    });
-  }
-
-  const Polygon& polygon_;
-  std::vector<Vec2> flat_;
-  std::vector<Triangle>& out_;
-  std::vector<std::size_t> next_, previous_, blockers_;
-  std::size_t left_ = 0;
-};
 
 Triangle triangle(std::size_t a, std::size_t b, std::size_t c) {
   return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
@@ -215,7 +103,7 @@ void triangulate_one(const std::vector<Vec3>& points, const Polygon& polygon,
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       out.push_back(triangle(polygon[0], polygon[i], polygon[i + 1]));
   } else {
-    EarClipper(polygon, std::move(flat), out).clip();
+    clip_ears(polygon, std::move(flat), out);
   }
 }
 

@@ -315,5 +315,23 @@ TEST(Face, the_example_prints_the_depth_of_two_files) {
   EXPECT_THAT(reason, HasSubstr("missing.off: "));
 }
 
+// Reference: the boxes' faces: the way out along z is 0.005, and no answer is below the bound.
+TEST(Face, one_knob_is_a_time_or_an_accuracy) {
+  const Pair pair(brick.body(), block.body());
+  const Pose pose{Quat::Identity(), Vec3(0.01, 0.02, 0.07)};
+  for (const Knob& knob : {Knob{}, Knob{.time = 5e-3}, Knob{.accuracy = 0.05}}) {
+    const Answer answer = separate(pair, pose, knob);
+    ASSERT_EQ(answer.separation.status, Status::penetrating);
+    EXPECT_LE(answer.separation.depth, 0.005 * 1.05);
+    EXPECT_FALSE(answer.separation.lower_bound);
+  }
+  EXPECT_EQ(separate(pair, {Quat::Identity(), Vec3(1, 0, 0)}, Knob{.time = 1e-3}).claim.by,
+            Claim::By::certified);
+  for (const Knob& knob : {Knob{.time = -1}, Knob{.time = nan}, Knob{.time = inf},
+                           Knob{.accuracy = -0.1}, Knob{.accuracy = 1}, Knob{.accuracy = 10},
+                           Knob{.accuracy = nan}, Knob{.time = 1, .accuracy = 0.1}})
+    EXPECT_THROW(separate(pair, pose, knob), InputError) << knob.time << ", " << knob.accuracy;
+}
+
 }  // namespace
 }  // namespace sonde

@@ -24,4 +24,4 @@ sonde::wrench
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 18 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 19 sh -c "nm -D --defined-only '$library' | wc -l"

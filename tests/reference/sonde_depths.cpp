@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "engine/calibration/calibration_file.hpp"
 #include "engine/text/output_file.hpp"
+#include "tests/reference/calibrate_rows.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/summary.hpp"
 
@@ -14,7 +16,7 @@ namespace {
 
 struct Options {
   std::string in = "tests/reference/depths.csv";
-  std::string only, csv, json;
+  std::string only, csv, json, calibration;
   StaticOptions search;
   int every = 1;
   std::size_t worst = 20;
@@ -35,6 +37,8 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--worst", o.worst, "how many of the worst to name")->capture_default_str();
   app.add_option("--csv", o.csv, "write a line for each row to this file");
   app.add_option("--json", o.json, "write the table to this file");
+  app.add_option("--calibrate", o.calibration,
+                 "measure what limits of time cost instead, and write that to this file");
   app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
@@ -82,7 +86,23 @@ void print(const char* title, const bench::Table& table) {
   if (!table.rows.empty()) std::printf("%s\n\n%s\n", title, bench::to_text(table).c_str());
 }
 
+int calibrate_all(const Options& options) {
+  check_writable(options.calibration);
+  const std::vector<Row> rows = read_rows(options.in);
+  Calibration all;
+  Bodies bodies;
+  for (const PairSpec& spec : pair_specs()) {
+    if (!options.only.empty() && options.only != spec.name) continue;
+    if (!bodies.load(spec.name)) continue;
+    for (CalibrationSeries& series : calibrate_rows(*bodies.bodies, spec.name, rows).series)
+      all.series.push_back(std::move(series));
+  }
+  write_whole(options.calibration, to_json(all));
+  return 0;
+}
+
 int run(const Options& options) {
+  if (!options.calibration.empty()) return calibrate_all(options);
   for (const std::string& file : {options.csv, options.json})
     if (!file.empty()) check_writable(file);
   std::vector<Row> rows = read_rows(options.in);

@@ -13,7 +13,8 @@ class Refinement {
   Refinement(const Body& probe, const Body& fixed, Method method);
 
   /// From the free pose at y. Where the steps or the time run out, the nearest pose reached, let
-  /// come into contact as far as there is time.
+  /// come into contact as far as there is time; or, where nothing is known of its contacts by then,
+  /// as far as 0.1 ms more go.
   Descent::Outcome run(const Chart& chart, const Vec6& y, LeapDescent& leaps, int steps,
                        const Deadline& deadline);
 

@@ -19,10 +19,12 @@ void LocalOptima::note(const LocalOptimum& place) {
   optima_.insert(later, place);
 }
 
+bool LocalOptima::is_same(double depth, double best) { return depth < (1 + same) * best; }
+
 int LocalOptima::agreeing() const {
   int starts = 0;
   for (const LocalOptimum& place : optima_)
-    if (place.depth < (1 + same) * best_) starts += place.starts;
+    if (is_same(place.depth, best_)) starts += place.starts;
   return starts;
 }
 

@@ -26,6 +26,8 @@ class LocalOptima {
   double best() const { return best_; }  ///< m; infinite where there is none
   /// Independent starts that ended at the best depth, to 2 %.
   int agreeing() const;
+  /// Is a depth the best one, to 2 %?
+  static bool is_same(double depth, double best);
   /// Is y so near the best of them (of its depth) that a descent is thought to end there?
   bool is_known(const Vec6& y, double share) const;
   /// The nearest so many, the best first, no two of them close together.

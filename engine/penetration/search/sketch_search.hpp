@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/deadline.hpp"
 #include "engine/base/thread_pair.hpp"
+#include "engine/geometry/random.hpp"
 #include "engine/penetration/descent/sketch_descent.hpp"
 
 namespace sonde {
@@ -17,23 +20,62 @@ struct SketchEnd {
   double depth = 0;  ///< |y|, m
   int starts = 1;    ///< how many came there
   double from = 0;   ///< |y| of where the first began, m
+  /// m, for who asks for the ends: what a descent of the bodies from there came to. Negative: none
+  /// was made.
+  double came_to = -1;
 };
 
-struct SketchSearch {
+/// What a search on sketches looks for.
+struct SketchGoal {
   Method method = Method::pdg;
-  int fewest = 32;  ///< starts
-  int most = 96;    ///< until as many as a quarter of the fewest have ended at the same depth
   std::uint64_t seed = 1;
   Deadline deadline = {};
   /// Along which random displacements are drawn: those of the fixed body, where the search is not
   /// to depend on how the world is turned.
   Mat3 axes = Mat3::Identity();
+  /// m: what ends above is given up.
+  double beat = std::numeric_limits<double>::infinity();
 };
 
 /// Looks for the places nearest to the origin at which the sketches are apart, from random starts,
-/// one descent for each lane of the threads at a time. The nearest first, each once. The same on
-/// any number of threads, but for the deadline.
-std::vector<SketchEnd> search_sketches(const Chart& chart, const SketchSearch& search,
-                                       std::span<SketchDescent> lanes, ThreadPair& threads);
+/// one descent for each lane of the threads at a time. The same on any number of threads, but for
+/// the deadline; and the same whether it is made at once or goes on.
+class SketchSearch {
+ public:
+  SketchSearch(const Chart& chart, const SketchGoal& goal, std::span<SketchDescent> lanes,
+               ThreadPair& threads);
+
+  /// Goes on until `most` starts are made, or `fewest` and it is clear what is the least depth.
+  void go_on(int fewest, int most, int agreeing);
+
+  std::vector<SketchEnd>& ends() { return ends_; }  ///< the nearest first, each once
+  /// As many starts as `agreeing` have ended at the least depth, to 2 %, each by itself; or some,
+  /// where no other end is near it.
+  bool is_clear(int agreeing) const;
+  int made() const { return made_; }  ///< starts
+
+ private:
+  struct Balls {
+    double growth;
+    int tries;  // in each
+  };
+  double best() const;
+  void round();
+  std::optional<SketchEnd> start(int number, SketchDescent& descent) const;
+  std::optional<SketchEnd> start_about(const Vec6& center, double ball, const Balls& balls,
+                                       Random& random, SketchDescent& descent) const;
+  std::optional<SketchEnd> descend(const Vec6& y, SketchDescent& descent) const;
+  Vec6 sample(Random& random, double ball) const;
+  Random stream(std::uint64_t number) const;
+  void note(const SketchEnd& end);
+
+  const Chart& chart_;
+  SketchGoal goal_;
+  std::span<SketchDescent> lanes_;
+  ThreadPair& threads_;
+  std::vector<SketchEnd> ends_;
+  int made_ = 0;
+  double nearest_free_ = std::numeric_limits<double>::infinity();  // m, where a start began
+};
 
 }  // namespace sonde

@@ -15,7 +15,12 @@ struct StaticOptions {
   std::uint64_t seed = 1;  ///< of the random starts; any number
   int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
   int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
+  /// Also enough: sketches of the bodies that leave no doubt, or starts from all that they show.
+  /// False: as many starts as above, or the agreement, whatever sketches say.
+  bool by_evidence = true;
   bool want_lower_bound = true;  ///< also; there is none where both bodies are surfaces
+  /// Of a budget of time: kept for the bound. 0: it gets what the search leaves.
+  double share_for_bound = 0;
   bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
 };
 

@@ -96,6 +96,7 @@ class PoseMeasurement {
       StaticOptions own = options(method, seeds_.next());
       own.starts = long_starts;
       own.agreement = std::numeric_limits<int>::max();
+      own.by_evidence = false;
       const Separation found = separate(own);
       if (found.status != Status::failed) out.push_back(found.depth);
     }

@@ -47,6 +47,8 @@ int main() {
   const sonde::Separation deep = sonde::separate(pair, pose);
   if (deep.status != sonde::Status::penetrating || deep.depth > 0.1 * 1.0001)
     return complain("the depth is above the way out along x");
+  const sonde::Answer quick = sonde::separate(pair, pose, sonde::Knob{.time = 1e-3});
+  if (quick.separation.status != sonde::Status::penetrating) return complain("the knob");
   sonde::Follower first(pair), follower(std::move(first));
   first = std::move(follower);
   follower = std::move(first);

@@ -49,20 +49,19 @@ TEST_F(RefinementTest, without_steps_it_only_comes_into_contact) {
   EXPECT_LE(clearance(out.y), allowed_clearance(ball->mass.radius, out.y.norm()));
 }
 
-TEST_F(RefinementTest, out_of_time_it_leaves_the_pose_free) {
+TEST_F(RefinementTest, out_of_time_it_leaves_the_pose_free_and_names_a_contact) {
   const Deadline over{.microseconds = 1e-3, .started = now_us() - 1};
   const Descent::Outcome out = refinement.run(chart, start, leaps, ample, over);
   EXPECT_FALSE(out.converged);
   EXPECT_LE(out.y.norm(), start.norm());
   EXPECT_FALSE(overlap(*ball, *plate, Transform(chart.pose(out.y)), Doubt::exact));
-  EXPECT_EQ(out.contacts.size, 0);
-  EXPECT_EQ(out.residual, 1) << "nothing holds it";
+  EXPECT_GT(out.contacts.size, 0);
+  EXPECT_LE(clearance(out.y), allowed_clearance(ball->mass.radius, out.y.norm()));
 }
 
 // Reference: the definition, |y − Jᵀλ| / |y| with the contacts that come with it. Wherever the time
 // ends, what is said of the pose is true of it.
 TEST_F(RefinementTest, the_residual_is_that_of_its_contacts_whenever_the_time_is_over) {
-  int without = 0, with = 0;
   for (double time = 1; time < 1e5; time *= 1.1) {
     const Descent::Outcome out =
         refinement.run(chart, start, leaps, ample, {.microseconds = time, .started = now_us()});
@@ -71,10 +70,8 @@ TEST_F(RefinementTest, the_residual_is_that_of_its_contacts_whenever_the_time_is
       held += c.multiplier * chart.row(out.y, c.on_probe, c.normal);
     EXPECT_NEAR(out.residual, (out.y - held).norm() / out.y.norm(), 0.02) << time;
     EXPECT_FALSE(overlap(*ball, *plate, Transform(chart.pose(out.y)), Doubt::exact)) << time;
-    ++(out.contacts.size == 0 ? without : with);
+    EXPECT_GT(out.contacts.size, 0) << time;
   }
-  EXPECT_GT(without, 0);
-  EXPECT_GT(with, 0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tests/support/shapes.hpp"
 
@@ -16,7 +17,10 @@ std::vector<SketchEnd> search(const Body& a, const Body& b, const Pose& X, bool 
   std::vector<SketchDescent> lanes;
   for (int lane = 0; lane < 2; ++lane) lanes.emplace_back(*sketches.probe, *sketches.fixed, b.mass);
   ThreadPair threads(two_threads);
-  return search_sketches(Chart(a.mass, X), {.method = method}, lanes, threads);
+  const Chart chart(a.mass, X);
+  SketchSearch search(chart, {.method = method}, lanes, threads);
+  search.go_on(32, 96, 8);
+  return search.ends();
 }
 
 // Reference: by translation alone a box leaves a larger one by the nearest face.
@@ -30,6 +34,32 @@ TEST(SketchSearch, a_box_leaves_a_box_by_the_nearest_face) {
   EXPECT_LT((ends.front().y.tail<3>() - Vec3(0, 0, 0.17)).norm(), 0.02);
   EXPECT_GE(ends.front().starts, 2);
   EXPECT_TRUE(std::ranges::is_sorted(ends, {}, &SketchEnd::depth));
+}
+
+// What it comes to does not depend on whether it is made at once, and more starts never lose an
+// end.
+TEST(SketchSearch, goes_on_where_it_stopped) {
+  const auto ring = test::body(test::torus(0.08, 0.03, 24, 16));
+  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.015, 30, 8));
+  const Chart chart(ring->mass, Pose{Quat(0.8, 0.2, -0.5, 0.1).normalized(), {0.01, 0.02, -0.01}});
+  const Sketches sketches = make_sketches(*ring, *knot);
+  std::vector<SketchDescent> lanes;
+  for (int lane = 0; lane < 2; ++lane)
+    lanes.emplace_back(*sketches.probe, *sketches.fixed, knot->mass);
+  ThreadPair threads(false);
+  SketchSearch at_once(chart, {}, lanes, threads), in_parts(chart, {}, lanes, threads);
+  at_once.go_on(64, 64, 0);
+  double before = std::numeric_limits<double>::infinity();
+  for (int made = 8; made <= 64; made += 8) {
+    in_parts.go_on(made, made, 0);
+    EXPECT_EQ(in_parts.made(), made);
+    ASSERT_FALSE(in_parts.ends().empty());
+    EXPECT_LE(in_parts.ends().front().depth, before);
+    before = in_parts.ends().front().depth;
+  }
+  ASSERT_EQ(at_once.ends().size(), in_parts.ends().size());
+  for (std::size_t i = 0; i < at_once.ends().size(); ++i)
+    EXPECT_EQ(at_once.ends()[i].y, in_parts.ends()[i].y);
 }
 
 TEST(SketchSearch, two_threads_give_the_same_bits) {

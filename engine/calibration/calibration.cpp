@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/calibration/calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "engine/base/quantile.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Of the answers: how many keep to what is expected.
+constexpr double sure = 0.9;
+/// Shares below this are one to the interpolation; it is what the reference is worth.
+constexpr double least_within = 1e-6;
+
+/// All errors with one limit of time, by that.
+std::map<double, std::vector<double>> pooled(const Calibration& calibration, Answers answers,
+                                             Method method, const bool* sketched) {
+  std::map<double, std::vector<double>> out;
+  for (const CalibrationSeries& series : calibration.series) {
+    if (series.answers != answers || series.method != method) continue;
+    if (sketched && series.sketched != *sketched) continue;
+    for (const CalibrationPoint& point : series.points) {
+      std::vector<double>& all = out[point.time_us];
+      all.insert(all.end(), point.errors.begin(), point.errors.end());
+    }
+  }
+  for (auto& [time, errors] : out) std::ranges::sort(errors);
+  return out;
+}
+
+/// The point in between, both axes logarithmic.
+double between(double x, double x0, double y0, double x1, double y1) {
+  const auto up = [](double y) { return std::log(std::max(y, least_within)); };
+  const double part = (std::log(x) - std::log(x0)) / (std::log(x1) - std::log(x0));
+  return std::exp(up(y0) + part * (up(y1) - up(y0)));
+}
+
+}  // namespace
+
+AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
+                             bool sketched)
+    : without_limit_(infinite) {
+  auto errors = pooled(calibration, answers, method, &sketched);
+  if (errors.empty()) errors = pooled(calibration, answers, method, nullptr);
+  double best = infinite;
+  for (const auto& [time_us, all] : errors) {
+    if (time_us <= 0 || all.empty()) continue;
+    best = std::min(best, quantile(all, sure));
+    points_.push_back({time_us, best});
+  }
+  const auto unlimited = errors.find(0);
+  if (unlimited != errors.end() && !unlimited->second.empty())
+    without_limit_ = std::min(best, quantile(unlimited->second, sure));
+}
+
+double AccuracyCurve::within(double time_us) const {
+  if (!(time_us > 0)) return without_limit_;
+  const auto later = std::ranges::upper_bound(points_, time_us, {}, &Point::time_us);
+  if (later == points_.begin()) return infinite;
+  const Point& before = *(later - 1);
+  if (later == points_.end() || !std::isfinite(before.within)) return before.within;
+  return between(time_us, before.time_us, before.within, later->time_us, later->within);
+}
+
+double AccuracyCurve::time_for(double accuracy) const {
+  const auto first =
+      std::ranges::find_if(points_, [&](const Point& point) { return point.within <= accuracy; });
+  if (first == points_.end()) return 0;
+  if (first == points_.begin()) return first->time_us;
+  const Point& before = *(first - 1);
+  if (!std::isfinite(before.within)) return first->time_us;
+  const double high = std::log(before.within),
+               low = std::log(std::max(first->within, least_within));
+  const double part = (high - std::log(std::max(accuracy, least_within))) / (high - low);
+  return before.time_us * std::pow(first->time_us / before.time_us, std::clamp(part, 0.0, 1.0));
+}
+
+double budget_us(const Knob& knob, const AccuracyCurve& curve) {
+  return knob.accuracy > 0 ? curve.time_for(knob.accuracy) : 1e6 * knob.time;
+}
+
+Claim claim_of(const Separation& answer, double time_us, const AccuracyCurve& curve) {
+  if (answer.status == Status::failed) return {};
+  if (answer.status == Status::separated) return {Claim::By::certified, 0};
+  const double bound = answer.lower_bound.value_or(0);
+  const double certified = bound > 0 ? answer.depth / bound - 1 : infinite;
+  const double expected = curve.within(time_us);
+  if (std::isfinite(certified) && certified <= expected) return {Claim::By::certified, certified};
+  if (std::isfinite(expected)) return {Claim::By::expected, expected};
+  return {};
+}
+
+}  // namespace sonde

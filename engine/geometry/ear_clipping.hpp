@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/geometry/soup.hpp"
+
+namespace sonde {
+
+/// Cuts one polygon into triangles by clipping its ears, going round so that a convex one does not
+/// become a fan. `flat` are its corners in a plane, counter-clockwise, of about unit size;
+/// `polygon` their numbers in the soup. A polygon that does not cross itself is covered once. One
+/// that does has no such triangles: it gets as many, of the same signed area altogether, from
+/// whatever corners are most convex near by, so that a large one takes no longer than others.
+void clip_ears(const std::vector<std::size_t>& polygon, std::vector<Eigen::Vector2d> flat,
+               std::vector<Triangle>& out);
+
+/// Turn from a→b to b→c: positive where it is to the left, zero where it is straight.
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
+
+}  // namespace sonde

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/starts.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/body/body.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of the best depth: overlaps further out are not pushed apart, and where it has been pushed to
+/// within so much of the best place it would come down there.
+constexpr double far_out = 1.3, close_by = 0.1;
+/// Random poses of one ball, of which one is to be free.
+constexpr int tries_in_a_ball = 50;
+/// Of a round of random starts: those that are not near ends.
+constexpr std::size_t far_starts = 3;
+
+}  // namespace
+
+Starts::Starts(const Pair& pair, const Chart& chart, const Deadline& before)
+    : probe_(pair.probe()),
+      fixed_(pair.fixed()),
+      chart_(chart),
+      before_(before),
+      lanes_{SearchWorker(probe_, fixed_), SearchWorker(probe_, fixed_)} {
+  const Sketches& sketches = pair.sketches();
+  if (!sketches) return;
+  for (std::size_t k = 0; k < lanes_.size(); ++k)
+    sketched_.emplace_back(*sketches.probe, *sketches.fixed, fixed_.mass);
+}
+
+int Starts::limited() const {
+  int out = 0;
+  for (const SearchWorker& lane : lanes_) out += lane.limited();
+  return out;
+}
+
+std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, double radius,
+                                        int tries, Method method, SearchWorker& lane) const {
+  return lane.free_sample(chart_, random, center, radius, tries, method, before_);
+}
+
+LocalOptimum Starts::near(Random random, int tries, const Aim& aim, std::size_t lane) {
+  SearchWorker& in = lanes_[lane];
+  for (double radius = in.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
+    if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, in)) {
+      in.near = std::max(SearchWorker::smallest_ball(probe_), 0.3 * y->norm());
+      return in.descend(chart_, *y, aim.method, limits(aim, y->norm()));
+    }
+  return {};
+}
+
+LocalOptimum Starts::sketched(const SketchEnd& end, const Aim& aim, std::size_t lane) {
+  const auto y = freed(end.y, aim.method, lane);
+  return y ? lanes_[lane].descend_exactly(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
+}
+
+/// A free pose near an end on the sketches: where they are further apart, or where the bodies push
+/// each other.
+std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
+  SketchDescent& sketches = sketched_[lane];
+  Vec6 y = end;
+  for (const double apart : {0.0, 0.1, 0.3, 0.6, 1.2}) {
+    if (apart > 0)
+      y = sketches
+              .run(chart_, y, {.method = method, .margin = apart * sketches.spacing(), .steps = 4})
+              .y;
+    if (lanes_[lane].leaps(method).is_free(chart_, y)) return y;
+  }
+  return lanes_[lane].push(method).from(chart_, end, std::numeric_limits<double>::infinity(),
+                                        before_);
+}
+
+LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
+  const auto free = lanes_[lane].push(aim.method).from(chart_, y, far_out * aim.beat, before_);
+  LocalOptimum out;
+  if (free && !(aim.known && aim.known->is_known(*free, close_by)))
+    out = lanes_[lane].descend_exactly(chart_, *free, aim.method, limits(aim));
+  out.starts = 0;  // they all begin near the device pose
+  return out;
+}
+
+LocalOptimum Starts::pushed_within(double radius, Random& random, const Aim& aim,
+                                   std::size_t lane) {
+  return pushed(lanes_[lane].sample(random, radius, aim.method), aim, lane);
+}
+
+LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_t lane) {
+  std::optional<Vec6> y;
+  for (double grown = 1; !y && grown < 4 && !before_.passed(); grown *= 1.2)
+    y = free_sample(random, Vec6::Zero(), grown * width * aim.beat, tries_in_a_ball, aim.method,
+                    lanes_[lane]);
+  return y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
+}
+
+LocalOptimum Starts::about(const Vec6& end, Random random, const Aim& aim, std::size_t lane) {
+  const double part = random.uniform(0, 1), radius = aim.beat * (0.03 + 0.47 * part * part);
+  const auto y = free_sample(random, end, radius, tries_in_a_ball, aim.method, lanes_[lane]);
+  LocalOptimum out = y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
+  out.starts = 0;
+  return out;
+}
+
+LocalOptimum Starts::random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends,
+                            Random random, const Aim& aim, std::size_t lane) {
+  if (k >= far_starts)
+    return about(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim, lane);
+  if (probe_.solid && fixed_.solid && turn % 2 == 0) {
+    const double radius = random.uniform(0.1, 1.2) * aim.beat;
+    LocalOptimum out = pushed_within(radius, random, aim, lane);
+    out.starts = 1;
+    return out;
+  }
+  constexpr double widths[far_starts] = {0.75, 1.15, 1.5};
+  return far(widths[k], random, aim, lane);
+}
+
+LocalOptimum Starts::outside(std::size_t k, const Aim& aim, std::size_t lane) {
+  const Vec3 center = (fixed_.tree.low + fixed_.tree.high) / 2;
+  const Vec3 offset = chart_.com() - center;
+  const double half = (fixed_.tree.high - center).norm();
+  const double away = 1.01 * (offset.norm() + half + probe_.mass.radius);
+  const auto axis = static_cast<int>(k / 2) - 1;
+  Vec3 way = axis < 0 ? offset : Vec3(fixed_.mass.R_MP.col(axis));
+  if (k % 2 == 1) way = -way;
+  if (!(way.norm() > 0)) way = Vec3::Ones();
+  Vec6 y = Vec6::Zero();
+  y.tail<3>() = away * way.normalized();
+  y = lanes_[lane].leaps(Method::pdt).pull_in(chart_, y);
+  return lanes_[lane].descend(chart_, y, Method::pdt, limits(aim));
+}
+
+}  // namespace sonde

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "engine/penetration/search/pair.hpp"
+#include "engine/penetration/search/search_worker.hpp"
+#include "engine/penetration/search/sketch_search.hpp"
+
+namespace sonde {
+
+/// What a start is made for.
+struct Aim {
+  Method method = Method::pdg;
+  double beat = 0;                     ///< m: the best depth so far; infinite: there is none
+  int steps = 0;                       ///< that it may take
+  const LocalOptima* known = nullptr;  ///< where it is not worth while to come down again
+};
+
+/// The kinds of starts of a search, each made and descended in one of two lanes. A place says by
+/// its `starts` whether it was come to independently of what had been found before.
+class Starts {
+ public:
+  Starts(const Pair& pair, const Chart& chart, const Deadline& before);
+
+  SearchWorker& lane(std::size_t k) { return lanes_[k]; }
+  /// One for each lane; or none, where the pair has no sketches.
+  std::vector<SketchDescent>& sketched() { return sketched_; }
+  const std::vector<SketchDescent>& sketched() const { return sketched_; }
+  int limited() const;
+
+  /// From the nearest free pose of ever larger balls, with so many tries in each: where there is a
+  /// way out close by, it is in it, also in a tangle that nothing from outside finds its way into.
+  LocalOptimum near(Random random, int tries, const Aim& aim, std::size_t lane);
+  /// From where the sketches are apart, or near by.
+  LocalOptimum sketched(const SketchEnd& end, const Aim& aim, std::size_t lane);
+  /// Out of the overlap at y by the triangles that meet there, and down.
+  LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
+  /// From a random overlap within so much, m.
+  LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
+  /// From a random free pose of a ball of so much of the best depth, or a larger one.
+  LocalOptimum far(double width, Random random, const Aim& aim, std::size_t lane);
+  /// From a random free pose about an end: where there are many the better ones lie together.
+  LocalOptimum about(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
+  /// The k-th of a round of random starts: from a random free pose of a ball somewhat larger than
+  /// the best depth so far, or every other turn, where there is an inside to come out of, from an
+  /// overlap; and most from near the best ends, since where there are many the better ones lie
+  /// together.
+  static constexpr std::size_t per_round = 8;
+  LocalOptimum random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends, Random random,
+                      const Aim& aim, std::size_t lane);
+  /// From outside to contact along the line of the middles (k 0 and 1), and along the fixed body's
+  /// axes (up to 7), by translation: there is always a free pose.
+  LocalOptimum outside(std::size_t k, const Aim& aim, std::size_t lane);
+
+ private:
+  SearchWorker::Limits limits(const Aim& aim, double beat) const {
+    return {aim.steps, beat, before_};
+  }
+  SearchWorker::Limits limits(const Aim& aim) const { return limits(aim, aim.beat); }
+  std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
+  std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, int tries,
+                                  Method method, SearchWorker& lane) const;
+
+  const Body& probe_;
+  const Body& fixed_;
+  const Chart& chart_;
+  Deadline before_;
+  std::array<SearchWorker, 2> lanes_;
+  std::vector<SketchDescent> sketched_;
+};
+
+}  // namespace sonde

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/verified.hpp"
+
+#include "engine/penetration/descent/result.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+
+namespace sonde {
+
+Verified::Verified(const Pair& pair, const Chart& chart)
+    : probe_(pair.probe()), fixed_(pair.fixed()), chart_(chart) {}
+
+Separation Verified::refined(Method method, const Vec6& y, LeapDescent& leaps, int steps,
+                             const Deadline& deadline) {
+  std::optional<Refinement>& refinement = refinements_[method == Method::pdg ? 0 : 1];
+  if (!refinement) refinement.emplace(probe_, fixed_, method);
+  return make_separation(chart_, refinement->run(chart_, y, leaps, steps, deadline));
+}
+
+void Verified::add(const Separation& answer) {
+  if (best_ && best_->depth <= answer.depth) return;
+  if (is_free(answer)) best_ = answer;
+}
+
+bool Verified::is_free(const Separation& answer) const {
+  return !overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact);
+}
+
+}  // namespace sonde

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/trade/calibrate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/random.hpp"
+#include "engine/penetration/search/coherent.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double search_times[] = {500, 1000, 2000, 4000, 8000, 16'000, 32'000, 64'000, 0};
+constexpr double tick_times[] = {50, 100, 200, 400, 800, 1600, 0};
+constexpr Method methods[] = {Method::pdg, Method::pdt};
+constexpr int reference_searches = 3;
+constexpr std::size_t most_kept = 200;
+
+void check(const Stop& stop) {
+  if (stop()) throw Cancelled();
+}
+
+double depth_of(const Separation& s) { return s.status == Status::failed ? infinite : s.depth; }
+
+StaticOptions options(Method method, std::uint64_t seed, double time_us) {
+  StaticOptions out;
+  out.method = method;
+  out.seed = seed;
+  out.budget.microseconds = time_us;
+  out.want_lower_bound = false;
+  return out;
+}
+
+/// In their order, with as many digits as they are worth, and of thousands every so many.
+CalibrationPoint point(double time_us, std::vector<double> errors) {
+  for (double& error : errors)
+    if (std::isfinite(error)) error = parse_number(number_text(std::max(error, 0.0), 3)).value();
+  std::ranges::sort(errors);
+  const std::size_t every = (errors.size() + most_kept - 1) / most_kept;
+  std::vector<double> kept;
+  for (std::size_t i = every / 2; i < errors.size(); i += every) kept.push_back(errors[i]);
+  return {time_us, std::move(kept)};
+}
+
+std::vector<double> least_depths(const TradeSetup& setup, Method method, const Stop& stop) {
+  std::vector<double> out;
+  Random seeds(setup.seed);
+  for (const Pose& pose : setup.poses) {
+    double least = infinite;
+    for (int i = 0; i < reference_searches; ++i) {
+      check(stop);
+      least = std::min(
+          least, depth_of(separate_static(setup.pair, pose, options(method, seeds.next(), 0))));
+    }
+    out.push_back(least);
+  }
+  return out;
+}
+
+/// The depth at each pose of the path with one limit of time, m.
+std::vector<double> follow(const Pair& pair, Method method, std::span<const TimedPose> path,
+                           std::uint64_t seed, double time_us, const Stop& stop) {
+  std::vector<double> out;
+  CoherentSolver solver(pair, method);
+  bool started = false;  // a search that failed leaves nothing to follow: search again
+  for (const TimedPose& at : path) {
+    check(stop);
+    if (!started) solver.reset(at.pose, options(method, seed, 0));
+    out.push_back(depth_of(solver.tick(at.pose, {.microseconds = time_us})));
+    started = started || std::isfinite(out.back());
+  }
+  return out;
+}
+
+}  // namespace
+
+CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
+                                     std::span<const Pose> poses, std::vector<double> references,
+                                     std::uint64_t seed, const Stop& stop) {
+  CalibrationSeries out{name, Answers::search, method, bool(pair.sketches()), {}};
+  std::vector<std::vector<double>> depths;
+  for (const double time_us : search_times) {
+    depths.emplace_back();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      check(stop);
+      const double depth =
+          depth_of(separate_static(pair, poses[i], options(method, seed + i, time_us)));
+      depths.back().push_back(depth);
+      references[i] = std::min(references[i], depth);
+    }
+  }
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (std::isfinite(depths[k][i])) depths[k][i] = depths[k][i] / references[i] - 1;
+    out.points.push_back(point(search_times[k], std::move(depths[k])));
+  }
+  return out;
+}
+
+CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Method method,
+                                  std::span<const TimedPose> path, std::uint64_t seed,
+                                  const Stop& stop) {
+  CalibrationSeries out{name, Answers::tick, method, bool(pair.sketches()), {}};
+  const std::vector<double> wanted = follow(pair, method, path, seed, 0, stop);
+  double deepest = 0;
+  for (const double depth : wanted)
+    if (std::isfinite(depth)) deepest = std::max(deepest, depth);
+  for (const double time_us : tick_times) {
+    const std::vector<double> got =
+        time_us > 0 ? follow(pair, method, path, seed, time_us, stop) : wanted;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < got.size(); ++i)
+      if (got[i] > 0 || wanted[i] > 0)
+        errors.push_back(got[i] == wanted[i] ? 0 : std::abs(got[i] - wanted[i]) / deepest);
+    out.points.push_back(point(time_us, std::move(errors)));
+  }
+  return out;
+}
+
+Calibration calibrate(const TradeSetup& setup, const Stop& stop) {
+  Calibration out;
+  for (const Method method : methods) {
+    if (!setup.poses.empty())
+      out.series.push_back(calibrate_searches(setup.pair, setup.scene, method, setup.poses,
+                                              least_depths(setup, method, stop), setup.seed, stop));
+    if (!setup.path.empty())
+      out.series.push_back(
+          calibrate_ticks(setup.pair, setup.scene, method, setup.path, setup.seed, stop));
+  }
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/calibration/calibration.hpp"
+#include "engine/scene/poses.hpp"
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/study/trade/trade.hpp"
+
+namespace sonde {
+
+/// Measures how near searches come with limits of time by the wall's clock, from 0.5 to 64 ms and
+/// none, at poses where the two overlap. `references` are the depths to compare with, m; where a
+/// search finds less, that is the reference. One thread; no two runs measure the same. Throws
+/// Cancelled.
+CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
+                                     std::span<const Pose> poses, std::vector<double> references,
+                                     std::uint64_t seed, const Stop& stop);
+
+/// The same of the ticks along a path, from 0.05 to 1.6 ms and none.
+CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Method method,
+                                  std::span<const TimedPose> path, std::uint64_t seed,
+                                  const Stop& stop);
+
+/// Both, of both methods, of what a study of the trade is made of; the reference of a pose is the
+/// least of three searches without a limit. The path may be empty.
+Calibration calibrate(const TradeSetup& setup, const Stop& stop);
+
+}  // namespace sonde

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/calibration/calibration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "engine/calibration/calibration_file.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Ten errors of which nine are no more than this.
+std::vector<double> nine_within(double error) {
+  std::vector<double> out(9, error);
+  out.push_back(10 * error);
+  out.insert(out.begin(), 0);
+  return out;
+}
+
+Calibration made_up() {
+  CalibrationSeries series{"made up", Answers::search, Method::pdg, true, {}};
+  series.points = {{1000, nine_within(0.16)}, {4000, nine_within(0.01)}, {0, nine_within(1e-4)}};
+  return {{series}};
+}
+
+TEST(AccuracyCurve, is_the_ninth_of_ten_errors_and_logarithmic_in_between) {
+  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  EXPECT_DOUBLE_EQ(curve.within(1000), 0.16);
+  EXPECT_DOUBLE_EQ(curve.within(4000), 0.01);
+  EXPECT_NEAR(curve.within(2000), 0.04, 1e-12);  // half-way: the geometric mean
+  EXPECT_DOUBLE_EQ(curve.within(0), 1e-4);
+  EXPECT_DOUBLE_EQ(curve.within(1e6), 0.01) << "a longer limit than was measured is no worse";
+  EXPECT_EQ(curve.within(900), infinite) << "less time than was measured";
+}
+
+TEST(AccuracyCurve, time_and_accuracy_are_each_other_s_inverse) {
+  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  for (const double accuracy : {0.15, 0.1, 0.05, 0.02, 0.01})
+    EXPECT_NEAR(curve.within(curve.time_for(accuracy)), accuracy, 1e-9);
+  EXPECT_EQ(curve.time_for(0.5), 1000) << "no less than was measured";
+  EXPECT_EQ(curve.time_for(0.001), 0) << "as long as it takes";
+  EXPECT_DOUBLE_EQ(budget_us({.time = 2e-3}, curve), 2000);
+  EXPECT_NEAR(budget_us({.accuracy = 0.04}, curve), 2000, 1e-6);
+  EXPECT_EQ(budget_us({}, curve), 0);
+}
+
+TEST(AccuracyCurve, more_time_is_never_worse_and_failures_are_infinitely_wrong) {
+  Calibration calibration = made_up();
+  calibration.series[0].points[1].errors = nine_within(0.3);
+  const AccuracyCurve worse(calibration, Answers::search, Method::pdg, true);
+  EXPECT_DOUBLE_EQ(worse.within(4000), 0.16);
+  calibration.series[0].points[0].errors = {0, 0, infinite, infinite};
+  const AccuracyCurve failing(calibration, Answers::search, Method::pdg, true);
+  EXPECT_EQ(failing.within(1000), infinite);
+  EXPECT_EQ(failing.time_for(0.35), 4000);
+}
+
+TEST(AccuracyCurve, other_pairs_serve_where_none_of_the_kind_was_measured) {
+  EXPECT_TRUE(AccuracyCurve(made_up(), Answers::search, Method::pdg, false).known());
+  const AccuracyCurve none(made_up(), Answers::tick, Method::pdg, true);
+  EXPECT_FALSE(none.known());
+  EXPECT_EQ(none.within(1000), infinite);
+  EXPECT_EQ(none.time_for(0.1), 0);
+}
+
+TEST(Claim, is_the_narrower_of_the_bound_and_what_is_expected) {
+  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  Separation answer;
+  EXPECT_EQ(claim_of(answer, 1000, curve).by, Claim::By::nothing) << "a failure claims nothing";
+  answer.status = Status::penetrating;
+  answer.depth = 1.1;
+  EXPECT_EQ(claim_of(answer, 1000, curve).by, Claim::By::expected);
+  EXPECT_DOUBLE_EQ(claim_of(answer, 1000, curve).within, 0.16);
+  EXPECT_EQ(claim_of(answer, 1, curve).by, Claim::By::nothing);
+  answer.lower_bound = 1;
+  EXPECT_EQ(claim_of(answer, 1000, curve).by, Claim::By::certified);
+  EXPECT_NEAR(claim_of(answer, 1000, curve).within, 0.1, 1e-12);
+  EXPECT_EQ(claim_of(answer, 4000, curve).by, Claim::By::expected);
+  answer.status = Status::separated;
+  EXPECT_EQ(claim_of(answer, 1, curve).within, 0) << "a free probe is free";
+}
+
+// ---- what ships ----
+
+std::set<std::string> pairs() {
+  std::set<std::string> out;
+  for (const CalibrationSeries& series : default_calibration().series)
+    if (series.answers == Answers::search) out.insert(series.pair);
+  return out;
+}
+
+/// The errors of pair `name` at one limit, of what was measured.
+std::vector<double> errors_of(const std::string& name, Method method, double time_us) {
+  for (const CalibrationSeries& series : default_calibration().series)
+    if (series.pair == name && series.method == method && series.answers == Answers::search)
+      for (const CalibrationPoint& point : series.points)
+        if (point.time_us == time_us) return point.errors;
+  return {};
+}
+
+/// What is measured of all pairs but one.
+Calibration without(const std::string& name) {
+  Calibration out = default_calibration();
+  std::erase_if(out.series, [&](const CalibrationSeries& series) { return series.pair == name; });
+  return out;
+}
+
+// Reference: each pair's own errors, which the curve that makes the claim has not seen.
+TEST(DefaultCalibration, nine_in_ten_claims_hold_on_pairs_that_the_fit_did_not_see) {
+  ASSERT_GE(pairs().size(), 20U);
+  int claims = 0, held = 0;
+  for (const std::string& name : pairs())
+    for (const CalibrationSeries& series : default_calibration().series) {
+      if (series.pair != name || series.answers != Answers::search) continue;
+      const AccuracyCurve curve(without(name), Answers::search, series.method, series.sketched);
+      for (const CalibrationPoint& point : series.points) {
+        const double within = curve.within(point.time_us);
+        // Claims of so little that the reference itself does not repeat to it say nothing.
+        if (!(within > 0.01 && within < 0.2)) continue;
+        for (const double error : errors_of(name, series.method, point.time_us))
+          ++claims, held += error <= within;
+      }
+    }
+  std::printf("  %d of %d claims hold\n", held, claims);
+  ASSERT_GE(claims, 200);
+  EXPECT_GE(held, 0.85 * claims);
+  EXPECT_LE(held, 0.95 * claims);
+}
+
+}  // namespace
+}  // namespace sonde

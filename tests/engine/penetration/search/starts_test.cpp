@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/starts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/proximity/queries/intersect.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+class StartsTest : public testing::Test {
+ protected:
+  const std::shared_ptr<const Body> ring = test::body(test::torus(0.08, 0.03, 20, 10)),
+                                    plate = test::body(test::box({1, 1, 0.2}));
+  const Pair pair{ring, plate};
+  const Chart chart{ring->mass, Pose{Quat::Identity(), {0.01, 0.02, 0.12}}};
+  Starts starts{pair, chart, {}};
+
+  Aim aim(Method method, double beat) const { return {method, beat, 50, nullptr}; }
+  /// References: exact predicates, and |y| itself.
+  void check(const LocalOptimum& place, Method method) const {
+    ASSERT_TRUE(std::isfinite(place.depth));
+    EXPECT_EQ(place.depth, place.y.norm());
+    EXPECT_LE(place.iterations, 50);
+    EXPECT_FALSE(overlap(*ring, *plate, Transform(chart.pose(place.y)), Doubt::exact));
+    EXPECT_TRUE(method == Method::pdg || place.y.head<3>().isZero(0));
+  }
+};
+
+constexpr double nothing_found = std::numeric_limits<double>::infinity();
+
+// Reference for the depth: the ring lies flat over the plate's top, 0.1 from its middle, and comes
+// out upwards by 0.01 (its tube's radius is 0.03, its middle 0.12 up).
+TEST_F(StartsTest, ends_are_free_and_starts_at_contact_come_out_by_the_nearest_face) {
+  for (const Method method : {Method::pdg, Method::pdt})
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const LocalOptimum pushed = starts.pushed(Vec6::Zero(), aim(method, nothing_found), lane);
+      check(pushed, method);
+      EXPECT_LT(pushed.depth, 0.0102);
+      EXPECT_EQ(pushed.starts, 0) << "it began at the device pose";
+      check(starts.near(Random(1), 12, aim(method, nothing_found), lane), method);
+      check(starts.far(3, Random(2), aim(method, 0.1), lane), method);
+      check(starts.about(pushed.y, Random(3), aim(method, pushed.depth), lane), method);
+      check(starts.outside(lane, aim(Method::pdt, nothing_found), lane), Method::pdt);
+    }
+}
+
+TEST_F(StartsTest, an_end_on_sketches_that_is_not_free_is_freed) {
+  ASSERT_EQ(starts.sketched().size(), 2U);
+  for (const double short_of_it : {0.0, 0.3, 0.9}) {
+    SketchEnd end;
+    end.y = Vec6::Zero();
+    end.y[5] = 0.0101 * (1 - short_of_it);
+    check(starts.sketched(end, aim(Method::pdg, nothing_found), 0), Method::pdg);
+  }
+}
+
+TEST_F(StartsTest, what_is_known_is_not_descended_again) {
+  const LocalOptimum first = starts.pushed(Vec6::Zero(), aim(Method::pdg, nothing_found), 0);
+  LocalOptima known;
+  known.note(first);
+  Aim again = aim(Method::pdg, first.depth);
+  again.known = &known;
+  EXPECT_FALSE(std::isfinite(starts.pushed(Vec6::Zero(), again, 0).depth));
+}
+
+TEST(Starts, surfaces_have_no_sketches) {
+  std::mt19937_64 random(1);
+  const auto soup = test::body(test::random_soup(random, 12, 0.1));
+  const Pair pair(soup, soup);
+  const Chart chart(soup->mass, {});
+  EXPECT_TRUE(Starts(pair, chart, {}).sketched().empty());
+}
+
+}  // namespace
+}  // namespace sonde

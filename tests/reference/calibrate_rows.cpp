@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/reference/calibrate_rows.hpp"
+
+#include "engine/study/trade/calibrate.hpp"
+
+namespace sonde::reference {
+
+Calibration calibrate_rows(const Pair& pair, const std::string& name, std::span<const Row> rows) {
+  const Stop never = [] { return false; };
+  std::vector<Pose> poses;
+  std::vector<double> pdg, pdt;
+  for (const Row& row : rows) {
+    if (row.pair != name) continue;
+    poses.push_back(row.pose);
+    pdg.push_back(row.best);
+    pdt.push_back(row.pdt);
+  }
+  return {{calibrate_searches(pair, name, Method::pdg, poses, pdg, 1, never),
+           calibrate_searches(pair, name, Method::pdt, poses, pdt, 1, never)}};
+}
+
+}  // namespace sonde::reference
