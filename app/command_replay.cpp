@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct ReplayOptions {
   BodyOptions bodies;
   SolverOptions solver;
+  AccuracyOptions accuracy;
   OutputOptions output;
   std::string trajectory;
   std::string coupling_mode;
@@ -120,6 +122,7 @@ Scene scene_for(const ReplayOptions& options) {
 
 void run(const ReplayOptions& options) {
   const Scene scene = scene_for(options);
+  Accuracy accuracy(options.accuracy, options.solver);
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
   inputs.push_back(*scene.trajectory);
   check_output(options.output, inputs);
@@ -128,17 +131,21 @@ void run(const ReplayOptions& options) {
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
   SolverOptions solver = options.solver;
-  if (solver.budget.steps == 0) solver.budget.steps = scene.servo.budget.steps;
+  if (solver.budget.steps == 0 && !options.accuracy.turned())
+    solver.budget.steps = scene.servo.budget.steps;
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
+  solver = accuracy.applied(solver, pair);
   const std::vector<Tick> ticks = solver.coherent()
                                       ? run_loop(pair, scene, path, solver, progress)
                                       : search_rows(pair, scene, path, solver, progress);
-  ResultTable table{columns, {}};
+  const std::vector<Column> all_columns = accuracy.with_claims(columns);
+  ResultTable table{all_columns, {}};
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     report_failure(ticks[i].result.separation, i);
     table.rows.push_back(row_of(path[i], ticks[i], scene.servo.rate_hz));
+    accuracy.append_claim(table.rows.back(), ticks[i].result.separation);
   }
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
 }
@@ -153,6 +160,7 @@ Command add_replay_command(CLI::App& program) {
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");
+  add_flags(*parser, options->accuracy);
   add_flags(*parser, options->output);
   parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
       ->check(CLI::IsMember({"object", "classic"}))
