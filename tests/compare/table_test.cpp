@@ -16,7 +16,7 @@ void expect_in_the_manual(const ComparedPair& pair) {
   EXPECT_THAT(manual, testing::HasSubstr(table_row(pair.name, compare_pair(pair))));
 }
 
-TEST(CompareTable, ASeededSampleOfItsRowsIsFoundAgain) {
+TEST(CompareTable, a_seeded_sample_of_its_rows_is_found_again) {
   std::vector<ComparedPair> pairs = compared_pairs();
   // These take a minute each: where surfaces lie along each other there is much to look at.
   std::erase_if(pairs, [](const ComparedPair& pair) {
@@ -26,7 +26,7 @@ TEST(CompareTable, ASeededSampleOfItsRowsIsFoundAgain) {
   for (int i = 0; i < 3; ++i) expect_in_the_manual(pairs[random() % pairs.size()]);
 }
 
-TEST(CompareTable, Full_everyRowIsFoundAgain) {
+TEST(CompareTable, Full_every_row_is_found_again) {
   for (const ComparedPair& pair : compared_pairs()) expect_in_the_manual(pair);
 }
 

@@ -24,7 +24,7 @@ std::set<std::string> files_under(const fs::path& root) {
   return files;
 }
 
-TEST(Generate, WritesWhatIsCommitted) {
+TEST(Generate, writes_what_is_committed) {
   const TempFolder folder;
   const std::string command =
       std::string("\"") + SONDE_GENERATE + "\" \"" + folder.path().string() + "\"";
@@ -36,7 +36,7 @@ TEST(Generate, WritesWhatIsCommitted) {
         << file << " differs: build the target resources and commit what it writes";
 }
 
-TEST(Generate, ModelsAreSmall) {
+TEST(Generate, models_are_small) {
   for (const auto& entry : fs::directory_iterator(fs::path(SONDE_RESOURCES) / "models"))
     EXPECT_LE(entry.file_size(), 2'000'000U) << entry.path();
 }

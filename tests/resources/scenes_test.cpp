@@ -45,7 +45,7 @@ class Scenes : public testing::TestWithParam<Expected> {
   std::vector<TimedPose> path_;
 };
 
-TEST_P(Scenes, BodiesAreWhatTheySay) {
+TEST_P(Scenes, bodies_are_what_they_say) {
   EXPECT_TRUE(probe_->solid) << probe_->why;
   EXPECT_EQ(fixed_->solid, GetParam().fixed_solid) << fixed_->why;
   EXPECT_FALSE(probe_->turned);
@@ -54,13 +54,13 @@ TEST_P(Scenes, BodiesAreWhatTheySay) {
   EXPECT_GE(fixed_->soup.triangles.size(), GetParam().triangles);
 }
 
-TEST_P(Scenes, ProbeStandsWhereItsPathBegins) {
+TEST_P(Scenes, probe_stands_where_its_path_begins) {
   const Pose X = relative_pose(scene_);
   EXPECT_LT((X.p - path_.front().pose.p).norm(), 1e-12);
   EXPECT_LT(X.q.angularDistance(path_.front().pose.q), 1e-7);
 }
 
-TEST_P(Scenes, PathGoesFromFreeThroughContactToFree) {
+TEST_P(Scenes, path_goes_from_free_through_contact_to_free) {
   EXPECT_FALSE(overlaps(0));
   EXPECT_FALSE(overlaps(path_.size() - 1));
   std::size_t inside = 0;
@@ -69,7 +69,7 @@ TEST_P(Scenes, PathGoesFromFreeThroughContactToFree) {
   EXPECT_GE(static_cast<double>(inside), 0.25 * static_cast<double>(path_.size()) / 20);
 }
 
-TEST_P(Scenes, PathIsDeepSomewhere) {
+TEST_P(Scenes, path_is_deep_somewhere) {
   StaticOptions quick;
   quick.starts = 0;
   quick.want_lower_bound = false;
@@ -84,7 +84,7 @@ TEST_P(Scenes, PathIsDeepSomewhere) {
   EXPECT_GE(deepest, GetParam().depth);
 }
 
-TEST_P(Scenes, PathMovesLikeAHand) {
+TEST_P(Scenes, path_moves_like_a_hand) {
   for (std::size_t row = 1; row < path_.size(); ++row) {
     const double dt = path_[row].t - path_[row - 1].t;
     ASSERT_NEAR(dt, 1e-3, 1e-9);

@@ -10,7 +10,7 @@
 namespace sonde {
 namespace {
 
-TEST(ProcessorTime, SleepIsNotCountedAndWorkIs) {
+TEST(ProcessorTime, sleep_is_not_counted_and_work_is) {
   // A sleep of 200 ms has a processor time of well under a millisecond on any machine.
   EXPECT_LT(processor_time_us([] { std::this_thread::sleep_for(std::chrono::milliseconds(200)); }),
             100e3);

@@ -9,7 +9,7 @@
 namespace sonde {
 namespace {
 
-TEST(Progress, EachIndexOnceInOrder) {
+TEST(Progress, each_index_once_in_order) {
   for (const std::size_t n : {0u, 1u, 65535u, 65536u, 65537u, 200000u}) {
     std::vector<std::size_t> seen;
     for_each_index(n, {}, [&](std::size_t i) { seen.push_back(i); });
@@ -18,7 +18,7 @@ TEST(Progress, EachIndexOnceInOrder) {
   }
 }
 
-TEST(Progress, ReportsPieceByPiece) {
+TEST(Progress, reports_piece_by_piece) {
   std::vector<double> seen;
   const auto keep = [&](double f) {
     seen.push_back(f);
@@ -28,7 +28,7 @@ TEST(Progress, ReportsPieceByPiece) {
   EXPECT_THAT(seen, testing::ElementsAre(0, 0.25, 0.5, 0.75));
 }
 
-TEST(Progress, CancellingEndsTheLoopAtThatPiece) {
+TEST(Progress, cancelling_ends_the_loop_at_that_piece) {
   std::size_t calls = 0, steps = 0;
   EXPECT_THROW(for_each_index(
                    4 << 16, [&](double) { return ++calls < 3; }, [&](std::size_t) { ++steps; }),
@@ -36,7 +36,7 @@ TEST(Progress, CancellingEndsTheLoopAtThatPiece) {
   EXPECT_EQ(steps, std::size_t{2} << 16);
 }
 
-TEST(Progress, PartsOfParts) {
+TEST(Progress, parts_of_parts) {
   double seen = -1;
   const Progress whole = [&](double f) {
     seen = f;

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-TEST(Quantile, IsTheLeastValueThatTheShareDoesNotExceed) {
+TEST(Quantile, is_the_least_value_that_the_share_does_not_exceed) {
   for (const std::size_t n : {1u, 2u, 3u, 10u, 101u}) {
     std::vector<double> values;
     for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<double>(i * i));

@@ -13,7 +13,7 @@
 namespace sonde {
 namespace {
 
-TEST(AtOnce, DoesBothPartsAndReportsOnTheCallersThread) {
+TEST(AtOnce, does_both_parts_and_reports_on_the_callers_thread) {
   for (const bool two_threads : {false, true}) {
     const auto caller = std::this_thread::get_id();
     std::vector<double> seen;
@@ -39,7 +39,7 @@ TEST(AtOnce, DoesBothPartsAndReportsOnTheCallersThread) {
   }
 }
 
-TEST(AtOnce, CancellingStopsTheOtherThread) {
+TEST(AtOnce, cancelling_stops_the_other_thread) {
   std::atomic<bool> started = false, stopped = false;
   const auto cancel = [&](double) {
     while (!started) std::this_thread::yield();
@@ -57,7 +57,7 @@ TEST(AtOnce, CancellingStopsTheOtherThread) {
   EXPECT_TRUE(stopped);
 }
 
-TEST(AtOnce, ThrowsWhatEitherPartThrows) {
+TEST(AtOnce, throws_what_either_part_throws) {
   const auto fail = [](const Progress&) { throw InputError("a fault"); };
   const auto nothing = [](const Progress&) {};
   for (const bool two_threads : {false, true}) {
@@ -66,7 +66,7 @@ TEST(AtOnce, ThrowsWhatEitherPartThrows) {
   }
 }
 
-TEST(RunParallel, DoesEachOnceAndThrowsWhatOneThrows) {
+TEST(RunParallel, does_each_once_and_throws_what_one_throws) {
   for (const std::size_t threads : {0, 1, 2, 5}) {
     std::vector<std::atomic<int>> done(1000);
     run_parallel(done.size(), threads, [&](std::size_t i) { ++done[i]; });

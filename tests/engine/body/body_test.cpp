@@ -51,7 +51,7 @@ PolygonSoup two_sided_square() {
   return soup;
 }
 
-TEST(Body, ClosedIsSolid) {
+TEST(Body, closed_is_solid) {
   for (const Model asked : {Model::automatic, Model::solid}) {
     const auto body = make_body(test::box({1, 2, 3}), asked, "box");
     EXPECT_TRUE(body->solid);
@@ -63,7 +63,7 @@ TEST(Body, ClosedIsSolid) {
   }
 }
 
-TEST(Body, SurfaceWhereAskedFor) {
+TEST(Body, surface_where_asked_for) {
   const auto body = make_body(test::box({1, 1, 1}), Model::surface, "box");
   EXPECT_FALSE(body->solid);
   EXPECT_EQ(body->why, "asked for: surface");
@@ -71,14 +71,14 @@ TEST(Body, SurfaceWhereAskedFor) {
   EXPECT_NEAR(body->mass.measure, 6, 1e-14);
 }
 
-TEST(Body, OpenIsSurface) {
+TEST(Body, open_is_surface) {
   const auto body = make_body(open_box(), Model::automatic, "box");
   EXPECT_FALSE(body->solid);
   EXPECT_EQ(body->why, "4 open edges: the inside does not count");
   EXPECT_EQ(refusal(open_box(), Model::solid), "a.off: cannot be a solid: 4 open edges");
 }
 
-TEST(Body, DisagreeingOrientationIsSurface) {
+TEST(Body, disagreeing_orientation_is_surface) {
   PolygonSoup box = test::box({1, 1, 1});
   std::reverse(box.polygons[0].begin(), box.polygons[0].end());
   EXPECT_EQ(make_body(box, Model::automatic, "box")->why,
@@ -87,7 +87,7 @@ TEST(Body, DisagreeingOrientationIsSurface) {
             "a.off: cannot be a solid: 4 edges do not agree in orientation");
 }
 
-TEST(Body, FlatClosedIsSurface) {
+TEST(Body, flat_closed_is_surface) {
   const auto body = make_body(two_sided_square(), Model::automatic, "flat");
   EXPECT_FALSE(body->solid);
   EXPECT_EQ(body->why, "closed but flat (no volume): the inside does not count");
@@ -96,12 +96,12 @@ TEST(Body, FlatClosedIsSurface) {
             "a.off: cannot be a solid: closed but flat (no volume)");
 }
 
-TEST(Body, AThinPlateIsStillSolid) {
+TEST(Body, a_thin_plate_is_still_solid) {
   EXPECT_TRUE(make_body(test::box({1, 1, 1e-9}), Model::solid, "plate")->solid);
   EXPECT_TRUE(make_body(test::box({1e-20, 1e-20, 1e-29}), Model::solid, "tiny plate")->solid);
 }
 
-TEST(Body, InsideOutIsTurned) {
+TEST(Body, inside_out_is_turned) {
   const auto body = make_body(turned(test::box({1, 2, 3})), Model::automatic, "box");
   EXPECT_TRUE(body->solid);
   EXPECT_TRUE(body->turned);
@@ -110,7 +110,7 @@ TEST(Body, InsideOutIsTurned) {
 }
 
 // Reference: V of a 3-cube with a 1-cube hollow is 26.
-TEST(Body, ACavityCountsAsEmpty) {
+TEST(Body, a_cavity_counts_as_empty) {
   const PolygonSoup hollow =
       joined(test::box({3, 3, 3}), turned(test::box({1, 1, 1})), Vec3::Zero());
   const auto body = make_body(hollow, Model::automatic, "hollow");
@@ -120,7 +120,7 @@ TEST(Body, ACavityCountsAsEmpty) {
   EXPECT_EQ(body->component_triangle.size(), 2u);
 }
 
-TEST(Body, DegenerateTrianglesAreSetAsideWithoutOpeningTheMesh) {
+TEST(Body, degenerate_triangles_are_set_aside_without_opening_the_mesh) {
   PolygonSoup box = test::box({2, 2, 2});
   box.points.push_back({0, -1, -1});
   // Splits the edge from 0 to 1 in the bottom face, and closes the gap with a sliver.
@@ -133,7 +133,7 @@ TEST(Body, DegenerateTrianglesAreSetAsideWithoutOpeningTheMesh) {
   EXPECT_EQ(body->component_triangle.size(), 1u);
 }
 
-TEST(Body, PartsJoinedByASliverAloneAreTwo) {
+TEST(Body, parts_joined_by_a_sliver_alone_are_two) {
   PolygonSoup two = joined(test::box({1, 1, 1}), test::box({1, 1, 1}), {3, 0, 0});
   two.points.push_back({1, -0.5, -0.5});
   two.polygons.push_back({1, 16, 8});  // in one line with the edges of both
@@ -144,7 +144,7 @@ TEST(Body, PartsJoinedByASliverAloneAreTwo) {
 }
 
 // Reference: the boxes are apart in z, and come in this order in the file.
-TEST(Body, ComponentTrianglesAreTheFirstOfEachInTheOrderOfTheTree) {
+TEST(Body, component_triangles_are_the_first_of_each_in_the_order_of_the_tree) {
   const auto body = make_body(joined(test::sphere(1, 8, 9), test::box({1, 1, 1}), {0.5, 0, 5}),
                               Model::automatic, "two");
   const auto is_above = [&](const Triangle& t) { return body->soup.vertices[t[0]].z() > 2; };
@@ -154,7 +154,7 @@ TEST(Body, ComponentTrianglesAreTheFirstOfEachInTheOrderOfTheTree) {
   EXPECT_THAT(body->component_triangle, testing::ElementsAre(below, above));
 }
 
-TEST(Body, UnusedPointsDoNotCount) {
+TEST(Body, unused_points_do_not_count) {
   PolygonSoup box = test::box({1, 1, 1});
   box.points.push_back({100, 100, 100});
   const auto body = make_body(box, Model::automatic, "box");
@@ -163,7 +163,7 @@ TEST(Body, UnusedPointsDoNotCount) {
   EXPECT_LT(body->tree.high.x(), 1);
 }
 
-TEST(Body, NothingWithAnAreaIsRefused) {
+TEST(Body, nothing_with_an_area_is_refused) {
   PolygonSoup line;
   line.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   line.polygons = {{0, 1, 2}};
@@ -171,14 +171,14 @@ TEST(Body, NothingWithAnAreaIsRefused) {
   EXPECT_EQ(refusal(PolygonSoup(), Model::automatic), "a.off: no triangle has an area");
 }
 
-TEST(Body, SizesBeyondTheEngineAreRefused) {
+TEST(Body, sizes_beyond_the_engine_are_refused) {
   EXPECT_EQ(refusal(test::box({1e31, 1, 1}), Model::automatic),
             "a.off: a coordinate is beyond 1e30 m");
   EXPECT_EQ(refusal(test::box({1e-31, 1e-31, 1e-31}), Model::automatic),
             "a.off: the mesh is smaller than 1e-30 m");
 }
 
-TEST(Body, ReportsProgressFromZeroToOne) {
+TEST(Body, reports_progress_from_zero_to_one) {
   for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
     std::vector<double> seen;
     make_body(mesh, Model::automatic, "mesh", [&](double f) {
@@ -205,7 +205,7 @@ bool is_cancelled_at(std::size_t call, const PolygonSoup& mesh) {
 }
 
 // The larger one is built by two threads, and the number of its calls is not always the same.
-TEST(Body, CanBeCancelledAtAnyPoint) {
+TEST(Body, can_be_cancelled_at_any_point) {
   for (const PolygonSoup& mesh : {test::box({1, 1, 1}), test::torus(1, 0.3, 110, 100)}) {
     std::size_t calls = 0;
     while (is_cancelled_at(calls, mesh)) ++calls;
@@ -213,7 +213,7 @@ TEST(Body, CanBeCancelledAtAnyPoint) {
   }
 }
 
-TEST(Body, CancellingLeavesNothingAllocated) {
+TEST(Body, cancelling_leaves_nothing_allocated) {
   const PolygonSoup box = test::box({1, 1, 1});
   const std::string name = "a name too long for a string to keep in itself";
   for (std::size_t stop = 0, cancelled = 1; cancelled > 0; ++stop) {
@@ -245,12 +245,12 @@ std::size_t reports_before_the_tree(int triangles) {
 // So that whoever cancels need not wait: every loop over triangles or vertices reports before each
 // 65,536 of them. Seven go over the triangles (6 reports where there was 1), three over the
 // vertices (3 where there was 1).
-TEST(Body, ReportsProgressWithinEachStep) {
+TEST(Body, reports_progress_within_each_step) {
   EXPECT_GE(reports_before_the_tree(330'000), reports_before_the_tree(30'000) + 7 * 5 + 3 * 2);
 }
 
 // Reference: the mass properties by themselves, which take one thread.
-TEST(Body, MassHasTheSameBitsWhereTwoThreadsBuild) {
+TEST(Body, mass_has_the_same_bits_where_two_threads_build) {
   const PolygonSoup mesh = test::torus(1, 0.3, 200, 100);
   const auto body = make_body(mesh, Model::automatic, "torus");
   const MassProperties alone = mass_by_volume(compacted(triangulate_all(mesh)));
@@ -269,7 +269,7 @@ std::size_t allocated_now() {
 }
 
 // Reference: what the allocator of the C library says that it has handed out.
-TEST(Body, BytesAreWhatIsAllocated) {
+TEST(Body, bytes_are_what_is_allocated) {
   std::mt19937_64 random(1);
   for (const PolygonSoup& mesh :
        {test::torus(1, 0.3, 500, 200), test::random_soup(random, 20000, 1)}) {
@@ -282,7 +282,7 @@ TEST(Body, BytesAreWhatIsAllocated) {
 #endif
 
 // 120 bytes a triangle is what is asked for; without the tree a closed mesh takes 24.
-TEST(Body, AClosedMeshTakesLittleMemory) {
+TEST(Body, a_closed_mesh_takes_little_memory) {
   const auto body = make_body(test::torus(1, 0.3, 500, 200), Model::automatic, "torus");
   const std::size_t triangles = body->soup.triangles.size();
   ASSERT_EQ(triangles, 200'000u);
@@ -293,7 +293,7 @@ TEST(Body, AClosedMeshTakesLittleMemory) {
             24 * triangles + 64);
 }
 
-TEST(Body, LoadsAndScales) {
+TEST(Body, loads_and_scales) {
   const test::TempFolder folder;
   const auto file = folder.write("box.off", test::as_off(test::box({1, 2, 3})));
   std::vector<double> seen;

@@ -124,7 +124,7 @@ std::multiset<Triangle> triangle_set(const Soup& soup) {
 }
 
 // Closed form: a block has six faces of two triangles.
-TEST(Facets, ABlockIsTwelveTrianglesHoweverItIsCut) {
+TEST(Facets, a_block_is_twelve_triangles_however_it_is_cut) {
   const Vec3 size(0.1, 0.2, 0.3);
   for (const Cutting::Kind kind : kinds)
     for (const int n : {2, 5, 8, 20})
@@ -143,7 +143,7 @@ TEST(Facets, ABlockIsTwelveTrianglesHoweverItIsCut) {
       }
 }
 
-TEST(Facets, WhatCannotBeFewerStaysAsItIs) {
+TEST(Facets, what_cannot_be_fewer_stays_as_it_is) {
   const Soup soup = sewn(test::cut_block({1, 2, 3}, {}));
   const Facets facets = merged(soup);
   EXPECT_EQ(facets.merged, 0u);
@@ -152,7 +152,7 @@ TEST(Facets, WhatCannotBeFewerStaysAsItIs) {
 
 // Closed forms: a flat face of n corners with h holes takes n + 2h - 2 triangles; a wall of a
 // prism, two.
-TEST(Facets, HolesAndConcaveFacesKeepTheirShape) {
+TEST(Facets, holes_and_concave_faces_keep_their_shape) {
   constexpr int sides = 16;
   for (const Cutting::Kind kind : kinds)
     for (const bool askew : {false, true}) {
@@ -174,7 +174,7 @@ TEST(Facets, HolesAndConcaveFacesKeepTheirShape) {
     }
 }
 
-TEST(Facets, APegAndItsSocketAreTheSameHoweverTheyAreCut) {
+TEST(Facets, a_peg_and_its_socket_are_the_same_however_they_are_cut) {
   for (const Cutting::Kind kind : kinds)
     for (const auto& [shape, whole] :
          {std::pair{test::cut_peg({6, kind}), test::cut_peg({1, kind})},
@@ -188,7 +188,7 @@ TEST(Facets, APegAndItsSocketAreTheSameHoweverTheyAreCut) {
 
 // By hand: a square whose sides are cut, or one of them very often (minutes, were each vertex of a
 // side looked at from each).
-TEST(Facets, StraightSidesComeDownToTheirEnds) {
+TEST(Facets, straight_sides_come_down_to_their_ends) {
   for (const std::uint32_t n : {2u, 3u, 4u, 5u, 7u, 8u, 9u, 100u, 100'000u}) {
     Soup strip;
     for (std::uint32_t i = 0; i <= n; ++i)
@@ -218,7 +218,7 @@ PolygonSoup cells(int n, const IsThere& is_there) {
 }
 
 // Closed form: the number of cells.
-TEST(Facets, FacesThatTouchAtAVertexKeepTheirShape) {
+TEST(Facets, faces_that_touch_at_a_vertex_keep_their_shape) {
   const auto check = [](int n, const auto& is_there, std::size_t most) {
     const Soup soup = sewn(cells(n, is_there));
     const Facets facets = merged(soup, false);
@@ -239,7 +239,7 @@ TEST(Facets, FacesThatTouchAtAVertexKeepTheirShape) {
       8, [](int x, int y) { return (x + y) % 2 == 0; }, 64);
 }
 
-TEST(Facets, RandomHolesKeepTheirShape) {
+TEST(Facets, random_holes_keep_their_shape) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 60; ++i) {
     const double share = test::uniform(random, 0.2, 0.95);
@@ -270,7 +270,7 @@ PolygonSoup spiral(double turns) {
   return out;
 }
 
-TEST(Facets, WhatFoldsOverItselfStaysAsItIs) {
+TEST(Facets, what_folds_over_itself_stays_as_it_is) {
   for (const double turns : {1.25, 1.5, 2.25}) {
     const Soup soup = sewn(spiral(turns));
     const Facets facets = merged(soup, false);
@@ -318,7 +318,7 @@ PolygonSoup two_leaves(double small) {
 
 // The outline of such a sheet does not cross itself, and tells of a hole where the sheet lies
 // twice. However small that is beside the whole, there must be none.
-TEST(Facets, WhatLiesTwiceOnItselfGetsNoHole) {
+TEST(Facets, what_lies_twice_on_itself_gets_no_hole) {
   for (const double small : {0.5, 1e-2, 1e-4, 1e-5}) {
     const Soup soup = sewn(two_leaves(small));
     const Facets facets = merged(soup, false);
@@ -327,7 +327,7 @@ TEST(Facets, WhatLiesTwiceOnItselfGetsNoHole) {
   }
 }
 
-TEST(Facets, AFaceIsNotJoinedWithItsOwnBackSide) {
+TEST(Facets, a_face_is_not_joined_with_its_own_back_side) {
   // A square sheet with another one, turned over, that hangs on one of its sides.
   PolygonSoup sheet = cells(4, [](int, int) { return true; });
   PolygonSoup back = turned_inside_out(sheet);
@@ -341,7 +341,7 @@ TEST(Facets, AFaceIsNotJoinedWithItsOwnBackSide) {
 
 // What a file of single precision makes of oblique faces is no longer flat: nothing is made of it,
 // but where some neighbours happen to be.
-TEST(Facets, ObliqueFacesOfSinglePrecisionAreLeftAlone) {
+TEST(Facets, oblique_faces_of_single_precision_are_left_alone) {
   for (const Cutting::Kind kind : {Cutting::Kind::regular, Cutting::Kind::random}) {
     PolygonSoup block = test::turned(test::cut_block({0.1, 0.2, 0.3}, {8, kind}), some_turn());
     for (Vec3& x : block.points) x = x.cast<float>().cast<double>();
@@ -352,7 +352,7 @@ TEST(Facets, ObliqueFacesOfSinglePrecisionAreLeftAlone) {
   }
 }
 
-TEST(Facets, CurvedMeshesStayAsTheyAre) {
+TEST(Facets, curved_meshes_stay_as_they_are) {
   for (const PolygonSoup& polygons :
        {test::sphere(0.3, 40, 60), test::torus(0.1, 0.03, 60, 40),
         test::torus_knot(2, 3, 0.06, 0.025, 0.012, 200, 12), test::sphere(1e-6, 200, 300)}) {
@@ -365,7 +365,7 @@ TEST(Facets, CurvedMeshesStayAsTheyAre) {
 }
 
 // Rounding of far coordinates may cost the joining, never the shape.
-TEST(Facets, FarFromTheOrigin) {
+TEST(Facets, far_from_the_origin) {
   const PolygonSoup block = test::cut_block({0.1, 0.2, 0.3}, {6, Cutting::Kind::random});
   for (const double far : {1.0, 1e3, 1e6, 1e9})
     for (const bool askew : {false, true}) {
@@ -385,7 +385,7 @@ TEST(Facets, FarFromTheOrigin) {
     }
 }
 
-TEST(Facets, NothingDependsOnTheUnit) {
+TEST(Facets, nothing_depends_on_the_unit) {
   for (const double scale : {1e-9, 1e-3, 1e6}) {
     PolygonSoup block =
         test::turned(test::cut_block({0.1, 0.2, 0.3}, {6, Cutting::Kind::random}), some_turn());
@@ -395,7 +395,7 @@ TEST(Facets, NothingDependsOnTheUnit) {
 }
 
 // Reference: the winding numbers of one copy.
-TEST(Facets, ManyCopiesOfASolidAreOne) {
+TEST(Facets, many_copies_of_a_solid_are_one) {
   const PolygonSoup block = test::cut_block({1, 1, 1}, {4});
   for (const int times : {2, 3, 300}) {
     const auto body = make_body(test::repeated(block, times), Model::automatic, "copies");
@@ -410,7 +410,7 @@ TEST(Facets, ManyCopiesOfASolidAreOne) {
 }
 
 // By hand: two, three or four copies of a part, and what is left in proportion.
-TEST(Facets, CopiesOfASolidsPartsStayInProportion) {
+TEST(Facets, copies_of_a_solids_parts_stay_in_proportion) {
   const PolygonSoup block = test::box({1, 1, 1}), other = moved(block, {3, 0, 0});
   const auto windings = [&](int times, int times_other) {
     const auto body =
@@ -425,7 +425,7 @@ TEST(Facets, CopiesOfASolidsPartsStayInProportion) {
   EXPECT_EQ(windings(1, 3), std::pair(1, 3));
 }
 
-TEST(Facets, ASurfaceKeepsOneOfEachOrientation) {
+TEST(Facets, a_surface_keeps_one_of_each_orientation) {
   const PolygonSoup block = test::box({1, 1, 1});
   const Soup same = sewn(test::repeated(block, 5));
   EXPECT_EQ(merged(same, false).soup.triangles.size(), 12u);
@@ -445,7 +445,7 @@ TEST(Facets, ASurfaceKeepsOneOfEachOrientation) {
 
 // By hand: a wall in a solid that has two sides is no boundary of it, and still there to be
 // touched.
-TEST(Facets, AWallOfTwoSidesWithinASolidStays) {
+TEST(Facets, a_wall_of_two_sides_within_a_solid_stays) {
   PolygonSoup wall;
   wall.points = {{0, -0.3, -0.3}, {0, 0.3, -0.3}, {0, 0.3, 0.3}, {0, -0.3, 0.3}};
   wall.polygons = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
@@ -459,7 +459,7 @@ TEST(Facets, AWallOfTwoSidesWithinASolidStays) {
 }
 
 // Reference: where the triangles are; the parts lie apart.
-TEST(Facets, EachComponentHasItsFirstTriangle) {
+TEST(Facets, each_component_has_its_first_triangle) {
   PolygonSoup all;
   for (int i = 0; i < 7; ++i) {
     const Cutting cutting{1 + i, kinds[i % 3]};
@@ -482,7 +482,7 @@ TEST(Facets, EachComponentHasItsFirstTriangle) {
   EXPECT_EQ(parts.size(), 7u);
 }
 
-TEST(Facets, TheOrderOfTrianglesDoesNotMatter) {
+TEST(Facets, the_order_of_triangles_does_not_matter) {
   std::mt19937_64 random(8);
   for (const Cutting::Kind kind : kinds) {
     const Soup soup =
@@ -507,7 +507,7 @@ TEST(Facets, TheOrderOfTrianglesDoesNotMatter) {
   }
 }
 
-TEST(Facets, SameBitsTwice) {
+TEST(Facets, same_bits_twice) {
   for (const Cutting::Kind kind : kinds) {
     const Soup soup = sewn(test::turned(test::cut_peg({6, kind}), some_turn()));
     const Facets a = merged(soup), b = merged(soup);
@@ -517,7 +517,7 @@ TEST(Facets, SameBitsTwice) {
   }
 }
 
-TEST(Facets, CanBeCancelledAtAnyTime) {
+TEST(Facets, can_be_cancelled_at_any_time) {
   const Soup soup = sewn(test::cut_block({1, 1, 1}, {8}));
   const auto merge = [&](const Progress& progress) {
     return merge_flat(soup, rounding_flatness(soup), true, progress);
@@ -538,7 +538,7 @@ TEST(Facets, CanBeCancelledAtAnyTime) {
   }
 }
 
-TEST(Facets, OfNothingIsNothing) {
+TEST(Facets, of_nothing_is_nothing) {
   EXPECT_EQ(rounding_flatness({}), 0);
   const Facets none = merge_flat({}, 0, false);
   EXPECT_TRUE(none.soup.triangles.empty());
@@ -546,7 +546,7 @@ TEST(Facets, OfNothingIsNothing) {
 }
 
 // Reference: as for the small meshes, on some 100 000 triangles.
-TEST(Facets, Full_LargeFacesComeDownToAFewTriangles) {
+TEST(Facets, Full_large_faces_come_down_to_a_few_triangles) {
   for (const Cutting::Kind kind : kinds) {
     const Soup block =
         sewn(test::turned(test::cut_block({0.1, 0.2, 0.3}, {90, kind}), some_turn()));

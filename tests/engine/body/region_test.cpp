@@ -57,7 +57,7 @@ bool covers(const PlanarRegion& region, double x, double y) {
   return false;
 }
 
-TEST(Region, SquareIsTwoTriangles) {
+TEST(Region, square_is_two_triangles) {
   PlanarRegion region;
   add_loop(region, square(1));
   EXPECT_EQ(triangulate(region)->size(), 2u);
@@ -65,7 +65,7 @@ TEST(Region, SquareIsTwoTriangles) {
 }
 
 // Closed forms: the areas of squares; a polygon of n corners with h holes takes n + 2h - 2.
-TEST(Region, HolesAreLeftOut) {
+TEST(Region, holes_are_left_out) {
   PlanarRegion region;
   add_loop(region, square(1));
   add_loop(region, square(0.25, 0.5, 0.5));
@@ -78,7 +78,7 @@ TEST(Region, HolesAreLeftOut) {
   EXPECT_EQ(area(region), 3.5);
 }
 
-TEST(Region, WhatIsNestedIsInsideByTurns) {
+TEST(Region, what_is_nested_is_inside_by_turns) {
   PlanarRegion region;
   double expected = 0;
   for (int i = 0; i < 6; ++i) {
@@ -90,7 +90,7 @@ TEST(Region, WhatIsNestedIsInsideByTurns) {
   }
 }
 
-TEST(Region, MayTouchItselfAtACorner) {
+TEST(Region, may_touch_itself_at_a_corner) {
   // Two squares with one corner in common.
   PlanarRegion apart;
   apart.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {2, 2}, {1, 2}};
@@ -104,7 +104,7 @@ TEST(Region, MayTouchItselfAtACorner) {
   EXPECT_EQ(area(hole), 16 - 1.5);
 }
 
-TEST(Region, TheDirectionAndOrderOfSegmentsDoNotMatter) {
+TEST(Region, the_direction_and_order_of_segments_do_not_matter) {
   PlanarRegion region;
   add_loop(region, square(1));
   add_loop(region, square(0.5));
@@ -117,7 +117,7 @@ TEST(Region, TheDirectionAndOrderOfSegmentsDoNotMatter) {
   }
 }
 
-TEST(Region, CrossingSegmentsAreRefused) {
+TEST(Region, crossing_segments_are_refused) {
   PlanarRegion bow_tie;
   add_loop(bow_tie, {{0, 0}, {1, 1}, {1, 0}, {0, 1}});
   EXPECT_FALSE(triangulate(bow_tie));
@@ -127,14 +127,14 @@ TEST(Region, CrossingSegmentsAreRefused) {
   EXPECT_FALSE(triangulate(two));
 }
 
-TEST(Region, PointsInOnePlaceAreRefused) {
+TEST(Region, points_in_one_place_are_refused) {
   PlanarRegion region;
   add_loop(region, square(1));
   add_loop(region, {{1, 1}, {2, 1}, {2, 2}});
   EXPECT_FALSE(triangulate(region));
 }
 
-TEST(Region, OverlappingSegmentsAreRefused) {
+TEST(Region, overlapping_segments_are_refused) {
   // A corner in the middle of a side.
   PlanarRegion touching;
   add_loop(touching, square(1));
@@ -153,7 +153,7 @@ TEST(Region, OverlappingSegmentsAreRefused) {
 }
 
 // Closed form: the shoelace formula of a star of many corners.
-TEST(Region, ManyCorners) {
+TEST(Region, many_corners) {
   std::mt19937_64 random(2);
   for (const int n : {3, 10, 100, 1000}) {
     Points star;
@@ -174,7 +174,7 @@ TEST(Region, ManyCorners) {
   }
 }
 
-TEST(Region, SameBitsTwice) {
+TEST(Region, same_bits_twice) {
   PlanarRegion region;
   add_loop(region, square(1));
   add_loop(region, square(0.3, 0.1, 0.2));

@@ -96,7 +96,7 @@ Soup of_triangles(std::size_t n, const std::function<Vec3(std::size_t, int)>& co
   return soup;
 }
 
-TEST(Tree, EveryTriangleOnceAndInsideAllBoxesAbove) {
+TEST(Tree, every_triangle_once_and_inside_all_boxes_above) {
   std::mt19937_64 random(1);
   check(build(test::box({1, 2, 3})));
   check(build(test::torus_knot(2, 3, 1, 0.4, 0.1, 200, 12)));
@@ -104,14 +104,14 @@ TEST(Tree, EveryTriangleOnceAndInsideAllBoxesAbove) {
 }
 
 // Coordinates that single precision cannot tell apart.
-TEST(Tree, BoxesHoldFarFromTheOrigin) {
+TEST(Tree, boxes_hold_far_from_the_origin) {
   std::mt19937_64 random(2);
   Soup soup = triangulate(test::random_soup(random, 500, 1)).soup;
   for (Vec3& x : soup.vertices) x += Vec3(1e9, -3e7, 0.1);
   check(build(soup));
 }
 
-TEST(Tree, IdenticalTrianglesEndInTime) {
+TEST(Tree, identical_triangles_end_in_time) {
   const Built b =
       build(of_triangles(5000, [](std::size_t, int k) { return Vec3(k == 1, k == 2, 0); }));
   check(b);
@@ -119,13 +119,13 @@ TEST(Tree, IdenticalTrianglesEndInTime) {
 }
 
 // Each triangle half as far out and half as large as the last: uneven splits only.
-TEST(Tree, ShrinkingTrianglesStayWithinDepth) {
+TEST(Tree, shrinking_triangles_stay_within_depth) {
   check(build(of_triangles(1000, [](std::size_t i, int k) -> Vec3 {
     return std::ldexp(1.0, -static_cast<int>(i)) * Vec3(1 + 0.1 * (k == 1), 0.1 * (k == 2), 0);
   })));
 }
 
-TEST(Tree, CollinearAndCoplanarSoups) {
+TEST(Tree, collinear_and_coplanar_soups) {
   check(build(of_triangles(500, [](std::size_t i, int k) {  // boxes without area
     return Vec3(static_cast<double>(i) + 0.3 * k, 0, 0);
   })));
@@ -134,7 +134,7 @@ TEST(Tree, CollinearAndCoplanarSoups) {
   })));
 }
 
-TEST(Tree, DoesNotDependOnTheUnit) {
+TEST(Tree, does_not_depend_on_the_unit) {
   const Soup soup = triangulate(test::torus(1, 0.3, 40, 20)).soup;
   const Built one = build(soup);
   for (const double s : {0x1p-60, 0x1p60}) {
@@ -148,14 +148,14 @@ TEST(Tree, DoesNotDependOnTheUnit) {
   }
 }
 
-TEST(Tree, IsShallowAndFull) {
+TEST(Tree, is_shallow_and_full) {
   const Built b = build(test::sphere(1, 100, 200));  // 39 600 triangles, log8 is 5.1
   EXPECT_LE(b.tree.depth, 8);
   EXPECT_LT(static_cast<double>(bytes(b.tree)) / 39600, 75);
 }
 
 // An oriented box over a small piece of a smooth surface is far thinner than it is long.
-TEST(Tree, BoxesFollowTheSurface) {
+TEST(Tree, boxes_follow_the_surface) {
   const Built b = build(test::sphere(1, 100, 200));
   double worst = 0;
   for (const Tree::Node& node : b.tree.nodes)
@@ -170,7 +170,7 @@ TEST(Tree, BoxesFollowTheSurface) {
 }
 
 // The threads take parts as they come: what comes out must not tell.
-TEST(Tree, SameBitsEveryTime) {
+TEST(Tree, same_bits_every_time) {
   const Soup soup = triangulate(test::sphere(1, 150, 200)).soup;
   const Built one = build(soup);
   for (int i = 0; i < 3; ++i) {
@@ -183,7 +183,7 @@ TEST(Tree, SameBitsEveryTime) {
   }
 }
 
-TEST(Tree, CanBeCancelled) {
+TEST(Tree, can_be_cancelled) {
   Soup soup = triangulate(test::sphere(1, 150, 200)).soup;
   std::vector<std::uint32_t> order;
   double last = -1;
@@ -196,7 +196,7 @@ TEST(Tree, CanBeCancelled) {
   EXPECT_THROW(build_tree(soup, order, [](double) { return false; }), Cancelled);
 }
 
-TEST(Tree, NothingGivesAnEmptyTree) { EXPECT_TRUE(build(Soup()).tree.nodes.empty()); }
+TEST(Tree, nothing_gives_an_empty_tree) { EXPECT_TRUE(build(Soup()).tree.nodes.empty()); }
 
 }  // namespace
 }  // namespace sonde

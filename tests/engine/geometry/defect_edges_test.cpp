@@ -15,13 +15,13 @@ Soup tetrahedron() {
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-TEST(DefectEdges, AClosedMeshHasNone) {
+TEST(DefectEdges, a_closed_mesh_has_none) {
   const DefectEdges found = defect_edges(tetrahedron());
   EXPECT_TRUE(found.open.empty());
   EXPECT_TRUE(found.flipped.empty());
 }
 
-TEST(DefectEdges, AMissingTriangleLeavesItsThreeEdgesOpen) {
+TEST(DefectEdges, a_missing_triangle_leaves_its_three_edges_open) {
   Soup soup = tetrahedron();
   soup.triangles.pop_back();
   const DefectEdges found = defect_edges(soup);
@@ -29,7 +29,7 @@ TEST(DefectEdges, AMissingTriangleLeavesItsThreeEdgesOpen) {
   EXPECT_TRUE(found.flipped.empty());
 }
 
-TEST(DefectEdges, ATurnedTriangleDisagreesAtItsThreeEdges) {
+TEST(DefectEdges, a_turned_triangle_disagrees_at_its_three_edges) {
   Soup soup = tetrahedron();
   std::swap(soup.triangles[3][0], soup.triangles[3][1]);
   const DefectEdges found = defect_edges(soup);
@@ -38,7 +38,7 @@ TEST(DefectEdges, ATurnedTriangleDisagreesAtItsThreeEdges) {
 }
 
 /// The reference is the count that decides what is solid, which is made in another way.
-TEST(DefectEdges, AreAsManyAsTheTopologyCounts) {
+TEST(DefectEdges, are_as_many_as_the_topology_counts) {
   std::mt19937 random(5);
   for (int round = 0; round < 50; ++round) {
     Soup soup;

@@ -32,7 +32,7 @@ Mat3 tensor(const MassProperties& m) {
 }
 
 // Reference: the box a×b×c has V = abc and Î = ((b²+c²), (a²+c²), (a²+b²))/12.
-TEST(Mass, Box) {
+TEST(Mass, box) {
   const MassProperties m = mass_by_volume(soup_of(test::box({1, 2, 3})));
   EXPECT_TRUE(m.by_volume);
   EXPECT_NEAR(m.measure, 6, 1e-14);
@@ -46,7 +46,7 @@ TEST(Mass, Box) {
 
 // Reference: the surface of a cube of edge a has area 6a² and Î = 5a²/18 about each axis
 // (two faces across the axis: a²/6 each; four beside it: a²/12 + a²/4 each).
-TEST(Mass, SurfaceOfACube) {
+TEST(Mass, surface_of_a_cube) {
   const MassProperties m = mass_by_area(soup_of(test::box({2, 2, 2})));
   EXPECT_FALSE(m.by_volume);
   EXPECT_NEAR(m.measure, 24, 1e-13);
@@ -55,7 +55,7 @@ TEST(Mass, SurfaceOfACube) {
 }
 
 // Reference: the regular tetrahedron of edge L has V = L³/(6√2), Î = L²/20, R = L√(3/8).
-TEST(Mass, RegularTetrahedron) {
+TEST(Mass, regular_tetrahedron) {
   const double edge = 3 * std::numbers::sqrt2;
   const MassProperties m = mass_by_volume(soup_of(test::tetrahedron(3)));
   EXPECT_NEAR(m.measure, edge * edge * edge / (6 * std::numbers::sqrt2), 1e-13);
@@ -66,7 +66,7 @@ TEST(Mass, RegularTetrahedron) {
 
 // Reference: the ball has V = 4πr³/3 and Î = 2r²/5, the sphere A = 4πr² and Î = 2r²/3; the error of
 // an inscribed polyhedron falls with the square of the edge length.
-TEST(Mass, SphereConverges) {
+TEST(Mass, sphere_converges) {
   const double r = 2;
   double last[4] = {1e9, 1e9, 1e9, 1e9};
   for (const int n : {16, 32, 64, 128}) {
@@ -87,7 +87,7 @@ TEST(Mass, SphereConverges) {
 
 // Reference: the right triangle with legs a, b along x and y has area ab/2 and, about its centroid,
 // mean squares a²/18 and b²/18 and mean product −ab/36; the rest is a 2×2 eigenvalue problem.
-TEST(Mass, TriangleSurface) {
+TEST(Mass, triangle_surface) {
   const double a = 3, b = 2;
   Soup soup;
   soup.vertices = {{0, 0, 5}, {a, 0, 5}, {0, b, 5}, {100, 100, 100}};  // the last is not used
@@ -101,7 +101,7 @@ TEST(Mass, TriangleSurface) {
 }
 
 // Reference: moving a body moves its centre of mass and turns its inertia tensor, no more.
-TEST(Mass, MovesWithTheBody) {
+TEST(Mass, moves_with_the_body) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 50; ++i) {
     const Soup soup = soup_of(test::box({1, 2, 3}));
@@ -124,7 +124,7 @@ TEST(Mass, MovesWithTheBody) {
 }
 
 // Reference: the closed forms of the box; vertices a million away are rounded to about 1e-10.
-TEST(Mass, FarFromTheOrigin) {
+TEST(Mass, far_from_the_origin) {
   const Vec3 far(1e6, -2e6, 3e6);
   const MassProperties m =
       mass_by_volume(moved(soup_of(test::box({1, 2, 3})), Quat::Identity(), far));
@@ -134,7 +134,7 @@ TEST(Mass, FarFromTheOrigin) {
 }
 
 // Reference: powers of two scale every number exactly: V by s³, A by s², Î by s², R by s.
-TEST(Mass, PowersOfTwoScaleExactly) {
+TEST(Mass, powers_of_two_scale_exactly) {
   const Soup soup =
       moved(soup_of(test::torus(1, 0.3, 9, 7)), Quat(1, 2, 3, 4).normalized(), {1, 2, 3});
   for (const double s : {0x1p-200, 0x1p-10, 0x1p10, 0x1p200}) {
@@ -152,7 +152,7 @@ TEST(Mass, PowersOfTwoScaleExactly) {
 
 // Reference: the box; rounding of the turned vertices is 1e-16 of its length, so 1e-12 of its
 // width.
-TEST(Mass, SlantedNeedleKeepsItsSmallestInertia) {
+TEST(Mass, slanted_needle_keeps_its_smallest_inertia) {
   std::mt19937_64 random(2);
   const Vec3 size(1, 1e-4, 2e-4);
   for (int i = 0; i < 20; ++i) {
@@ -166,7 +166,7 @@ TEST(Mass, SlantedNeedleKeepsItsSmallestInertia) {
 
 // Reference: the triangle of base 1 and height h has Î = h²/18 about its length; the largest is
 // about 1/24.
-TEST(Mass, LineLikeInertiaIsExactlyZero) {
+TEST(Mass, line_like_inertia_is_exactly_zero) {
   const auto inertia = [](double h) {
     Soup soup;
     soup.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}};
@@ -177,7 +177,7 @@ TEST(Mass, LineLikeInertiaIsExactlyZero) {
   EXPECT_NEAR(inertia(1e-5)[0] / (1e-10 / 18), 1, 1e-9);
 }
 
-TEST(Mass, FlatClosedMeshHasNoVolumeAndNoNaN) {
+TEST(Mass, flat_closed_mesh_has_no_volume_and_no_na_n) {
   Soup soup;
   soup.vertices = {{0, 0, 0}, {1, 0, 0}, {0.3, 0.7, 0.9}};
   soup.triangles = {{0, 1, 2}, {0, 2, 1}};
@@ -186,7 +186,7 @@ TEST(Mass, FlatClosedMeshHasNoVolumeAndNoNaN) {
   EXPECT_TRUE(m.com.allFinite() && m.inertia.allFinite() && m.R_MP.allFinite());
 }
 
-TEST(Mass, InsideOutHasNegativeVolumeAndTheSameInertia) {
+TEST(Mass, inside_out_has_negative_volume_and_the_same_inertia) {
   Soup soup = soup_of(test::box({1, 2, 3}));
   for (Triangle& t : soup.triangles) std::swap(t[0], t[1]);
   const MassProperties m = mass_by_volume(soup);
@@ -195,7 +195,7 @@ TEST(Mass, InsideOutHasNegativeVolumeAndTheSameInertia) {
 }
 
 // Where two inertias agree the axes are the mesh's own, projected: rounding noise must not show.
-TEST(Mass, EqualInertiasGiveCanonicalAxes) {
+TEST(Mass, equal_inertias_give_canonical_axes) {
   std::mt19937_64 random(3);
   Mat3 axes;
   axes << 0, 1, 0, 0, 0, 1, 1, 0, 0;  // z, x, y

@@ -13,13 +13,13 @@
 namespace sonde {
 namespace {
 
-TEST(Rotation, NoTurnIsZeroBothWays) {
+TEST(Rotation, no_turn_is_zero_both_ways) {
   EXPECT_EQ(rotation_vector(Quat::Identity()), Vec3(0, 0, 0));
   EXPECT_EQ(rotation_vector(Quat(-1, 0, 0, 0)), Vec3(0, 0, 0));
   EXPECT_EQ(rotation_by(Vec3::Zero()).coeffs(), Quat::Identity().coeffs());
 }
 
-TEST(Rotation, SmallTurnsAndHalfTurnsKeepTheirDigits) {
+TEST(Rotation, small_turns_and_half_turns_keep_their_digits) {
   for (const double angle : {1e-100, 1e-12, 1e-3, 1.0, std::numbers::pi}) {
     const Quat q(std::cos(angle / 2), 0, std::sin(angle / 2), 0);
     EXPECT_NEAR(rotation_vector(q).y() / angle, 1, 1e-15) << angle;
@@ -27,7 +27,7 @@ TEST(Rotation, SmallTurnsAndHalfTurnsKeepTheirDigits) {
   }
 }
 
-TEST(Rotation, TheShorterWayRoundWhateverTheSign) {
+TEST(Rotation, the_shorter_way_round_whatever_the_sign) {
   const double angle = 2;
   const Quat q(std::cos(angle / 2), std::sin(angle / 2), 0, 0);
   EXPECT_NEAR(rotation_vector(Quat(-q.coeffs())).x(), angle, 1e-15);
@@ -36,7 +36,7 @@ TEST(Rotation, TheShorterWayRoundWhateverTheSign) {
   EXPECT_NEAR(rotation_vector(far).x(), -1, 1e-15);
 }
 
-TEST(Rotation, OneUndoesTheOtherAndIsThatOfEigen) {
+TEST(Rotation, one_undoes_the_other_and_is_that_of_eigen) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 vector = test::random_in_ball(random, 3.1);

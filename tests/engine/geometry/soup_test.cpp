@@ -84,12 +84,12 @@ Outline random_star(std::mt19937_64& random, int corners) {
   return out;
 }
 
-TEST(Triangulate, ConcavePolygonsKeepTheirShape) {
+TEST(Triangulate, concave_polygons_keep_their_shape) {
   for (const Outline& outline : {arrow, letter_u, keyhole, comb(20)})
     expect_covered(outline, Quat::Identity(), Vec3::Zero());
 }
 
-TEST(Triangulate, InAnyPlane) {
+TEST(Triangulate, in_any_plane) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100; ++i) {
     const Quat q = test::random_rotation(random);
@@ -99,7 +99,7 @@ TEST(Triangulate, InAnyPlane) {
   }
 }
 
-TEST(Triangulate, EachConcaveQuadWhereverItStarts) {
+TEST(Triangulate, each_concave_quad_wherever_it_starts) {
   Outline quad = arrow;
   for (int i = 0; i < 4; ++i) {
     std::rotate(quad.begin(), quad.begin() + 1, quad.end());
@@ -107,21 +107,21 @@ TEST(Triangulate, EachConcaveQuadWhereverItStarts) {
   }
 }
 
-TEST(Triangulate, ConvexQuadsAreCutAlongTheShorterDiagonal) {
+TEST(Triangulate, convex_quads_are_cut_along_the_shorter_diagonal) {
   const auto t = triangulate(one_polygon({{0, 0}, {3, -1}, {6, 0}, {3, 1}})).soup.triangles;
   ASSERT_EQ(t.size(), 2u);
   EXPECT_EQ(t[0], (Triangle{0, 1, 3}));
   EXPECT_EQ(t[1], (Triangle{1, 2, 3}));
 }
 
-TEST(Triangulate, CollinearCornersCauseNoSlivers) {
+TEST(Triangulate, collinear_corners_cause_no_slivers) {
   const Outline square{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   expect_covered(square, Quat::Identity(), Vec3::Zero());
   EXPECT_EQ(triangulate(one_polygon(square)).degenerate, 0u);
 }
 
 // A corner on the edge of one face only (a T-junction in the making) must stay in the topology.
-TEST(Triangulate, ClosedMeshWithCollinearCornersStaysClosed) {
+TEST(Triangulate, closed_mesh_with_collinear_corners_stays_closed) {
   PolygonSoup box = test::box({2, 2, 2});
   box.points.push_back({0, -1, -1});  // the middle of the edge from 0 to 1
   for (auto& polygon : box.polygons)
@@ -137,7 +137,7 @@ TEST(Triangulate, ClosedMeshWithCollinearCornersStaysClosed) {
   EXPECT_TRUE(analyse_topology(all).closed);
 }
 
-TEST(Triangulate, PolygonsWithoutAreaAreSetAside) {
+TEST(Triangulate, polygons_without_area_are_set_aside) {
   const PolygonSoup line = one_polygon({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}});
   EXPECT_EQ(triangulate(line).degenerate, 3u);
   EXPECT_TRUE(triangulate(line).soup.triangles.empty());
@@ -147,7 +147,7 @@ TEST(Triangulate, PolygonsWithoutAreaAreSetAside) {
   EXPECT_EQ(triangulate(repeats).degenerate, 3u);
 }
 
-TEST(Triangulate, CrossingAndWarpedPolygonsEndInTime) {
+TEST(Triangulate, crossing_and_warped_polygons_end_in_time) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 200; ++i) {
     PolygonSoup wild;
@@ -160,7 +160,7 @@ TEST(Triangulate, CrossingAndWarpedPolygonsEndInTime) {
   }
 }
 
-TEST(Triangulate, LargeConvexPolygonIsNotAFan) {
+TEST(Triangulate, large_convex_polygon_is_not_a_fan) {
   Outline circle;
   const int n = 20000;
   for (int i = 0; i < n; ++i) {
@@ -175,7 +175,7 @@ TEST(Triangulate, LargeConvexPolygonIsNotAFan) {
   EXPECT_LE(*std::ranges::max_element(uses), 64);
 }
 
-TEST(IsDegenerate, TellsNeedlesFromLines) {
+TEST(IsDegenerate, tells_needles_from_lines) {
   for (const double s : {1e-150, 1e-9, 1.0, 1e150}) {  // at any scale
     const Vec3 a(0, 0, 0), b(s, 0, 0);
     EXPECT_FALSE(is_degenerate(a, b, Vec3(s / 2, s * 1e-8, 0)));

@@ -37,7 +37,7 @@ Soup corner_by_corner(const Soup& soup) {
 Topology analyse(const Soup& soup) { return analyse_topology(compacted(soup)); }
 std::size_t components(const Soup& soup) { return find_components(compacted(soup)).count; }
 
-TEST(Topology, ClosedShapes) {
+TEST(Topology, closed_shapes) {
   for (const PolygonSoup& shape : {test::box({1, 2, 3}), test::torus(1, 0.3, 8, 6),
                                    test::sphere(1, 5, 7), test::tetrahedron(1)}) {
     const Topology t = analyse(soup_of(shape));
@@ -47,13 +47,13 @@ TEST(Topology, ClosedShapes) {
   }
 }
 
-TEST(Topology, ClosedCornerByCorner) {
+TEST(Topology, closed_corner_by_corner) {
   Soup soup = corner_by_corner(soup_of(test::box({1, 2, 3})));
   EXPECT_TRUE(analyse(soup).closed);
   EXPECT_EQ(components(soup), 1u);
 }
 
-TEST(Topology, TheTwoZerosAreOne) {
+TEST(Topology, the_two_zeros_are_one) {
   Soup soup = corner_by_corner(soup_of(test::box({2, 2, 2})));
   int k = 0;
   for (Vec3& x : soup.vertices) {
@@ -64,7 +64,7 @@ TEST(Topology, TheTwoZerosAreOne) {
   EXPECT_TRUE(analyse(soup).closed);
 }
 
-TEST(Topology, AMissingFaceOpensItsEdges) {
+TEST(Topology, a_missing_face_opens_its_edges) {
   PolygonSoup box = test::box({1, 1, 1});
   box.polygons.pop_back();
   const Topology t = analyse(soup_of(box));
@@ -73,7 +73,7 @@ TEST(Topology, AMissingFaceOpensItsEdges) {
   EXPECT_EQ(t.misoriented_edges, 0u);
 }
 
-TEST(Topology, ATurnedFaceIsMisoriented) {
+TEST(Topology, a_turned_face_is_misoriented) {
   PolygonSoup box = test::box({1, 1, 1});
   std::reverse(box.polygons[2].begin(), box.polygons[2].end());
   const Topology t = analyse(soup_of(box));
@@ -82,7 +82,7 @@ TEST(Topology, ATurnedFaceIsMisoriented) {
   EXPECT_EQ(t.misoriented_edges, 4u);
 }
 
-TEST(Topology, AMoebiusBandIsOpen) {
+TEST(Topology, a_moebius_band_is_open) {
   Soup soup;
   const int n = 10;
   for (int i = 0; i < n; ++i)
@@ -102,7 +102,7 @@ TEST(Topology, AMoebiusBandIsOpen) {
   EXPECT_EQ(t.misoriented_edges, 1u);
 }
 
-TEST(Topology, DuplicatesOfAClosedMeshStayClosed) {
+TEST(Topology, duplicates_of_a_closed_mesh_stay_closed) {
   const Soup box = soup_of(test::box({1, 1, 1}));
   const Topology t = analyse(joined(box, box));
   EXPECT_TRUE(t.closed);
@@ -111,7 +111,7 @@ TEST(Topology, DuplicatesOfAClosedMeshStayClosed) {
   EXPECT_EQ(components(joined(box, box)), 1u);
 }
 
-TEST(Topology, ThreeTrianglesAtAnEdge) {
+TEST(Topology, three_triangles_at_an_edge) {
   Soup soup;
   soup.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   soup.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
@@ -122,7 +122,7 @@ TEST(Topology, ThreeTrianglesAtAnEdge) {
   EXPECT_FALSE(t.closed);
 }
 
-TEST(Topology, Components) {
+TEST(Topology, components) {
   const Soup box = soup_of(test::box({1, 1, 1}));
   EXPECT_TRUE(analyse(joined(box, box, {3, 0, 0})).closed);
   const Components apart = find_components(compacted(joined(box, box, {3, 0, 0})));
@@ -132,7 +132,7 @@ TEST(Topology, Components) {
   EXPECT_EQ(components(joined(box, box, {1, 1, 1})), 1u);  // share one vertex
 }
 
-TEST(Topology, CollapsedTrianglesDoNotOpenAMesh) {
+TEST(Topology, collapsed_triangles_do_not_open_a_mesh) {
   Soup soup = soup_of(test::box({1, 1, 1}));
   soup.triangles.push_back({0, 0, 1});
   soup.triangles.push_back({3, 3, 3});
@@ -140,17 +140,17 @@ TEST(Topology, CollapsedTrianglesDoNotOpenAMesh) {
   EXPECT_EQ(find_components(compacted(soup)).of.size(), 14u);
 }
 
-TEST(Topology, NothingIsNotClosed) {
+TEST(Topology, nothing_is_not_closed) {
   EXPECT_FALSE(analyse(Soup()).closed);
   EXPECT_EQ(find_components(Soup()).count, 0u);
 }
 
-TEST(Topology, WeldNamesTheFirst) {
+TEST(Topology, weld_names_the_first) {
   EXPECT_EQ(weld({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, -0.0}, {1, 2, 3.0000000000000004}}),
             (std::vector<std::uint32_t>{0, 1, 0, 1, 4}));
 }
 
-TEST(Topology, CompactedKeepsEachPlaceOnceInTheOrderOfUse) {
+TEST(Topology, compacted_keeps_each_place_once_in_the_order_of_use) {
   Soup soup;
   soup.vertices = {{9, 9, 9}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   soup.triangles = {{2, 3, 4}, {1, 4, 2}};
@@ -160,7 +160,7 @@ TEST(Topology, CompactedKeepsEachPlaceOnceInTheOrderOfUse) {
 }
 
 // Reference: every pair of vertices compared.
-TEST(Topology, WeldAgreesWithComparingAllPairs) {
+TEST(Topology, weld_agrees_with_comparing_all_pairs) {
   std::mt19937_64 random(3);
   std::vector<Vec3> vertices(500);
   for (Vec3& x : vertices)
@@ -239,13 +239,13 @@ void expect_as_counted_plainly(const Soup& soup) {
 
 // Reference: counted_plainly and lowest_neighbour. From few vertices, where everything meets, to
 // many, where nothing does.
-TEST(Topology, AgreesWithPlainCounting) {
+TEST(Topology, agrees_with_plain_counting) {
   std::mt19937_64 random(4);
   for (const std::size_t vertices : {3u, 5u, 20u, 100u, 1000u})
     for (int i = 0; i < 20; ++i) expect_as_counted_plainly(random_indices(random, 60, vertices));
 }
 
-TEST(Topology, AgreesWithPlainCountingWhereTwoThreadsCount) {
+TEST(Topology, agrees_with_plain_counting_where_two_threads_count) {
   std::mt19937_64 random(5);
   expect_as_counted_plainly(random_indices(random, 30000, 3000));
 }

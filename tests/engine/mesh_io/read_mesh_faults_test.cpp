@@ -47,7 +47,7 @@ std::string with(std::string bytes, std::size_t at, std::int32_t value) {
   return bytes.replace(at, 4, test::raw(value, true));
 }
 
-TEST(MeshFaults, BinaryOff) {
+TEST(MeshFaults, binary_off) {
   const PolygonSoup one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const std::string good = test::as_binary_off(one);
   ASSERT_EQ(good.size(), 79U);  // 11 of the first line, 3 counts, 9 coordinates, 5 of the face
@@ -70,7 +70,7 @@ TEST(MeshFaults, BinaryOff) {
          {good + "x", ": byte 79: 1 bytes more than the header declares"}});
 }
 
-TEST(MeshFaults, Files) {
+TEST(MeshFaults, files) {
   const TempFolder folder;
   EXPECT_EQ(said_of(folder.path() / "none.off"), ": no such file");
   EXPECT_EQ(said_of(folder.write("empty.obj", "")), ": the file is empty");
@@ -83,7 +83,7 @@ TEST(MeshFaults, Files) {
               ": unknown mesh format: OFF, OBJ, PLY and STL are read");
 }
 
-TEST(MeshFaults, Off) {
+TEST(MeshFaults, off) {
   check(
       "a.off",
       {{"# nothing\n\n", ": the file holds nothing but comments"},
@@ -129,7 +129,7 @@ TEST(MeshFaults, Off) {
         ":8: data after the last of the 1 declared faces"}});
 }
 
-TEST(MeshFaults, Obj) {
+TEST(MeshFaults, obj) {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   check("a.obj",
         {{"# nothing\n", ": the mesh has no vertices"},
@@ -163,7 +163,7 @@ const std::string corners = "property list uchar int vertex_indices\n";
 const std::string usual = "element vertex 3\n" + xyz + "element face 1\n" + corners;
 const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
 
-TEST(MeshFaults, PlyHeader) {
+TEST(MeshFaults, ply_header) {
   check(
       "a.ply",
       {{"plx\n", ":1: not a PLY file: it must start with \"ply\""},
@@ -198,7 +198,7 @@ TEST(MeshFaults, PlyHeader) {
         ":9: element \"nothing\" has no properties"}});
 }
 
-TEST(MeshFaults, PlyText) {
+TEST(MeshFaults, ply_text) {
   check("a.ply",
         {{ply(usual, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), ":11: three coordinates expected"},
          {ply(usual, "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n"),
@@ -217,7 +217,7 @@ TEST(MeshFaults, PlyText) {
          {ply(usual, points + "3 0 1 2\n3 0 1 2\n"), ":14: data after the last declared element"}});
 }
 
-TEST(MeshFaults, PlyBinary) {
+TEST(MeshFaults, ply_binary) {
   const std::string little = "binary_little_endian";
   const std::size_t start = ply(usual, "", little).size();
   const auto at = [&](std::size_t n) { return ": byte " + std::to_string(start + n) + ": "; };
@@ -246,7 +246,7 @@ TEST(MeshFaults, PlyBinary) {
                    at(49) + "1 bytes more than the header declares"}});
 }
 
-TEST(MeshFaults, StlText) {
+TEST(MeshFaults, stl_text) {
   const std::string open = "solid a\nfacet normal 0 0 1\nouter loop\n";
   const std::string v = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
   check("a.stl", {{"solid a\nendsolid a\n", ": the mesh has no triangles"},
@@ -268,7 +268,7 @@ TEST(MeshFaults, StlText) {
                    ":10: data outside of a solid: \"more\""}});
 }
 
-TEST(MeshFaults, StlBinary) {
+TEST(MeshFaults, stl_binary) {
   std::string good = test::as_binary_stl(test::tetrahedron(1));
   const auto with = [&](std::size_t at, const std::string& bytes) {
     return std::string(good).replace(at, bytes.size(), bytes);
@@ -294,7 +294,7 @@ TEST(MeshFaults, StlBinary) {
 }
 
 // Reference: a thousand million vertices would take 24 GB, and minutes.
-TEST(MeshFaults, HostileCountsFailAtOnce) {
+TEST(MeshFaults, hostile_counts_fail_at_once) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(said("a.off", "OFF\n1000000000 1 0\n0 0 0\n"),
             ":2: the header declares 1000000000 vertices and 1 faces, but only 6 bytes follow");
@@ -311,7 +311,7 @@ TEST(MeshFaults, HostileCountsFailAtOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
-TEST(MeshFaults, ScalingBeyondRange) {
+TEST(MeshFaults, scaling_beyond_range) {
   const TempFolder folder;
   const auto file = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_THROW(read_mesh(file, 1e10), InputError);

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(ReadMesh, AnyFormat,
                          testing::Values("off", "binary off", "obj", "text ply", "little ply",
                                          "big ply", "text stl", "binary stl"));
 
-TEST(ReadMesh, BinaryOffPassesOverNormalsColoursAndTextures) {
+TEST(ReadMesh, binary_off_passes_over_normals_colours_and_textures) {
   const TempFolder folder;
   const PolygonSoup mesh = single_precision_mesh();
   const struct {
@@ -87,7 +87,7 @@ TEST(ReadMesh, BinaryOffPassesOverNormalsColoursAndTextures) {
                 mesh);
 }
 
-TEST_P(AnyFormat, ReadsBackWhatWasWritten) {
+TEST_P(AnyFormat, reads_back_what_was_written) {
   const PolygonSoup mesh = single_precision_mesh();
   const PolygonSoup got = read_mesh(folder_.write(name(), contents(mesh)));
   expect_same_triangles(got, mesh);
@@ -98,21 +98,21 @@ TEST_P(AnyFormat, ReadsBackWhatWasWritten) {
   expect_same(read_mesh(folder_.write(name(), contents(mixed_mesh()))), mixed_mesh());
 }
 
-TEST_P(AnyFormat, Scales) {
+TEST_P(AnyFormat, scales) {
   PolygonSoup mesh = single_precision_mesh();
   const auto file = folder_.write(name(), contents(mesh));
   for (Vec3& x : mesh.points) x *= 0.001;
   expect_same_triangles(read_mesh(file, 0.001), mesh);
 }
 
-TEST_P(AnyFormat, ExtensionInUpperCase) {
+TEST_P(AnyFormat, extension_in_upper_case) {
   std::string upper = name();
   for (char& c : upper) c = static_cast<char>(std::toupper(c));
   EXPECT_EQ(read_mesh(folder_.write(upper, contents(single_precision_mesh()))).polygons.size(),
             126u);
 }
 
-TEST_P(AnyFormat, ReportsProgressAndCanBeCancelledAtAnyPoint) {
+TEST_P(AnyFormat, reports_progress_and_can_be_cancelled_at_any_point) {
   const PolygonSoup mesh = test::torus(1, 0.3, 200, 100);
   const auto file = folder_.write(name(), contents(mesh));
   std::vector<double> seen;
@@ -137,7 +137,7 @@ struct Commas : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-TEST_P(AnyFormat, NumbersHaveAPointWhateverTheLocale) {
+TEST_P(AnyFormat, numbers_have_a_point_whatever_the_locale) {
   const PolygonSoup mesh = single_precision_mesh();
   const auto file = folder_.write(name(), contents(mesh));
   const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Commas));
@@ -153,7 +153,7 @@ TEST_P(AnyFormat, NumbersHaveAPointWhateverTheLocale) {
   expect_same_triangles(got, mesh);
 }
 
-TEST_P(AnyFormat, EveryTruncationIsRefused) {
+TEST_P(AnyFormat, every_truncation_is_refused) {
   const PolygonSoup mesh = test::tetrahedron(1);
   std::string whole = contents(mesh);
   while (whole.back() == '\n') whole.pop_back();
@@ -167,13 +167,13 @@ TEST_P(AnyFormat, EveryTruncationIsRefused) {
     EXPECT_THROW(read_mesh(folder_.write(name(), whole.substr(0, size))), InputError) << size;
 }
 
-TEST_P(AnyFormat, MoreDataThanDeclaredIsRefused) {
+TEST_P(AnyFormat, more_data_than_declared_is_refused) {
   const std::string whole = contents(test::tetrahedron(1));
   for (const std::string& more : {std::string("1 2 3\n"), std::string(50, 'x')})
     EXPECT_THROW(read_mesh(folder_.write(name(), whole + more)), InputError);
 }
 
-TEST_P(AnyFormat, RandomDamageNeverCrashes) {
+TEST_P(AnyFormat, random_damage_never_crashes) {
   std::mt19937_64 random(7);
   const std::string whole = contents(test::tetrahedron(1));
   for (int i = 0; i < 2000; ++i) {
@@ -189,7 +189,7 @@ TEST_P(AnyFormat, RandomDamageNeverCrashes) {
   }
 }
 
-TEST_P(AnyFormat, CarriageReturnsAndByteOrderMark) {
+TEST_P(AnyFormat, carriage_returns_and_byte_order_mark) {
   const std::string kind = GetParam();
   if (kind.starts_with("binary") || kind == "little ply" || kind == "big ply") return;  // not text
   const PolygonSoup mesh = single_precision_mesh();
@@ -208,7 +208,7 @@ PolygonSoup read_text(const std::string& name, const std::string& text) {
 
 PolygonSoup one_triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}, {{0, 1, 2}}}; }
 
-TEST(ReadOff, CommentsBlankLinesColoursAndNormals) {
+TEST(ReadOff, comments_blank_lines_colours_and_normals) {
   const std::vector<std::string> texts = {
       "# first\n\nOFF # keyword\n# counts\n3 1 3\n\n0 0 0 # a\n 1 0 0\n+0 1 .5\n# faces\n3 0 1 "
       "2\n# end\n",
@@ -219,7 +219,7 @@ TEST(ReadOff, CommentsBlankLinesColoursAndNormals) {
   for (const std::string& text : texts) expect_same(read_text("a.off", text), one_triangle());
 }
 
-TEST(ReadObj, StatementsThatAreNoMeshArePassedOver) {
+TEST(ReadObj, statements_that_are_no_mesh_are_passed_over) {
   expect_same(
       read_text("a.obj",
                 "# c:\\\nmtllib a.mtl\no thing\ng group\nv 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0.5 1.0\n"
@@ -227,18 +227,18 @@ TEST(ReadObj, StatementsThatAreNoMeshArePassedOver) {
       one_triangle());
 }
 
-TEST(ReadObj, NegativeIndicesCountBackAndForwardOnesAreAllowed) {
+TEST(ReadObj, negative_indices_count_back_and_forward_ones_are_allowed) {
   expect_same(read_text("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf -3 -2 -1\nv 9 9 9\n"),
               {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}, {9, 9, 9}}, {{0, 1, 2}}});
   expect_same(read_text("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0.5\n"), one_triangle());
 }
 
-TEST(ReadObj, ABackslashJoinsLines) {
+TEST(ReadObj, a_backslash_joins_lines) {
   expect_same(read_text("a.obj", "v 0 0 0\nv 1 \\\n 0 0\nv 0 1 0.5\nf 1 \\\r\n2 \\\n3\n"),
               one_triangle());
 }
 
-TEST(ReadPly, UnknownElementsAndPropertiesArePassedOver) {
+TEST(ReadPly, unknown_elements_and_properties_are_passed_over) {
   expect_same(
       read_text("a.ply",
                 "ply\r\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty float fov\n"
@@ -250,7 +250,7 @@ TEST(ReadPly, UnknownElementsAndPropertiesArePassedOver) {
       one_triangle());
 }
 
-TEST(ReadPly, UnknownElementsInBinary) {
+TEST(ReadPly, unknown_elements_in_binary) {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty uchar r\n"
       "property float y\nproperty float z\nelement edge 2\nproperty list uchar ushort of\n"
@@ -264,7 +264,7 @@ TEST(ReadPly, UnknownElementsInBinary) {
   expect_same(read_text("a.ply", bytes), one_triangle());
 }
 
-TEST(ReadStl, SeveralSolidsOddCaseAndNormalsThatAreNoNumbers) {
+TEST(ReadStl, several_solids_odd_case_and_normals_that_are_no_numbers) {
   const std::string facet =
       "FACET Normal nan nan nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.5\nendloop\n"
       "endfacet\n";
@@ -273,14 +273,14 @@ TEST(ReadStl, SeveralSolidsOddCaseAndNormalsThatAreNoNumbers) {
   EXPECT_EQ(got.polygons, (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {0, 1, 2}}));
 }
 
-TEST(ReadMesh, TinyNumbersAreZeroEnough) {
+TEST(ReadMesh, tiny_numbers_are_zero_enough) {
   EXPECT_NO_THROW(read_text("a.off", "OFF\n3 1 0\n0 1e-400 0\n1 0 0\n0 1 0.5\n3 0 1 2\n"));
 }
 
 // ------------------------------------------------------------------------------------ real meshes
 
 // b9.ply is a cloud of points, prim.off has more faces than it declares: both must be refused.
-TEST(RealMeshes, AllAreReadOrRefusedForAReason) {
+TEST(RealMeshes, all_are_read_or_refused_for_a_reason) {
   std::vector<std::string> refused;
   for (const auto& file : test::real_meshes()) {
     try {
@@ -295,7 +295,7 @@ TEST(RealMeshes, AllAreReadOrRefusedForAReason) {
 
 // Reference: counts from the headers of the files; V of the unit cube and of the other formats of
 // one sphere.
-TEST(RealMeshes, AreWhatTheyAreKnownToBe) {
+TEST(RealMeshes, are_what_they_are_known_to_be) {
   const auto load = [](const char* name) {
     return load_body(test::real_mesh(name).string(), Model::automatic);
   };

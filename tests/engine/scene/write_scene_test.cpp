@@ -147,7 +147,7 @@ TEST(WriteScene, its_meshes_are_found_from_another_folder) {
   EXPECT_EQ(json["probe"]["mesh"], "../../sub/a \"b\".off");
 }
 
-TEST(WriteScene, a_name_that_is_no_UTF8_is_refused_by_name) {
+TEST(WriteScene, a_name_that_is_no_utf8_is_refused_by_name) {
   const TempFolder folder;
   Scene scene = read_scene(folder.write("full.sonde.json", full));
   scene.fixed.mesh = folder / "b\xff.off";

@@ -36,7 +36,7 @@ constexpr Row rows[] = {
     {"touch-x", 7.9, 0, 1000, 0, 5, 0},
 };
 
-TEST(DeviceProfile, ThoseThatComeWithTheProgramAreTheTable) {
+TEST(DeviceProfile, those_that_come_with_the_program_are_the_table) {
   std::vector<std::string> ids;
   for (const Row& row : rows) {
     ids.emplace_back(row.id);
@@ -76,7 +76,7 @@ std::string lines_of(const ordered_json& json) {
   return text + "\n}\n";
 }
 
-TEST(DeviceProfile, EveryValueIsReadWithItsOrigin) {
+TEST(DeviceProfile, every_value_is_read_with_its_origin) {
   ordered_json json = right();
   json["mass"] = {{"value", 0.25}, {"assumed", "a guess"}};
   json["$schema"] = "somewhere";
@@ -95,7 +95,7 @@ TEST(DeviceProfile, EveryValueIsReadWithItsOrigin) {
   EXPECT_THAT(assumed_keys(p), ElementsAre("mass"));
 }
 
-TEST(DeviceProfile, TheSimulatedDeviceIsThatOfTheProfile) {
+TEST(DeviceProfile, the_simulated_device_is_that_of_the_profile) {
   const TempFolder folder;
   const DeviceProfile p = read_device_profile(folder.write("a.json", lines_of(right())));
   const SimulatedDeviceParameters s = simulated(p);
@@ -127,7 +127,7 @@ std::string complaint_about(const char* key, const std::string& value) {
   return complaint(text.replace(at, text.find('\n', at) - at, value + ","));
 }
 
-TEST(DeviceProfile, BadFilesAreNamedWithTheirLineAndReason) {
+TEST(DeviceProfile, bad_files_are_named_with_their_line_and_reason) {
   EXPECT_EQ(complaint(lines_of(right())), "");
   ordered_json json = right();
   json["masss"] = 1;
@@ -172,7 +172,7 @@ TEST(DeviceProfile, BadFilesAreNamedWithTheirLineAndReason) {
   EXPECT_THAT(complaint(""), HasSubstr("empty"));
 }
 
-TEST(DeviceProfile, TheUsersOwnComeFirst) {
+TEST(DeviceProfile, the_users_own_come_first) {
   const TempFolder own;
   ordered_json json = right();
   own.write("touch.json", lines_of(json));
@@ -195,7 +195,7 @@ std::string complaint_about_id(std::string_view id,
   return {};
 }
 
-TEST(DeviceProfile, AnUnknownIdNamesTheNearest) {
+TEST(DeviceProfile, an_unknown_id_names_the_nearest) {
   EXPECT_EQ(complaint_about_id("omega7", {&bundled, 1}),
             "no device profile \"omega7\"; the nearest known one is \"omega.7\"");
   EXPECT_THAT(complaint_about_id("../devices/touch", {&bundled, 1}),
@@ -204,7 +204,7 @@ TEST(DeviceProfile, AnUnknownIdNamesTheNearest) {
   EXPECT_THAT(complaint_about_id("missing.json", {&bundled, 1}), StartsWith("missing.json: "));
 }
 
-TEST(DeviceProfile, TheSchemaSaysWhatTheReaderDoes) {
+TEST(DeviceProfile, the_schema_says_what_the_reader_does) {
   const auto schema = ordered_json::parse(test::text_of(SONDE_DEVICE_SCHEMA));
   EXPECT_EQ(schema["additionalProperties"], false);
   std::vector<std::string> keys{"$schema", "name"}, required{"name"};

@@ -25,7 +25,7 @@ double contrast(const QColor& a, const QColor& b) {
   return std::max(one, other) / std::min(one, other);
 }
 
-TEST(Theme, FaintTextCanBeReadOnLightAndDarkWindowsAndStandsBack) {
+TEST(Theme, faint_text_can_be_read_on_light_and_dark_windows_and_stands_back) {
   const QColor light_window(239, 239, 239), dark_window(36, 41, 48);
   for (const auto& [window, text] :
        {std::pair(light_window, QColor(Qt::black)), std::pair(dark_window, colour::text)}) {

@@ -90,22 +90,22 @@ constexpr double above_the_bottom = 1e-3, onto_the_bottom = -5e-4;  ///< where i
 const std::vector<int> coarsest = {1}, all = {2, 7, 16, 24};
 
 // The reference of the others, and that the loops themselves are fit for the test.
-TEST(ConformingEnergy, CoarseBlockOnASlabGivesTheHandNoWork) { block(coarsest); }
-TEST(ConformingEnergy, CoarseCylinderInAHoleGivesTheHandNoWork) { cylinder(coarsest); }
-TEST(ConformingEnergy, CoarseWedgeInANotchGivesTheHandNoWork) { wedge(coarsest); }
-TEST(ConformingEnergy, CoarsePegInAHoleGivesTheHandNoWork) {
+TEST(ConformingEnergy, coarse_block_on_a_slab_gives_the_hand_no_work) { block(coarsest); }
+TEST(ConformingEnergy, coarse_cylinder_in_a_hole_gives_the_hand_no_work) { cylinder(coarsest); }
+TEST(ConformingEnergy, coarse_wedge_in_a_notch_gives_the_hand_no_work) { wedge(coarsest); }
+TEST(ConformingEnergy, coarse_peg_in_a_hole_gives_the_hand_no_work) {
   peg(coarsest, above_the_bottom, {1e-4});
 }
 
-TEST(ConformingEnergy, FineBlockOnASlabGivesTheHandNoWork) { block({16}); }
-TEST(ConformingEnergy, FineWedgeInANotchGivesTheHandNoWork) { wedge({8}); }
-TEST(ConformingEnergy, Full_FineBlockOnASlabGivesTheHandNoWork) { block(all); }
-TEST(ConformingEnergy, Full_FineCylinderInAHoleGivesTheHandNoWork) { cylinder(all); }
-TEST(ConformingEnergy, Full_FineWedgeInANotchGivesTheHandNoWork) { wedge(all); }
-TEST(ConformingEnergy, Full_FinePegInAHoleGivesTheHandNoWork) {
+TEST(ConformingEnergy, fine_block_on_a_slab_gives_the_hand_no_work) { block({16}); }
+TEST(ConformingEnergy, fine_wedge_in_a_notch_gives_the_hand_no_work) { wedge({8}); }
+TEST(ConformingEnergy, Full_fine_block_on_a_slab_gives_the_hand_no_work) { block(all); }
+TEST(ConformingEnergy, Full_fine_cylinder_in_a_hole_gives_the_hand_no_work) { cylinder(all); }
+TEST(ConformingEnergy, Full_fine_wedge_in_a_notch_gives_the_hand_no_work) { wedge(all); }
+TEST(ConformingEnergy, Full_fine_peg_in_a_hole_gives_the_hand_no_work) {
   peg({1, 2, 7, 24}, above_the_bottom, {1e-5, 1e-4, 5e-4});
 }
-TEST(ConformingEnergy, Full_PegPressedOntoTheBottomGivesTheHandNoWork) {
+TEST(ConformingEnergy, Full_peg_pressed_onto_the_bottom_gives_the_hand_no_work) {
   peg({1, 7, 24}, onto_the_bottom, {1e-5, 1e-4, 5e-4});
 }
 

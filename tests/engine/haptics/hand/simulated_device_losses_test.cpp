@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-TEST(SimulatedDevice, WithoutLossesTheHandsSpringKeepsTheEnergy) {
+TEST(SimulatedDevice, without_losses_the_hands_spring_keeps_the_energy) {
   SimulatedDeviceParameters p = bare();
   p.translation.hand_stiffness = 300;
   p.rotation.hand_stiffness = 0.5;
@@ -37,7 +37,7 @@ TEST(SimulatedDevice, WithoutLossesTheHandsSpringKeepsTheEnergy) {
   EXPECT_NEAR(end[2] / start[2], 1, 1e-9);
 }
 
-TEST(SimulatedDevice, ATumblingHandleKeepsItsEnergyAsTheRateGrows) {
+TEST(SimulatedDevice, a_tumbling_handle_keeps_its_energy_as_the_rate_grows) {
   // Where the axis of the turn changes the step is not exact: it loses a little, and gains nothing
   // to speak of.
   SimulatedDeviceParameters p = bare();
@@ -63,7 +63,7 @@ TEST(SimulatedDevice, ATumblingHandleKeepsItsEnergyAsTheRateGrows) {
   EXPECT_LT(worst_change(2.5e-4), coarse / 3);
 }
 
-TEST(SimulatedDevice, LeftAloneItLosesEnergyUntilItRests) {
+TEST(SimulatedDevice, left_alone_it_loses_energy_until_it_rests) {
   SimulatedDeviceParameters p = bare();
   p.translation = {.inertia = 0.1,
                    .damping = 0.2,
@@ -114,7 +114,7 @@ TEST(SimulatedDevice, LeftAloneItLosesEnergyUntilItRests) {
   }
 }
 
-TEST(SimulatedDevice, FrictionTakesTheSameOffEverySwing) {
+TEST(SimulatedDevice, friction_takes_the_same_off_every_swing) {
   // The swings of a mass on a spring shrink by 2 F/k from one turning point to the next.
   for (const double sample_time : {1e-3, 1e-4}) {
     SimulatedDeviceParameters p = bare();
@@ -141,7 +141,7 @@ TEST(SimulatedDevice, FrictionTakesTheSameOffEverySwing) {
   }
 }
 
-TEST(SimulatedDevice, FrictionHoldsBelowItsLimitAndStopsBeyond) {
+TEST(SimulatedDevice, friction_holds_below_its_limit_and_stops_beyond) {
   SimulatedDeviceParameters p = bare();
   p.translation.friction = 0.3;
   p.rotation.friction = 2e-3;

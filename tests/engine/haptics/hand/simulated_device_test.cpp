@@ -49,7 +49,7 @@ constexpr Springy springies[] = {
     {1, 0, 1, 1000},      // in treacle
 };
 
-TEST(SimulatedDevice, StepResponseIsTheClosedFormAtAnyRate) {
+TEST(SimulatedDevice, step_response_is_the_closed_form_at_any_rate) {
   for (const Springy& s : springies)
     for (const double sample_time : {1e-4, 1e-3, 1e-2}) {
       SimulatedDeviceParameters p = bare(s.mass);
@@ -69,7 +69,7 @@ TEST(SimulatedDevice, StepResponseIsTheClosedFormAtAnyRate) {
     }
 }
 
-TEST(SimulatedDevice, TorqueIsTheSameWithTheInertia) {
+TEST(SimulatedDevice, torque_is_the_same_with_the_inertia) {
   for (const Springy& s : springies) {
     const double scale = 1e-3;  // kg·m² for kg
     SimulatedDeviceParameters p = bare();
@@ -87,7 +87,7 @@ TEST(SimulatedDevice, TorqueIsTheSameWithTheInertia) {
   }
 }
 
-TEST(SimulatedDevice, ACommandActsWhenItsDelayIsOver) {
+TEST(SimulatedDevice, a_command_acts_when_its_delay_is_over) {
   for (const double delay : {0.0, 0.3e-3, 1e-3, 2.7e-3, 64e-3}) {
     SimulatedDeviceParameters p = bare();
     p.translation.damping = 0.5;
@@ -101,7 +101,7 @@ TEST(SimulatedDevice, ACommandActsWhenItsDelayIsOver) {
   }
 }
 
-TEST(SimulatedDevice, TheLastCommandIsHeldAndNoneIsLost) {
+TEST(SimulatedDevice, the_last_command_is_held_and_none_is_lost) {
   // Without damping the speed is the impulse given so far, whatever the order.
   SimulatedDeviceParameters p = bare();
   p.delay = 2.25e-3;
@@ -118,7 +118,7 @@ TEST(SimulatedDevice, TheLastCommandIsHeldAndNoneIsLost) {
   EXPECT_NEAR(device.state().velocity.x(), impulse / 0.1, 1e-12);
 }
 
-TEST(SimulatedDevice, MotorsGiveNoMoreThanTheyHave) {
+TEST(SimulatedDevice, motors_give_no_more_than_they_have) {
   SimulatedDeviceParameters p = bare();
   p.translation.limit = 3;
   p.rotation.limit = 0;  // a device without torque
@@ -137,7 +137,7 @@ TEST(SimulatedDevice, MotorsGiveNoMoreThanTheyHave) {
   EXPECT_TRUE(device.state().X_WD.p.allFinite());
 }
 
-TEST(SimulatedDevice, EncodersRoundToTheirStep) {
+TEST(SimulatedDevice, encoders_round_to_their_step) {
   SimulatedDeviceParameters p = bare();
   p.translation.resolution = 3e-5;
   p.rotation.resolution = 2e-3;
@@ -163,7 +163,7 @@ TEST(SimulatedDevice, EncodersRoundToTheirStep) {
   EXPECT_NEAR(device.measured().q.angularDistance(turned(0.012).q), 0, 1e-8);
 }
 
-TEST(SimulatedDevice, TheHandFollowsItsTarget) {
+TEST(SimulatedDevice, the_hand_follows_its_target) {
   // The frequency response of target to handle: (b_h s + k) / (m s² + (b + b_h) s + k).
   SimulatedDeviceParameters p = bare();
   p.translation = {
@@ -194,7 +194,7 @@ TEST(SimulatedDevice, TheHandFollowsItsTarget) {
   }
 }
 
-TEST(SimulatedDevice, FrictionAndDampingHoldTheHandBack) {
+TEST(SimulatedDevice, friction_and_damping_hold_the_hand_back) {
   // At a constant speed u the hand pulls with b u + friction: it is ahead by that over its
   // stiffness.
   SimulatedDeviceParameters p = bare();
@@ -211,7 +211,7 @@ TEST(SimulatedDevice, FrictionAndDampingHoldTheHandBack) {
   EXPECT_NEAR(x - device.state().X_WD.p.x(), (2 * u + 0.25) / 300, 1e-9);
 }
 
-TEST(SimulatedDevice, NoGainIsTooHighForTheSimulation) {
+TEST(SimulatedDevice, no_gain_is_too_high_for_the_simulation) {
   // A wall a million times too stiff shakes the handle; the motors' limit bounds what it can do.
   SimulatedDeviceParameters p;
   p.translation = {.inertia = 0.1,
@@ -245,7 +245,7 @@ TEST(SimulatedDevice, NoGainIsTooHighForTheSimulation) {
   }
 }
 
-TEST(SimulatedDevice, APushIsAForceAtOnceAndWithoutLimit) {
+TEST(SimulatedDevice, a_push_is_a_force_at_once_and_without_limit) {
   SimulatedDeviceParameters p = bare();
   p.translation.limit = 1;
   p.delay = 5e-3;
@@ -259,7 +259,7 @@ TEST(SimulatedDevice, APushIsAForceAtOnceAndWithoutLimit) {
   EXPECT_NEAR(device.state().spin.x(), 1e-3 * T / 5e-5, 1e-12);
 }
 
-TEST(SimulatedDevice, SameInputSameBitsAndNoAllocation) {
+TEST(SimulatedDevice, same_input_same_bits_and_no_allocation) {
   SimulatedDeviceParameters p;
   p.translation.friction = 0.1;
   p.rotation.resolution = 1e-3;
@@ -291,7 +291,7 @@ TEST(SimulatedDevice, SameInputSameBitsAndNoAllocation) {
   EXPECT_GT(a.velocity.norm(), 0);
 }
 
-TEST(SimulatedDevice, WhatNoDeviceHasIsRefused) {
+TEST(SimulatedDevice, what_no_device_has_is_refused) {
   using Change = std::function<void(SimulatedDeviceParameters&)>;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Change changes[] = {[](auto& p) { p.translation.inertia = 0; },

@@ -96,15 +96,17 @@ void peg(const std::vector<int>& cuts, double most = asked) {
     expect_small_fault(named("peg, clearance 1 %", n), cut_bodies(scene, {n}), scene.path, most);
 }
 
-TEST(ConformingFeed, CoarseBlockIsHeldByRowsFiveTicksOld) { block({1}); }
-TEST(ConformingFeed, CoarsePegIsHeldByRowsFiveTicksOld) { peg({1}); }
-TEST(ConformingFeed, FineBlockIsHeldByRowsFiveTicksOld) { block({24}); }
+TEST(ConformingFeed, coarse_block_is_held_by_rows_five_ticks_old) { block({1}); }
+TEST(ConformingFeed, coarse_peg_is_held_by_rows_five_ticks_old) { peg({1}); }
+TEST(ConformingFeed, fine_block_is_held_by_rows_five_ticks_old) { block({24}); }
 /// Not within what is asked: 3.0 % where an edge of the peg's key leaves the wall, in ticks 385 to
 /// 404, also by rows of the tick before. It depends on how the strips of the wall are triangulated,
 /// so a row holds there that is of another pair. Held where it is.
-TEST(ConformingFeed, FinePegIsHeldByRowsFiveTicksOldToFourPercent) { peg({16}, 0.04); }
-TEST(ConformingFeed, Full_BlockIsHeldByRowsFiveTicksOld) { block({3, 8, 16, 31, 40}); }
-TEST(ConformingFeed, Full_PegIsHeldByRowsFiveTicksOldToFourPercent) { peg({4, 8, 24, 32}, 0.04); }
+TEST(ConformingFeed, fine_peg_is_held_by_rows_five_ticks_old_to_four_percent) { peg({16}, 0.04); }
+TEST(ConformingFeed, Full_block_is_held_by_rows_five_ticks_old) { block({3, 8, 16, 31, 40}); }
+TEST(ConformingFeed, Full_peg_is_held_by_rows_five_ticks_old_to_four_percent) {
+  peg({4, 8, 24, 32}, 0.04);
+}
 
 }  // namespace
 }  // namespace sonde

@@ -97,7 +97,7 @@ TEST(HandLoop, says_how_old_its_rows_are) {
 }
 
 // k·residual·depth is what the force may be off by.
-TEST(HandLoop, AnAnswerThatHasNotConvergedGivesItsForceUpBeyondWhatItMayBeOffBy) {
+TEST(HandLoop, an_answer_that_has_not_converged_gives_its_force_up_beyond_what_it_may_be_off_by) {
   HandLoopSettings settings = at_once();
   settings.safety.force_error = 0.3;
   Coupling coupling;

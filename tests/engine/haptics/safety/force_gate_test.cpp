@@ -62,7 +62,7 @@ TEST(ForceGate, whatever_withholds_the_force_makes_it_zero_at_once_and_come_in_a
 }
 
 // One tick of an answer that has not converged is no reason to let go of a wall.
-TEST(ForceGate, AnAnswerThatHasNotConvergedFadesAndComesInAgain) {
+TEST(ForceGate, an_answer_that_has_not_converged_fades_and_comes_in_again) {
   ForceGate gate({.ramp_time = 0.1, .force_slew = 0, .torque_slew = 0, .fade_time = 0.05});
   for (int i = 0; i < 200; ++i) pass(gate, 8);
   for (int i = 1; i <= 50; ++i) {

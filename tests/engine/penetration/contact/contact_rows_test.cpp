@@ -215,7 +215,7 @@ struct OverAPlate {
 constexpr ContactRows::Finding by_list{}, by_trees{48, 0};
 
 // By hand: up and along the plate there is nothing in the way.
-TEST(ContactRows, ACutSaysClearWhereNothingIsInTheWay) {
+TEST(ContactRows, a_cut_says_clear_where_nothing_is_in_the_way) {
   Effort unlimited;
   for (const auto& finding : {by_list, by_trees})
     for (const double gap : {1e-6, 1e-5, 1e-4}) {
@@ -233,7 +233,7 @@ TEST(ContactRows, ACutSaysClearWhereNothingIsInTheWay) {
 
 // Closed form: what a plane takes from its gap, or from the margin where the gap is larger. By the
 // trees nothing is known of the depth: as much is lost as there was.
-TEST(ContactRows, WhatACutLosesToAPlane) {
+TEST(ContactRows, what_a_cut_loses_to_a_plane) {
   Effort unlimited;
   constexpr double margin = 1e-5;
   for (const auto& finding : {by_list, by_trees})
@@ -252,7 +252,7 @@ TEST(ContactRows, WhatACutLosesToAPlane) {
 }
 
 // By hand: the corners of the cube, which keep it from sinking and tipping.
-TEST(ContactRows, ACutAddsRowsOfWhatIsInTheWay) {
+TEST(ContactRows, a_cut_adds_rows_of_what_is_in_the_way) {
   Effort unlimited;
   constexpr double gap = 1e-4, margin = 1e-6;
   for (const auto& finding : {by_list, by_trees}) {
@@ -276,7 +276,7 @@ TEST(ContactRows, ACutAddsRowsOfWhatIsInTheWay) {
   }
 }
 
-TEST(ContactRows, WhatCutAStepShortIsLookedAtAgain) {
+TEST(ContactRows, what_cut_a_step_short_is_looked_at_again) {
   Effort unlimited;
   constexpr double gap = 1e-4;
   OverAPlate over(gap, 0.5 * gap, {.most_pairs = 2});
@@ -290,7 +290,7 @@ TEST(ContactRows, WhatCutAStepShortIsLookedAtAgain) {
 }
 
 // Reference: closest_points of all pairs at both ends of the step.
-TEST(ContactRows, ACutAgreesWithAllPairs) {
+TEST(ContactRows, a_cut_agrees_with_all_pairs) {
   std::mt19937_64 random(5);
   for (const auto& pair : pairs(75))
     for (const auto& finding : {by_list, by_trees}) {
@@ -355,7 +355,7 @@ std::optional<Gathered> place_at_the_rim(std::mt19937_64& random, const test::Bo
 }
 
 // Reference: the same problem put together here without the rim, which would lead out of it.
-TEST(ContactRows, TheRimOfTheChartIsARowOfItsOwn) {
+TEST(ContactRows, the_rim_of_the_chart_is_a_row_of_its_own) {
   std::mt19937_64 random(6);
   int solved = 0, would_leave = 0;
   for (const auto& pair : pairs(76)) {
@@ -391,7 +391,7 @@ TEST(ContactRows, TheRimOfTheChartIsARowOfItsOwn) {
   EXPECT_GT(would_leave, 5);
 }
 
-TEST(ContactRows, DescentsStayInTheChart) {
+TEST(ContactRows, descents_stay_in_the_chart) {
   std::mt19937_64 random(7);
   int runs = 0;
   for (const auto& pair : pairs(77)) {

@@ -69,7 +69,7 @@ void expect_block_felt(const ConformingScene& scene, const std::vector<Felt>& wa
 }
 
 // Reference: the mass of the coarsest mesh, and its topology.
-TEST(Conforming, ShapesStayTheSameHoweverTheyAreCut) {
+TEST(Conforming, shapes_stay_the_same_however_they_are_cut) {
   std::vector<ConformingScene> scenes = {test::block_on_slab(), test::cylinder_in_hole(),
                                          test::wedge_in_notch()};
   for (const double clearance : {1e-5, 1e-4, 5e-4})
@@ -99,7 +99,7 @@ TEST(Conforming, ShapesStayTheSameHoweverTheyAreCut) {
 }
 
 // Reference: the closed form. The face's plane is the only row, so depth is how far it is below.
-TEST(Conforming, BlockPressedOnASlabFeelsItsDepthAlongTheNormal) {
+TEST(Conforming, block_pressed_on_a_slab_feels_its_depth_along_the_normal) {
   const ConformingScene scene = test::block_on_slab();
   const auto felt = coarsest(scene);
   expect_followed(felt, 0, scene.name);
@@ -118,12 +118,12 @@ void block_in_every_cut(const std::vector<int>& cuts, const Skew& skew = {}) {
   for (const int n : cuts) expect_block_felt(scene, want, {n}, skew);
 }
 
-TEST(Conforming, BlockOnASlabFeelsTheSameHoweverItIsCut) { block_in_every_cut(sample); }
-TEST(Conforming, BlockOnASlabFeelsTheSameAskewToTheAxes) {
+TEST(Conforming, block_on_a_slab_feels_the_same_however_it_is_cut) { block_in_every_cut(sample); }
+TEST(Conforming, block_on_a_slab_feels_the_same_askew_to_the_axes) {
   block_in_every_cut({1, 6, 16}, test::askew());
 }
-TEST(Conforming, Full_BlockOnASlabFeelsTheSameHoweverItIsCut) { block_in_every_cut(all); }
-TEST(Conforming, Full_BlockOnASlabFeelsTheSameAskewToTheAxes) {
+TEST(Conforming, Full_block_on_a_slab_feels_the_same_however_it_is_cut) { block_in_every_cut(all); }
+TEST(Conforming, Full_block_on_a_slab_feels_the_same_askew_to_the_axes) {
   block_in_every_cut(all, test::askew());
 }
 
@@ -139,10 +139,10 @@ void block_in_odd_cuts(const std::vector<int>& cuts, int seeds) {
   }
 }
 
-TEST(Conforming, BlockOnASlabFeelsTheSameCutAtRandomOrIntoSlivers) {
+TEST(Conforming, block_on_a_slab_feels_the_same_cut_at_random_or_into_slivers) {
   block_in_odd_cuts({4, 12}, 1);
 }
-TEST(Conforming, Full_BlockOnASlabFeelsTheSameCutAtRandomOrIntoSlivers) {
+TEST(Conforming, Full_block_on_a_slab_feels_the_same_cut_at_random_or_into_slivers) {
   block_in_odd_cuts(all, 3);
 }
 
@@ -156,15 +156,15 @@ void block_off_by_little(const std::vector<int>& cuts) {
   }
 }
 
-TEST(Conforming, BlockAHundredthOfADegreeOffFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, block_a_hundredth_of_a_degree_off_feels_the_same_however_it_is_cut) {
   block_off_by_little(sample);
 }
-TEST(Conforming, Full_BlockAHundredthOfADegreeOffFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, Full_block_a_hundredth_of_a_degree_off_feels_the_same_however_it_is_cut) {
   block_off_by_little(all);
 }
 
 // 300 copies of each triangle are the same set of points, and of the same mass.
-TEST(Conforming, CopiesOfATriangleChangeNothing) {
+TEST(Conforming, copies_of_a_triangle_change_nothing) {
   const ConformingScene scene = test::block_on_slab();
   const auto want = coarsest(scene);
   for (const int n : {1, 3}) {
@@ -186,7 +186,7 @@ TEST(Conforming, CopiesOfATriangleChangeNothing) {
 }
 
 // Reference: the closed form, until it turns: the facet's plane is the only row.
-TEST(Conforming, CylinderPressedSidewaysFeelsItsDepthAlongTheFacetsNormal) {
+TEST(Conforming, cylinder_pressed_sideways_feels_its_depth_along_the_facets_normal) {
   const ConformingScene scene = test::cylinder_in_hole();
   const auto felt = coarsest(scene);
   expect_followed(felt, 0, scene.name);
@@ -214,16 +214,16 @@ void in_every_cut(const ConformingScene& scene, double arm, const std::vector<in
   }
 }
 
-TEST(Conforming, CylinderInAHoleFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, cylinder_in_a_hole_feels_the_same_however_it_is_cut) {
   in_every_cut(test::cylinder_in_hole(), rod_arm, {3, 12});
 }
-TEST(Conforming, Full_CylinderInAHoleFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, Full_cylinder_in_a_hole_feels_the_same_however_it_is_cut) {
   in_every_cut(test::cylinder_in_hole(), rod_arm, all);
 }
 
 // Reference: the closed form. Two planes meet in the seat, and as long as the push is between
 // their normals the nearest free place is there.
-TEST(Conforming, WedgePressedIntoANotchIsSeated) {
+TEST(Conforming, wedge_pressed_into_a_notch_is_seated) {
   const ConformingScene scene = test::wedge_in_notch();
   const auto felt = coarsest(scene);
   expect_followed(felt, 0, scene.name);
@@ -236,10 +236,10 @@ TEST(Conforming, WedgePressedIntoANotchIsSeated) {
   expect_felt_as(felt, want, wedge_arm, 0.001, scene.name);
 }
 
-TEST(Conforming, WedgeInANotchFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, wedge_in_a_notch_feels_the_same_however_it_is_cut) {
   in_every_cut(test::wedge_in_notch(), wedge_arm, {3, 12});
 }
-TEST(Conforming, Full_WedgeInANotchFeelsTheSameHoweverItIsCut) {
+TEST(Conforming, Full_wedge_in_a_notch_feels_the_same_however_it_is_cut) {
   in_every_cut(test::wedge_in_notch(), wedge_arm, all);
 }
 
@@ -263,8 +263,8 @@ void search_in_every_cut(const std::vector<int>& cuts) {
       }
 }
 
-TEST(Conforming, SearchFindsTheSameDepthHoweverItIsCut) { search_in_every_cut({1, 4}); }
-TEST(Conforming, Full_SearchFindsTheSameDepthHoweverItIsCut) {
+TEST(Conforming, search_finds_the_same_depth_however_it_is_cut) { search_in_every_cut({1, 4}); }
+TEST(Conforming, Full_search_finds_the_same_depth_however_it_is_cut) {
   search_in_every_cut({1, 3, 8, 16, 24, 40});
 }
 
@@ -311,10 +311,10 @@ void search_unjoined_faces(const std::vector<int>& cuts) {
     }
 }
 
-TEST(Conforming, SearchFindsTheSameDepthInFacesThatCannotBeJoined) {
+TEST(Conforming, search_finds_the_same_depth_in_faces_that_cannot_be_joined) {
   search_unjoined_faces({1, 5, 10});
 }
-TEST(Conforming, Full_SearchFindsTheSameDepthInFacesThatCannotBeJoined) {
+TEST(Conforming, Full_search_finds_the_same_depth_in_faces_that_cannot_be_joined) {
   search_unjoined_faces({1, 5, 10, 20});
 }
 

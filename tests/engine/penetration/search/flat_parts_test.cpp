@@ -88,8 +88,8 @@ void press_and_slide(const Part& part, int n) {
 }
 
 // On two triangles, and on many of about the size of the part's own.
-TEST(FlatParts, StandOnABlockAndSlide) { press_and_slide(parts.front(), 1); }
-TEST(FlatParts, Full_AllStandOnABlockAndSlide) {
+TEST(FlatParts, stand_on_a_block_and_slide) { press_and_slide(parts.front(), 1); }
+TEST(FlatParts, Full_all_stand_on_a_block_and_slide) {
   for (const Part& part : parts)
     for (const int n : {1, 40}) press_and_slide(part, n);
 }

@@ -29,7 +29,7 @@ std::string describe(double clearance, double shift, const Cutting& cutting) {
 }
 
 // Reference: exact predicates on all pairs of triangles.
-TEST(PegInHole, IsFreeOnItsAxisAllTheWayDown) {
+TEST(PegInHole, is_free_on_its_axis_all_the_way_down) {
   for (const double clearance : {1e-5, 1e-4, 5e-4})
     for (const int n : {1, 2}) {
       const auto bodies = cut_bodies(test::peg_in_hole(clearance, {}), {n});
@@ -100,15 +100,17 @@ void comes_out_of_holes(const std::vector<int>& cuts, double lowest,
 
 constexpr double above_the_bottom = 1e-3, onto_the_bottom = -5e-4;  ///< where it turns back, m
 
-TEST(PegInHole, ComesOutWithoutSticking) { comes_out_of_holes({1, 8}, above_the_bottom, {1e-5}); }
-TEST(PegInHole, Full_ComesOutWithoutSticking) {
+TEST(PegInHole, comes_out_without_sticking) {
+  comes_out_of_holes({1, 8}, above_the_bottom, {1e-5});
+}
+TEST(PegInHole, Full_comes_out_without_sticking) {
   comes_out_of_holes({1, 4, 12, 24, 32}, above_the_bottom, {1e-6, 1e-5});
 }
 // Its flat tip on the flat bottom, and its wall against the hole's.
-TEST(PegInHole, PressedOntoTheBottomItComesOutWithoutSticking) {
+TEST(PegInHole, pressed_onto_the_bottom_it_comes_out_without_sticking) {
   comes_out_of_holes({1, 8}, onto_the_bottom, {1e-5});
 }
-TEST(PegInHole, Full_PressedOntoTheBottomItComesOutWithoutSticking) {
+TEST(PegInHole, Full_pressed_onto_the_bottom_it_comes_out_without_sticking) {
   comes_out_of_holes({1, 4, 12, 24, 32}, onto_the_bottom, {1e-6, 1e-5});
 }
 
@@ -128,8 +130,10 @@ void is_not_felt(const std::vector<int>& cuts, const std::vector<double>& shifts
       }
 }
 
-TEST(PegInHole, IsNotFeltInsideItsClearance) { is_not_felt({1, 12}, {1e-5}); }
-TEST(PegInHole, Full_IsNotFeltInsideItsClearance) { is_not_felt({1, 4, 24, 40}, {1e-6, 1e-5}); }
+TEST(PegInHole, is_not_felt_inside_its_clearance) { is_not_felt({1, 12}, {1e-5}); }
+TEST(PegInHole, Full_is_not_felt_inside_its_clearance) {
+  is_not_felt({1, 4, 24, 40}, {1e-6, 1e-5});
+}
 
 }  // namespace
 }  // namespace sonde

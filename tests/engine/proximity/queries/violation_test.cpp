@@ -60,7 +60,7 @@ void check_found(std::span<const Violation> found, const std::map<Key, double>& 
 }
 
 // Reference: closest_points of all pairs.
-TEST(Violation, EveryPairTooNearIsFoundWhileThereIsRoom) {
+TEST(Violation, every_pair_too_near_is_found_while_there_is_room) {
   std::mt19937_64 random(1);
   std::vector<Violation> out(1 << 15);
   Effort unlimited;
@@ -96,7 +96,7 @@ Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
 }
 
 // Reference: closest_points of all pairs. The list was made elsewhere, and stands where it stood.
-TEST(Violation, AListFindsTheSame) {
+TEST(Violation, a_list_finds_the_same) {
   std::mt19937_64 random(2);
   std::vector<Violation> out(1 << 15), few(1 << 15);
   std::vector<NearPair> near(1 << 15);
@@ -148,7 +148,7 @@ TEST(Violation, AListFindsTheSame) {
 
 // By hand: a cube that has sunk into a plate. The direction that separated the faces tells how
 // deep.
-TEST(Violation, AListKnowsHowDeepWhatWasApartHasCome) {
+TEST(Violation, a_list_knows_how_deep_what_was_apart_has_come) {
   const auto cube = test::body(test::box({0.1, 0.1, 0.1})),
              plate = test::body(test::box({1, 1, 1}));
   NeighbourList list(*cube, *plate);
@@ -166,7 +166,7 @@ TEST(Violation, AListKnowsHowDeepWhatWasApartHasCome) {
   }
 }
 
-TEST(Violation, WithoutEffortItEndsEarlyAndInventsNothing) {
+TEST(Violation, without_effort_it_ends_early_and_invents_nothing) {
   std::mt19937_64 random(3);
   std::vector<Violation> out(1 << 12);
   for (const auto& pair : test::body_pairs(93)) {
@@ -182,7 +182,7 @@ TEST(Violation, WithoutEffortItEndsEarlyAndInventsNothing) {
   }
 }
 
-TEST(Violation, DoesNotAllocate) {
+TEST(Violation, does_not_allocate) {
   std::mt19937_64 random(4);
   std::vector<Violation> out(16);
   Effort unlimited;

@@ -85,7 +85,7 @@ TEST(Motion, velocity_and_the_bounds_of_acceleration_and_turn) {
 // Reference: the second derivative of the path by central differences of at(), which knows nothing
 // of how the bend was derived; trusted to 1e-6 of the largest acceleration there may be. The error
 // is of the third order: it is held against that as well, for being of use.
-TEST(Motion, BendIsTheAccelerationToWithinItsError) {
+TEST(Motion, bend_is_the_acceleration_to_within_its_error) {
   std::mt19937_64 random(9);
   int of_use = 0, wide = 0;
   for (const auto& [name, body] : bodies())
@@ -120,7 +120,7 @@ TEST(Motion, BendIsTheAccelerationToWithinItsError) {
 }
 
 // Closed form: half-way along a turn about one axis, and where nothing turns.
-TEST(Motion, BendOfATurnAboutOneAxis) {
+TEST(Motion, bend_of_a_turn_about_one_axis) {
   const auto box = test::body(test::box({0.05, 0.1, 0.15}));
   const Chart chart(box->mass, {});
   Vec6 way = Vec6::Zero();

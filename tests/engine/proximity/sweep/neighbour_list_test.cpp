@@ -377,7 +377,7 @@ double exact_distance_at(const test::BodyPair& pair, const Transform& X) {
 // By hand: a triangle that stands beside another, a little higher than that. The direction upwards,
 // by which the list knew it last, leaves hardly any gap; that does not let it come as near. The
 // promise is the clearance, since at the start all is far apart.
-TEST(NeighbourList, AStaleDirectionDoesNotLowerTheClearance) {
+TEST(NeighbourList, a_stale_direction_does_not_lower_the_clearance) {
   const auto triangle = [](double size) {
     return test::body({{{-size, -size, 0}, {size, -size, 0}, {0, size, 0}}, {{0, 1, 2}}});
   };
@@ -462,14 +462,14 @@ void check_slides(std::uint64_t seed, int rounds, int samples, Slides& tally) {
 }
 
 // What lies flush on the other body slides past edge after edge of it, with hardly any room.
-TEST(NeighbourList, FlushFacesThatSlideKeepTheirClearance) {
+TEST(NeighbourList, flush_faces_that_slide_keep_their_clearance) {
   Slides tally;
   check_slides(21, 40, 6, tally);
   EXPECT_GT(tally.sweeps, 200);
   EXPECT_GT(tally.hits, 40);
   EXPECT_GT(tally.free, 60);
 }
-TEST(NeighbourList, Full_FlushFacesThatSlideKeepTheirClearance) {
+TEST(NeighbourList, Full_flush_faces_that_slide_keep_their_clearance) {
   Slides tally;
   for (std::uint64_t seed = 100; seed < 110; ++seed) {
     check_slides(seed, 40, 24, tally);

@@ -81,7 +81,7 @@ bool same(const double (&x)[8], const double (&y)[8]) {
 }
 
 // Reference: gap_along of the placed corners.
-TEST(PairLanes, GapsAreThoseOfPlainCode) {
+TEST(PairLanes, gaps_are_those_of_plain_code) {
   for_cases(1, [](const Case& c) {
     alignas(64) double gap[8];
     gaps_at(c.lanes, c.at(0), gap);
@@ -96,7 +96,7 @@ TEST(PairLanes, GapsAreThoseOfPlainCode) {
   });
 }
 
-TEST(PairLanes, EveryInstructionSetGivesTheSameBits) {
+TEST(PairLanes, every_instruction_set_gives_the_same_bits) {
   const std::vector<LaneSet> sets = supported_sets();
   ASSERT_FALSE(sets.empty());
   EXPECT_TRUE(is_supported(widest_lanes()));
@@ -123,7 +123,7 @@ TEST(PairLanes, EveryInstructionSetGivesTheSameBits) {
   });
 }
 
-TEST(PairLanes, ALaneDoesNotDependOnTheOthers) {
+TEST(PairLanes, a_lane_does_not_depend_on_the_others) {
   std::mt19937_64 random(3);
   for_cases(3, [&](const Case& c) {
     PairLanes others = c.lanes;
@@ -139,7 +139,7 @@ TEST(PairLanes, ALaneDoesNotDependOnTheOthers) {
 }
 
 // A lane without a direction, as of pairs that meet.
-TEST(PairLanes, NoDirectionLeavesNoGap) {
+TEST(PairLanes, no_direction_leaves_no_gap) {
   std::mt19937_64 random(4);
   const Case c(random, 1, 1);
   PairLanes none = c.lanes;
@@ -150,7 +150,7 @@ TEST(PairLanes, NoDirectionLeavesNoGap) {
   for (const double g : gap) EXPECT_EQ(g, 0);
 }
 
-TEST(PairLanes, DoNotAllocate) {
+TEST(PairLanes, do_not_allocate) {
   std::mt19937_64 random(5);
   const Case c(random, 1, 1);
   alignas(64) double gap[8];

@@ -56,7 +56,7 @@ Xml drawn(const ChartPanel& panel) { return parse_xml(to_svg({"a chart", {panel}
 
 const Xml& frame_of(const Xml& svg) { return *svg.all("rect", "frame").at(0); }
 
-TEST(SvgChart, TitlesLabelsAndNamesAreThere) {
+TEST(SvgChart, titles_labels_and_names_are_there) {
   const Xml svg = drawn(plain_panel({{"PD_g", {0, 1}, {0, 2}}, {"", {0, 1}, {1, 1}}}));
   EXPECT_EQ(svg.name, "svg");
   EXPECT_EQ(svg["xmlns"], "http://www.w3.org/2000/svg");
@@ -65,13 +65,13 @@ TEST(SvgChart, TitlesLabelsAndNamesAreThere) {
   EXPECT_EQ(svg.all("g", "series").size(), 2u) << "a series without a name is drawn";
 }
 
-TEST(SvgChart, WhatIsSpecialInXmlIsEscaped) {
+TEST(SvgChart, what_is_special_in_xml_is_escaped) {
   const std::string name = "a<b & \"c\">";
   EXPECT_THAT(texts(drawn(plain_panel({{name, {0, 1}, {0, 1}}}))), Contains(name));
   EXPECT_THAT(texts(drawn(plain_panel({{"σ\x01\n", {0, 1}, {0, 1}}}))), Contains("σ  "));
 }
 
-TEST(SvgChart, ALineGoesWhereItsValuesSay) {
+TEST(SvgChart, a_line_goes_where_its_values_say) {
   const Xml svg = drawn(plain_panel({{"rise", {0, 5, 10}, {0, 5, 10}}}));
   const Xml& frame = frame_of(svg);
   const double left = frame.number("x"), top = frame.number("y");
@@ -86,7 +86,7 @@ TEST(SvgChart, ALineGoesWhereItsValuesSay) {
   EXPECT_NEAR(line[2].y, top, 0.01);
 }
 
-TEST(SvgChart, WhatIsNoNumberBreaksALineAndLeavesAPointOut) {
+TEST(SvgChart, what_is_no_number_breaks_a_line_and_leaves_a_point_out) {
   const std::vector<double> x{0, 1, 2, 3, 4}, y{0, 1, std::nan(""), 1, 0};
   EXPECT_EQ(drawn(plain_panel({{"a", x, y}})).all("polyline").size(), 2u);
   const Xml svg = drawn(plain_panel({{"a", x, y, ChartSeries::Form::points}}));
@@ -94,7 +94,7 @@ TEST(SvgChart, WhatIsNoNumberBreaksALineAndLeavesAPointOut) {
   EXPECT_TRUE(svg.all("polyline").empty());
 }
 
-TEST(SvgChart, ADashedLineIsDashedInTheLegendToo) {
+TEST(SvgChart, a_dashed_line_is_dashed_in_the_legend_too) {
   const Xml svg = drawn(plain_panel({{"bound", {0, 1}, {0, 1}, ChartSeries::Form::dashed}}));
   EXPECT_EQ(svg.all("polyline").at(0)->attributes.count("stroke-dasharray"), 1u);
   const auto lines = svg.all("line");
@@ -103,7 +103,7 @@ TEST(SvgChart, ADashedLineIsDashedInTheLegendToo) {
             1);
 }
 
-TEST(SvgChart, PanelsLieAboveOneAnotherInsideThePicture) {
+TEST(SvgChart, panels_lie_above_one_another_inside_the_picture) {
   const ChartPanel panel = plain_panel({{"a", {0, 1}, {0, 1}}});
   const Xml svg = parse_xml(to_svg({"three", {panel, panel, panel}}));
   const auto frames = svg.all("rect", "frame");
@@ -113,13 +113,13 @@ TEST(SvgChart, PanelsLieAboveOneAnotherInsideThePicture) {
   EXPECT_LT(frames[2]->number("y") + frames[2]->number("height"), svg.number("height"));
 }
 
-TEST(SvgChart, ALongLegendFitsIntoThePicture) {
+TEST(SvgChart, a_long_legend_fits_into_the_picture) {
   const Xml svg = drawn(plain_panel(std::vector<ChartSeries>(30, {"name", {0, 1}, {0, 1}})));
   for (const Xml* text : svg.all("text"))
     EXPECT_LT(text->attributes.contains("transform") ? 0 : text->number("y"), svg.number("height"));
 }
 
-TEST(SvgChart, AMapHasCellsOnLogarithmicAxes) {
+TEST(SvgChart, a_map_has_cells_on_logarithmic_axes) {
   ChartPanel map;
   map.x = {"stiffness, N/m", true};
   map.y = {"damping, N·s/m", true};
@@ -137,7 +137,7 @@ TEST(SvgChart, AMapHasCellsOnLogarithmicAxes) {
   EXPECT_THAT(texts(svg), Contains("1000"));
 }
 
-TEST(SvgChart, WhatTheAxesLeaveOutIsCutOff) {
+TEST(SvgChart, what_the_axes_leave_out_is_cut_off) {
   ChartPanel panel = plain_panel({{"in, out, in", {0, 2, 4, 6}, {0.5, 0.5, 2.5, 0.5}},
                                   {"outside", {0, 6}, {3, 4}},
                                   {"far", {0, 2}, {-1e300, 1e300}},
@@ -166,7 +166,7 @@ TEST(SvgChart, WhatTheAxesLeaveOutIsCutOff) {
   EXPECT_NEAR(svg.all("rect", "cell").at(0)->number("height"), height, 0.01);
 }
 
-TEST(SvgChart, AThinnedLineKeepsItsPeaks) {
+TEST(SvgChart, a_thinned_line_keeps_its_peaks) {
   ChartSeries noise{"noise", {}, {}};
   for (int i = 0; i < 100000; ++i) {
     noise.x.push_back(i);
@@ -185,7 +185,7 @@ TEST(SvgChart, AThinnedLineKeepsItsPeaks) {
                              [](const Spot& a, const Spot& b) { return a.x < b.x; }));
 }
 
-TEST(SvgChart, NothingToDrawIsAPictureAsWell) {
+TEST(SvgChart, nothing_to_draw_is_a_picture_as_well) {
   EXPECT_EQ(parse_xml(to_svg({})).all("g").size(), 0u);
   EXPECT_EQ(drawn(plain_panel({})).all("polyline").size(), 0u);
   EXPECT_EQ(drawn(plain_panel({{"a", {}, {}}, {"b", {0, 1, 2}, {}}})).all("polyline").size(), 0u);
@@ -196,7 +196,7 @@ struct Commas : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
-TEST(SvgChart, TheSameBytesInAnyLocale) {
+TEST(SvgChart, the_same_bytes_in_any_locale) {
   const ChartPanel panel = plain_panel({{"a", {0, 0.3}, {0.1, 0.25}}});
   const std::string once = to_svg({"chart", {panel}});
   const std::locale before = std::locale::global(std::locale(std::locale(), new Commas));

@@ -33,7 +33,7 @@ std::vector<TimedPose> press(const Body& probe) {
 
 // Reference of the rendering: the search over rotations. It was compared with the solver on many
 // poses elsewhere (exact_cases_test.cpp); here the two meet as wrenches.
-TEST(AnalyticWrench, OnALargeBoxTheRenderingOfPdgAgrees) {
+TEST(AnalyticWrench, on_a_large_box_the_rendering_of_pdg_agrees) {
   const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::box({0.8, 0.8, 0.4}));
   const auto path = press(s.pair.probe());
   const AnalyticWrenches known = analytic_wrenches(s, path, 1, 8, never);
@@ -50,7 +50,7 @@ TEST(AnalyticWrench, OnALargeBoxTheRenderingOfPdgAgrees) {
 
 // Reference: symmetry. A facet spans 7.5° by 7.5°, so its normal is at most 5.4° off the radius to
 // any of its points, and the force has at most that much of an arm.
-TEST(AnalyticWrench, NothingTurnsABall) {
+TEST(AnalyticWrench, nothing_turns_a_ball) {
   const RenderSetup s = setup(test::sphere(0.03, 24, 48), test::torus(0.08, 0.03, 40, 20));
   std::vector<TimedPose> path;
   for (int i = 0; i <= 30; ++i)
@@ -62,7 +62,7 @@ TEST(AnalyticWrench, NothingTurnsABall) {
   EXPECT_LT(pdg.worst_torque_error, std::sin(5.4 * std::numbers::pi / 180));
 }
 
-TEST(AnalyticWrench, OfOtherPairsNoneIsKnown) {
+TEST(AnalyticWrench, of_other_pairs_none_is_known) {
   const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::torus(0.08, 0.03, 40, 20));
   const AnalyticWrenches known = analytic_wrenches(s, press(s.pair.probe()), 1, 8, never);
   EXPECT_EQ(known.kind, AnalyticKind::none);
@@ -70,7 +70,7 @@ TEST(AnalyticWrench, OfOtherPairsNoneIsKnown) {
             0u);
 }
 
-TEST(AnalyticWrench, TheSameAfterBeingWrittenAndRead) {
+TEST(AnalyticWrench, the_same_after_being_written_and_read) {
   AnalyticWrenches out{AnalyticKind::half_space, {{7, {0.1, -2, 1.0 / 3}, {0, 1e-17, 5}}}};
   const AnalyticWrenches back = analytic_wrenches_of(to_json(out), "part");
   EXPECT_EQ(back.kind, out.kind);

@@ -38,7 +38,7 @@ StudyFolder folder_of(const Rendering& pdt, const Rendering& pdg) {
           {to_json(pdt), to_json(pdg), to_json(AnalyticWrenches())}};
 }
 
-TEST(Compare, MeasuresAreThoseOfTheRenderings) {
+TEST(Compare, measures_are_those_of_the_renderings) {
   const Comparison c = comparison_of("folder", folder_of(press(3, 0), press(2, 0)));
   EXPECT_EQ(c.scene, "a scene");
   EXPECT_NEAR(c.of_pdt.peak_force, 3, 1e-9);
@@ -51,7 +51,7 @@ TEST(Compare, MeasuresAreThoseOfTheRenderings) {
   EXPECT_FALSE(c.of_pdt.torque_above_50) << "there is no torque";
 }
 
-TEST(Compare, VerdictsSayWhoIsSmoother) {
+TEST(Compare, verdicts_say_who_is_smoother) {
   const auto verdict = [](const Rendering& pdt, const Rendering& pdg) {
     return smoother_force(comparison_of("folder", folder_of(pdt, pdg)));
   };
@@ -67,7 +67,7 @@ TEST(Compare, VerdictsSayWhoIsSmoother) {
   EXPECT_EQ(fewer_pop_throughs(c), Verdict::same);
 }
 
-TEST(Compare, PartsThatAreMissingOrWrongAreNamed) {
+TEST(Compare, parts_that_are_missing_or_wrong_are_named) {
   StudyFolder folder = folder_of(press(1, 0), press(1, 0));
   folder.results[1].reset();
   EXPECT_THROW(comparison_of("folder", folder), InputError);
@@ -78,7 +78,7 @@ TEST(Compare, PartsThatAreMissingOrWrongAreNamed) {
   EXPECT_THROW(comparison_of("folder", folder), InputError);
 }
 
-TEST(Compare, ThePictureHasBothCurvesInEveryPanel) {
+TEST(Compare, the_picture_has_both_curves_in_every_panel) {
   const auto files = compare_files("folder", folder_of(press(3, 0), press(2, 0)));
   ASSERT_EQ(files.size(), 6u);
   for (const StudyFile& file : files) {

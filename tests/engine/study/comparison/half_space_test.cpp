@@ -19,7 +19,7 @@ double lowest(const Body& body, const Pose& X_FM, const Plane& plane) {
 
 // The pose that is returned touches the plane, and its distance by the object norm is the depth: U
 // = ½kσ, told by the wrench's own force and torque, is another way to the same number.
-TEST(HalfSpace, TheSeparatedPoseTouchesAndIsAsFarAsTheDepthSays) {
+TEST(HalfSpace, the_separated_pose_touches_and_is_as_far_as_the_depth_says) {
   std::mt19937_64 random(5);
   const auto body = test::body(test::box({0.05, 0.1, 0.15}));
   for (int i = 0; i < 6; ++i) {
@@ -38,14 +38,14 @@ TEST(HalfSpace, TheSeparatedPoseTouchesAndIsAsFarAsTheDepthSays) {
 }
 
 // Reference: a ball is not turned by anything; its mesh is within 1 % of one.
-TEST(HalfSpace, ABallGoesStraightUp) {
+TEST(HalfSpace, a_ball_goes_straight_up) {
   const auto ball = test::body(test::sphere(0.05, 24, 48));
   const HalfSpaceSeparation s =
       half_space_separation(*ball, {Quat::Identity(), Vec3(0, 0, 0.04)}, Plane{}, 1, 10);
   EXPECT_NEAR(s.depth, 0.01, 0.01 * 0.02);
 }
 
-TEST(HalfSpace, OnlyBoxesHaveTheFacesOfABox) {
+TEST(HalfSpace, only_boxes_have_the_faces_of_a_box) {
   const auto box = test::body(test::box({1, 2, 3}));
   const auto faces = box_faces(*box);
   ASSERT_EQ(faces.size(), 6u);
@@ -58,7 +58,7 @@ TEST(HalfSpace, OnlyBoxesHaveTheFacesOfABox) {
   EXPECT_TRUE(box_faces(*test::body(sheared)).empty());
 }
 
-TEST(HalfSpace, ALargeBoxIsOneAwayFromItsEdges) {
+TEST(HalfSpace, a_large_box_is_one_away_from_its_edges) {
   const auto probe = test::body(test::box({0.02, 0.02, 0.02}));
   const auto faces = box_faces(*test::body(test::box({1, 1, 1})));
   const auto at = [&](double x, double z) {

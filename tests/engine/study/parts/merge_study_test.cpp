@@ -44,7 +44,7 @@ std::string reason_of(const std::vector<fs::path>& folders) {
   return "no error";
 }
 
-TEST(MergeStudy, JoinedShardsAreTheUnsplitRunToTheBit) {
+TEST(MergeStudy, joined_shards_are_the_unsplit_run_to_the_bit) {
   const TempFolder folder;
   compute_parts(folder / "whole", study(7), {}, 2, never);
   for (std::size_t i = 0; i < 3; ++i)
@@ -54,7 +54,7 @@ TEST(MergeStudy, JoinedShardsAreTheUnsplitRunToTheBit) {
   EXPECT_EQ(files(folder / "joined"), files(folder / "whole"));
 }
 
-TEST(MergeStudy, ShardsMayOverlapShareAFolderAndBeJoinedInIt) {
+TEST(MergeStudy, shards_may_overlap_share_a_folder_and_be_joined_in_it) {
   const TempFolder folder;
   compute_parts(folder / "whole", study(5), {}, 1, never);
   compute_parts(folder / "a", study(5), {0, 2}, 1, never);
@@ -65,7 +65,7 @@ TEST(MergeStudy, ShardsMayOverlapShareAFolderAndBeJoinedInIt) {
   EXPECT_EQ(files(folder / "a"), files(folder / "whole"));
 }
 
-TEST(MergeStudy, MissingPartsAreNamed) {
+TEST(MergeStudy, missing_parts_are_named) {
   const TempFolder folder;
   compute_parts(folder / "a", study(6), {0, 3}, 1, never);
   compute_parts(folder / "b", study(6), {1, 3}, 1, never);
@@ -75,7 +75,7 @@ TEST(MergeStudy, MissingPartsAreNamed) {
   EXPECT_THAT(reason_of({folder / "a"}), HasSubstr("part-4"));
 }
 
-TEST(MergeStudy, PartsThatDifferAreNamedWithTheirFolders) {
+TEST(MergeStudy, parts_that_differ_are_named_with_their_folders) {
   const TempFolder folder;
   compute_parts(folder / "a", study(3), {}, 1, never);
   compute_parts(folder / "b", study(3, R"({"k": 500.0})", 1), {}, 1, never);
@@ -93,7 +93,7 @@ Study timed(const std::string& time, const std::string& depth) {
                              }}}};
 }
 
-TEST(MergeStudy, TimesMayDifferAndThoseOfTheFirstFolderAreKept) {
+TEST(MergeStudy, times_may_differ_and_those_of_the_first_folder_are_kept) {
   const TempFolder folder;
   compute_parts(folder / "a", timed("10.5", "0.25"), {}, 1, never);
   compute_parts(folder / "b", timed("11", "0.25"), {}, 1, never);
@@ -105,7 +105,7 @@ TEST(MergeStudy, TimesMayDifferAndThoseOfTheFirstFolderAreKept) {
   EXPECT_THAT(reason_of({folder / "a", folder / "b", folder / "c"}), HasSubstr("another result"));
 }
 
-TEST(MergeStudy, DifferentStudiesAreNotJoined) {
+TEST(MergeStudy, different_studies_are_not_joined) {
   const TempFolder folder;
   compute_parts(folder / "a", study(3), {}, 1, never);
   compute_parts(folder / "b", study(3, R"({"k": 501.0})"), {}, 1, never);

@@ -25,7 +25,7 @@ std::vector<double> places(const std::vector<Pose>& poses) {
   return out;
 }
 
-TEST(OverlappingPoses, AreThoseThatOverlapEvenlyChosen) {
+TEST(OverlappingPoses, are_those_that_overlap_evenly_chosen) {
   const auto cube = test::body(test::box({2, 2, 2}));
   const std::vector<Pose> poses = row_of_poses(20, 0.25);  // the first nine overlap or touch
   EXPECT_EQ(overlapping_poses(*cube, *cube, poses, 0, never).size(), 9u);
@@ -39,7 +39,7 @@ TEST(OverlappingPoses, AreThoseThatOverlapEvenlyChosen) {
   EXPECT_THROW(overlapping_poses(*cube, *cube, poses, 3, [] { return true; }), Cancelled);
 }
 
-TEST(OverlappingPoses, RandomOnesOverlapAndAreTheSameForTheSameSeed) {
+TEST(OverlappingPoses, random_ones_overlap_and_are_the_same_for_the_same_seed) {
   std::mt19937_64 random(3);
   const auto ring = test::body(test::torus(0.04, 0.015, 24, 12));
   for (const auto& fixed : {test::body(test::torus(0.06, 0.02, 24, 12)),
@@ -59,7 +59,7 @@ TEST(OverlappingPoses, RandomOnesOverlapAndAreTheSameForTheSameSeed) {
 
 // The middle of the probe's surface at the middle of the fixed body's, on average: of a long box
 // whose two ends are triangulated differently, so that drawing triangles alike would show.
-TEST(OverlappingPoses, PointsAreUniformByArea) {
+TEST(OverlappingPoses, points_are_uniform_by_area) {
   PolygonSoup plate;  // 2 m along x, one half of it in 40 times as many triangles
   plate.points = {{-1, -0.5, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {-1, 0.5, 0}};
   plate.polygons = {{0, 1, 2, 3}};

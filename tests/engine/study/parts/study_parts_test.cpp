@@ -39,7 +39,7 @@ std::vector<std::string> texts(const StudyFolder& folder) {
   return out;
 }
 
-TEST(StudyParts, FinishedOnesAreNotComputedAgain) {
+TEST(StudyParts, finished_ones_are_not_computed_again) {
   const test::TempFolder folder;
   Squares squares(4);
   compute_parts(folder.path(), squares.study, {}, 2, never);
@@ -57,7 +57,7 @@ TEST(StudyParts, FinishedOnesAreNotComputedAgain) {
   EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
 }
 
-TEST(StudyParts, ShardsTogetherAreTheWhole) {
+TEST(StudyParts, shards_together_are_the_whole) {
   for (const std::size_t count : {1u, 2u, 3u, 7u}) {
     const test::TempFolder folder;
     Squares squares(5);
@@ -71,7 +71,7 @@ TEST(StudyParts, ShardsTogetherAreTheWhole) {
   }
 }
 
-TEST(StudyParts, StoppedInTheMiddleKeepsWhatIsFinished) {
+TEST(StudyParts, stopped_in_the_middle_keeps_what_is_finished) {
   const test::TempFolder folder;
   Squares squares(6);
   EXPECT_THROW(
@@ -84,7 +84,7 @@ TEST(StudyParts, StoppedInTheMiddleKeepsWhatIsFinished) {
   EXPECT_TRUE(read_study(folder.path()).complete());
 }
 
-TEST(StudyParts, APartThatFailsSaysWhyAndIsNotWritten) {
+TEST(StudyParts, a_part_that_fails_says_why_and_is_not_written) {
   const test::TempFolder folder;
   Squares squares(2);
   squares.study.parts.push_back(
@@ -100,7 +100,7 @@ TEST(StudyParts, APartThatFailsSaysWhyAndIsNotWritten) {
   }
 }
 
-TEST(StudyParts, AFolderOfAnotherStudyIsLeftAlone) {
+TEST(StudyParts, a_folder_of_another_study_is_left_alone) {
   const test::TempFolder folder;
   Squares squares(2), other(2, R"({"power": 3})");
   compute_parts(folder.path(), squares.study, {}, 1, never);
@@ -117,7 +117,7 @@ TEST(StudyParts, AFolderOfAnotherStudyIsLeftAlone) {
   EXPECT_THROW(read_study(folder.path()), InputError);
 }
 
-TEST(StudyParts, AFolderOfOtherPartsOfTheSameStudyIsCarriedOn) {
+TEST(StudyParts, a_folder_of_other_parts_of_the_same_study_is_carried_on) {
   const test::TempFolder folder;
   Squares few(2), all(4);
   compute_parts(folder.path(), few.study, {}, 1, never);
@@ -136,7 +136,7 @@ TEST(StudyParts, AFolderOfOtherPartsOfTheSameStudyIsCarriedOn) {
   EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
 }
 
-TEST(StudyParts, ShardsInWords) {
+TEST(StudyParts, shards_in_words) {
   const auto shard = shard_of("2/8");
   ASSERT_TRUE(shard);
   EXPECT_EQ(shard->index, 1u);
@@ -145,7 +145,7 @@ TEST(StudyParts, ShardsInWords) {
     EXPECT_FALSE(shard_of(text)) << text;
 }
 
-TEST(StudyParts, TheFingerprintIsThePublishedFnv1a) {
+TEST(StudyParts, the_fingerprint_is_the_published_fnv1a) {
   // Test vectors of the authors (Fowler, Noll, Vo: fnv-1a, 64 bits).
   EXPECT_EQ(fingerprint(""), "cbf29ce484222325");
   EXPECT_EQ(fingerprint("a"), "af63dc4c8601ec8c");

@@ -28,7 +28,7 @@ Separation sunk(const Pair& pair, const Quat& q, double depth) {
 
 // Reference: a corner d below a large block's top. U = ½k d², and turning by δφ raises the corner
 // by (δφ × r)·n: τ = k d r×n, r from the centre of mass to the corner.
-TEST(ContactTorque, OfACornerIsWhatTheEnergyGives) {
+TEST(ContactTorque, of_a_corner_is_what_the_energy_gives) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
   const Pair pair(probe, fixed);
@@ -42,7 +42,7 @@ TEST(ContactTorque, OfACornerIsWhatTheEnergyGives) {
 }
 
 // Reference: symmetry. A face on a face is carried about its middle: no torque.
-TEST(ContactTorque, AFaceOnAFaceHasNone) {
+TEST(ContactTorque, a_face_on_a_face_has_none) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
   const Separation s = sunk({probe, fixed}, Quat::Identity(), 0.004);
@@ -50,7 +50,7 @@ TEST(ContactTorque, AFaceOnAFaceHasNone) {
   EXPECT_LT(ContactTorque(*probe, *fixed).at(s).norm(), 2e-3 * 0.004 * probe->mass.radius);
 }
 
-TEST(ContactTorque, OutOfContactThereIsNone) {
+TEST(ContactTorque, out_of_contact_there_is_none) {
   const auto probe = test::body(test::box({0.02, 0.03, 0.05}));
   const auto fixed = block();
   EXPECT_EQ(ContactTorque(*probe, *fixed).at(sunk({probe, fixed}, Quat::Identity(), -0.01)),

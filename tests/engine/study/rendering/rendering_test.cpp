@@ -29,7 +29,7 @@ std::vector<TimedPose> press() {
 }
 
 // Reference: a box flat on a block: depth is how far its lower face is below the upper one.
-TEST(Rendering, ABoxPressedOnABlock) {
+TEST(Rendering, a_box_pressed_on_a_block) {
   for (const Method method : {Method::pdg, Method::pdt}) {
     const Rendering r = render(setup(), method, press(), never);
     ASSERT_EQ(r.size(), 41u);
@@ -44,7 +44,7 @@ TEST(Rendering, ABoxPressedOnABlock) {
   }
 }
 
-TEST(Rendering, TheSameBitsAfterBeingWrittenAndRead) {
+TEST(Rendering, the_same_bits_after_being_written_and_read) {
   const Rendering once = render(setup(), Method::pdg, press(), never);
   const std::string text = to_json(once);
   EXPECT_EQ(to_json(rendering_of(text, "part")), text);
@@ -54,7 +54,7 @@ TEST(Rendering, TheSameBitsAfterBeingWrittenAndRead) {
     EXPECT_THROW(rendering_of(wrong, "part"), InputError) << wrong;
 }
 
-TEST(Rendering, CanBeStopped) {
+TEST(Rendering, can_be_stopped) {
   int asked = 0;
   EXPECT_THROW(render(setup(), Method::pdg, press(), [&] { return ++asked > 5; }), Cancelled);
 }

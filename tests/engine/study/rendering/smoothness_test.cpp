@@ -27,7 +27,7 @@ double total(const Spectrum& spectrum) {
   return sum;
 }
 
-TEST(Smoothness, TheVariationOfAStepIsItsHeightAndOfARiseAndFallTwice) {
+TEST(Smoothness, the_variation_of_a_step_is_its_height_and_of_a_rise_and_fall_twice) {
   const std::vector<Vec3> step{Vec3::Zero(), Vec3::Zero(), Vec3(3, 4, 0), Vec3(3, 4, 0)};
   EXPECT_EQ(total_variation(step), 5);
   const auto hill =
@@ -37,12 +37,12 @@ TEST(Smoothness, TheVariationOfAStepIsItsHeightAndOfARiseAndFallTwice) {
   EXPECT_EQ(total_variation(std::vector<Vec3>{Vec3(1, 1, 1)}), 0);
 }
 
-TEST(Smoothness, TheVariationOfASineIsFourAmplitudesAPeriod) {
+TEST(Smoothness, the_variation_of_a_sine_is_four_amplitudes_a_period) {
   const auto x = signal(1025, [](double t) { return Vec3(0.5 * sine(8, t), 0, 0); });
   EXPECT_NEAR(total_variation(x), 8 * 4 * 0.5, 1e-9);
 }
 
-TEST(Smoothness, ASineHasItsPowerAtItsFrequency) {
+TEST(Smoothness, a_sine_has_its_power_at_its_frequency) {
   for (const double frequency : {10.0, 50.0, 120.0, 400.0}) {
     const auto x = signal(3000, [&](double t) { return Vec3(0, 0, 0.3 * sine(frequency, t)); });
     const Spectrum s = spectrum(x, rate);
@@ -57,7 +57,7 @@ TEST(Smoothness, ASineHasItsPowerAtItsFrequency) {
   }
 }
 
-TEST(Smoothness, PowersOfComponentsAndFrequenciesAdd) {
+TEST(Smoothness, powers_of_components_and_frequencies_add) {
   const auto x =
       signal(4096, [](double t) { return Vec3(2 * sine(20, t), sine(200, t), sine(300, t) + 7); });
   const Spectrum s = spectrum(x, rate);
@@ -67,7 +67,7 @@ TEST(Smoothness, PowersOfComponentsAndFrequenciesAdd) {
   EXPECT_NEAR(*share_above(s, 1), 1, 1e-12);
 }
 
-TEST(Smoothness, AConstantHasNoPowerAndNoShare) {
+TEST(Smoothness, a_constant_has_no_power_and_no_share) {
   const Spectrum s = spectrum(std::vector<Vec3>(2000, Vec3(1, 2, 4)), rate);
   EXPECT_EQ(total(s), 0);
   EXPECT_FALSE(share_above(s, 50));
@@ -76,7 +76,7 @@ TEST(Smoothness, AConstantHasNoPowerAndNoShare) {
   EXPECT_FALSE(share_above(spectrum(slow, 90), 50)) << "45 Hz is the highest frequency";
 }
 
-TEST(Smoothness, WhatTremblesHasALargerShareThanWhatDoesNot) {
+TEST(Smoothness, what_trembles_has_a_larger_share_than_what_does_not) {
   const auto press = [](double t) { return 2 * std::pow(sine(0.2, t), 2); };
   const auto smooth = signal(5000, [&](double t) { return Vec3(0, 0, press(t)); });
   const auto trembling =
@@ -87,14 +87,14 @@ TEST(Smoothness, WhatTremblesHasALargerShareThanWhatDoesNot) {
   EXPECT_LT(*share_above(spectrum(smooth, rate), 50), 1e-6);
 }
 
-TEST(Smoothness, ShortSignalsAreOnePiece) {
+TEST(Smoothness, short_signals_are_one_piece) {
   const auto x = signal(64, [](double t) { return Vec3(sine(64, t), 0, 0); });
   const Spectrum s = spectrum(x, rate);
   ASSERT_EQ(s.frequency.size(), 32u);
   EXPECT_NEAR(total(s), 0.5, 1e-9);
 }
 
-TEST(Smoothness, OnlyEvenTimesHaveARate) {
+TEST(Smoothness, only_even_times_have_a_rate) {
   EXPECT_NEAR(*sample_rate(std::vector<double>{1, 1.001, 1.002, 1.003}), 1000, 1e-6);
   EXPECT_FALSE(sample_rate(std::vector<double>{1, 1.001, 1.003}));
   EXPECT_FALSE(sample_rate(std::vector<double>{1}));

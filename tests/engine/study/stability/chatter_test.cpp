@@ -21,7 +21,7 @@ std::vector<Vec6> signal(double steady, double slow, double fast, double fast_hz
   return out;
 }
 
-TEST(Chatter, IsTheShareOfThePowerAboveFiftyHertz) {
+TEST(Chatter, is_the_share_of_the_power_above_fifty_hertz) {
   for (const double fast_hz : {60.0, 127.3, 250.0, 400.0})
     for (const double fast : {0.0, 0.05, 1.0}) {
       const double share = fast * fast / 2 / (9 + 0.5 + fast * fast / 2);
@@ -32,12 +32,12 @@ TEST(Chatter, IsTheShareOfThePowerAboveFiftyHertz) {
   EXPECT_LT(chatter_index(signal(3, 1, 1, 40, 0), 1e-3, 0.1), 1e-6);
 }
 
-TEST(Chatter, TorquesCountByTheLength) {
+TEST(Chatter, torques_count_by_the_length) {
   // 0.1 N·m at 5 cm is 2 N.
   EXPECT_NEAR(chatter_index(signal(3, 0, 0, 100, 0.1), 1e-3, 0.05), 2.0 / (9 + 2.0), 1e-3);
 }
 
-TEST(Chatter, DriftIsNone) {
+TEST(Chatter, drift_is_none) {
   std::vector<Vec6> wrenches(1000, Vec6::Zero());
   for (std::size_t i = 0; i < wrenches.size(); ++i) wrenches[i][0] = 1 + double(i) * 1e-3;
   EXPECT_LT(chatter_index(wrenches, 1e-3, 0.1), 1e-7);

@@ -29,7 +29,7 @@ ClosedLoopSetup setup() {
 
 const Pose start{Quat::Identity(), {-0.01, -0.02, 0.1 + 0.025 - 0.03 + 0.002}};
 
-TEST(ClosedLoop, IsTheDeviceAndTheLoopTickByTick) {
+TEST(ClosedLoop, is_the_device_and_the_loop_tick_by_tick) {
   const ClosedLoopSetup s = setup();
   ClosedLoop loop(s);
   loop.reset(start);
@@ -49,7 +49,7 @@ TEST(ClosedLoop, IsTheDeviceAndTheLoopTickByTick) {
   EXPECT_EQ(loop.haptic_loop().separation().status, Status::penetrating);
 }
 
-TEST(ClosedLoop, AtRestTheMotorsBalanceTheHand) {
+TEST(ClosedLoop, at_rest_the_motors_balance_the_hand) {
   ClosedLoopSetup s = setup();
   s.device.translation.friction = 0;
   s.device.translation.resolution = s.device.rotation.resolution = 0;
@@ -66,7 +66,7 @@ TEST(ClosedLoop, AtRestTheMotorsBalanceTheHand) {
   EXPECT_LT(kinetic_energy(s.device, loop.device().state()), 1e-10);
 }
 
-TEST(ClosedLoop, SameInputSameBitsAndNoAllocationInAStep) {
+TEST(ClosedLoop, same_input_same_bits_and_no_allocation_in_a_step) {
   const auto run = [] {
     ClosedLoop loop(setup());
     loop.reset(start);

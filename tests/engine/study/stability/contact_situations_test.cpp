@@ -26,7 +26,7 @@ Separation separation(std::initializer_list<Contact> contacts) {
   return s;
 }
 
-TEST(ContactSituations, KindsByClustersAndRows) {
+TEST(ContactSituations, kinds_by_clusters_and_rows) {
   const Vec3 up = Vec3::UnitZ(), o = Vec3::Zero();
   EXPECT_EQ(contact_kind(separation({contact(up, o)})), ContactKind::flat);
   EXPECT_EQ(contact_kind(separation({contact(up, o), contact(up, {0.05, 0, 0})})),
@@ -47,7 +47,7 @@ SituationOptions options() {
   return out;
 }
 
-TEST(ContactSituations, OfABoxOnABoxAreOrderedAndTheSameEachTime) {
+TEST(ContactSituations, of_a_box_on_a_box_are_ordered_and_the_same_each_time) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
   const auto fixed = test::body(test::box({0.2, 0.2, 0.1}));
   const auto first = find_situations({probe, fixed}, {}, 3, options(), never);
@@ -70,7 +70,7 @@ TEST(ContactSituations, OfABoxOnABoxAreOrderedAndTheSameEachTime) {
   }
 }
 
-TEST(ContactSituations, AlongAPathAreThoseOfThePath) {
+TEST(ContactSituations, along_a_path_are_those_of_the_path) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
   const auto fixed = test::body(test::box({0.2, 0.2, 0.1}));
   std::vector<TimedPose> path;
@@ -86,7 +86,7 @@ TEST(ContactSituations, AlongAPathAreThoseOfThePath) {
   EXPECT_TRUE(situations_along({probe, fixed}, path, 2, options(), never).empty());
 }
 
-TEST(ContactSituations, StopWhenAsked) {
+TEST(ContactSituations, stop_when_asked) {
   const auto probe = test::body(test::box({0.06, 0.05, 0.04}));
   EXPECT_THROW(find_situations({probe, probe}, {}, 3, options(), [] { return true; }), Cancelled);
 }

@@ -21,7 +21,7 @@ SampledContact contact(double delay) {
   return out;
 }
 
-TEST(ContactStability, OneAxisIsTheSampledAxis) {
+TEST(ContactStability, one_axis_is_the_sampled_axis) {
   for (const double delay : {0.0, 4e-4, 1e-3, 2.7e-3})
     for (const double B : {0.0, 1.0}) {
       SampledContact c = contact(delay);
@@ -34,7 +34,7 @@ TEST(ContactStability, OneAxisIsTheSampledAxis) {
     }
 }
 
-TEST(ContactStability, OfSeveralAxesTheWeakestCounts) {
+TEST(ContactStability, of_several_axes_the_weakest_counts) {
   SampledContact c = contact(1e-3);
   c.stiffness(0, 0) = 1;
   c.stiffness(4, 4) = 2e-3;
@@ -48,7 +48,7 @@ TEST(ContactStability, OfSeveralAxesTheWeakestCounts) {
   EXPECT_NEAR(largest_stable_factor(half) / (0.75 * moving), 1, 1e-3);
 }
 
-TEST(ContactStability, AContactWithALeverIsOneAxisAlongIt) {
+TEST(ContactStability, a_contact_with_a_lever_is_one_axis_along_it) {
   // One row w = (n, r×n): in the mode it moves, a mass of 1/(wᵀM⁻¹w), if dampings go with masses.
   SampledContact c = contact(1e-3);
   c.device.rotation.damping = 0.5 / 0.1 * 5e-5;
@@ -77,7 +77,7 @@ double growth(const SimulatedDeviceParameters& device, double K) {
   return late / early;
 }
 
-TEST(ContactStability, AHandCountsAsTheSimulatedDeviceHasIt) {
+TEST(ContactStability, a_hand_counts_as_the_simulated_device_has_it) {
   for (const double delay : {0.0, 1e-3, 1.4e-3}) {
     SampledContact c = contact(delay);
     c.stiffness(0, 0) = 1;
@@ -90,7 +90,7 @@ TEST(ContactStability, AHandCountsAsTheSimulatedDeviceHasIt) {
   }
 }
 
-TEST(ContactStability, SlidingAwayIsNoBuzz) {
+TEST(ContactStability, sliding_away_is_no_buzz) {
   SampledContact c = contact(1e-3);
   c.stiffness(0, 0) = -1;
   EXPECT_LE(buzz_radius(c), 1);

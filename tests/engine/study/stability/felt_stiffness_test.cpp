@@ -18,7 +18,7 @@ namespace {
 
 const Stop never = [] { return false; };
 
-TEST(FeltStiffness, OfABoxPressedFlatIsThatOfItsThreeDegrees) {
+TEST(FeltStiffness, of_a_box_pressed_flat_is_that_of_its_three_degrees) {
   const auto probe = test::body(test::box({0.06, 0.04, 0.02}));
   const auto fixed = test::body(test::box({1, 1, 0.2}));
   const Pose O{Quat::Identity(), {0, 0, 0.11 - 1e-3}}, Q{Quat::Identity(), {0, 0, 0.11 + 1e-7}};
@@ -138,10 +138,10 @@ void expect_energy_bounded(const Contacts& contacts, std::uint64_t seed, int eac
   EXPECT_GT(compared, 50);
 }
 
-TEST(FeltStiffness, IsNeverMoreThanAskedForWhereSummedPenaltiesAre) {
+TEST(FeltStiffness, is_never_more_than_asked_for_where_summed_penalties_are) {
   expect_felt_stiffness_bounded(spoon_in_cup(120));
 }
-TEST(FeltStiffness, EnergyBesideAContactIsBoundedByStaying) {
+TEST(FeltStiffness, energy_beside_a_contact_is_bounded_by_staying) {
   expect_energy_bounded(spoon_in_cup(40), 1, 5);
   expect_energy_bounded(knots(40), 2, 5);
 }

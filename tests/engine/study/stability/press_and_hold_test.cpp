@@ -36,7 +36,7 @@ HoldReport report(const ClosedLoopSetup& setup, const Press& press) {
   return press_and_hold(loop, press);
 }
 
-TEST(PressAndHold, AQuietHoldIsDescribedAsItIs) {
+TEST(PressAndHold, a_quiet_hold_is_described_as_it_is) {
   ClosedLoopSetup s = setup(500);
   s.device.translation.damping = 20;  // it settles within the hold
   const HoldReport r = report(s, press(2));
@@ -54,7 +54,7 @@ TEST(PressAndHold, AQuietHoldIsDescribedAsItIs) {
   EXPECT_EQ(r.failures, 0);
 }
 
-TEST(PressAndHold, BeyondTheEigenvaluesItGrowsAndTheMotorsGiveEnergy) {
+TEST(PressAndHold, beyond_the_eigenvalues_it_grows_and_the_motors_give_energy) {
   const double K = largest_stable_stiffness({0.1, 1, 0, 1e-3, 0});
   Press light = press(2);
   light.knock = 0.1;  // the swing stays in contact
@@ -68,7 +68,7 @@ TEST(PressAndHold, BeyondTheEigenvaluesItGrowsAndTheMotorsGiveEnergy) {
   EXPECT_GT(above.kinetic, 10 * below.kinetic);
 }
 
-TEST(PressAndHold, LimitsThatAreReachedAreSeen) {
+TEST(PressAndHold, limits_that_are_reached_are_seen) {
   ClosedLoopSetup s = setup(500);
   s.coupling.max_force = 1.9;  // less than the hand pushes: the probe sinks in
   const HoldReport r = report(s, press(2));
@@ -78,7 +78,7 @@ TEST(PressAndHold, LimitsThatAreReachedAreSeen) {
   EXPECT_GT(r.force_error, 0.05);
 }
 
-TEST(PressAndHold, WithoutContactNothingIsHeld) {
+TEST(PressAndHold, without_contact_nothing_is_held) {
   const HoldReport r = report(setup(500), press(-2));
   EXPECT_EQ(r.contact, 0);
   EXPECT_FALSE(r.stable);
@@ -86,7 +86,7 @@ TEST(PressAndHold, WithoutContactNothingIsHeld) {
   EXPECT_EQ(r.chatter, 0);
 }
 
-TEST(PressAndHold, AnyStiffnessGivesAnHonestReport) {
+TEST(PressAndHold, any_stiffness_gives_an_honest_report) {
   for (const double k : {1e-3, 1e12}) {
     ClosedLoopSetup s = setup(k);
     s.coupling.max_force = s.device.translation.limit = 12;
@@ -99,7 +99,7 @@ TEST(PressAndHold, AnyStiffnessGivesAnHonestReport) {
   }
 }
 
-TEST(PressAndHold, TakesTheTicksThatItSays) {
+TEST(PressAndHold, takes_the_ticks_that_it_says) {
   EXPECT_EQ(tick_count({}, 1e-3), 100 + 100 + 20 + 100 + 2 * 300);
 }
 

@@ -28,7 +28,7 @@ constexpr Point points[] = {{0.1, 0, 200.0, 66.7, 0.05},
                             {0.5, 5, 10473, 3468, 0.5},
                             {2, 10, 21809, 7159, 0.5}};
 
-TEST(SampledStability, ReferencePointsToTheDigitsPrinted) {
+TEST(SampledStability, reference_points_to_the_digits_printed) {
   for (const Point& p : points) {
     SampledAxis axis{.damping = p.damping, .virtual_damping = p.virtual_damping};
     EXPECT_NEAR(largest_stable_stiffness(axis), p.prompt, p.half_digit);
@@ -43,7 +43,7 @@ SampledAxis scaled(const SampledAxis& axis, double scale) {
           axis.sample_time, axis.delay};
 }
 
-TEST(SampledStability, TorqueIsTheSameWithTheInertia) {
+TEST(SampledStability, torque_is_the_same_with_the_inertia) {
   // A turn of one axis is a translation of the same equation: kg·m² for kg.
   for (const Point& p : points) {
     const SampledAxis axis{.damping = p.damping, .virtual_damping = p.virtual_damping};
@@ -53,7 +53,7 @@ TEST(SampledStability, TorqueIsTheSameWithTheInertia) {
   }
 }
 
-TEST(SampledStability, WithoutDelayOrVirtualDampingJurySaysTheSame) {
+TEST(SampledStability, without_delay_or_virtual_damping_jury_says_the_same) {
   // z² + (G p − 1 − E) z + E + G q, with E = e^(−bT/m), the poles of x'' + a x' held over a sample:
   // stable up to where the last coefficient is 1 or z = −1 is a root, whichever is first.
   for (const double damping : {0.05, 0.5, 5.0, 50.0, 500.0}) {
@@ -66,7 +66,7 @@ TEST(SampledStability, WithoutDelayOrVirtualDampingJurySaysTheSame) {
   }
 }
 
-TEST(SampledStability, AtTheLimitTheRadiusIsOneAndItGrowsBeyond) {
+TEST(SampledStability, at_the_limit_the_radius_is_one_and_it_grows_beyond) {
   for (const double delay : {0.0, 0.0004, 0.001, 0.0027}) {
     const SampledAxis axis{.damping = 0.5, .virtual_damping = 1, .delay = delay};
     const double K = largest_stable_stiffness(axis);
@@ -76,7 +76,7 @@ TEST(SampledStability, AtTheLimitTheRadiusIsOneAndItGrowsBeyond) {
   }
 }
 
-TEST(SampledStability, DelaysBetweenSamplesLieBetween) {
+TEST(SampledStability, delays_between_samples_lie_between) {
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 30; ++i) {
     const SampledAxis axis{.damping = 0.5, .virtual_damping = 0.5, .delay = i * 1e-4};
@@ -93,7 +93,7 @@ TEST(SampledStability, DelaysBetweenSamplesLieBetween) {
   }
 }
 
-TEST(SampledStability, NoDampingHoldsNoSpringAndTooMuchVirtualDampingNone) {
+TEST(SampledStability, no_damping_holds_no_spring_and_too_much_virtual_damping_none) {
   EXPECT_EQ(largest_stable_stiffness({}), 0);
   EXPECT_EQ(largest_passive_stiffness({}), 0);
   // B alone is unstable from about m/T on.
@@ -101,7 +101,7 @@ TEST(SampledStability, NoDampingHoldsNoSpringAndTooMuchVirtualDampingNone) {
   EXPECT_EQ(largest_stable_stiffness({.virtual_damping = 300}), 0);
 }
 
-TEST(SampledStability, NumbersThatMakeNoSenseAreRefused) {
+TEST(SampledStability, numbers_that_make_no_sense_are_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const SampledAxis& axis :
        {SampledAxis{.inertia = 0}, SampledAxis{.inertia = nan}, SampledAxis{.damping = -1},
@@ -174,7 +174,7 @@ double largest_quiet_stiffness(const Wall& wall, double low, double high) {
   return (low + high) / 2;
 }
 
-TEST(SampledStability, TheSimulatedLoopBuzzesWhereTheEigenvaluesSay) {
+TEST(SampledStability, the_simulated_loop_buzzes_where_the_eigenvalues_say) {
   double worst = 0;
   int cases = 0;
   for (const double mass : {0.05, 0.2})
@@ -203,7 +203,7 @@ TEST(SampledStability, TheSimulatedLoopBuzzesWhereTheEigenvaluesSay) {
   EXPECT_GT(cases, 150);
 }
 
-TEST(SampledStability, ThePassiveLimitIsOnItsSide) {
+TEST(SampledStability, the_passive_limit_is_on_its_side) {
   for (const double damping : {0.1, 0.5, 2.0, 10.0})
     for (const double virtual_damping : {0.0, 0.2, 1.0})
       for (const double delay : {0.0, 3e-4, 1e-3, 2.5e-3, 5e-3}) {

@@ -29,7 +29,7 @@ struct MadeUp {
   }
 };
 
-TEST(StiffnessSweep, FindsBothLimitsToTheRatioFromAnyStart) {
+TEST(StiffnessSweep, finds_both_limits_to_the_ratio_from_any_start) {
   for (const double start : {1.0, 30.0, 799.0, 1500.0, 9e4})
     for (const double ratio : {1.02, 1.002}) {
       MadeUp made{800, 2000};
@@ -59,7 +59,7 @@ struct WithIsland {
   }
 };
 
-TEST(StiffnessSweep, AStableIslandAboveAnUnstableStiffnessIsNotTakenForStable) {
+TEST(StiffnessSweep, a_stable_island_above_an_unstable_stiffness_is_not_taken_for_stable) {
   // The second is narrower than a step of the walk: the swing on its shore gives it away.
   for (const WithIsland island : {WithIsland{300, 600, 5000}, WithIsland{300, 330, 5000}})
     for (const double start : {500.0, 1000.0}) {
@@ -74,7 +74,7 @@ TEST(StiffnessSweep, AStableIslandAboveAnUnstableStiffnessIsNotTakenForStable) {
     }
 }
 
-TEST(StiffnessSweep, NoLimitLiesAboveAFaultThatWasSeen) {
+TEST(StiffnessSweep, no_limit_lies_above_a_fault_that_was_seen) {
   // Holds and fails by turns, as wide as it likes.
   const auto patches = [](double k) {
     HoldReport report;
@@ -91,7 +91,7 @@ TEST(StiffnessSweep, NoLimitLiesAboveAFaultThatWasSeen) {
   }
 }
 
-TEST(StiffnessSweep, WhatIsTooSoftToBeGoodIsNoLimit) {
+TEST(StiffnessSweep, what_is_too_soft_to_be_good_is_no_limit) {
   const auto slips = [](double k) {
     HoldReport report;
     report.stable = k < 2000;
@@ -103,7 +103,7 @@ TEST(StiffnessSweep, WhatIsTooSoftToBeGoodIsNoLimit) {
   EXPECT_EQ(sweep.good.fault, HoldFault::unstable);
 }
 
-TEST(StiffnessSweep, ALimitOutsideOfTheRangeIsSaid) {
+TEST(StiffnessSweep, a_limit_outside_of_the_range_is_said) {
   MadeUp high{1e9, 1e9};
   StiffnessSweep sweep = sweep_stiffness(std::ref(high), {.high = 1e5}, never);
   EXPECT_EQ(sweep.stable.stiffness, 1e5);
@@ -114,13 +114,13 @@ TEST(StiffnessSweep, ALimitOutsideOfTheRangeIsSaid) {
   EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
 }
 
-TEST(StiffnessSweep, StopsWhenAsked) {
+TEST(StiffnessSweep, stops_when_asked) {
   MadeUp made{800, 2000};
   EXPECT_THROW(sweep_stiffness(std::ref(made), {}, [&] { return made.runs >= 3; }), Cancelled);
   EXPECT_EQ(made.runs, 3);
 }
 
-TEST(StiffnessSweep, TheWorstFaultIsNamed) {
+TEST(StiffnessSweep, the_worst_fault_is_named) {
   const auto fault = [](const HoldReport& r) { return name_of(fault_of(r, GainAxis::object)); };
   HoldReport report;
   EXPECT_STREQ(fault(report), "stability");
@@ -135,7 +135,7 @@ TEST(StiffnessSweep, TheWorstFaultIsNamed) {
   EXPECT_STREQ(fault(report), "none");
 }
 
-TEST(StiffnessSweep, EachAxisIsJudgedByItsOwnError) {
+TEST(StiffnessSweep, each_axis_is_judged_by_its_own_error) {
   HoldReport force, torque;
   force.stable = torque.stable = true;
   force.force_error = torque.torque_error = 0.11;

@@ -112,7 +112,7 @@ void expect_theory(const WallCase& wall) {
   }
 }
 
-TEST(WallTheory, TheEngineAgreesWithTheEigenvaluesWithinTwoPercent) {
+TEST(WallTheory, the_engine_agrees_with_the_eigenvalues_within_two_percent) {
   std::vector<WallCase> cases = grid();
   std::mt19937 random(6);
   std::shuffle(cases.begin(), cases.end(), random);
@@ -120,7 +120,7 @@ TEST(WallTheory, TheEngineAgreesWithTheEigenvaluesWithinTwoPercent) {
   for (const WallCase& wall : cases) expect_theory(wall);
 }
 
-TEST(WallTheory, TheReferencePointsThroughTheEngine) {
+TEST(WallTheory, the_reference_points_through_the_engine) {
   // Zero-order hold, T = 1 ms, m = 0.1 kg: b, B, N/m without delay and with one sample of it.
   for (const auto& [b, B, prompt, late] :
        {std::array{0.1, 0.0, 200.0, 66.7}, std::array{0.5, 0.0, 1000.8, 333.8},

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<const test::Xml*> dots(const test::Xml& panel) { return panel.all("circle"); }
 
-TEST(TradeChart, HasAPanelForEachKindAndADotForEachSetting) {
+TEST(TradeChart, has_a_panel_for_each_kind_and_a_dot_for_each_setting) {
   const TradeResults results = test::made_up_trade();
   const test::Xml svg = test::parse_xml(trade_picture(results, trade_figures(results)));
   const auto panels = svg.all("g", "panel");
@@ -22,7 +22,7 @@ TEST(TradeChart, HasAPanelForEachKindAndADotForEachSetting) {
   EXPECT_EQ(dots(*panels[5]).size(), 1u) << "of the one budget";
 }
 
-TEST(TradeChart, WhatWasNotMeasuredIsNotShown) {
+TEST(TradeChart, what_was_not_measured_is_not_shown) {
   TradeResults results = test::made_up_trade();
   results.paths.clear();
   results.settings.resize(1);

@@ -19,7 +19,7 @@ std::vector<Pose> some_poses() {
   return {{q, Vec3(0.02, 0.03, 0.01)}, {q.conjugate(), Vec3(-0.05, 0.01, 0.02)}};
 }
 
-TEST(TradeExtremes, AnswersDoNotDependOnSizeAndHardlyOnPlace) {
+TEST(TradeExtremes, answers_do_not_depend_on_size_and_hardly_on_place) {
   const auto ring = test::body(test::torus(0.06, 0.02, 24, 12));
   const auto box = test::body(test::box({0.05, 0.04, 0.08}));
   const auto all = measure_extremes({box, ring}, some_poses(), 1, never);
@@ -42,7 +42,7 @@ TEST(TradeExtremes, AnswersDoNotDependOnSizeAndHardlyOnPlace) {
   }
 }
 
-TEST(TradeExtremes, SurfacesHaveNoBoundAndFailuresAreNoNumbers) {
+TEST(TradeExtremes, surfaces_have_no_bound_and_failures_are_no_numbers) {
   std::mt19937_64 random(5);
   const auto soup = test::body(test::random_soup(random, 30, 0.1));
   const auto all = measure_extremes({soup, soup}, some_poses(), 1, never);

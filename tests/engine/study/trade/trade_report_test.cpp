@@ -19,7 +19,7 @@ std::string file(const std::string& name, const TradeResults& results) {
   return std::ranges::find(files, name, &StudyFile::name)->text;
 }
 
-TEST(TradeReport, TablesHaveARowForEachPoseAndSetting) {
+TEST(TradeReport, tables_have_a_row_for_each_pose_and_setting) {
   const TradeResults results = test::made_up_trade();
   const test::Csv trade(file("trade.csv", results));
   ASSERT_EQ(trade.rows.size(), 8u);
@@ -38,7 +38,7 @@ TEST(TradeReport, TablesHaveARowForEachPoseAndSetting) {
   EXPECT_EQ(summary.number(2, "p99_us"), 5);
 }
 
-TEST(TradeReport, ThePosesCanBeQueried) {
+TEST(TradeReport, the_poses_can_be_queried) {
   const TradeResults results = test::made_up_trade();
   const test::TempFolder folder;
   const auto poses = read_poses(folder.write("poses.csv", file("poses.csv", results)));
@@ -47,7 +47,7 @@ TEST(TradeReport, ThePosesCanBeQueried) {
   EXPECT_EQ(poses[2].p.z(), 0.3);
 }
 
-TEST(TradeReport, TheSummarySaysWhatTheTablesSay) {
+TEST(TradeReport, the_summary_says_what_the_tables_say) {
   const auto json = nlohmann::json::parse(file("summary.json", test::made_up_trade()));
   EXPECT_EQ(json.at("settings").size(), 4u);
   EXPECT_EQ(json.at("settings")[0].at("kind"), "static");
@@ -60,7 +60,7 @@ TEST(TradeReport, TheSummarySaysWhatTheTablesSay) {
     EXPECT_THAT(text, testing::HasSubstr(title));
 }
 
-TEST(TradeReport, OnlyTimesDependOnTimes) {
+TEST(TradeReport, only_times_depend_on_times) {
   TradeResults slow = test::made_up_trade();
   for (TradePose& pose : slow.poses)
     for (TradeRun& run : pose.runs) run.time_us *= 2;

@@ -24,7 +24,7 @@ TradeFigures figures_with(const TradeResults& results, const TradeSetting& setti
   throw std::out_of_range("no such setting");
 }
 
-TEST(TradeResults, TheReferenceIsTheLeastDepthAnythingFound) {
+TEST(TradeResults, the_reference_is_the_least_depth_anything_found) {
   TradePose pose;
   pose.long_pdg = {2, 2.2};
   pose.long_pdt = {3, 3.3};
@@ -39,7 +39,7 @@ TEST(TradeResults, TheReferenceIsTheLeastDepthAnythingFound) {
   EXPECT_TRUE(std::isnan(TradePose().spread(Method::pdg)));
 }
 
-TEST(TradeResults, FiguresOfSearchesAndBounds) {
+TEST(TradeResults, figures_of_searches_and_bounds) {
   // References 1, 1, 1, 1; searched 1, 1.02, 1.1 and one that failed.
   const TradeFigures search = figures_with(made_up_trade(), {TradeKind::search, Method::pdg, 8});
   EXPECT_EQ(search.count, 4u);
@@ -55,7 +55,7 @@ TEST(TradeResults, FiguresOfSearchesAndBounds) {
   EXPECT_EQ(bound.failed, 0u);
 }
 
-TEST(TradeResults, FiguresOfTicksAreAgainstThePathWithoutABudget) {
+TEST(TradeResults, figures_of_ticks_are_against_the_path_without_a_budget) {
   // Without a budget 0, 0, 1, 2, 4 m; with one 0, 1, 1, 2.03, 5.
   const TradeFigures f = figures_with(made_up_trade(), {TradeKind::tick, Method::pdg, 2000});
   EXPECT_EQ(f.count, 4u) << "at the first tick neither is in contact";
@@ -68,21 +68,21 @@ TEST(TradeResults, FiguresOfTicksAreAgainstThePathWithoutABudget) {
   EXPECT_EQ(whole.count, 3u);
 }
 
-TEST(TradeResults, PosesThatOnlyTouchAreLeftOut) {
+TEST(TradeResults, poses_that_only_touch_are_left_out) {
   TradeResults results = made_up_trade();
   results.radius = 2e6;  // of which the depth of 1 m is less than a millionth
   EXPECT_EQ(figures_with(results, {TradeKind::search, Method::pdg, 8}).count, 0u);
   EXPECT_TRUE(std::isnan(trade_reference(results, Method::pdg).p90));
 }
 
-TEST(TradeResults, TheSpreadOfTheReferenceIsOverPoses) {
+TEST(TradeResults, the_spread_of_the_reference_is_over_poses) {
   // 0, 0, 0 and 0.1.
   const TradeReference reference = trade_reference(made_up_trade(), Method::pdg);
   EXPECT_EQ(reference.median, 0);
   EXPECT_NEAR(reference.worst, 0.1, 1e-12);
 }
 
-TEST(TradeResults, FiguresOfExtremes) {
+TEST(TradeResults, figures_of_extremes) {
   const ExtremeFigures far = figures_of(made_up_trade().extremes[0]);
   EXPECT_EQ(far.failed, 1u);
   EXPECT_EQ(far.median, 0.25);
@@ -90,7 +90,7 @@ TEST(TradeResults, FiguresOfExtremes) {
   EXPECT_EQ(figures_of(made_up_trade().extremes[1]).worst, 0);
 }
 
-TEST(TradeResults, AreReadBackAsTheyWereWritten) {
+TEST(TradeResults, are_read_back_as_they_were_written) {
   const TradeResults made = made_up_trade();
   const StudyFolder folder = test::folder_of(made);
   const TradeResults read = read_trade("folder", folder);
@@ -98,7 +98,7 @@ TEST(TradeResults, AreReadBackAsTheyWereWritten) {
   EXPECT_EQ(test::folder_of(read).results, folder.results);
 }
 
-TEST(TradeResults, PartsThatAreMissingOrWrongAreNamed) {
+TEST(TradeResults, parts_that_are_missing_or_wrong_are_named) {
   const auto reason = [](const StudyFolder& folder) -> std::string {
     try {
       read_trade("folder", folder);

@@ -57,7 +57,7 @@ class Trade : public testing::Test {
   inline static TradeResults results_;
 };
 
-TEST_F(Trade, EverySettingIsMeasuredOnEveryPoseAndOnThePath) {
+TEST_F(Trade, every_setting_is_measured_on_every_pose_and_on_the_path) {
   ASSERT_EQ(results_.poses.size(), 2u);
   for (const TradePose& pose : results_.poses)
     for (const TradeRun& run : pose.runs) EXPECT_GT(run.time_us, 0);
@@ -65,7 +65,7 @@ TEST_F(Trade, EverySettingIsMeasuredOnEveryPoseAndOnThePath) {
   for (const TradePath& path : results_.paths) EXPECT_EQ(path.depth.size(), 30u);
 }
 
-TEST_F(Trade, TheReferenceOfTranslationsIsTheLeastOverlapOfTheExtents) {
+TEST_F(Trade, the_reference_of_translations_is_the_least_overlap_of_the_extents) {
   const double depths[] = {0.1, 0.3};
   for (std::size_t i = 0; i < 2; ++i) {
     const TradePose& pose = results_.poses[i];
@@ -76,7 +76,7 @@ TEST_F(Trade, TheReferenceOfTranslationsIsTheLeastOverlapOfTheExtents) {
   }
 }
 
-TEST_F(Trade, SearchesAreAboveTheReferenceAndBoundsBelow) {
+TEST_F(Trade, searches_are_above_the_reference_and_bounds_below) {
   for (const TradePose& pose : results_.poses)
     for (const TradeRun& run : pose.runs) {
       const double reference = pose.reference(run.setting.method);
@@ -90,7 +90,7 @@ TEST_F(Trade, SearchesAreAboveTheReferenceAndBoundsBelow) {
     }
 }
 
-TEST_F(Trade, PdtTicksHaveTheDepthOfThePress) {
+TEST_F(Trade, pdt_ticks_have_the_depth_of_the_press) {
   for (const TradePath& path : results_.paths) {
     if (path.setting.method != Method::pdt || path.setting.budget != 0) continue;
     for (std::size_t i = 0; i < path.depth.size(); ++i) {
@@ -100,11 +100,11 @@ TEST_F(Trade, PdtTicksHaveTheDepthOfThePress) {
   }
 }
 
-TEST_F(Trade, OnlyTheTimesDifferFromRunToRun) {
+TEST_F(Trade, only_the_times_differ_from_run_to_run) {
   EXPECT_EQ(texts(results_of(cubes(), 1)), texts(results_));
 }
 
-TEST_F(Trade, WithoutAPathOrASolidThereIsNothingOfThem) {
+TEST_F(Trade, without_a_path_or_a_solid_there_is_nothing_of_them) {
   TradeSetup setup = cubes();
   setup.path.clear();
   std::mt19937_64 random(5);
@@ -115,7 +115,7 @@ TEST_F(Trade, WithoutAPathOrASolidThereIsNothingOfThem) {
   for (const auto& setting : about.at("settings")) EXPECT_EQ(setting.at("kind"), "static");
 }
 
-TEST_F(Trade, StopsWhereItIsAskedTo) {
+TEST_F(Trade, stops_where_it_is_asked_to) {
   const Study study = trade_study(cubes());
   for (const StudyPart& part : study.parts)
     EXPECT_THROW(part.compute([] { return true; }), Cancelled) << part.name;

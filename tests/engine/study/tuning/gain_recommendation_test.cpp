@@ -18,7 +18,7 @@ using test::results;
 
 constexpr auto unstable = HoldFault::unstable;
 
-TEST(GainRecommendation, StabilityIsTheLeastOfAllSituationsWithItsMargin) {
+TEST(GainRecommendation, stability_is_the_least_of_all_situations_with_its_margin) {
   TuningResults r = results();
   r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
              line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
@@ -38,7 +38,7 @@ TEST(GainRecommendation, StabilityIsTheLeastOfAllSituationsWithItsMargin) {
   EXPECT_EQ(c.max_torque, 0.2);
 }
 
-TEST(GainRecommendation, WhatWasNeverUnstableHasNoBoundary) {
+TEST(GainRecommendation, what_was_never_unstable_has_no_boundary) {
   TuningResults r = results();
   r.lines = {line(0, GainAxis::object, {column(0, 50, 50, HoldFault::none)})};
   r.lines[0].columns[0].stable.fault = HoldFault::none;
@@ -49,13 +49,13 @@ TEST(GainRecommendation, WhatWasNeverUnstableHasNoBoundary) {
   EXPECT_TRUE(has_recommendation(r));
 }
 
-TEST(GainRecommendation, WhereNoStiffnessIsGoodThereIsNone) {
+TEST(GainRecommendation, where_no_stiffness_is_good_there_is_none) {
   TuningResults r = results();
   r.lines = {line(0, GainAxis::object, {column(0, 0, 0, unstable)})};
   EXPECT_FALSE(has_recommendation(r));
 }
 
-TEST(GainRecommendation, EachReasonIsNamedWhereItHolds) {
+TEST(GainRecommendation, each_reason_is_named_where_it_holds) {
   const auto reason = [](const auto& change) {
     TuningResults r = results();
     r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)})};
@@ -109,13 +109,13 @@ TuningResults classic() {
   return r;
 }
 
-TEST(GainRecommendation, TheDampingThatAllowsMostIsTaken) {
+TEST(GainRecommendation, the_damping_that_allows_most_is_taken) {
   const auto gains = recommend(classic(), GainAxis::together);
   EXPECT_DOUBLE_EQ(gains->stiffness, 600);
   EXPECT_DOUBLE_EQ(gains->damping, 5);
 }
 
-TEST(GainRecommendation, OfTheClassicCouplingItIsWhatWasHeldTogether) {
+TEST(GainRecommendation, of_the_classic_coupling_it_is_what_was_held_together) {
   const TuningResults r = classic();
   EXPECT_EQ(recommended_axes(r), std::vector{GainAxis::together});
   const Coupling c = recommended_coupling(r);
@@ -127,7 +127,7 @@ TEST(GainRecommendation, OfTheClassicCouplingItIsWhatWasHeldTogether) {
   EXPECT_GT(recommend(r, GainAxis::translation)->stiffness, c.k_t);
 }
 
-TEST(GainRecommendation, OfTheClassicCouplingTheDriversLimitsAreThoseOfBothParts) {
+TEST(GainRecommendation, of_the_classic_coupling_the_drivers_limits_are_those_of_both_parts) {
   TuningResults r = classic();
   // 1e-3 N·m/rad are felt of k_r = inertia/mass = 1e-3 N·m/rad: 1 of 1, so 0.05 at k_t = 250 N/m.
   r.device["max_rotational_stiffness"] = 0.05;
@@ -137,7 +137,7 @@ TEST(GainRecommendation, OfTheClassicCouplingTheDriversLimitsAreThoseOfBothParts
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::together)->stiffness, 100);
 }
 
-TEST(GainRecommendation, AssumedValuesAreComparedInTheirOwnSituation) {
+TEST(GainRecommendation, assumed_values_are_compared_in_their_own_situation) {
   TuningResults r = results();
   r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
              line(1, GainAxis::object, {column(0, 1500, 1500, unstable)}),
@@ -150,7 +150,7 @@ TEST(GainRecommendation, AssumedValuesAreComparedInTheirOwnSituation) {
   EXPECT_DOUBLE_EQ(recommend_as_varied(r, GainAxis::object)->stiffness, 2000);
 }
 
-TEST(GainRecommendation, AssumedValuesAreComparedAtLikeDampings) {
+TEST(GainRecommendation, assumed_values_are_compared_at_like_dampings) {
   TuningResults r = classic();
   TuningLine varied = line(0, GainAxis::together, {column(10, 300, 300, unstable)});
   varied.assumed = "mass";

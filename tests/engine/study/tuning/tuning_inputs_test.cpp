@@ -9,7 +9,7 @@
 namespace sonde {
 namespace {
 
-TEST(TuningInputs, TellApartWhatAStudyDependsOnAndNotWhereItLies) {
+TEST(TuningInputs, tell_apart_what_a_study_depends_on_and_not_where_it_lies) {
   const test::TempFolder here, there;
   for (const auto* folder : {&here, &there}) {
     folder->write("a.off", "one");

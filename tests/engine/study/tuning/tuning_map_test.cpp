@@ -18,7 +18,7 @@ using test::results;
 
 constexpr auto unstable = HoldFault::unstable;
 
-TEST(TuningMap, ClassesFromTheWorstDown) {
+TEST(TuningMap, classes_from_the_worst_down) {
   HoldReport report;
   EXPECT_EQ(class_of({100, report}, 200), MapClass::unstable);
   report.stable = report.chattering = report.saturated = true;
@@ -30,7 +30,7 @@ TEST(TuningMap, ClassesFromTheWorstDown) {
   EXPECT_EQ(class_of({300, report}, 200), MapClass::stable);
 }
 
-TEST(TuningMap, HasARowForEachRunAndAPictureForEachMode) {
+TEST(TuningMap, has_a_row_for_each_run_and_a_picture_for_each_mode) {
   TuningResults r = results();
   r.device_id = "a.device";
   r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
@@ -54,7 +54,7 @@ double width_of(const std::string& svg, const std::string& colour) {
   return std::regex_search(svg, found, cell) ? std::stod(found[1]) : 0;
 }
 
-TEST(TuningMap, CellsMeetHalfwayOnTheLogarithmicScale) {
+TEST(TuningMap, cells_meet_halfway_on_the_logarithmic_scale) {
   TuningResults r = results();
   r.mode = Coupling::Mode::classic;
   r.lines = {line(0, GainAxis::translation, {column(0, 5000, 100, unstable)})};

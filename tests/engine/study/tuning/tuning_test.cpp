@@ -47,7 +47,7 @@ std::string all_text(const std::filesystem::path& folder) {
   return out;
 }
 
-TEST(Tuning, SameBitsAtAnyThreadCountAndInShards) {
+TEST(Tuning, same_bits_at_any_thread_count_and_in_shards) {
   const TuningRequest request = boxes();
   const test::TempFolder whole, threads, shards;
   compute_parts(whole.path(), plan_tuning(request, never), {}, 1, never);
@@ -80,10 +80,10 @@ void expect_coupling(Coupling::Mode mode) {
   EXPECT_THAT(test::text_of(folder / "recommendation.json"), HasSubstr("limited_by"));
 }
 
-TEST(Tuning, WhatItRecommendsASceneCanInclude) { expect_coupling(Coupling::Mode::object); }
+TEST(Tuning, what_it_recommends_a_scene_can_include) { expect_coupling(Coupling::Mode::object); }
 TEST(Tuning, Full_of_the_classic_coupling_too) { expect_coupling(Coupling::Mode::classic); }
 
-TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
+TEST(Tuning, no_contact_is_an_error_that_says_so) {
   TuningRequest request = boxes();
   request.path = {{0, {Quat::Identity(), {0, 0, 1}}}, {1, {Quat::Identity(), {0, 0, 2}}}};
   try {
@@ -95,7 +95,7 @@ TEST(Tuning, NoContactIsAnErrorThatSaysSo) {
   EXPECT_THROW(tuning_contacts(boxes(), [] { return true; }), Cancelled);
 }
 
-TEST(Tuning, WhatIsNotStudiedIsSaid) {
+TEST(Tuning, what_is_not_studied_is_said) {
   // Boxes flat on each other: no corner, and nothing that jams.
   TuningRequest request = boxes();
   const TuningContacts contacts = tuning_contacts(request, never);
@@ -115,7 +115,7 @@ TEST(Tuning, WhatIsNotStudiedIsSaid) {
   EXPECT_THAT(about, HasSubstr(R"({"kind":"jammed","reason":"no such contact was found"})"));
 }
 
-TEST(Tuning, StiffnessBeyondAllReasonGivesAMapOfIt) {
+TEST(Tuning, stiffness_beyond_all_reason_gives_a_map_of_it) {
   TuningRequest request = boxes();
   request.device.mass.assumed = false;
   request.low = 1e11;
@@ -214,7 +214,7 @@ void expect_recommendation_holds(const TuningRequest& request, double seconds) {
   }
 }
 
-TEST(Tuning, TheRecommendedGainsHoldAndBeyondTheBoundaryTheyDoNot) {
+TEST(Tuning, the_recommended_gains_hold_and_beyond_the_boundary_they_do_not) {
   TuningRequest request = boxes();
   request.device.mass.assumed = false;
   request.ratio = 1.02;
