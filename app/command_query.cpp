@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
@@ -17,6 +18,7 @@ namespace {
 struct QueryOptions {
   BodyOptions bodies;
   SolverOptions solver;
+  AccuracyOptions accuracy;
   OutputOptions output;
   std::string poses;
 };
@@ -98,6 +100,7 @@ void note_unfinished(const std::vector<TimedSeparation>& results) {
 
 void run(const QueryOptions& options) {
   const Scene scene = scene_of(options.bodies);
+  Accuracy accuracy(options.accuracy, options.solver);
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
   inputs.emplace_back(options.poses);
   check_output(options.output, inputs);
@@ -105,13 +108,15 @@ void run(const QueryOptions& options) {
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
-  const auto results = options.solver.coherent()
-                           ? follow_all(pair, poses, options.solver, progress)
-                           : search_all(pair, poses, options.solver, progress);
-  ResultTable table{columns, {}};
+  const SolverOptions solver = accuracy.applied(options.solver, pair);
+  const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
+                                         : search_all(pair, poses, solver, progress);
+  const std::vector<Column> all_columns = accuracy.with_claims(columns);
+  ResultTable table{all_columns, {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);
     table.rows.push_back(row_of(results[i], i));
+    accuracy.append_claim(table.rows.back(), results[i].separation);
   }
   if (!options.output.quiet) note_unfinished(results);
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
@@ -129,6 +134,7 @@ Command add_query_command(CLI::App& program) {
                    "CSV px,py,pz,qw,qx,qy,qz: the probe's mesh frame in the fixed body's, metres")
       ->required();
   add_flags(*parser, options->solver, "static");
+  add_flags(*parser, options->accuracy);
   add_flags(*parser, options->output);
   return {parser, [options] { run(*options); }};
 }

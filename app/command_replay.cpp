@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct ReplayOptions {
   BodyOptions bodies;
   SolverOptions solver;
+  AccuracyOptions accuracy;
   OutputOptions output;
   std::string trajectory;
   std::string record;
@@ -76,13 +78,19 @@ struct Job {
 /// What becomes of the ticks: rows of the table, and where it is asked for a recording.
 class Results {
  public:
-  Results(const ReplayOptions& options, const Pair& pair, const Scene& scene)
-      : options_(options), scene_(scene), log_(pair.probe().mass.radius, scene.servo.rate_hz) {}
+  Results(const ReplayOptions& options, const Pair& pair, const Scene& scene,
+          const Accuracy& accuracy)
+      : options_(options),
+        scene_(scene),
+        accuracy_(accuracy),
+        columns_(accuracy.with_claims(columns)),
+        log_(pair.probe().mass.radius, scene.servo.rate_hz) {}
 
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
       failures_.emplace_back(table_.rows.size(), tick.separation);
     table_.rows.push_back(row_of(tick, scene_.servo.rate_hz));
+    accuracy_.append_claim(table_.rows.back(), tick.separation);
     if (!options_.record.empty()) log_.add(tick);
   }
 
@@ -98,7 +106,9 @@ class Results {
  private:
   const ReplayOptions& options_;
   const Scene& scene_;
-  ResultTable table_{columns, {}};
+  const Accuracy& accuracy_;
+  std::vector<Column> columns_;
+  ResultTable table_{columns_, {}};
   std::vector<std::pair<std::size_t, Separation>> failures_;
   TickLog log_;
 };
@@ -181,17 +191,20 @@ Job job_for(const ReplayOptions& options) {
 void run(const ReplayOptions& options) {
   const Job job = job_for(options);
   const Scene& scene = job.scene;
+  Accuracy accuracy(options.accuracy, options.solver);
   check_output(options.output, job.inputs);
   if (!options.record.empty()) check_output("--record", options.record, job.inputs);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
   SolverOptions solver = options.solver;
-  if (solver.budget.steps == 0) solver.budget.steps = scene.servo.budget.steps;
+  if (solver.budget.steps == 0 && !options.accuracy.turned())
+    solver.budget.steps = scene.servo.budget.steps;
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
-  Results results(options, pair, scene);
+  solver = accuracy.applied(solver, pair);
+  Results results(options, pair, scene, accuracy);
   if (solver.coherent())
     run_in_step(pair, job, solver, progress, results);
   else
@@ -214,6 +227,7 @@ Command add_replay_command(CLI::App& program) {
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");
+  add_flags(*parser, options->accuracy);
   add_flags(*parser, options->output);
   parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
       ->check(CLI::IsMember({"object", "classic"}))

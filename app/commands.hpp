@@ -6,6 +6,7 @@
 namespace sonde::app {
 
 /// Each adds its subcommand to the program's parser.
+Command add_calibrate_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_devices_command(CLI::App& program);
 Command add_info_command(CLI::App& program);

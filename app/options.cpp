@@ -69,6 +69,13 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
                   "limit on counted iterations for each pose; 0: until converged")
       ->check(check_whole)
       ->capture_default_str();
+  parser.add_flag_callback(
+      "--bound", [&options] { options.bound = true; },
+      "a certified lower bound too, also where the time is limited: it gets 0.3 of it");
+  parser
+      .add_flag_callback(
+          "--no-bound", [&options] { options.bound = false; }, "no lower bound")
+      ->excludes("--bound");
   parser.add_option("--seed", options.seed, "seed of the searches' random starts")
       ->check(check_whole)
       ->capture_default_str();

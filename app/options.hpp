@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -34,12 +35,17 @@ struct SolverOptions {
   std::string mode;  ///< "static" or "coherent"
   Budget budget;
   std::uint64_t seed = 1;
-  unsigned threads = 0;  ///< 0: as many as the machine runs at once
+  std::optional<bool> bound;  ///< wanted or not; not said: where nothing limits the time
+  unsigned threads = 0;       ///< 0: as many as the machine runs at once
 
   bool coherent() const { return mode == "coherent"; }
   Method chosen_method() const { return method == "pdt" ? Method::pdt : Method::pdg; }
   StaticOptions static_options() const {
-    return {.method = chosen_method(), .budget = budget, .seed = seed};
+    return {.method = chosen_method(),
+            .budget = budget,
+            .seed = seed,
+            .want_lower_bound = bound.value_or(true),
+            .share_for_bound = bound.value_or(false) ? 0.3 : 0};
   }
 };
 void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode);

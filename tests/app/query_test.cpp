@@ -183,5 +183,48 @@ TEST_F(Query, an_inside_out_mesh_is_turned_and_reported) {
   EXPECT_THAT(sonde(arguments + " --quiet").err, testing::Not(HasSubstr("inside out")));
 }
 
+// Reference: the depth of the first pose by hand, 0.01.
+TEST_F(Query, one_knob_gives_two_columns_more) {
+  for (const char* knob : {"--time 5ms ", "--accuracy 5% ", "--claim "}) {
+    const Csv csv = query(knob + scene);
+    EXPECT_EQ(csv.header, std::string(header) + ",within,claim") << knob;
+    EXPECT_NEAR(csv.number(0, "depth"), 0.01, 5e-4);
+    EXPECT_EQ(csv.text(1, "within"), "0") << "a free probe is free";
+    EXPECT_EQ(csv.text(1, "claim"), "certified");
+  }
+  EXPECT_EQ(query("--time 5ms " + scene).text(0, "lower_bound"), "") << "only where asked for";
+  const Csv bounded = query("--time 50ms --bound " + scene);
+  EXPECT_GT(bounded.number(0, "lower_bound"), 0);
+  EXPECT_LE(bounded.number(0, "lower_bound"), bounded.number(0, "depth"));
+  EXPECT_EQ(query("--no-bound " + scene).text(0, "lower_bound"), "");
+}
+
+TEST_F(Query, a_calibration_of_its_own_is_measured_and_used) {
+  const Outcome made = sonde("calibrate boxes.sonde.json --count 2 --out c.json");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Csv csv = query("--accuracy 20% --calibration c.json " + scene);
+  EXPECT_LE(csv.number(0, "within"), 0.2);
+}
+
+TEST_F(Query, a_knob_that_is_no_good_is_refused) {
+  const auto refused = [&](const std::string& flags, int exit_code, const std::string& why) {
+    const Outcome run = sonde("query --out r.csv " + flags + " " + scene);
+    EXPECT_EQ(run.exit_code, exit_code) << flags;
+    EXPECT_THAT(run.err, HasSubstr(why));
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.csv"));
+  };
+  for (const char* time : {"0", "0ms", "-1ms", "nan", "inf", "soon"})
+    refused(std::string("--time=") + time, 3, "--time: \"");
+  for (const char* accuracy : {"0%", "1000%", "100%", "-1%", "nan"})
+    refused(std::string("--accuracy=") + accuracy, 3, "--accuracy: \"");
+  folder.write("old.json", R"({"calibration": 0, "series": []})");
+  refused("--time 1ms --calibration old.json", 3, "old.json:1: a calibration of version 0");
+  folder.write("cut.json", R"({"calibration": 1, "series": [{"pair": "a")");
+  refused("--time 1ms --calibration cut.json", 3, "cut.json:1:");
+  refused("--time 1ms --calibration none.json", 3, "none.json");
+  refused("--time 1ms --accuracy 1%", 2, "the one follows from the other");
+  refused("--time 1ms --budget-us 100", 2, "give no other");
+}
+
 }  // namespace
 }  // namespace sonde::test

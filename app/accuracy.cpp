@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/accuracy.hpp"
+
+#include "engine/calibration/calibration_file.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
+#include "engine/text/quantity.hpp"
+
+namespace sonde::app {
+
+void add_flags(CLI::App& parser, AccuracyOptions& options) {
+  const char* group = "Time or accuracy";
+  parser
+      .add_option("--time", options.time,
+                  "time for each pose, 1ms, 800us or 0.02s: the accuracy follows")
+      ->group(group);
+  parser
+      .add_option("--accuracy", options.accuracy,
+                  "accuracy wanted of nine in ten poses, 1% or 0.01: the time follows")
+      ->group(group);
+  parser
+      .add_option("--calibration", options.calibration,
+                  "what ties the two together (sonde calibrate); without it what ships with the "
+                  "program")
+      ->group(group);
+  parser
+      .add_flag("--claim", options.claim,
+                "say how near to the true depth each result claims to be; with --time and "
+                "--accuracy it does")
+      ->group(group);
+}
+
+Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
+    : options_(options) {
+  if (!options.time.empty() && !options.accuracy.empty())
+    throw UsageError("--time and --accuracy: the one follows from the other");
+  if (options.turned() && (solver.budget.microseconds > 0 || solver.budget.steps > 0))
+    throw UsageError("--time and --accuracy are budgets: give no other");
+  if (!options.time.empty()) knob_.time = time_in(options.time, "--time");
+  if (!options.accuracy.empty()) knob_.accuracy = share_in(options.accuracy, "--accuracy");
+  options_.claim |= options.turned();
+  if (!options_.claim) return;
+  calibration_ =
+      options.calibration.empty() ? default_calibration() : read_calibration(options.calibration);
+}
+
+SolverOptions Accuracy::applied(const SolverOptions& solver, const Pair& pair) {
+  SolverOptions out = solver;
+  if (!options_.claim) return out;
+  curve_ = {AccuracyCurve(calibration_, solver.coherent() ? Answers::tick : Answers::search,
+                          solver.chosen_method(), bool(pair.sketches()))};
+  if (options_.turned()) {
+    out.budget.microseconds = budget_us(knob_, curve_[0]);
+    out.bound = solver.bound.value_or(false);
+  }
+  time_us_ = out.budget.microseconds;
+  return out;
+}
+
+std::vector<Column> Accuracy::with_claims(std::span<const Column> columns) const {
+  std::vector<Column> out(columns.begin(), columns.end());
+  if (options_.claim) out.insert(out.end(), {{"within", ""}, {"claim", ""}});
+  return out;
+}
+
+void Accuracy::append_claim(Row& row, const Separation& answer) const {
+  if (!options_.claim) return;
+  const Claim claim = claim_of(answer, time_us_, curve_[0]);
+  if (claim.by == Claim::By::nothing) return append_nothing(row, 2);
+  row.insert(row.end(),
+             {claim.within, claim.by == Claim::By::certified ? "certified" : "expected"});
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/base/error.hpp"
+#include "engine/calibration/calibration_file.hpp"
+#include "engine/study/parts/overlapping_poses.hpp"
+#include "engine/study/trade/calibrate.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct CalibrateOptions {
+  std::vector<std::string> scenes;
+  OutputOptions output;
+  std::size_t count = 12;
+  std::uint64_t seed = 1;
+};
+
+/// A scene's path where it has one, and poses in contact of it, or random ones.
+TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, ProgressLine& progress) {
+  TradeSetup setup{.pair = load_bodies(scene, options.output.quiet, progress)};
+  setup.scene = scene.name;
+  setup.seed = options.seed;
+  const Body &probe = setup.pair.probe(), &fixed = setup.pair.fixed();
+  const Stop stop = stop_on_interrupt();
+  if (scene.trajectory) {
+    setup.path = path_to_study(*scene.trajectory);
+    std::vector<Pose> all;
+    for (const TimedPose& at : setup.path) all.push_back(at.pose);
+    setup.poses = overlapping_poses(probe, fixed, all, options.count, stop);
+  } else {
+    setup.poses = random_overlapping_poses(probe, fixed, options.count, options.seed, stop);
+  }
+  if (setup.poses.empty())
+    throw InputError::in(scene.file.string(), "the probe overlaps the fixed body at no pose of it");
+  return setup;
+}
+
+void run(const CalibrateOptions& options) {
+  std::vector<Scene> scenes;
+  std::vector<std::filesystem::path> inputs;
+  for (const std::string& file : options.scenes) {
+    scenes.push_back(read_scene(file));
+    for (const auto& input : inputs_of(scenes.back())) inputs.push_back(input);
+  }
+  check_output(options.output, inputs);
+  ProgressLine progress(options.output.quiet);
+  Calibration all;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const TradeSetup setup = setup_of(scenes[i], options, progress);
+    progress.show("measuring", i, scenes.size());
+    for (CalibrationSeries& series : calibrate(setup, stop_on_interrupt()).series)
+      all.series.push_back(std::move(series));
+  }
+  progress.clear();
+  write_result(options.output, to_json(all));
+}
+
+}  // namespace
+
+Command add_calibrate_command(CLI::App& program) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "calibrate", "Measures here which accuracy which time gives, for --calibration");
+  parser->add_option("SCENE", options->scenes, "scene files, NAME.sonde.json")->required();
+  parser
+      ->add_option("--count", options->count,
+                   "poses of each scene to search at, of its path or random ones")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
+      ->capture_default_str();
+  parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")
+      ->check(check_whole)
+      ->capture_default_str();
+  parser
+      ->add_option("--out", options->output.out,
+                   "file to write, whole or not at all; -: standard output")
+      ->capture_default_str();
+  parser->add_flag("--quiet", options->output.quiet, "no progress and no notes on stderr");
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app
