@@ -112,7 +112,7 @@ fs::path find_vendor_library(const VendorLibraryName& name, std::span<const char
   }
   for (const char* folder : folders)
     for (const char* file : name.files)
-      if (const fs::path path = fs::path(folder) / file; path.is_absolute() && is_file(path))
+      if (fs::path path = fs::path(folder) / file; path.is_absolute() && is_file(path))
         return path;
   return {};
 }
