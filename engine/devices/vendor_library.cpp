@@ -112,8 +112,7 @@ fs::path find_vendor_library(const VendorLibraryName& name, std::span<const char
   }
   for (const char* folder : folders)
     for (const char* file : name.files)
-      if (fs::path path = fs::path(folder) / file; path.is_absolute() && is_file(path))
-        return path;
+      if (fs::path path = fs::path(folder) / file; path.is_absolute() && is_file(path)) return path;
   return {};
 }
 
