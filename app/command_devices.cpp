@@ -25,23 +25,45 @@ std::string id_text(const HidInfo& info) {
 std::string capabilities_text(const DeviceCapabilities& can) {
   const auto number = [](double value) { return number_text(value, 4); };
   std::string text = can.position ? "position" : "deflection";
-  if (can.force)
-    text += ", force to " + number(can.max_force) + " N and " + number(can.max_torque) + " N·m";
+  const std::string torque =
+      can.max_torque > 0 ? " and " + number(can.max_torque) + " N·m" : ", no torque";
+  if (can.force) text += ", force to " + number(can.max_force) + " N" + torque;
   if (can.rate_hz > 0) text += ", " + number(can.rate_hz) + " Hz";
   if (can.buttons > 0) text += ", " + std::to_string(can.buttons) + " buttons";
   return text + (can.led ? ", light" : "");
 }
 
-std::string to_text(const std::vector<DeviceListing>& devices) {
-  if (devices.empty()) return "no 6-DoF device is connected\n";
-  std::string text;
+const char* json_name_of(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::space_mouse:
+      return "space_mouse";
+    case DeviceKind::force_device:
+      return "force_device";
+    case DeviceKind::arm:
+      return "force_arm";
+  }
+  return "";
+}
+
+std::string to_text(const VendorLibraryListing& library) {
+  const std::string head = library.name + " (" + library.maker + "): ";
+  if (!library.usable) return head + library.reason + '\n';
+  const std::string version = library.version.empty() ? "of no told version" : library.version;
+  return head + version + ", " + library.path + '\n';
+}
+
+std::string to_text(const std::vector<DeviceListing>& devices,
+                    const std::vector<VendorLibraryListing>& libraries) {
+  std::string text = devices.empty() ? "no 6-DoF device is connected\n" : "";
   for (const DeviceListing& device : devices) {
-    text += device.info.path + "  " + id_text(device.info) + "  " + name_of(device.info) + " (" +
+    text += device.info.path + "  " + id_text(device.info) + "  " + device.name + " (" +
             name_of(device.kind) + ")\n";
     text += device.opens ? "  opens: " + capabilities_text(device.capabilities) + '\n'
                          : "  does not open: " + device.reason + '\n';
     if (!device.note.empty()) text += "  note: " + device.note + '\n';
   }
+  text += "\nmakers' libraries for force arms\n";
+  for (const VendorLibraryListing& library : libraries) text += "  " + to_text(library);
   return text;
 }
 
@@ -61,7 +83,17 @@ Json json_of(const DeviceCapabilities& can) {
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-std::string to_json(const std::vector<DeviceListing>& devices) {
+Json json_of(const VendorLibraryListing& library) {
+  return {{"name", library.name},
+          {"maker", library.maker},
+          {"usable", library.usable},
+          {"path", text_or_null(library.path)},
+          {"version", text_or_null(library.version)},
+          {"reason", text_or_null(library.reason)}};
+}
+
+std::string to_json(const std::vector<DeviceListing>& devices,
+                    const std::vector<VendorLibraryListing>& libraries) {
   Json json;
   json["units"] = {{"max_force", "N"},
                    {"max_torque", "N*m"},
@@ -73,15 +105,18 @@ std::string to_json(const std::vector<DeviceListing>& devices) {
     Json one;
     one["path"] = device.info.path;
     one["id"] = id_text(device.info);
-    one["name"] = name_of(device.info);
+    one["name"] = device.name;
     one["serial"] = text_or_null(device.info.serial);
-    one["kind"] = device.kind == DeviceKind::force_device ? "force_device" : "space_mouse";
+    one["kind"] = json_name_of(device.kind);
     one["opens"] = device.opens;
     one["reason"] = text_or_null(device.reason);
     one["note"] = text_or_null(device.note);
     one["capabilities"] = device.opens ? json_of(device.capabilities) : Json();
     json["devices"].push_back(one);
   }
+  json["libraries"] = Json::array();
+  for (const VendorLibraryListing& library : libraries)
+    json["libraries"].push_back(json_of(library));
   // What a device says of itself may be no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -89,7 +124,8 @@ std::string to_json(const std::vector<DeviceListing>& devices) {
 void run(const OutputOptions& options) {
   check_output(options, {});
   const std::vector<DeviceListing> devices = list_devices();
-  write_result(options, options.json ? to_json(devices) : to_text(devices));
+  const std::vector<VendorLibraryListing> libraries = list_vendor_libraries();
+  write_result(options, options.json ? to_json(devices, libraries) : to_text(devices, libraries));
 }
 
 }  // namespace

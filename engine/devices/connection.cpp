@@ -30,10 +30,13 @@ SpaceMouse space_mouse_on(const HidDevice& hid, const HidInfo& info) {
 }
 
 DeviceListing listing_of(const HidInfo& info, DeviceKind kind) {
-  DeviceListing listing{.info = info, .kind = kind};
+  DeviceListing listing{.info = info, .kind = kind, .name = name_of(info)};
   try {
-    listing.capabilities = connect(info).capabilities();
+    const Connection connection = connect(info);
+    listing.capabilities = connection.capabilities();
     listing.opens = true;
+    if (const auto* arm = std::get_if<ForceArm>(&connection.driver))
+      listing.name = arm->identity().name;
     listing.note = other_owner(info.path);
   } catch (const InputError& error) {
     listing.reason = error.what();
@@ -44,10 +47,19 @@ DeviceListing listing_of(const HidInfo& info, DeviceKind kind) {
 }  // namespace
 
 const char* name_of(DeviceKind kind) {
-  return kind == DeviceKind::space_mouse ? "six-axis puck" : "force device";
+  switch (kind) {
+    case DeviceKind::space_mouse:
+      return "six-axis puck";
+    case DeviceKind::force_device:
+      return "force device";
+    case DeviceKind::arm:
+      return "force arm";
+  }
+  return "";
 }
 
 std::optional<DeviceKind> kind_of(const HidInfo& info) {
+  if (is_arm_path(info.path)) return DeviceKind::arm;
   if (info.has(force_protocol::usage)) return DeviceKind::force_device;
   if (is_plain_3dconnexion(info.vendor, info.product)) return {};
   if (info.has(multi_axis_controller)) return DeviceKind::space_mouse;
@@ -69,6 +81,7 @@ const DeviceCapabilities& Connection::capabilities() const {
 }
 
 Connection connect(const HidInfo& info) {
+  if (is_arm_path(info.path)) return {.hid = {}, .driver = ForceArm(info.path)};
   try {
     HidDevice hid(info.path);
     if (kind_of(info) == DeviceKind::force_device) {
@@ -86,7 +99,9 @@ Connection connect(const HidInfo& info) {
 
 std::vector<ConnectedDevice> connected_devices() {
   std::vector<ConnectedDevice> connected;
-  for (const HidInfo& info : list_hid())
+  std::vector<HidInfo> all = list_hid();
+  for (HidInfo& arm : list_arms()) all.push_back(std::move(arm));
+  for (const HidInfo& info : all)
     if (const auto kind = kind_of(info)) connected.push_back({info, *kind});
   return connected;
 }

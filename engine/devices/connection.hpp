@@ -6,13 +6,14 @@
 #include <variant>
 #include <vector>
 
+#include "engine/devices/force_arm.hpp"
 #include "engine/devices/force_device.hpp"
 #include "engine/devices/hid_device.hpp"
 #include "engine/devices/space_mouse.hpp"
 
 namespace sonde {
 
-enum class DeviceKind { space_mouse, force_device };
+enum class DeviceKind { space_mouse, force_device, arm };
 const char* name_of(DeviceKind kind);
 
 /// What the interface is, by its ids and usages; none where it is not a 6-DoF device, or is another
@@ -24,8 +25,8 @@ std::string name_of(const HidInfo& info);
 
 /// An open device, and what understands it.
 struct Connection {
-  HidDevice hid;
-  std::variant<SpaceMouse, ForceDevice> driver;
+  std::optional<HidDevice> hid;  ///< none of an arm
+  std::variant<SpaceMouse, ForceDevice, ForceArm> driver;
 
   const DeviceCapabilities& capabilities() const;
 };
@@ -47,6 +48,7 @@ struct DeviceListing {
   HidInfo info;
   DeviceKind kind = DeviceKind::space_mouse;
   bool opens = false;
+  std::string name{};                 ///< as it calls itself, which an arm may do only when open
   std::string reason{};               ///< why it does not open
   std::string note{};                 ///< who else may hold it
   DeviceCapabilities capabilities{};  ///< of one that opens

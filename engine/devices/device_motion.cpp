@@ -82,6 +82,7 @@ DeviceTraits DeviceMotion::traits() const noexcept {
   const WorkspaceMap::Ratios ratios = map_.largest_ratios();
   return {
       .ratio = ratios.translation,
+      .turn_ratio = ratios.rotation,
       .max_damping = bearable_damping / (ratios.translation * ratios.translation),
       .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation)};
 }

@@ -70,22 +70,25 @@ std::string ForceDevice::does_not_follow(const PoseReport& report) const {
 
 Heard ForceDevice::accept(std::span<const std::uint8_t> bytes, DeviceClock::time_point now,
                           DeviceSample& sample) {
-  std::optional<PoseReport> report = force_protocol::decode_pose(bytes);
+  const std::optional<PoseReport> report = force_protocol::decode_pose(bytes);
   if (!report) return refuse("it sent a report that is no pose report", sample);
-  if (last_ && report->sequence == last_->sequence)
-    return Heard::nothing;  // silence, if it goes on
-  if (report->fault) return refuse("it reports a fault of its own", sample);
-  if (!report->valid) return refuse("it does not know its pose yet", sample);
-  if (const std::string reason = implausible(*report); !reason.empty())
+  return accept(*report, now, sample);
+}
+
+Heard ForceDevice::accept(PoseReport report, DeviceClock::time_point now, DeviceSample& sample) {
+  if (last_ && report.sequence == last_->sequence) return Heard::nothing;  // silence, if it goes on
+  if (report.fault) return refuse("it reports a fault of its own", sample);
+  if (!report.valid) return refuse("it does not know its pose yet", sample);
+  if (const std::string reason = implausible(report); !reason.empty())
     return refuse(reason, sample);
   if (last_ && now - last_heard_ > stale_after_) {
     last_.reset();
     in_a_row_ = 0;
     sample.state = DeviceState::silent;
   }
-  const std::string jump = last_ ? does_not_follow(*report) : "";
+  const std::string jump = last_ ? does_not_follow(report) : "";
   if (last_ && jump.empty())
-    lost_ += static_cast<std::uint16_t>(report->sequence - last_->sequence - 1);
+    lost_ += static_cast<std::uint16_t>(report.sequence - last_->sequence - 1);
   last_ = report;
   last_heard_ = now;
   if (!jump.empty()) return refuse(jump, sample);
@@ -96,8 +99,8 @@ Heard ForceDevice::accept(std::span<const std::uint8_t> bytes, DeviceClock::time
   sample.position = true;
   sample.time = now;
   sample.stale_after = stale_after_;
-  sample.buttons = report->buttons;
-  sample.X_BH = report->X_BH;
+  sample.buttons = report.buttons;
+  sample.X_BH = report.X_BH;
   ++sample.count;
   return Heard::sample;
 }

@@ -31,6 +31,11 @@ class ForceDevice {
   /// One report as it was read.
   Heard accept(std::span<const std::uint8_t> report, DeviceClock::time_point now,
                DeviceSample& sample);
+  /// The same of one that was decoded, or that came some other way than by HID.
+  Heard accept(force_protocol::PoseReport report, DeviceClock::time_point now,
+               DeviceSample& sample);
+  /// What is heard cannot be used: faulty from now on, for this reason.
+  Heard refuse(const std::string& complaint, DeviceSample& sample);
   /// Why the last report was refused.
   const std::string& complaint() const { return complaint_; }
   std::uint64_t lost() const { return lost_; }  ///< reports the sequence says are missing
@@ -40,7 +45,6 @@ class ForceDevice {
       const DeviceWrench& wrench, bool on);
 
  private:
-  Heard refuse(const std::string& complaint, DeviceSample& sample);
   /// Empty where the pose can be true by itself, and then normalised.
   std::string implausible(force_protocol::PoseReport& report) const;
   /// Empty where it can follow the last.

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -64,10 +65,12 @@ struct InputDevice::State {
   std::optional<Connection> find();
   void serve(Connection& connection);
   bool hear(Connection& connection, std::chrono::milliseconds wait);
+  bool hear(ForceArm& arm);
   bool answer(Connection& connection);
   bool switch_led(Connection& connection);
   void take(Connection& connection, std::span<const std::uint8_t> report);
   void publish(DeviceState state, const std::string& reason);
+  void publish_heard();
   void publish_status() { statuses.write(status); }
   bool should_stop() const { return stopping.load(std::memory_order_relaxed); }
   void rest();
@@ -79,6 +82,7 @@ struct InputDevice::State {
   DeviceSample sample;
   std::array<std::uint8_t, longest_report> buffer{};
   std::string complaint;
+  std::string farewell;  ///< why an arm has gone, by its library's word
   bool was_ready = false;
   DeviceStatus status;
   std::optional<bool> led_shown;
@@ -117,8 +121,9 @@ void InputDevice::State::publish(DeviceState state, const std::string& reason) {
 }
 
 std::vector<HidInfo> InputDevice::State::fitting() const {
-  std::vector<HidInfo> all = list_hid();
-  std::erase_if(all, [&](const HidInfo& info) { return !kind_of(info) || !fits(choice, info); });
+  std::vector<HidInfo> all;
+  for (ConnectedDevice& device : connected_devices())
+    if (fits(choice, device.info)) all.push_back(std::move(device.info));
   return all;
 }
 
@@ -160,7 +165,8 @@ std::optional<Connection> InputDevice::State::find() {
       Connection connection = connect(info);
       if (!choice.path.empty()) choice.path = info.path;
       know_others(all);
-      status.name = name_of(info);
+      const auto* arm = std::get_if<ForceArm>(&connection.driver);
+      status.name = arm ? arm->identity().name : name_of(info);
       status.path = info.path;
       status.capabilities = connection.capabilities();
       status.scheduling = "";
@@ -198,23 +204,45 @@ void InputDevice::State::serve(Connection& connection) {
   bool there = true;
   while (there && !should_stop())
     there = switch_led(connection) && hear(connection, wait) && answer(connection);
-  if (!there) return publish(DeviceState::absent, "it was unplugged, or stopped answering");
+  if (!there)
+    return publish(DeviceState::absent, farewell.empty() ? "it was unplugged, or stopped answering"
+                                                         : std::exchange(farewell, ""));
   publish(DeviceState::absent, "closed");
   if (auto* force = std::get_if<ForceDevice>(&connection.driver))
-    connection.hid.write(force->wrench_report({}, false));
+    connection.hid->write(force->wrench_report({}, false));
 }
 
 /// Takes all that has arrived, so that the newest counts; false where the device is gone.
 bool InputDevice::State::hear(Connection& connection, std::chrono::milliseconds wait) {
+  if (auto* arm = std::get_if<ForceArm>(&connection.driver)) return hear(*arm);
   for (int i = 0; i < most_at_once; ++i) {
-    const auto report = connection.hid.read(buffer, i == 0 ? wait : 0ms);
+    const auto report = connection.hid->read(buffer, i == 0 ? wait : 0ms);
     if (!report) return false;
     if (report->empty()) break;
     take(connection, *report);
   }
+  publish_heard();
+  return true;
+}
+
+/// The sample as it counts now, and what there is to say of it.
+void InputDevice::State::publish_heard() {
   const DeviceState now = aged(sample, DeviceClock::now()).state;
   const bool silent = now == DeviceState::silent;
   publish(now, now == DeviceState::ready ? "" : silent ? silence(sample) : complaint);
+}
+
+/// The library waits for the next pose by itself; false where the arm is gone.
+bool InputDevice::State::hear(ForceArm& arm) {
+  const std::optional<Heard> heard = arm.hear(sample);
+  if (!heard) farewell = arm.complaint();
+  if (!heard) return false;
+  if (*heard == Heard::refused) {
+    ++status.refused;
+    complaint = arm.complaint();
+  }
+  if (*heard != Heard::nothing) ++status.reports;
+  publish_heard();
   return true;
 }
 
@@ -222,9 +250,13 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
   const auto now = DeviceClock::now();
   const Heard heard = std::visit(
       [&](auto& driver) {
-        const Heard result = driver.accept(report, now, sample);
-        if (result == Heard::refused) complaint = driver.complaint();
-        return result;
+        if constexpr (std::is_same_v<std::decay_t<decltype(driver)>, ForceArm>) {
+          return Heard::nothing;  // it sends no reports
+        } else {
+          const Heard result = driver.accept(report, now, sample);
+          if (result == Heard::refused) complaint = driver.complaint();
+          return result;
+        }
       },
       connection.driver);
   const auto* force = std::get_if<ForceDevice>(&connection.driver);
@@ -237,12 +269,14 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
 /// The wrench goes out; false where the device does not take it.
 bool InputDevice::State::answer(Connection& connection) {
   auto* force = std::get_if<ForceDevice>(&connection.driver);
-  if (!force) return true;
+  auto* arm = std::get_if<ForceArm>(&connection.driver);
+  if (!force && !arm) return true;
   wrenches.update();
   const WantedWrench& wanted = wrenches.front();
   const bool fresh = DeviceClock::now() - wanted.time < wrench_lasts;
   const bool on = fresh && sample.state == DeviceState::ready;
-  return connection.hid.write(force->wrench_report(wanted.wrench, on));
+  if (arm) return arm->write(wanted.wrench, on);
+  return connection.hid->write(force->wrench_report(wanted.wrench, on));
 }
 
 /// Only a light that was ever asked for is touched.
@@ -252,7 +286,7 @@ bool InputDevice::State::switch_led(Connection& connection) {
   if (!mouse || wanted == led_shown.value_or(false)) return true;
   led_shown = wanted;
   const auto report = mouse->led_report(wanted);
-  if (!report.empty()) connection.hid.write(report);  // a light that fails is no reason to close
+  if (!report.empty()) connection.hid->write(report);  // a light that fails is no reason to close
   return true;
 }
 

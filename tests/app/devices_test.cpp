@@ -57,7 +57,7 @@ const char* const size_of_descriptor = "@DEV /dev/hidraw7\nHIDIOCGRDESCSIZE 0 71
 TEST_F(Devices, nothing_connected_is_no_error) {
   const Outcome run = devices(folder, "", "", "");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.out, "no 6-DoF device is connected\n");
+  EXPECT_THAT(run.out, testing::StartsWith("no 6-DoF device is connected\n"));
   EXPECT_EQ(json::parse(devices(folder, "", "", "--json").out).at("devices"), json::array());
 }
 
@@ -89,6 +89,36 @@ TEST_F(Devices, one_that_does_not_open_is_listed_with_the_reason) {
   EXPECT_EQ(device.at("opens"), false);
   EXPECT_THAT(device.at("reason").get<std::string>(), HasSubstr("/dev/hidraw7: "));
   EXPECT_EQ(device.at("capabilities"), nullptr);
+}
+
+TEST_F(Devices, a_makers_library_that_is_missing_says_how_to_get_it) {
+  const Outcome text = devices(folder, "", "", "");
+  EXPECT_THAT(text.out, HasSubstr("libdhd (Force Dimension): not installed; install libdhd from"));
+  EXPECT_THAT(text.out, HasSubstr("SONDE_LIBHD"));
+  const json all = json::parse(devices(folder, "", "", "--json").out).at("libraries");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].at("name"), "libdhd");
+  EXPECT_EQ(all[0].at("usable"), false);
+  EXPECT_EQ(all[0].at("version"), nullptr);
+  EXPECT_THAT(all[0].at("reason").get<std::string>(), HasSubstr("forcedimension.com"));
+}
+
+TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
+  ::setenv("SONDE_LIBDHD", STANDIN_DHD, 1);
+  const Outcome text = devices(folder, "", "", "");
+  const json all = json::parse(devices(folder, "", "", "--json").out);
+  ::setenv("SONDE_LIBDHD", "relative.so", 1);
+  const Outcome bad = devices(folder, "", "", "");
+  ::unsetenv("SONDE_LIBDHD");
+  EXPECT_THAT(text.out,
+              HasSubstr("libdhd/0  1451:0000  sigma.7 right-handed (force arm)\n  opens: position, "
+                        "force to 12 N and 0.2 N·m, 1000 Hz, 1 buttons\n"));
+  EXPECT_THAT(text.out, HasSubstr("libdhd (Force Dimension): 3.14.1.0, " STANDIN_DHD "\n"));
+  EXPECT_EQ(all.at("devices").at(0).at("kind"), "force_arm");
+  EXPECT_EQ(all.at("devices").at(0).at("serial"), "4000");
+  EXPECT_EQ(all.at("libraries").at(0).at("version"), "3.14.1.0");
+  EXPECT_EQ(bad.exit_code, 0);
+  EXPECT_THAT(bad.out, HasSubstr("relative.so: the environment variable SONDE_LIBDHD must hold"));
 }
 
 TEST_F(Devices, it_takes_no_arguments_and_writes_where_it_is_told) {

@@ -36,9 +36,13 @@ QString with_unit(double value, const char* unit) { return number(value) + ' ' +
 QString capabilities(const DeviceCapabilities& can) {
   QStringList parts{can.position ? QStringLiteral("tells positions")
                                  : QStringLiteral("tells deflections")};
-  parts << (can.force ? QStringLiteral("force to %1 and %2")
-                            .arg(with_unit(can.max_force, "N"), with_unit(can.max_torque, "N·m"))
-                      : QStringLiteral("no force"));
+  const QString force = QStringLiteral("force to ") + with_unit(can.max_force, "N");
+  if (!can.force)
+    parts << QStringLiteral("no force");
+  else if (can.max_torque > 0)
+    parts << force + QStringLiteral(" and ") + with_unit(can.max_torque, "N·m");
+  else
+    parts << force << QStringLiteral("no torque: what the coupling asks for is shown, not felt");
   if (can.buttons > 0) parts << QStringLiteral("%1 buttons").arg(can.buttons);
   return parts.join(QStringLiteral(", "));
 }

@@ -15,6 +15,7 @@ struct DeviceTraits {
   double delay = 0;    ///< s, from command to motors
   /// Of the probe's way to the hand's, at most; 0: no hand that can be thrown.
   double ratio = 1;
+  double turn_ratio = 1;  ///< the same of its turn
   // The most virtual damping that its driver bears; 0: not known.
   double max_damping = 0;             ///< N·s/m
   double max_rotational_damping = 0;  ///< N·m·s/rad

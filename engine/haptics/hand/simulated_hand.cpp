@@ -57,6 +57,7 @@ HandSample SimulatedHand::sample() noexcept {
   begun_ = true;
   // The power is the same at both ends: b v² with velocities `scaling` times greater at the probe.
   DeviceTraits at_probe = traits_;
+  at_probe.turn_ratio = 0;
   at_probe.ratio = 0;  // it goes wherever the mouse points, as fast as that
   at_probe.damping /= scaling_ * scaling_;
   at_probe.max_damping /= scaling_ * scaling_;

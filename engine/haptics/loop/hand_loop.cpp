@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/geometry/rotation.hpp"
 #include "engine/penetration/descent/result.hpp"
 
 namespace sonde {
@@ -17,7 +18,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       force_error_(settings.safety.force_error),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
-      runaway_(settings.safety.runaway_speed),
+      runaway_(settings.safety.runaway_speed, settings.safety.runaway_turn),
       gate_(settings.safety) {
   set_rate(settings.rate_hz);
 }
@@ -71,14 +72,18 @@ Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) co
 /// device can be thrown.
 void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
-  const Vec3 before = X_FM_ * mass_.com;
+  const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
   if (!sample.device) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
   const Wrench& acted = out_.wrench;
   const bool pushed = !acted.force.isZero(0) || !acted.torque.isZero(0);
-  if (sample.device->ratio > 0)
-    runaway_.observe((X_FM_ * mass_.com - before) / sample.device->ratio, dt, pushed);
+  const auto of_hand = [](const Vec3& of_probe, double ratio) {
+    return ratio > 0 ? Vec3(of_probe / ratio) : Vec3(Vec3::Zero());
+  };
+  const Vec3 turn = rotation_vector(X_FM_.q * before.q.conjugate());
+  runaway_.observe(of_hand(X_FM_ * mass_.com - before * mass_.com, sample.device->ratio),
+                   of_hand(turn, sample.device->turn_ratio), dt, pushed);
 }
 
 void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {

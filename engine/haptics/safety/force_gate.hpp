@@ -33,6 +33,8 @@ struct SafetySettings {
   double force_error = 0.3;
   double fade_time = 0.05;   ///< s, for the whole force to go where it may be off by more
   double runaway_speed = 2;  ///< m/s of the hand under a force, see Runaway; 0: no limit
+  /// rad/s of the hand under a wrench; 0: no limit. Chosen, not measured: five turns a second.
+  double runaway_turn = 30;
 };
 
 /// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and

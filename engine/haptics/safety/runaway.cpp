@@ -19,18 +19,28 @@ void Runaway::restart() noexcept {
 
 void Runaway::lose_track() noexcept {
   velocity_ = Vec3::Zero();
+  spin_ = Vec3::Zero();
   unpushed_ = just_after;
 }
 
-void Runaway::observe(const Vec3& way, double dt, bool pushed) noexcept {
-  if (!(dt > 0) || !way.allFinite()) return;
-  velocity_ += (1 - std::exp(-dt / averaged_over)) * (way / dt - velocity_);
+bool Runaway::too_fast() const noexcept {
+  return (fastest_ > 0 && velocity_.norm() > fastest_) ||
+         (fastest_turn_ > 0 && spin_.norm() > fastest_turn_);
+}
+
+void Runaway::observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept {
+  if (!(dt > 0) || !way.allFinite() || !turn.allFinite()) return;
+  const double share = 1 - std::exp(-dt / averaged_over);
+  velocity_ += share * (way / dt - velocity_);
+  spin_ += share * (turn / dt - spin_);
   unpushed_ = pushed ? 0 : unpushed_ + dt;
-  if (fastest_ > 0 && unpushed_ < just_after && velocity_.norm() > fastest_) seen_ = true;
+  if (unpushed_ < just_after && too_fast()) seen_ = true;
 }
 
 void Runaway::release() noexcept {
-  if (velocity_.norm() < 0.5 * fastest_) seen_ = false;
+  const bool slow = fastest_ <= 0 || velocity_.norm() < 0.5 * fastest_;
+  const bool turns_slowly = fastest_turn_ <= 0 || spin_.norm() < 0.5 * fastest_turn_;
+  if (slow && turns_slowly) seen_ = false;
 }
 
 }  // namespace sonde

@@ -286,6 +286,38 @@ TEST(HandLoop, a_thrown_hand_that_is_not_to_be_trusted_for_a_tick_still_gets_not
   }
 }
 
+/// Pressed into the block, it spins about the block's normal through its own centre of mass, which
+/// so stands still.
+const HandTick& spin_hand(Bench& bench, const DeviceTraits& traits, double speed) {
+  const Vec3& com = bench.probe->mass.com;
+  const Vec3 there = at_depth(0.002) * com;
+  for (int i = 0; i < 60; ++i) {
+    Pose X = at_depth(0.002);
+    X.q = (Quat(Eigen::AngleAxisd(speed * dt * i, Vec3::UnitZ())) * X.q).normalized();
+    X.p = there - X.q * com;
+    bench.tick({.X_FM = X, .changed = i == 0, .device = traits});
+  }
+  return bench.loop.last();
+}
+
+TEST(HandLoop, a_hand_that_is_thrown_into_a_turn_gets_nothing) {
+  const DeviceTraits device{.damping = 1};
+  Bench slow;
+  slow.settle(0.002, 10);
+  EXPECT_NE(spin_hand(slow, device, 15).hand.withheld, Withheld::diverged);
+  Bench fast;
+  fast.settle(0.002, 10);
+  const HandTick& thrown = spin_hand(fast, device, 60);
+  EXPECT_EQ(thrown.hand.withheld, Withheld::diverged);
+  EXPECT_EQ(thrown.wrench.force, Vec3::Zero());
+  EXPECT_EQ(thrown.wrench.torque, Vec3::Zero());
+  DeviceTraits geared = device;
+  geared.turn_ratio = 5;  // the probe turns five times as far as the hand
+  Bench scaled;
+  scaled.settle(0.002, 10);
+  EXPECT_NE(spin_hand(scaled, geared, 60).hand.withheld, Withheld::diverged);
+}
+
 struct Pressed {
   int diverged = 0;   ///< ticks
   double swings = 0;  ///< m, the way of the probe in the last second

@@ -16,7 +16,8 @@ struct RunawayTest : testing::Test {
   Runaway runaway{2};
   /// Straight on at a speed (m/s) for some ticks.
   void go(double speed, int ticks, bool pushed) {
-    for (int i = 0; i < ticks; ++i) runaway.observe(speed * dt * Vec3::UnitX(), dt, pushed);
+    for (int i = 0; i < ticks; ++i)
+      runaway.observe(speed * dt * Vec3::UnitX(), Vec3::Zero(), dt, pushed);
   }
 };
 
@@ -54,7 +55,7 @@ TEST_F(RunawayTest, a_buzz_is_none) {
   Vec3 before = Vec3::Zero();
   for (int i = 1; i < 1000; ++i) {
     const Vec3 here(0.005 * std::sin(2 * std::numbers::pi * 100 * dt * i), 0, 0);
-    runaway.observe(here - before, dt, true);
+    runaway.observe(here - before, Vec3::Zero(), dt, true);
     before = here;
     ASSERT_FALSE(runaway.seen()) << i;
   }
@@ -62,17 +63,50 @@ TEST_F(RunawayTest, a_buzz_is_none) {
 
 TEST_F(RunawayTest, a_slow_device_that_steps_every_eighth_tick_is_as_fast_as_it_is) {
   for (int i = 0; i < 1000; ++i)
-    runaway.observe(i % 8 == 0 ? Vec3(0.008, 0, 0) : Vec3::Zero(), dt, true);  // 1 m/s
+    runaway.observe(i % 8 == 0 ? Vec3(0.008, 0, 0) : Vec3::Zero(), Vec3::Zero(), dt,
+                    true);  // 1 m/s
   EXPECT_FALSE(runaway.seen());
 }
 
 TEST_F(RunawayTest, without_time_a_number_or_a_limit_nothing_is_seen) {
-  runaway.observe(Vec3(1, 0, 0), 0, true);
-  runaway.observe(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), dt, true);
+  runaway.observe(Vec3(1, 0, 0), Vec3::Zero(), 0, true);
+  runaway.observe(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), Vec3::Zero(), dt, true);
   EXPECT_FALSE(runaway.seen());
   Runaway unlimited(0);
-  for (int i = 0; i < 100; ++i) unlimited.observe(Vec3(1, 0, 0), dt, true);
+  for (int i = 0; i < 100; ++i) unlimited.observe(Vec3(1, 0, 0), Vec3(1, 0, 0), dt, true);
   EXPECT_FALSE(unlimited.seen());
+}
+
+TEST_F(RunawayTest, a_hand_that_is_turned_too_fast_by_a_torque_is_seen_until_it_is_slow_and_free) {
+  Runaway turned(2, 30);
+  const auto turn = [&](double speed, int ticks, bool pushed) {
+    for (int i = 0; i < ticks; ++i)
+      turned.observe(Vec3::Zero(), speed * dt * Vec3::UnitZ(), dt, pushed);
+  };
+  turn(100, 1000, false);
+  EXPECT_FALSE(turned.seen()) << "freely it turns as fast as it likes";
+  turned.restart();
+  turn(29.9, 1000, true);
+  EXPECT_FALSE(turned.seen());
+  turn(45, 30, true);
+  EXPECT_TRUE(turned.seen());
+  turned.release();
+  EXPECT_TRUE(turned.seen()) << "free, and fast still";
+  turn(0, 100, false);
+  turned.release();
+  EXPECT_FALSE(turned.seen());
+}
+
+// 0.2 rad to and fro at 100 Hz: 125 rad/s at its fastest, and nowhere in the mean.
+TEST_F(RunawayTest, a_buzz_in_turning_is_none) {
+  Runaway turned(2, 30);
+  double before = 0;
+  for (int i = 1; i < 1000; ++i) {
+    const double here = 0.2 * std::sin(2 * std::numbers::pi * 100 * dt * i);
+    turned.observe(Vec3::Zero(), Vec3(0, here - before, 0), dt, true);
+    before = here;
+    ASSERT_FALSE(turned.seen()) << i;
+  }
 }
 
 }  // namespace

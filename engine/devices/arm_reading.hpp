@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/LU>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/devices/device_sample.hpp"
+
+namespace sonde {
+
+/// What a maker's library says of an arm, once asked; in our units and frames.
+struct ArmReading {
+  enum class Kind {
+    nothing,  ///< no new pose
+    pose,
+    fault,  ///< it cannot be used now; `words` say why, and may be followed by poses
+    gone,   ///< the connection has ended
+  };
+  Kind kind = Kind::nothing;
+  Pose X_BH{};
+  std::uint32_t buttons = 0;
+  std::string words{};
+};
+
+/// None where the matrix is no rotation, by more than 1 % (OpenHaptics' are not exact).
+inline std::optional<Quat> rotation_of(const Mat3& R) {
+  constexpr double tolerance = 0.01;
+  const double error = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
+  if (!R.allFinite() || !(error <= tolerance) || R.determinant() < 0) return {};
+  return Quat(R).normalized();
+}
+inline constexpr const char* no_rotation = "its rotation matrix is none, or not finite";
+
+/// What an arm is, as its library tells when it is opened.
+struct ArmIdentity {
+  std::string name, serial;
+  DeviceCapabilities capabilities;
+  Vec3 farthest = Vec3::Constant(0.5);  ///< m: a handle further from the base's origin is not true
+};
+
+}  // namespace sonde

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/devices/hd_arm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/base/error.hpp"
+
+namespace sonde {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto longest_wait = 5ms;
+constexpr auto wrench_lasts = 50ms;
+constexpr auto stands_still = 100ms;  // no frame for so long
+constexpr double metres_of_mm = 0.001;
+constexpr double mN_m = 1000;  // of a N·m
+constexpr int calibrated_every = 100;
+constexpr const char* default_device = "Default Device";
+
+std::atomic<bool>& in_use() {
+  static std::atomic<bool> used{false};
+  return used;
+}
+
+/// From the library's axes to ours.
+Mat3 to_base() {
+  Mat3 R;
+  R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return R;
+}
+
+std::string text(const char* words) { return words ? words : ""; }
+
+/// The torque is nowhere told in a unit that is documented: by the profiles' source, CHAI3D's
+/// CPhantomDevices.cpp, 188 mN·m of the Premium 6DOF, the one family that takes any.
+double largest_torque(const std::string& model, bool six) {
+  return six && model.find("Premium") != std::string::npos ? 0.188 : 0;
+}
+
+}  // namespace
+
+const VendorLibraryName& HdLibrary::name() {
+  static constexpr const char* files[] = {"libHD.so", "libHD.so.3", "libHD.so.3.4"};
+  static constexpr VendorLibraryName name{
+      .name = "libHD",
+      .maker = "3D Systems",
+      .files = files,
+      .variable = "SONDE_LIBHD",
+      .source = "3D Systems' OpenHaptics for Linux and the Touch device driver (3dsystems.com)"};
+  return name;
+}
+
+HdLibrary::HdLibrary(const std::filesystem::path& file) {
+  hd::bind(api_, VendorLibrary(file));
+  version_ = text(api_.hdGetString(hd::version));
+}
+
+HdArm::HdArm(std::shared_ptr<const HdLibrary> library, const std::string& name)
+    : library_(std::move(library)) {
+  const hd::Api& api = library_->api();
+  const std::string path = "libHD/" + name;
+  if (in_use().exchange(true))
+    throw InputError::in(path, "this program has an OpenHaptics device open already");
+  errors();  // of before
+  try {
+    device_ = api.hdInitDevice(name == default_device ? nullptr : name.c_str());
+    if (device_ == hd::no_handle) check(path, "it does not open");
+    check(path, "it does not open");
+    api.hdMakeCurrentDevice(device_);
+    identify(path);
+    api.hdEnable(hd::force_output);
+    scheduled_ = api.hdScheduleAsynchronous(&HdArm::called_back, this, hd::highest_priority);
+    api.hdStartScheduler();
+    last_frame_ = DeviceClock::now();
+    check(path, "its scheduler does not start");
+  } catch (...) {
+    if (device_ != hd::no_handle) {
+      api.hdStopScheduler();
+      if (scheduled_ != 0) api.hdUnschedule(scheduled_);
+      api.hdDisableDevice(device_);
+    }
+    in_use() = false;
+    throw;
+  }
+}
+
+HdArm::~HdArm() {
+  const hd::Api& api = library_->api();
+  write({}, false);
+  while (heard_.try_acquire()) continue;
+  heard_.try_acquire_for(longest_wait);  // until a frame without force has gone
+  api.hdStopScheduler();
+  api.hdUnschedule(scheduled_);
+  api.hdDisable(hd::force_output);
+  api.hdDisableDevice(device_);
+  in_use() = false;
+}
+
+void HdArm::check(const std::string& path, const char* what) const {
+  const unsigned error = library_->api().hdGetError().code;
+  if (error != hd::success) throw InputError::in(path, what + (": " + words_of(error)));
+  if (device_ == hd::no_handle) throw InputError::in(path, what);
+}
+
+void HdArm::identify(const std::string& path) {
+  const hd::Api& api = library_->api();
+  if (const std::string version = text(api.hdGetString(hd::version));
+      !version.empty() && std::atoi(version.c_str()) != 3)
+    throw InputError::in(path, "the version of libHD is " + version + "; this program knows 3");
+  identity_.name = text(api.hdGetString(hd::model_type));
+  identity_.serial = text(api.hdGetString(hd::serial_number));
+  int dof = 3;
+  api.hdGetIntegerv(hd::output_dof, &dof);
+  six_ = dof == 6;
+  api.hdGetIntegerv(hd::calibration_style, &style_);
+  double force = 0;
+  api.hdGetDoublev(hd::nominal_max_force, &force);
+  std::array<double, 6> volume{};  // mm
+  api.hdGetDoublev(hd::max_workspace, volume.data());
+  check(path, "it does not tell what it can");
+  constexpr double strongest = 40;  // N, above that of any model
+  if (!(force > 0 && force <= strongest))
+    throw InputError::in(path, "its largest force cannot be true: " + std::to_string(force) + " N");
+  Vec3 reach = Vec3::Zero(), farthest = Vec3::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    reach[axis] = metres_of_mm * (volume[i + 3] - volume[i]) / 2;
+    farthest[axis] = metres_of_mm * std::max(std::abs(volume[i]), std::abs(volume[i + 3]));
+  }
+  if (!(farthest.minCoeff() > 0 && farthest.maxCoeff() < 2) || !reach.allFinite())
+    throw InputError::in(path, "its working volume cannot be true");
+  identity_.farthest = (to_base() * farthest).cwiseAbs();
+  identity_.capabilities = {.position = true,
+                            .force = true,
+                            .buttons = 2,
+                            .max_force = force,
+                            .max_torque = largest_torque(identity_.name, six_),
+                            .rate_hz = 1000,
+                            .reach = (to_base() * reach).cwiseAbs()};
+}
+
+std::string HdArm::words_of(unsigned error) const {
+  switch (error) {
+    case hd::warm_motors:
+      return "its motors are too warm";
+    case hd::exceeded_max_force:
+    case hd::exceeded_force_impulse:
+      return "the library has cut its force: the limit was exceeded";
+    case hd::exceeded_max_velocity:
+      return "the library has switched its force off: the velocity limit was exceeded";
+    case hd::already_initiated:
+      return "another program has it open";
+    default:
+      return "libHD: " + text(library_->api().hdGetErrorString(error));
+  }
+}
+
+unsigned HdArm::called_back(void* self) noexcept {
+  static_cast<HdArm*>(self)->frame();
+  return hd::callback_continue;
+}
+
+/// Also to be asked for when all is well: an arm may lose its reference.
+void HdArm::calibrate() noexcept {
+  const hd::Api& api = library_->api();
+  if (raw_.calibration == hd::calibration_ok && raw_.count % calibrated_every != 0) return;
+  raw_.calibration = api.hdCheckCalibration();
+  if (raw_.calibration == hd::calibration_needs_update)
+    api.hdUpdateCalibration(static_cast<unsigned>(style_));
+}
+
+void HdArm::frame() noexcept {
+  const hd::Api& api = library_->api();
+  calibrate();
+  api.hdBeginFrame(device_);
+  api.hdGetDoublev(hd::current_transform, raw_.transform.data());
+  api.hdGetIntegerv(hd::current_buttons, &raw_.buttons);
+  wrenches_.update();
+  Wanted wanted = wrenches_.front();
+  if (!wanted.on || DeviceClock::now() - wanted.time > wrench_lasts ||
+      raw_.calibration != hd::calibration_ok)
+    wanted = {};
+  api.hdSetDoublev(hd::current_force, wanted.force.data());
+  if (six_) api.hdSetDoublev(hd::current_torque, wanted.torque.data());
+  api.hdEndFrame(device_);
+  unsigned none = hd::success;
+  if (const unsigned error = errors(); error != hd::success)
+    error_.compare_exchange_strong(none, error);
+  ++raw_.count;
+  readings_.write(raw_);
+  heard_.release();
+}
+
+/// The newest; the others of the frame go, so that they are not taken for the next one's.
+unsigned HdArm::errors() const noexcept {
+  constexpr int most = 16;
+  const unsigned first = library_->api().hdGetError().code;
+  for (int i = 0; first != hd::success && i < most; ++i)
+    if (library_->api().hdGetError().code == hd::success) break;
+  return first;
+}
+
+ArmReading HdArm::read() {
+  const bool heard = heard_.try_acquire_for(longest_wait) && readings_.update();
+  const auto now = DeviceClock::now();
+  if (heard) last_frame_ = now;
+  if (now - last_frame_ > stands_still)  // with the last force on, which closing ends
+    return {.kind = ArmReading::Kind::gone, .words = "the scheduler of libHD stands still"};
+  if (!heard) return {};
+  while (heard_.try_acquire()) continue;
+  const Raw& raw = readings_.front();
+  const auto fault = [](std::string words) {
+    return ArmReading{.kind = ArmReading::Kind::fault, .words = std::move(words)};
+  };
+  const unsigned error = error_.exchange(hd::success);
+  if (error == hd::comm_error || error == hd::comm_config_error || error == hd::device_fault)
+    return {.kind = ArmReading::Kind::gone, .words = words_of(error)};
+  if (error != hd::success) return fault(words_of(error));
+  if (raw.calibration == hd::calibration_needs_hand)
+    return fault(
+        "it is not calibrated: put its stylus into the inkwell, or its handle where the "
+        "maker says");
+  if (raw.calibration != hd::calibration_ok) return fault("it is being calibrated");
+  Mat3 R;
+  Vec3 p;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    for (std::size_t i = 0; i < 3; ++i)
+      R(static_cast<Eigen::Index>(i), column) = raw.transform[4 * j + i];
+    p[column] = metres_of_mm * raw.transform[12 + j];
+  }
+  const Mat3 S = to_base();
+  const std::optional<Quat> q = rotation_of(S * R * S.transpose());
+  if (!q) return fault(no_rotation);
+  return {.kind = ArmReading::Kind::pose,
+          .X_BH = {*q, S * p},
+          .buttons = static_cast<std::uint32_t>(raw.buttons)};
+}
+
+bool HdArm::write(const DeviceWrench& wrench, bool on) {
+  const DeviceWrench most = on ? limited(wrench, identity_.capabilities) : DeviceWrench{};
+  const Vec3 force = to_base().transpose() * most.force;
+  const Vec3 torque = mN_m * (to_base().transpose() * most.torque);
+  wrenches_.write({.force = {force.x(), force.y(), force.z()},
+                   .torque = {torque.x(), torque.y(), torque.z()},
+                   .on = on,
+                   .time = DeviceClock::now()});
+  return true;
+}
+
+}  // namespace sonde

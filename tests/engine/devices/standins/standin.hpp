@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+
+/// What a test and a stand-in for a maker's library share: the arms it plays, the faults it is to
+/// have, and what it was told. The stand-in is loaded as the real one would be, so the test finds
+/// this by the function `standin`, which the real one does not have.
+namespace sonde::test {
+
+struct Standin {
+  static constexpr int most = 4;
+
+  // By the test, at any time.
+  std::atomic<int> arms{1};   ///< connected
+  std::atomic<int> major{3};  ///< of the version
+  std::atomic<int> minor{14};
+  std::atomic<double> p[3] = {};    ///< of the handle, in the library's own unit and axes
+  std::atomic<double> angle{0};     ///< rad, about the library's z axis
+  std::atomic<bool> nan{false};     ///< in the pose
+  std::atomic<bool> skewed{false};  ///< the rotation matrix is none
+  std::atomic<bool> frozen{false};  ///< the clock stands: no new pose comes
+  std::atomic<bool> unplugged{false};
+  std::atomic<bool> uncalibrated{false};
+  std::atomic<int> fault{0};  ///< libdhd: why the force is off; libHD: an error code, in one frame
+  std::atomic<unsigned> buttons{0};
+  std::atomic<int> model{104};  ///< libdhd: its system type. libHD: 6 takes torques, 3 does not
+
+  // By the stand-in.
+  std::atomic<double> force[3] = {}, torque[3] = {};  ///< as they were handed over
+  std::atomic<bool> force_on{false}, gravity{false};
+  std::atomic<int> open{0}, opened{0}, frames{0};
+  std::atomic<int> which{-1};                ///< arm that was opened last
+  std::atomic<const char*> broken{nullptr};  ///< the first rule of the library that was broken
+
+  void rule(bool kept, const char* words) {
+    const char* none = nullptr;
+    if (!kept) broken.compare_exchange_strong(none, words);
+  }
+};
+
+}  // namespace sonde::test
+
+extern "C" sonde::test::Standin* standin();
