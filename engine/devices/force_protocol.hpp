@@ -11,9 +11,9 @@
 #include "engine/devices/hid_report_descriptor.hpp"
 
 /// The open protocol of self-built force devices, version 1:
-/// resources/docs/develop/force-device-protocol.md is its specification. Both directions are here, for the
-/// device's side is what the tests play. Numbers are little-endian, SI, float 32 where they are not
-/// whole.
+/// resources/docs/develop/force-device-protocol.md is its specification. Both directions are here,
+/// for the device's side is what the tests play. Numbers are little-endian, SI, float 32 where they
+/// are not whole.
 namespace sonde::force_protocol {
 
 inline constexpr std::uint8_t version_major = 1, version_minor = 0;

@@ -75,8 +75,8 @@ struct Separation {
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
   bool converged = false;    ///< false: the budget ran out first
-  /// Steps that were cut short by a limit on rows, on looks at them or on fruitless steps: of a tick,
-  /// or of all descents of a search. What it ends with is verified all the same.
+  /// Steps that were cut short by a limit on rows, on looks at them or on fruitless steps: of a
+  /// tick, or of all descents of a search. What it ends with is verified all the same.
   int limited = 0;
   /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
   /// free led over an edge to another place, the depth fell by more than the device moved (by
