@@ -11,6 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sonde;
+  using namespace sonde::force_protocol;
   if (size == 0) return 0;
   const std::size_t cut = std::min<std::size_t>(data[0], size - 1);
   const std::span descriptor(data + 1, cut), report(data + 1 + cut, size - 1 - cut);

@@ -3,6 +3,7 @@
 // what every answer promises must hold. Reference: the exact overlap test (CGAL's predicates).
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "engine/body/body.hpp"
 #include "engine/geometry/mass.hpp"

@@ -4,7 +4,6 @@
 #include <vtkPolyData.h>
 
 #include <QApplication>
-#include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -13,8 +12,6 @@
 
 #include "engine/base/error.hpp"
 #include "engine/scene/write_scene.hpp"
-#include "engine/settings/device_settings_file.hpp"
-#include "engine/settings/settings.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/document/pose_text.hpp"
@@ -24,26 +21,6 @@ namespace sonde::ui {
 namespace {
 
 constexpr int recovery_ms = 2000;
-
-bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
-
-bool same(const Coupling& a, const Coupling& b) {
-  const auto all = coupling_settings();
-  return a.mode == b.mode && std::ranges::all_of(all, [&](const Setting& setting) {
-           return get(a, setting.key) == get(b, setting.key);
-         });
-}
-
-bool same(const std::optional<DeviceSettings>& a, const std::optional<DeviceSettings>& b) {
-  return a.has_value() == b.has_value() &&
-         (!a || device_settings_text(*a) == device_settings_text(*b));
-}
-
-/// Bodies that something else owns too.
-std::shared_ptr<const Body> shared(const std::shared_ptr<const Bodies>& bodies, Role role) {
-  const Pair& pair = bodies->pair;
-  return {bodies, role == Role::probe ? &pair.probe() : &pair.fixed()};
-}
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
@@ -174,204 +151,6 @@ void DocumentControl::opened(const Session& session) {
                       : QStringList{text_of(scene.file)});
   watch();
   tell();
-}
-
-// ---- Commands
-
-Content DocumentControl::now() const {
-  Content content = document_.content();
-  // What is on show may still be the bodies of before an undo.
-  Session* session = view_.session();
-  if (session && content.bodies == on_show_) content.here = session->device_pose();
-  return content;
-}
-
-void DocumentControl::place(const Pose& X_FM, const QString& what, bool mergeable) {
-  if (document_.empty()) return;
-  Content wanted = now();
-  document_.set_here(wanted.here);
-  wanted.here = {X_FM.q.normalized(), X_FM.p};
-  document_.change(what, wanted, mergeable);
-}
-
-void DocumentControl::moved_from(const Pose& before, const QString& what, bool mergeable) {
-  if (document_.empty()) return;
-  document_.set_here(before);
-  document_.change(what, now(), mergeable);
-}
-
-void DocumentControl::set_coupling(const Coupling& coupling) {
-  if (document_.empty()) return;
-  document_.set_coupling(coupling);
-  tell();
-}
-
-void DocumentControl::set_device_settings(const DeviceSettings& settings) {
-  if (document_.empty() || !document_.content().scene.device.settings)
-    return view_.show_device_settings(settings);  // the device's own, kept with it
-  Content wanted = now();
-  wanted.scene.device.settings = settings;
-  // What a device wants of the loop, a scene says for itself.
-  if (settings.rate_hz) wanted.scene.servo.rate_hz = *settings.rate_hz;
-  if (settings.passivity_control)
-    wanted.scene.servo.passivity.control = *settings.passivity_control;
-  document_.set_here(wanted.here);
-  document_.change(QStringLiteral("Device settings"), wanted, true);
-}
-
-void DocumentControl::start_from_here() {
-  if (document_.empty()) return;
-  Content wanted = now();
-  document_.set_here(wanted.here);
-  wanted.scene.probe.pose = storable(wanted.scene.fixed.pose * wanted.here, wanted.scene.unit);
-  document_.change(QStringLiteral("Start from here"), wanted);
-}
-
-void DocumentControl::copy_pose() {
-  if (view_.session())
-    QApplication::clipboard()->setText(QString::fromStdString(pose_text(now().here)));
-}
-
-void DocumentControl::paste_pose() {
-  if (document_.empty()) return;
-  try {
-    place(pose_in(QApplication::clipboard()->text().toStdString()), QStringLiteral("Paste pose"));
-  } catch (const std::invalid_argument& bad) {
-    prompts_.report_error(QStringLiteral("The clipboard holds no pose: %1.").arg(bad.what()));
-  }
-}
-
-void DocumentControl::swap_bodies() {
-  if (document_.empty()) return;
-  Content wanted = now();
-  std::swap(wanted.scene.probe, wanted.scene.fixed);
-  wanted.scene.trajectory.reset();  // it is the other's
-  wanted.here = inverse(wanted.here);
-  const auto bodies = wanted.bodies;
-  change_bodies(
-      QStringLiteral("Swap probe and fixed body"), wanted,
-      [bodies, scene = wanted.scene](const Progress&) {
-        return open_scene(scene, {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {});
-      });
-}
-
-void DocumentControl::replace_body(Role role, const QString& file) {
-  Content wanted = now();
-  (role == Role::probe ? wanted.scene.probe : wanted.scene.fixed).mesh = file.toStdString();
-  const QString what = role == Role::probe ? QStringLiteral("Replace the probe")
-                                           : QStringLiteral("Replace the fixed body");
-  change_bodies(what, wanted, [scene = wanted.scene](const Progress& progress) {
-    return open_scene(scene, progress);
-  });
-}
-
-void DocumentControl::ask_bodies() {
-  if (document_.empty()) return;
-  const Content before = now();
-  const Scene& scene = before.scene;
-  const Body &probe = before.bodies->pair.probe(), &fixed = before.bodies->pair.fixed();
-  const auto sides = [](const Body& body, double factor) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& vertex : body.soup.vertices) box.extend(vertex);
-    return Vec3(box.sizes() / factor);
-  };
-  MeshPair pair;
-  pair.probe_file = scene.probe.mesh;
-  pair.fixed_file = scene.fixed.mesh;
-  pair.probe_size = sides(probe, scene.unit * scene.probe.scale);
-  pair.fixed_size = sides(fixed, scene.unit * scene.fixed.scale);
-  pair.probe_edges = probe.topology;
-  pair.fixed_edges = fixed.topology;
-  const PairSetup old = setup_of(scene);
-  const auto said = prompts_.ask_bodies(pair, old);
-  if (!said) return;
-  Content wanted = before;
-  wanted.scene = with_setup(scene, old, *said);
-  // As far from the fixed body, for its size, as it was.
-  const double grown =
-      wanted.scene.unit * wanted.scene.fixed.scale / (scene.unit * scene.fixed.scale);
-  const Pose moved = relative_pose(scene);
-  wanted.here.p *= grown;
-  if (same(before.here, moved)) wanted.here = relative_pose(wanted.scene);
-  const bool suited = same(scene.coupling, suited_coupling(probe.mass));
-  change_bodies(QStringLiteral("Units, axes and insides"), wanted,
-                [scene = wanted.scene, suited](const Progress& progress) {
-                  LoadedScene opened = open_scene(scene, progress);
-                  if (suited)
-                    opened.scene.coupling = opened.coupling =
-                        suited_coupling(opened.pair.probe().mass);
-                  return opened;
-                });
-}
-
-/// The session is made first: a mesh that cannot be read is no step.
-void DocumentControl::change_bodies(const QString& what, const Content& wanted,
-                                    std::function<LoadedScene(const Progress&)> open) {
-  document_.set_here(now().here);
-  opener_.make(
-      what,
-      [open = std::move(open), here = wanted.here](const Progress& progress) {
-        LoadedScene opened = open(progress);
-        opened.here = here;
-        return opened;
-      },
-      [this, what, wanted](DrawnSession drawn) {
-        const LoadedScene& opened = drawn.session->loaded();
-        Content content = wanted;
-        content.scene = opened.scene;
-        content.bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
-        ready_ = std::move(drawn);
-        document_.change(what, content);
-        ready_.reset();
-      },
-      {});
-}
-
-// ---- What a command changes, is done, undone or done again
-
-void DocumentControl::apply(const Content& from, const Content& to) {
-  if (to.bodies != on_show_) return show_bodies(to);
-  if (std::exchange(showing_, false))
-    opener_.abandon();  // of what was gone back from before it was on show
-  Session* session = view_.session();
-  if (!session) return;
-  if (!same(from.scene.coupling, to.scene.coupling)) view_.show_coupling(to.scene.coupling);
-  if (!same(from.scene.device.settings, to.scene.device.settings) && to.scene.device.settings)
-    view_.show_device_settings(*to.scene.device.settings);
-  session->set_start(relative_pose(to.scene));
-  if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
-  tell();
-}
-
-void DocumentControl::show_bodies(const Content& wanted) {
-  const auto show = [this](DrawnSession drawn, const std::shared_ptr<const Bodies>& bodies) {
-    on_show_ = bodies;
-    index_on_show_ = document_.stack().index();
-    showing_ = false;
-    view_.show(std::move(drawn), true);
-    // The session took its time: more may have been done or undone meanwhile.
-    const Content& content = document_.content();
-    view_.session()->set_start(relative_pose(content.scene));
-    if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
-    watch();
-    tell();
-  };
-  if (ready_) return show(std::move(*ready_), wanted.bodies);
-  const auto given_up = [this] {
-    showing_ = false;
-    document_.stack().setIndex(index_on_show_);
-  };
-  opener_.make(
-      QStringLiteral("Setting the bodies up again"),
-      [wanted](const Progress&) {
-        LoadedScene opened =
-            open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory);
-        opened.here = wanted.here;
-        return opened;
-      },
-      [show, bodies = wanted.bodies](DrawnSession drawn) { show(std::move(drawn), bodies); },
-      given_up);
-  showing_ = true;
 }
 
 // ---- Files that others change

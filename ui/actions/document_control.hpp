@@ -34,7 +34,7 @@ struct DocumentView {
 };
 
 /// All that is done with the document as a whole: opened, saved, left, recovered, followed on the
-/// disk; and the commands that change it.
+/// disk; and the commands that change it (document_commands.cpp).
 class DocumentControl : public QObject {
  public:
   DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);

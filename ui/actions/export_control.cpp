@@ -85,23 +85,21 @@ void ExportControl::write(const QString& file, const std::function<void()>& writ
 }
 
 void ExportControl::export_picture() {
-  if (!drawn_ || !snapshot()) return;
+  if (!drawn_ || !instant()) return;
   const auto wanted = ask_picture(ExportDialog::Of::picture);
   if (!wanted) return;
   const QString file = ask_file(QStringLiteral("Export a picture"), QStringLiteral("sonde.png"),
                                 QStringLiteral("Pictures (*.png)"));
-  if (file.isEmpty() || !drawn_ || !snapshot()) return;
-  write(file, [&] {
-    write_image(path_of(file), viewport_.picture(*snapshot(), wanted->options, searched()));
-  });
+  if (file.isEmpty() || !drawn_ || !instant()) return;
+  write(file, [&] { write_image(path_of(file), viewport_.picture(*instant(), wanted->options)); });
 }
 
 void ExportControl::export_tables() {
-  if (!drawn_ || !snapshot()) return;
+  if (!drawn_ || !instant()) return;
   const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
                                 QStringLiteral("Tables (*.csv)"));
-  if (file.isEmpty() || !drawn_ || !snapshot()) return;
-  const Moment moment = moment_of(*snapshot());
+  if (file.isEmpty() || !drawn_ || !instant()) return;
+  const Moment moment = moment_of(instant()->snapshot);
   write(file, [&] {
     std::filesystem::path contacts = path_of(file);
     contacts.replace_extension(".contacts.csv");
@@ -112,13 +110,13 @@ void ExportControl::export_tables() {
 }
 
 void ExportControl::export_gltf() {
-  if (!drawn_ || !snapshot()) return;
+  if (!drawn_ || !instant()) return;
   const QString file = ask_file(QStringLiteral("Export glTF"), QStringLiteral("sonde.gltf"),
                                 QStringLiteral("glTF (*.gltf)"));
-  if (file.isEmpty() || !drawn_ || !snapshot()) return;
+  if (file.isEmpty() || !drawn_ || !instant()) return;
   job_.start(
       QStringLiteral("Exporting glTF"),
-      [file, what = surfaces(), moment = moment_of(*snapshot())](const Progress&) {
+      [file, what = surfaces(), moment = moment_of(instant()->snapshot)](const Progress&) {
         write_gltf(path_of(file), what, moment);
       },
       [this, file](const std::exception_ptr& error) {
@@ -127,13 +125,13 @@ void ExportControl::export_gltf() {
 }
 
 void ExportControl::export_vtk(bool series) {
-  if (!drawn_ || !snapshot()) return;
+  if (!drawn_ || !instant()) return;
   const QString folder =
       ask_file(series ? QStringLiteral("Export the separation for ParaView: a new folder")
                       : QStringLiteral("Export for ParaView: a new folder"),
                QStringLiteral("sonde-vtk"), QString());
-  if (folder.isEmpty() || !drawn_ || !snapshot()) return;
-  const Snapshot now = *snapshot();
+  if (folder.isEmpty() || !drawn_ || !instant()) return;
+  const Snapshot now = instant()->snapshot;
   std::vector<Moment> moments{moment_of(now)};
   if (series) moments = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
   job_.start(
@@ -147,14 +145,14 @@ void ExportControl::export_vtk(bool series) {
 }
 
 void ExportControl::export_animation() {
-  if (!drawn_ || !snapshot() || animation_) return;
+  if (!drawn_ || !instant() || animation_) return;
   const auto wanted = ask_picture(ExportDialog::Of::animation);
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the separation: a new folder of pictures"),
                                   QStringLiteral("sonde-separation"), QString());
-  if (folder.isEmpty() || !drawn_ || !snapshot()) return;
+  if (folder.isEmpty() || !drawn_ || !instant()) return;
   try {
-    animation_ = std::make_unique<Animation>(folder, *wanted, *snapshot());
+    animation_ = std::make_unique<Animation>(folder, *wanted, instant()->snapshot);
   } catch (const InputError& bad) {
     return fail(QString::fromUtf8(bad.what()));
   }
@@ -168,8 +166,9 @@ void ExportControl::draw_next() {
   options.swing = double(a.next) / (a.wanted.frames - 1);
   try {
     const QString name = QStringLiteral("frame_%1.png").arg(a.next, 4, 10, QLatin1Char('0'));
-    write_image(a.folder.path() / name.toStdString(),
-                viewport_.picture(a.snapshot, options, nullptr));
+    write_image(
+        a.folder.path() / name.toStdString(),
+        viewport_.picture({.snapshot = a.snapshot, .searched = {}, .live = false}, options));
   } catch (const std::exception& bad) {
     return finish(QString::fromUtf8(bad.what()));
   }

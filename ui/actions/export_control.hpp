@@ -9,6 +9,7 @@
 
 #include "ui/actions/export_dialog.hpp"
 #include "ui/base/job.hpp"
+#include "ui/document/instant.hpp"
 #include "ui/export/vtk_scene.hpp"
 
 namespace sonde::ui {
@@ -36,9 +37,8 @@ class ExportControl : public QObject {
   std::function<std::optional<PictureWanted>(ExportDialog::Of)> ask_picture;
   std::function<QString(const QString& title, const QString& name, const QString& filter)> ask_file;
 
-  /// The newest snapshot; none before the first.
-  std::function<const Snapshot*()> snapshot;
-  std::function<const BackgroundResult*()> searched;
+  /// What is on show; none before the first.
+  std::function<const Instant*()> instant;
   std::function<void(const QString&)> say, fail;
 
  private:

@@ -11,10 +11,12 @@
 #include "ui/document/instant.hpp"
 #include "ui/shell/escape_key.hpp"
 #include "ui/shell/force_log.hpp"
+#include "ui/shell/frame_rate.hpp"
+#include "ui/shell/search_schedule.hpp"
+#include "ui/shell/status_line.hpp"
 #include "ui/views/drawn_session.hpp"
 
 class QAction;
-class QLabel;
 
 namespace sonde::ui {
 
@@ -23,7 +25,6 @@ class DeviceControl;
 class DevicePanel;
 class DocumentControl;
 struct DocumentView;
-class ElidedLabel;
 class ExportControl;
 class HistoryControl;
 class LogPanel;
@@ -36,7 +37,8 @@ class StartPage;
 class StiffnessControl;
 class Viewport;
 
-/// The window: a view, six docks, and sixty times a second the newest snapshot.
+/// The window: a view, docks, and sixty times a second the newest instant. What it is made of, and
+/// what of it is told what, is in main_window_parts.cpp.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -49,7 +51,7 @@ class MainWindow : public QMainWindow {
   Session* session() { return drawn_.session.get(); }
   Viewport& viewport() { return *viewport_; }
   Prompts& prompts() { return prompts_; }
-  const std::optional<BackgroundResult>& searched() const { return searched_; }
+  const std::optional<BackgroundResult>& searched() const { return search_.newest(); }
   /// The newest snapshot shown; none before the first.
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
@@ -75,7 +77,7 @@ class MainWindow : public QMainWindow {
   void ask_picture();
 
   /// Of the frame clock: how often the newest state was on screen, drawn anew or not.
-  double frames_per_second() const { return frame_rate_; }
+  double frames_per_second() const { return frame_rate_.last(); }
   /// Drawn anew, since the start.
   std::size_t frames() const { return frames_; }
 
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow {
   void forget_shown() { shown_.reset(), instant_.reset(); }
   void pause(bool paused);
   void complain(const QString& reason);
+  bool open_recording(const QStringList& files);
   void ask_search();
   void show_numbers();
   void show_status();
@@ -130,27 +133,20 @@ class MainWindow : public QMainWindow {
   HistoryControl* history_ = nullptr;
   SeeingControl* seeing_ = nullptr;
   ExportControl* exporter_ = nullptr;
-  ElidedLabel* what_happens_;
-  QLabel *device_status_, *rates_;
+  StatusLine status_;
   EscapeKey escape_;
   QTimer frame_timer_;
   QElapsedTimer clock_;
   ForceLog force_log_;
   std::optional<Snapshot> shown_;
   std::optional<Instant> instant_;  ///< the same, with all that belongs to it
-  std::optional<BackgroundResult> searched_;
+  SearchSchedule search_;
   bool force_ = true;
   bool swing_ = false;
   std::size_t frames_ = 0;
-  qint64 rate_since_ = 0;
-  std::size_t rate_frames_ = 0;
-  double frame_rate_ = 0;
+  FrameRate frame_rate_;
   qint64 numbers_due_ = 0;
   qint64 device_due_ = 0;
-  qint64 search_due_ = 0;
-  qint64 search_asked_ = 0;
-  qint64 rest_since_ = 0;
-  Pose search_pose_, asked_pose_;
 };
 
 }  // namespace sonde::ui

@@ -73,7 +73,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
       new QLabel(QStringLiteral("or drop a scene, one mesh or two meshes here"), content));
   layout->addWidget(heading(QStringLiteral("Scenes to try"), content, 1.15));
   layout->addWidget(gallery());
-  layout->addWidget(heading(QStringLiteral("LoadedScene last"), content, 1.15));
+  layout->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
   layout->addLayout(recent_);
   layout->addStretch();
 }

@@ -114,8 +114,7 @@ class Viewport : public QWidget {
   QImage picture() const;
   /// One of any size, of which no side may be larger than that; null where there is nothing to
   /// draw, or no room for it. The window's own picture stays as it is.
-  QImage picture(const Snapshot& snapshot, const PictureOptions& options,
-                 const BackgroundResult* searched = nullptr);
+  QImage picture(const Instant& now, const PictureOptions& options);
   static constexpr int largest_picture = 16'384;  ///< pixels: OpenGL's limit where Mesa draws
   /// What OpenGL has to offer: to be made the default before there is an application.
   static QSurfaceFormat surface_format();

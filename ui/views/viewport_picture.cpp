@@ -32,8 +32,7 @@ QImage drawn(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
 
 QSize Viewport::view_size() const { return scenery_->picture_size.value_or(size()); }
 
-QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options,
-                         const BackgroundResult* searched) {
+QImage Viewport::picture(const Instant& now, const PictureOptions& options) {
   Scenery& s = *scenery_;
   const bool sizable = options.size.width() > 0 && options.size.height() > 0 &&
                        std::max(options.size.width(), options.size.height()) <= largest_picture;
@@ -42,7 +41,7 @@ QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options
   const bool gradient = s.bodies->GetGradientBackground();
   double background[3];
   s.bodies->GetBackground(background);
-  const int *now = s.window->GetSize(), before[2] = {now[0], now[1]};
+  const int *size = s.window->GetSize(), before[2] = {size[0], size[1]};
 
   // Glyphs and text keep their size beside the bodies: laid out for the view's own height.
   const double scale = double(options.size.height()) / height();
@@ -60,7 +59,7 @@ QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options
   s.hints->setUpdatesEnabled(false);
   s.hints->set_hint_visible(false);  // how the mouse moves the probe belongs to the window
   s.hints->resize(*s.picture_size);
-  draw(snapshot, options.swing, searched);
+  draw(now, options.swing);
   QImage image = drawn(*s.window, options.size);
   if (options.overlays && !image.isNull()) {
     QPainter painter(&image);
@@ -78,7 +77,7 @@ QImage Viewport::picture(const Snapshot& snapshot, const PictureOptions& options
   s.bodies->SetBackgroundAlpha(1);
   s.window->SetSize(before[0], before[1]);
   apply_layers();
-  draw(snapshot, 1, searched);
+  draw(now, 1);
   invalidate();
   return image;
 }

@@ -104,7 +104,7 @@ TEST_F(WindowTest, messages_are_kept_and_can_be_copied) {
   open({path("no-such.sonde.json")});
   window->findChild<QPushButton*>("log_copy")->click();
   const QString copied = QApplication::clipboard()->text();
-  for (const char* kept : {"LoadedScene cubes", "closed", "folder.png", "no-such.sonde.json"})
+  for (const char* kept : {"Opened cubes", "closed", "folder.png", "no-such.sonde.json"})
     EXPECT_TRUE(copied.contains(kept)) << kept << "\n" << copied.toStdString();
 }
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window is made of, and what of it is told what.
+#include <vtkPolyData.h>
+
+#include <QApplication>
+#include <QScreen>
+#include <QSettings>
+#include <QStatusBar>
+#include <utility>
+
+#include "ui/actions/document_control.hpp"
+#include "ui/actions/export_control.hpp"
+#include "ui/actions/history_control.hpp"
+#include "ui/actions/opener.hpp"
+#include "ui/actions/seeing_control.hpp"
+#include "ui/actions/stiffness_control.hpp"
+#include "ui/base/resources.hpp"
+#include "ui/devices/device_control.hpp"
+#include "ui/devices/mouse_probe.hpp"
+#include "ui/panels/coupling_panel.hpp"
+#include "ui/panels/device_panel.hpp"
+#include "ui/panels/log_panel.hpp"
+#include "ui/panels/pose_panel.hpp"
+#include "ui/panels/readout_panel.hpp"
+#include "ui/panels/stiffness_panel.hpp"
+#include "ui/shell/main_window.hpp"
+#include "ui/shell/menus.hpp"
+#include "ui/shell/start_page.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int frame_ms = 16;
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      prompts_(dialogs(*this)),
+      opener_(std::make_unique<Opener>(*this, prompts_)),
+      documents_(std::make_unique<DocumentControl>(*opener_, prompts_, document_view())),
+      viewport_(new Viewport(this)),
+      mouse_(new MouseProbe(*viewport_, this)),
+      coupling_panel_(new CouplingPanel(documents_->document().stack(), this)),
+      readout_(new ReadoutPanel(this)),
+      log_(new LogPanel(this)),
+      pose_panel_(new PosePanel(this)),
+      start_page_(new StartPage(viewport_)),
+      devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
+      device_panel_(new DevicePanel(this)),
+      stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
+                                      documents_->document().stack(), prompts_, *this)),
+      status_(*statusBar()),
+      escape_([this] { set_force(false); }) {
+  setObjectName(QStringLiteral("main_window"));
+  setWindowTitle(QStringLiteral("Sonde"));
+  setAcceptDrops(true);
+  setCentralWidget(viewport_);
+  addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
+  tabifyDockWidget(coupling_panel_, device_panel_);
+  tabifyDockWidget(coupling_panel_, pose_panel_);
+  start_page_->hide();
+  coupling_panel_->raise();
+  addDockWidget(Qt::RightDockWidgetArea, readout_);
+  tabifyDockWidget(readout_, &stiffness_->panel());
+  seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  exporter_ = new ExportControl(*viewport_, *this);
+  connect_export();
+  seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  readout_->raise();
+  addDockWidget(Qt::BottomDockWidgetArea, log_);
+  log_->hide();
+  connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
+  add_history();
+  add_menus(*this);
+  mouse_->moved = [this](const Pose& pose) {
+    if (session() && !history_->looking_back()) session()->set_device_pose(pose);
+  };
+  coupling_panel_->changed = [this](const Coupling& coupling) {
+    if (session()) session()->set_coupling(coupling);
+    documents_->set_coupling(coupling);
+    viewport_->set_coupling(coupling);
+    stiffness_->show_gains(coupling);
+  };
+  coupling_panel_->mouse_gain_changed = [this](double gain) { mouse_->set_gain(gain); };
+  mouse_->settled = [this](const Pose& before, bool one_of_many) {
+    if (history_->looking_back()) return;
+    documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
+                           one_of_many);
+  };
+  connect_devices();
+  connect_documents();
+  stiffness_->ticked = [this](const Snapshot& tick) {
+    log_->add(force_log_.add(tick));
+    history_->add(tick);
+  };
+  stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
+  opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
+  opener_->failed = [this](const QString& reason) {
+    log_->add(reason);
+    emit open_failed(reason);
+  };
+  connect(&frame_timer_, &QTimer::timeout, this, &MainWindow::on_frame);
+  frame_timer_.setTimerType(Qt::PreciseTimer);
+  frame_timer_.start(frame_ms);
+  clock_.start();
+  restore_window();
+  viewport_->canvas()->setFocus();
+}
+
+void MainWindow::connect_devices() {
+  devices_->changed = [this] { show_holder(); };
+  devices_->report_error = [this](const QString& reason) { complain(reason); };
+  device_panel_->chosen = [this](const InputSource& source) { devices_->choose(source); };
+  device_panel_->path_wanted = [this] { ask_path(); };
+  device_panel_->settings_changed = [this](const DeviceSettings& settings) {
+    documents_->set_device_settings(settings);
+  };
+  device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+void MainWindow::add_history() {
+  history_ = new HistoryControl(
+      *opener_, prompts_, *this,
+      {.session = [this] { return session(); },
+       .scene = [this] { return documents_->document().content().scene; },
+       .may_leave = [this] { return documents_->may_leave(); },
+       .show = [this](DrawnSession drawn) { show_session(std::move(drawn)); },
+       .pause = [this](bool on) { pause(on); },
+       .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
+  addDockWidget(Qt::BottomDockWidgetArea, &history_->timeline());
+  addDockWidget(Qt::BottomDockWidgetArea, &history_->plots());
+  tabifyDockWidget(log_, &history_->plots());
+  history_->plots().hide();
+}
+
+void MainWindow::connect_export() {
+  exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
+  exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  exporter_->fail = [this](const QString& reason) { complain(reason); };
+}
+
+DocumentView MainWindow::document_view() {
+  return {.session = [this] { return session(); },
+          .show = [this](DrawnSession drawn, bool same) { show_session(std::move(drawn), same); },
+          .empty = [this] { show_nothing(); },
+          .place = [this](const Pose& pose) { place(pose); },
+          .show_coupling = [this](const Coupling& gains) { coupling_panel_->apply(gains); },
+          .show_device_settings =
+              [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
+          .camera = [this] { return viewport_->place(); },
+          .look = [this](const CameraPlace& place) { viewport_->look(place); },
+          .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
+}
+
+void MainWindow::connect_documents() {
+  DocumentControl* documents = documents_.get();
+  documents->changed = [this] { show_document(); };
+  pose_panel_->placed = [documents](const Pose& pose) {
+    documents->place(pose, QStringLiteral("Place the probe"));
+  };
+  pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
+  pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
+  pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
+  pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
+  start_page_->scene_wanted = [documents] { documents->ask_scene(); };
+  start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
+  start_page_->chosen = [this](const QStringList& files) { open(files); };
+}
+
+/// The first window leaves room for its frame and for the desktop's own bars.
+void MainWindow::restore_window() {
+  constexpr double part = 0.9;
+  resize((QApplication::primaryScreen()->availableSize() * part).boundedTo({1440, 900}));
+  resizeDocks({coupling_panel_, readout_}, {300, 345}, Qt::Horizontal);
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("docks")).toByteArray());
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtGlobal>
+#include <algorithm>
+#include <optional>
+
+#include "engine/haptics/loop/background_search.hpp"
+#include "ui/document/instant.hpp"
+
+namespace sonde::ui {
+
+/// When the background search is asked about the probe's place. PD_t and the lower bound take
+/// longer than a tick; as long as the probe moves they are asked for a hundredth of the time, since
+/// the servo and the picture need the machine. Times are in ms of one clock that never goes back.
+class SearchSchedule {
+ public:
+  /// Nothing is known of what is on show now.
+  void forget() { newest_.reset(); }
+  void answered(const BackgroundResult& result) {
+    newest_ = result;
+    due_ = asked_ + std::max(pause, static_cast<qint64>(1e-2 * result.time_us));
+  }
+  /// Is it to be asked about this pose now? It counts as asked then.
+  bool asks(const Pose& device, qint64 now) {
+    if (!same_pose(device, seen_at_)) {
+      seen_at_ = device;
+      rests_since_ = now;
+    }
+    const bool rests = now - rests_since_ > pause && !same_pose(device, asked_about_);
+    if (!rests && now < due_) return false;
+    if (newest_ && same_pose(newest_->device, device)) return false;
+    asked_about_ = device;
+    asked_ = now;
+    due_ = now + 10 * pause;
+    return true;
+  }
+  const std::optional<BackgroundResult>& newest() const { return newest_; }
+
+ private:
+  static constexpr qint64 pause = 100;  // between two searches, and of a probe that rests
+  std::optional<BackgroundResult> newest_;
+  qint64 due_ = 0, asked_ = 0, rests_since_ = 0;
+  Pose seen_at_, asked_about_;
+};
+
+}  // namespace sonde::ui
