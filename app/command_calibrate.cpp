@@ -64,7 +64,7 @@ void run(const CalibrateOptions& options) {
 Command add_calibrate_command(CLI::App& program) {
   const auto options = std::make_shared<CalibrateOptions>();
   CLI::App* parser = program.add_subcommand(
-      "calibrate", "Measures here which accuracy which time gives, for --calibration");
+      "calibrate", "Measures on scenes, here, how accurate answers are in which time");
   parser->add_option("SCENE", options->scenes, "scene files, NAME.sonde.json")->required();
   parser
       ->add_option("--count", options->count,

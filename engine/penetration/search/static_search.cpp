@@ -351,7 +351,7 @@ class Search {
   }
 
   Separation refined(Method method, const Vec6& from, int steps) {
-    const Separation out =
+    Separation out =
         verified_.refined(method, from, starts_.lane(0).leaps(method), steps, deadline_);
     iterations_ += out.iterations;
     return out;
