@@ -117,9 +117,11 @@ void check_output(const OutputOptions& options, const std::vector<std::filesyste
 void check_output(const std::string& flag, const std::string& file,
                   const std::vector<std::filesystem::path>& inputs) {
   std::error_code error;
-  for (const auto& input : inputs)
-    if (std::filesystem::equivalent(file, input, error))
-      throw UsageError(flag + " " + file + " is one of the inputs; it would be overwritten");
+  const auto is_it = [&](const auto& input) {
+    return std::filesystem::equivalent(file, input, error);
+  };
+  if (std::ranges::any_of(inputs, is_it))
+    throw UsageError(flag + " " + file + " is one of the inputs; it would be overwritten");
   check_writable(file);
 }
 

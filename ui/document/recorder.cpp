@@ -53,7 +53,7 @@ QString Recorder::stop() {
   ticks_->seal();
   ticks_->sealed = nullptr;
   writer_->finish();
-  const QString reason = failure();
+  QString reason = failure();
   writer_.reset();
   return reason;
 }

@@ -27,7 +27,7 @@ class Pages : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
   QVariant loadResource(int type, const QUrl& name) override {
-    const QVariant found = QTextBrowser::loadResource(type, name);
+    QVariant found = QTextBrowser::loadResource(type, name);
     if (type == QTextDocument::ImageResource) return fitted(source().resolved(name), found);
     if (type != QTextDocument::MarkdownResource) return found;
     QString text = QString::fromUtf8(found.toByteArray());
