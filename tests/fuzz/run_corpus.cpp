@@ -23,6 +23,10 @@ int main(int argc, char** argv) {
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
     std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+      std::printf("%s: cannot be read\n", file.c_str());
+      return 1;
+    }
     const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
     std::printf("%s\n", file.c_str());
     std::fflush(stdout);  // the last line names the file that crashes
