@@ -48,7 +48,7 @@ ExportControl::ExportControl(Viewport& viewport, QWidget& window)
     return dialog.wanted();
   };
   ask_file = [parent](const QString& title, const QString& name, const QString& filter) {
-    const QString file =
+    QString file =
         QFileDialog::getSaveFileName(parent, title, QDir(last_folder()).filePath(name), filter);
     if (!file.isEmpty()) remember_folder_of(file);
     return file;

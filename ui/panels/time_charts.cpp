@@ -106,7 +106,8 @@ struct Chart {
 }  // namespace
 
 std::vector<CurveStyle> curve_styles(const LengthUnit& unit) {
-  const QString length = unit.name(), newton = QStringLiteral("N");
+  const QString newton = QStringLiteral("N");
+  const QString& length = unit.name();
   const double scale = 1 / unit.metres();
   const QColor x(255, 170, 120), y(170, 220, 130), z(140, 180, 255);
   return {{Curve::held, QStringLiteral("held"), length, scale, colour::ghost},
