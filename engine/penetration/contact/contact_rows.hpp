@@ -102,16 +102,16 @@ class ContactRows {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;
   };
-  /// How far the probe goes of late from a place, seen from a point of it (its mesh frame).
-  NeighbourList::Displacement usual(const Transform& X, const Vec3& centre) const noexcept;
+  /// Where the probe goes of late from a place, seen from a point of it (its mesh frame).
+  Course usual(const Transform& X, const Vec3& centre) const noexcept;
   void remember(const Motion& motion) noexcept;
   /// The point of the probe about which its contacts move least: the middle of the last ones, where
   /// it rolls on them, or its centre of mass, where it turns within them.
   Vec3 stillest(const Transform& X) const noexcept;
   /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
   /// and the list would not pay.
-  void list_pairs(const Transform& X, double reach, const Vec3& centre,
-                  const NeighbourList::Displacement& ahead, Effort& effort) noexcept;
+  void list_pairs(const Transform& X, double reach, const Vec3& centre, const Path& ahead,
+                  Effort& effort) noexcept;
   /// The pairs within reach, or within what the list holds, if that is not below `least`.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;

@@ -99,6 +99,44 @@ SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, float sc
   store(best - o.rounding, out.value);
 }
 
+/// What a gap along an axis loses by a way, both given by their parts along it: the gap is on the
+/// side that `d` says.
+SONDE_INLINE void lose(const Floats& d, const Floats& way, Floats& gap) {
+  const Floats none{};
+  const Floats closing = d > 0 ? -way : way;
+  gap -= closing > 0 ? closing : none;
+}
+
+SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, float scale,
+                                 Lanes& out) {
+  Boxes b;
+  load(node, scale, box.origin, b);
+  Outside o;
+  compare(box, b, o);
+  const Floats dx = box.center[0] - b.center.x, dy = box.center[1] - b.center.y,
+               dz = box.center[2] - b.center.z;
+  const float(&w)[3] = box.way;
+  Floats best;
+  for (int i = 0; i < 3; ++i) {
+    const Floats along = dx * box.axis[i][0] + dy * box.axis[i][1] + dz * box.axis[i][2];
+    const float way = w[0] * box.axis[i][0] + w[1] * box.axis[i][1] + w[2] * box.axis[i][2];
+    lose(along, Floats{} + way, o.in_a[i]);
+    if (i == 0)
+      best = o.in_a[0];
+    else
+      larger(best, o.in_a[i], best);
+  }
+  for (int j = 0; j < 3; ++j) {
+    const Vectors& axis = b.axis[j];
+    const Floats along = dx * axis.x + dy * axis.y + dz * axis.z;
+    const Floats way = w[0] * axis.x + w[1] * axis.y + w[2] * axis.z;
+    lose(along, way, o.in_b[j]);
+    larger(best, o.in_b[j], best);
+  }
+  const float size = __builtin_fabsf(w[0]) + __builtin_fabsf(w[1]) + __builtin_fabsf(w[2]);
+  store(best - (o.rounding + size * static_cast<float>(box_rounding)), out.value);
+}
+
 SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node& node, float scale,
                                      Lanes& out) {
   Boxes b;
@@ -162,13 +200,16 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
   ATTRIBUTE void gaps(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) {      \
     gaps_of(a, b, scale, out);                                                                 \
   }                                                                                            \
+  ATTRIBUTE void ways(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) {      \
+    gaps_on_way_of(a, b, scale, out);                                                          \
+  }                                                                                            \
   ATTRIBUTE void points(const PlacedPoint& a, const Tree::Node& b, float scale, Lanes& out) {  \
     point_distances_of(a, b, scale, out);                                                      \
   }                                                                                            \
   ATTRIBUTE void rays(const PlacedRay& a, const Tree::Node& b, float scale, Lanes& out) {      \
     ray_gaps_of(a, b, scale, out);                                                             \
   }                                                                                            \
-  constexpr BoxKernels kernels{distances, gaps, points, rays};                                 \
+  constexpr BoxKernels kernels{distances, gaps, ways, points, rays};                           \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)

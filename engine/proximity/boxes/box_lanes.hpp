@@ -21,6 +21,8 @@ struct PlacedBox {
   /// A direction from the boxes of the node to this one that may separate them better than those of
   /// their own: unit to rounding, or zero for none.
   float direction[3] = {0, 0, 0};
+  /// Where it may go from here, straight on, seen from the boxes of the node.
+  float way[3] = {0, 0, 0};
 };
 
 /// A point, or a ray from it, in the same: at origin + rest.
@@ -68,6 +70,8 @@ struct BoxKernels {
   void (*distances)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
   /// The largest gap along the six face normals (negative: they overlap along all).
   void (*gaps)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
+  /// The same where the placed box goes its way, at most.
+  void (*gaps_on_way)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
   /// Distances of a point.
   void (*point_distances)(const PlacedPoint& point, const Tree::Node& node, float scale,
                           Lanes& out);

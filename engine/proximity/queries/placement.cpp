@@ -111,6 +111,7 @@ std::uint32_t Placement::compare(std::uint32_t slot_a, const Tree::Node& node_b,
                                  float limit, Lanes& bounds) const {
   PlacedBox box = placed(a_.tree, slot_a, frames_.a_to_b, scale_);
   Eigen::Map<Eigen::Vector3f>(box.direction) = toward_a_;
+  Eigen::Map<Eigen::Vector3f>(box.way) = way_of_a_;
   kernel(box, node_b, scale_, bounds);
   return at_most(bounds, limit + float_guard_, node_b);
 }
@@ -119,6 +120,7 @@ std::uint32_t Placement::compare(const Tree::Node& node_a, std::uint32_t slot_b,
                                  float limit, Lanes& bounds) const {
   PlacedBox box = placed(b_.tree, slot_b, frames_.b_to_a, scale_);
   Eigen::Map<Eigen::Vector3f>(box.direction) = toward_b_;
+  Eigen::Map<Eigen::Vector3f>(box.way) = way_of_b_;
   kernel(box, node_a, scale_, bounds);
   return at_most(bounds, limit + float_guard_, node_a);
 }
@@ -178,6 +180,12 @@ void Placement::open_near(const SlotPair& p, float limit, SlotPairs& out) const 
 
 void Placement::open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const {
   open_both(p, kernels_.gaps, limit, out);
+}
+
+void Placement::open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out) {
+  way_of_a_ = (per_unit_ * way).cast<float>();
+  way_of_b_ = -(per_unit_ * (X.R.transpose() * way)).cast<float>();
+  open_both(p, kernels_.gaps_on_way, limit, out);
 }
 
 void Placement::open_nearest(const SlotPair& p, SlotPairs& out) const {

@@ -133,6 +133,9 @@ class Placement {
   /// As open_near, with the largest separation along the six face normals for a bound: less work,
   /// and less where boxes are apart corner to corner.
   void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
+  /// As open_by_faces, with a bound for what is between them anywhere on a straight way that A's
+  /// box may go from here, m, in B's frame.
+  void open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out);
   /// Opens the larger box alone, without a limit: for a first way down.
   void open_nearest(const SlotPair& p, SlotPairs& out) const;
   /// The same with separations along the six face normals: pairs that do not overlap are left out.
@@ -165,6 +168,9 @@ class Placement {
   Frames frames_;
   Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
   Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
+  // Of A's box in B's frame, and of B's in A's, in the placement's unit.
+  Eigen::Vector3f way_of_a_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f way_of_b_ = Eigen::Vector3f::Zero();
   double per_unit_;
   float scale_;
   float float_guard_;

@@ -32,29 +32,14 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
   clear();
 }
 
-NeighbourList::Displacement NeighbourList::along(const Motion& motion,
-                                                 const Vec3& centre) noexcept {
-  const Motion::Velocity v = motion.velocity(0);
-  const Vec3 arm = motion.at(0).R * (centre - motion.com());
-  const double bend = 0.5 * motion.acceleration_per_radius() * arm.norm();
-  return {((v.linear + v.angular.cross(arm)).norm() + bend) * (1 + 1e-9),
-          motion.turn_bound() * (1 + 1e-12)};
-}
-
-NeighbourList::Displacement NeighbourList::displacement(const Transform& from,
-                                                        const Transform& X) const noexcept {
-  // |R − R₀| as an operator is the Frobenius norm by √2, for rotations.
-  return {(1 + 1e-12) * (X * centre_ - from * centre_).norm(),
-          (1 + 1e-12) * (X.R - from.R).norm() / std::sqrt(2.0)};
-}
-
 void NeighbourList::travel_to(const Transform& X) noexcept {
-  const Displacement more = displacement(last_, X);
+  const Displacement more = displacement(last_, X, centre_);
   linear_ += more.linear * (1 + 1e-12);
   turned_ += more.turn * (1 + 1e-12);
   last_ = X;
   // Long travel within a small place would round the distances away.
-  if (linear_ + turned_ * longest_arm_ > 1e3 * room_.of(longest_arm_)) {
+  if (linear_ + turned_ * longest_arm_ >
+      1e3 * (room_.around.of(longest_arm_) + room_.ahead.size().of(longest_arm_))) {
     for (std::size_t k = 0; k < blocks(); ++k) due_[k].distance = 0;
     linear_ = turned_ = 0;
   }
@@ -66,18 +51,16 @@ double NeighbourList::guard(const Transform& X) const noexcept {
                         X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
-double NeighbourList::left(const Displacement& room, const Transform& X,
-                           const Displacement& more) const noexcept {
+double NeighbourList::left(const Room& room, const Transform& X, const Path& path) const noexcept {
   // The least of what is left for any arm. Distances were rounded at the list's pose, and are again
   // at this one.
-  const Displacement since = displacement(X_, X);
-  const Displacement left{room.linear - since.linear - more.linear,
-                          room.turn - since.turn - more.turn};
+  const Displacement off = deviation(X_, room.ahead, X, path, centre_, longest_arm_);
+  const Displacement left{room.around.linear - off.linear, room.around.turn - off.turn};
   return std::min(left.linear, left.of(longest_arm_)) - 2 * guard(X);
 }
 
 bool NeighbourList::covers(const Motion& motion, double clearance) const noexcept {
-  return reach_after(motion.at(0), along(motion, centre_)) > clearance;
+  return reach_after(motion.at(0), path_of(motion, centre_)) > clearance;
 }
 
 void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {
@@ -164,7 +147,7 @@ std::size_t NeighbourList::violations(const Transform& X, double least, std::spa
       std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
     });
   };
-  each_due(displacement(last_, X), least + rounding, [&](std::size_t k) {
+  each_due(displacement(last_, X, centre_), least + rounding, [&](std::size_t k) {
     if (!effort.spend(work_to_look)) return;
     alignas(64) double gap[block];
     gaps_at(lanes_[k], at, gap);
@@ -183,7 +166,7 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
   PairSweep pairs(a_, b_, motion, clearance);
   travel_to(pairs.start().X);
   const double rounding = guard(pairs.start().X), room = clearance + pairs.guard();
-  const Displacement ahead = along(motion, centre_);
+  const Displacement ahead = displacement_along(motion, centre_);
   const ArmMap from = arms_at(a_, pairs.start().X), to = arms_at(a_, pairs.end());
   const ArmMap bend = arm_map(motion.bend(), Vec3::Zero());
   std::size_t open = 0;

@@ -11,6 +11,7 @@
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/violation.hpp"
+#include "engine/proximity/sweep/course.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/sweep/pair_sweep.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
@@ -29,32 +30,29 @@ class NeighbourList {
   static constexpr std::size_t enough = 8192;
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
-  /// No point of A, r away from a point of it that is the centre, is further than linear + r·turn
-  /// from where it was.
-  struct Displacement {
-    double linear = 0, turn = 0;  // m, rad
-    double of(double arm) const { return linear + arm * turn; }
+  /// What a list is to hold: every pair that comes within around.of(its arm) on the course, the arm
+  /// being that of the triangle of A about the centre. A probe that slides goes on as it went: a
+  /// list for its course is a part of one for every way that is as long, and serves as long.
+  struct Room {
+    Displacement around;
+    Course ahead = {};
   };
-  /// Along a motion, at most; at s of it, by no more than s times that.
-  static Displacement along(const Motion& motion, const Vec3& centre) noexcept;
-
   /// How much room a list is to have: as much as `ample`, or where it turns out on the way that
   /// this takes more work than `most` or more pairs than fit, no more than `least`. What was found
   /// by then serves: no list is begun anew.
   struct Plan {
-    Displacement ample;
-    Displacement least;  ///< of either part no more than ample
+    Room ample;
+    Room least;  ///< its course a part of ample's
     std::int64_t most = std::numeric_limits<std::int64_t>::max();
   };
 
-  /// Takes down every pair at a distance of at most room.of(its arm) at X, the arm being that of
-  /// the triangle of A about the centre (A's mesh frame). False (and nothing is covered) where
-  /// there are more than it holds, or the effort ran out: then go_on() can finish it, some other
-  /// time.
+  /// Takes down every pair of the room at X, the centre being in A's mesh frame. False (and nothing
+  /// is covered) where there are more than it holds, or the effort ran out: then go_on() can finish
+  /// it, some other time.
   bool build_by(const Plan& plan, const Transform& X, const Vec3& centre, Effort& effort) noexcept;
   bool build(const Transform& X, const Vec3& centre, const Displacement& room,
              Effort& effort) noexcept {
-    return build_by({room, room}, X, centre, effort);
+    return build_by({{room}, {room}}, X, centre, effort);
   }
   /// Every pair that may be within reach at X.
   bool build(const Transform& X, double reach, Effort& effort) noexcept {
@@ -63,12 +61,12 @@ class NeighbourList {
 
   bool go_on(Effort& effort) noexcept;
   bool is_unfinished() const noexcept { return unfinished_; }
-  /// As reach_at after so much more travel, of the list once it is finished.
-  double reach_when_finished(const Transform& X, const Displacement& more) const noexcept {
-    return left(planned_, X, more);
+  /// As reach_at, on all of a path from X, of the list once it is finished.
+  double reach_when_finished(const Transform& X, const Path& path) const noexcept {
+    return left(planned_, X, path);
   }
 
-  void clear() noexcept { count_ = 0, room_.linear = -1, unfinished_ = false; }
+  void clear() noexcept { count_ = 0, room_.around.linear = -1, unfinished_ = false; }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
   /// Has the last list no more room than the least of its plan?
@@ -110,12 +108,10 @@ class NeighbourList {
     std::uint32_t item;
     double until;  ///< of the path: about where it may be stopped
   };
-  double reach_after(const Transform& X, const Displacement& more) const noexcept {
-    return room_.linear < 0 ? -1 : left(room_, X, more);
+  double reach_after(const Transform& X, const Path& path) const noexcept {
+    return room_.around.linear < 0 ? -1 : left(room_, X, path);
   }
-  double left(const Displacement& room, const Transform& X,
-              const Displacement& more) const noexcept;
-  Displacement displacement(const Transform& from, const Transform& X) const noexcept;
+  double left(const Room& room, const Transform& X, const Path& path) const noexcept;
   /// What rounding may add to a distance at either pose, m.
   double guard(const Transform& X) const noexcept;
   /// The probe has come to X.
@@ -128,12 +124,21 @@ class NeighbourList {
   template <class Visit>
   void each_due(const Displacement& ahead, double within, const Visit& visit) const noexcept;
   struct Candidates;
-  double arm_of(std::uint32_t slot) const noexcept;
+  /// Of a box of A where it goes on the planned course.
+  struct Way {
+    double arm = 0;           ///< m
+    Vec3 way = Vec3::Zero();  ///< of its centre, m, fixed frame
+    double spread = 0;        ///< m: no point of the box goes further from that
+  };
+  Way way_of(std::uint32_t slot) const noexcept;
+  /// Does a pair come into the planned room, where it is known how far it is away, and along which
+  /// direction (zero: none)?
+  bool comes_in(const Pair& pair, const Due& due, const Vec3& normal) const noexcept;
   void start(const Transform& X, const Vec3& centre) noexcept;
   /// Takes down those of them that are near enough.
   void take(Candidates& of) noexcept;
   /// Goes on with the least room: the pairs that are beyond it are dropped.
-  void shrink(Candidates& of) noexcept;
+  void shrink() noexcept;
   /// Takes down a pair, and the direction that separates it where the probe is (zero: none).
   void append(const Pair& pair, const Due& due, const Vec3& normal) noexcept;
   /// Lanes that are not used repeat the last one.
@@ -158,8 +163,8 @@ class NeighbourList {
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Displacement room_;             // of the list; linear negative: there is none
-  Displacement planned_;          // of the list that is being made
+  Room room_;                     // of the list; around.linear negative: there is none
+  Room planned_;                  // of the list that is being made
   Plan plan_;                     // for it
   bool least_only_ = false;       // nothing is planned but the least
   PairStack<SlotPair> to_visit_;  // for it

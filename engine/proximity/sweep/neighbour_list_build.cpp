@@ -15,17 +15,34 @@ constexpr int work_to_take = 4;  // a pair, in the units of Effort
 
 }  // namespace
 
-double NeighbourList::arm_of(std::uint32_t slot) const noexcept {
-  return (a_.tree.center(slot) - centre_).norm() * (1 + 1e-6) + a_.tree.half_diagonal(slot);
+NeighbourList::Way NeighbourList::way_of(std::uint32_t slot) const noexcept {
+  const Vec3 to_center = a_.tree.center(slot) - centre_;
+  const double half = a_.tree.half_diagonal(slot);
+  const Course& course = planned_.ahead;
+  return {to_center.norm() * (1 + 1e-6) + half, course.of(X_.R * to_center),
+          course.turn.norm() * half * (1 + 1e-6)};
+}
+
+bool NeighbourList::comes_in(const Pair& pair, const Due& due, const Vec3& normal) const noexcept {
+  const double room = planned_.around.of(due.arm);
+  if (due.distance <= room || normal == Vec3::Zero()) return true;
+  // On the course the gap along the normal changes as that of the corner that loses most.
+  const Course& course = planned_.ahead;
+  const Vec3 per_arm = X_.R.transpose() * normal.cross(course.turn);
+  const Corners ta = corners(surface(a_), pair.a);
+  const double turned = std::min(
+      {per_arm.dot(ta[0] - centre_), per_arm.dot(ta[1] - centre_), per_arm.dot(ta[2] - centre_)});
+  const double gap = gap_along(normal, place(X_, ta), corners(surface(b_), pair.b));
+  return gap * (1 - 1e-12) - guard(X_) + std::min(0.0, normal.dot(course.linear) + turned) <= room;
 }
 
 /// Pairs of triangles on their way into the list, eight of which are compared at a time.
 struct NeighbourList::Candidates {
   TriangleBatch batch;
-  Displacement room;
-  double rounding;                  // m
-  std::array<double, block> arm{};  // m
-  bool fit = true;                  // so far
+  double rounding;                    // m
+  std::array<Way, block> way{};       // of boxes that hold the triangles of A
+  std::array<double, block> reach{};  // m: none that is further away can come in
+  bool fit = true;                    // so far
 };
 
 void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
@@ -38,33 +55,36 @@ void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
 }
 
 void NeighbourList::take(Candidates& of) noexcept {
-  const double widest = of.room.of(*std::max_element(of.arm.begin(), of.arm.end()));
+  const double widest = *std::max_element(of.reach.begin(), of.reach.end());
   of.batch.flush(widest + 2 * of.rounding, [&](const TriangleBatch::Pair& pair, int lane,
                                                const ClosestPoints8& points) {
     const double distance = points.distance[lane] * (1 - 1e-12) - of.rounding;
-    const double arm = of.arm[static_cast<std::size_t>(lane)];
-    if (distance > of.room.of(arm) || !of.fit) return;
+    const auto& [arm, way, spread] = of.way[static_cast<std::size_t>(lane)];
+    if (distance > of.reach[static_cast<std::size_t>(lane)] || !of.fit) return;
+    const Vec3 direction = points.distance[lane] > 0 ? normal(points, lane) : Vec3::Zero();
+    const double gap = points.gap[lane] * (1 - 1e-12) - of.rounding;
+    const double closing = std::max(0.0, -direction.dot(way)) + spread;
+    if (std::min(distance, gap - closing) > planned_.around.of(arm)) return;
+    const Pair of_lane{pair.i, pair.j};
     if (count_ == capacity_ && !least_only_) {
-      shrink(of);
-      if (distance > of.room.of(arm)) return;
+      shrink();
+      if (!comes_in(of_lane, {distance, arm}, direction)) return;
     }
     of.fit = count_ < capacity_;
-    if (!of.fit) return;
-    const bool apart = points.distance[lane] > 0;
-    append({pair.i, pair.j}, {distance, arm}, apart ? normal(points, lane) : Vec3::Zero());
+    if (of.fit) append(of_lane, {distance, arm}, direction);
   });
 }
 
-void NeighbourList::shrink(Candidates& of) noexcept {
-  planned_ = of.room = plan_.least;
+void NeighbourList::shrink() noexcept {
+  planned_ = plan_.least;
   least_only_ = true;
   const std::size_t found = std::exchange(count_, 0);
   for (std::size_t i = 0; i < found; ++i) {
     const Due due = due_of_pair_[i];
-    if (due.distance > planned_.of(due.arm)) continue;
     const Pairs& of_block = items_[i / block];
-    const std::size_t lane = i % block;
-    append({of_block.a[lane], of_block.b[lane]}, due, normal_of(static_cast<std::uint32_t>(i)));
+    const Pair pair{of_block.a[i % block], of_block.b[i % block]};
+    const Vec3 normal = normal_of(static_cast<std::uint32_t>(i));
+    if (comes_in(pair, due, normal)) append(pair, due, normal);
   }
 }
 
@@ -72,41 +92,55 @@ bool NeighbourList::build_by(const Plan& plan, const Transform& X, const Vec3& c
                              Effort& effort) noexcept {
   start(X, centre);
   plan_ = plan;
-  planned_ = plan.ample;
-  least_only_ = plan.ample.linear <= plan.least.linear && plan.ample.turn <= plan.least.turn;
+  // What is looked for at first holds the least.
+  Displacement& around = plan_.ample.around;
+  around = {std::max(around.linear, plan.least.around.linear),
+            std::max(around.turn, plan.least.around.turn)};
+  planned_ = plan_.ample;
+  const auto length = [&](const Room& room) {
+    return room.around.of(longest_arm_) + room.ahead.size().of(longest_arm_);
+  };
+  least_only_ = length(planned_) <= length(plan.least);
   to_visit_.clear();
   to_visit_.push(roots(a_.tree, b_.tree));
   return go_on(effort);
 }
 
 bool NeighbourList::go_on(Effort& effort) noexcept {
-  const Placement at(a_, b_, X_);
+  Placement at(a_, b_, X_);
   SlotPairs found;
-  Recent<double> arms;
-  Candidates candidates{{a_, b_, X_}, planned_, guard(X_)};
+  Recent<Way> ways;
+  Candidates candidates{{a_, b_, X_}, guard(X_)};
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
   // What is found below a pair goes by the arm of its box of A, which is the longer one.
-  const auto sort_out = [&](const SlotPair& p, double arm) {
+  const auto sort_out = [&](const SlotPair& p, const Way& way) {
     if (!at.is_leaf(p)) return to_visit_.push(p);
     spend(work_to_take);
-    candidates.arm[static_cast<std::size_t>(candidates.batch.size())] = arm;
+    const auto lane = static_cast<std::size_t>(candidates.batch.size());
+    candidates.way[lane] = way;
+    candidates.reach[lane] = planned_.around.of(way.arm) + way.way.norm() + way.spread;
     candidates.batch.add(at.triangle_a(p), at.triangle_b(p));
     if (candidates.batch.full()) take(candidates);
   };
   unfinished_ = false;
   while (candidates.fit && !unfinished_ && !to_visit_.empty()) {
     const SlotPair p = to_visit_.pop();
-    const double arm = arms.at(p.a, [&](std::uint32_t slot) { return arm_of(slot); });
-    const float limit = at.above(planned_.of(arm));
+    const Way way = ways.at(p.a, [&](std::uint32_t slot) { return way_of(slot); });
+    const float limit = at.above(planned_.around.of(way.arm)), spread = at.above(way.spread);
     if (p.bound > limit) continue;
     if (at.is_leaf(p)) {  // the roots alone
-      sort_out(p, arm);
+      sort_out(p, way);
       continue;
     }
-    at.open_by_faces(p, limit, found);
-    for (const SlotPair& child : found) sort_out(child, arm);
+    // What is below the box of A goes its way to within the spread.
+    at.open_on_way(p, way.way, limit + spread, found);
+    for (SlotPair& child : found) child.bound -= spread, sort_out(child, way);
     unfinished_ = !spend(work_to_open(found.count));
-    if (work_of_build_ > plan_.most && !least_only_) shrink(candidates);
+    if (work_of_build_ > plan_.most && !least_only_) {
+      take(candidates);
+      shrink();
+      ways = {};
+    }
   }
   take(candidates);
   if (!candidates.fit) return clear(), false;

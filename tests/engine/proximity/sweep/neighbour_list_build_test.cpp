@@ -36,10 +36,10 @@ TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least)
       const Pose pose = test::random_pose(random, *pair.a, *pair.b, 0.7);
       const Transform X(pose);
       const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, radius);
-      const NeighbourList::Displacement ample{test::uniform(random, 0.05, 0.2) * radius,
-                                              test::uniform(random, 0, 0.1)};
+      const Displacement ample{test::uniform(random, 0.05, 0.2) * radius,
+                               test::uniform(random, 0, 0.1)};
       const double part = test::uniform(random, 0.1, 0.9);
-      const NeighbourList::Displacement least{part * ample.linear, part * ample.turn};
+      const Displacement least{part * ample.linear, part * ample.turn};
       NeighbourList large(*pair.a, *pair.b), small(*pair.a, *pair.b);
       ASSERT_TRUE(large.build(X, centre, ample, unlimited)) << pair.name;
       ASSERT_TRUE(small.build(X, centre, least, unlimited)) << pair.name;
@@ -47,7 +47,7 @@ TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least)
       const bool few = i % 2 == 0 && large.size() > small.size();
       const std::size_t capacity = few ? (small.size() + large.size()) / 2 : large.size() + 1;
       NeighbourList list(*pair.a, *pair.b, capacity);
-      NeighbourList::Plan plan{ample, least};
+      NeighbourList::Plan plan{{ample}, {least}};
       if (!few)
         plan.most =
             static_cast<std::int64_t>(test::uniform(random, 0, 1.2) * static_cast<double>(work));
@@ -79,6 +79,66 @@ TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least)
   EXPECT_GT(by_count, 30);
   EXPECT_GT(whole, 5);
   EXPECT_GT(pairs_seen, 1000u);
+}
+
+// Reference: near_pairs, itself tested against all pairs, wherever the probe comes on its course or
+// beside it; a list for all ways that are as long for how many pairs are spared.
+TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
+  Effort unlimited;
+  std::mt19937_64 random(13);
+  std::vector<NearPair> from_list(1 << 15), from_trees(1 << 15);
+  int looks = 0, shrunk = 0;
+  std::size_t pairs_seen = 0, held = 0, held_of_all_ways = 0;
+  for (const auto& pair : test::body_pairs(51)) {
+    const double radius = pair.a->mass.radius;
+    for (int i = 0; i < 40; ++i) {
+      const Pose pose = test::random_pose(random, *pair.a, *pair.b, 0.8);
+      const Transform X(pose);
+      const Vec3 centre = pair.a->mass.com + test::random_in_ball(random, radius);
+      const double size = test::uniform(random, 0.02, 0.2);
+      const Course course{test::random_in_ball(random, size * radius),
+                          test::random_in_ball(random, size)};
+      const Displacement around{0.2 * size * radius, 0.2 * size};
+      const double part = test::uniform(random, 0.3, 1);
+      const NeighbourList::Room ample{around, course};
+      const NeighbourList::Room least{{part * around.linear, part * around.turn}, part * course};
+      NeighbourList list(*pair.a, *pair.b, 1 << 15), all_ways(*pair.a, *pair.b, 1 << 15);
+      NeighbourList::Plan plan{ample, least};
+      if (i % 2 == 0) plan.most = 300;
+      ASSERT_TRUE(list.build_by(plan, X, centre, unlimited)) << pair.name;
+      if (!list.is_least()) {
+        const Displacement length{course.size().linear + around.linear,
+                                  course.size().turn + around.turn};
+        ASSERT_TRUE(all_ways.build(X, centre, length, unlimited)) << pair.name;
+        EXPECT_LE(list.size(), all_ways.size());
+        held += list.size(), held_of_all_ways += all_ways.size();
+      }
+      shrunk += list.is_least();
+      for (int k = 0; k < 6; ++k) {
+        const double u = test::uniform(random, 0, 1.1);
+        const Vec3 turn = u * course.turn + test::random_in_ball(random, 0.1 * size);
+        const Quat q =
+            (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * pose.q).normalized();
+        const Transform at(Pose{q, X * centre + u * course.linear - q * centre +
+                                       test::random_in_ball(random, 0.1 * size * radius)});
+        const double reach = list.reach_at(at);
+        if (reach <= 0) continue;
+        const double sure =
+            reach - 1e-14 * (extent(*pair.a) + extent(*pair.b) + at.p.cwiseAbs().maxCoeff());
+        const auto got = list.near(at, reach, from_list, unlimited);
+        const auto want = near_pairs(*pair.a, *pair.b, at, reach, from_trees);
+        EXPECT_EQ(keys({from_list.data(), got.count}, sure),
+                  keys({from_trees.data(), want.count}, sure))
+            << pair.name << " at " << u;
+        pairs_seen += got.count;
+        ++looks;
+      }
+    }
+  }
+  EXPECT_GT(looks, 500);
+  EXPECT_GT(shrunk, 50);
+  EXPECT_GT(pairs_seen, 1000u);
+  EXPECT_LT(3 * held, 2 * held_of_all_ways);
 }
 
 }  // namespace
