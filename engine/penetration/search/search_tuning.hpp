@@ -13,8 +13,8 @@ namespace sonde {
 /// Chosen by trial on the poses of `tests/reference/depths.csv` with three seeds (`sonde-depths`;
 /// the rows are those of "How near the static search comes to the best known depth" in
 /// resources/docs/understand/measurements.md), but where a line says otherwise. A number without a
-/// figure of its own was chosen together with its neighbours. `sonde trade --vary NAME=...`
-/// measures some of them on a scene (search_variation.hpp).
+/// figure of its own was chosen together with its neighbours. separate_static takes another struct
+/// than this one, for studies.
 struct SearchTuning {
   // Budgets
   /// Of a budget of time: until when sketches are searched, until when anything is, and until when
