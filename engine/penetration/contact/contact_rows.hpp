@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/penetration/contact/contact_tuning.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/proximity/sweep/motion.hpp"
@@ -34,12 +35,10 @@ class ContactRows {
   /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
   /// kept from one gather to the next.
   struct Finding {
-    std::size_t most_pairs = 48;                      ///< a first guess: cut() finds the rest
-    std::size_t most_listed = NeighbourList::enough;  ///< 0: no list
+    std::size_t most_pairs = contact_tuning.most_pairs;  ///< a first guess: cut() finds the rest
+    std::size_t most_listed = NeighbourList::enough;     ///< 0: no list
   };
-  /// Rows, of which six at most are active. Beyond, a contact adds none, steps that it is in the
-  /// way of are cut short, and the answer is not converged where that is what ends it.
-  static constexpr std::size_t capacity = 256;
+  static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
   /// What comes next has nothing to do with what was gathered before.
@@ -65,7 +64,9 @@ class ContactRows {
 
   /// The last gather was too much work: the next ones have half of its reach, but no less than that
   /// (m), and then more again.
-  void look_less_far(double least) noexcept { crowded_ = std::max(0.5 * asked_, least); }
+  void look_less_far(double least) noexcept {
+    crowded_ = std::max(contact_tuning.crowded_to * asked_, least);
+  }
 
   /// Sweeps the probe along a motion; a list of pairs serves where the path is short.
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
