@@ -9,17 +9,17 @@
 #include <utility>
 
 #include "engine/body/body.hpp"
+#include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/search/static_search.hpp"
 
 namespace sonde {
 namespace {
 
-/// A bounded time: the answer should follow the hand, and closing should not wait.
 std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method) {
   StaticOptions options;
   options.method = method;
-  if (method == Method::pdt) options.starts = 6;
-  options.budget.microseconds = 300'000;
+  if (method == Method::pdt) options.starts = loop_tuning.background_starts_pdt;
+  options.budget.microseconds = loop_tuning.background_us;
   options.want_lower_bound = false;
   const Separation separation = separate_static(pair, X_FM, options);
   if (separation.status == Status::failed) return {};
@@ -63,9 +63,8 @@ WayOut way_out(const Separation& followed, const BackgroundResult& search) {
   const bool same_pose = search.device.p == followed.device.p &&
                          search.device.q.coeffs() == followed.device.q.coeffs();
   if (!same_pose || !search.nearest || followed.status == Status::failed) return WayOut::unknown;
-  // Both are iterated: what differs by less is no other way.
-  constexpr double clearly = 0.98;
-  if (followed.status == Status::separated || search.nearest->depth >= clearly * followed.depth)
+  if (followed.status == Status::separated ||
+      search.nearest->depth >= loop_tuning.clearly_nearer * followed.depth)
     return WayOut::nearest;
   return search.nearest->depth > 0 ? WayOut::nearer_blocked : WayOut::free_blocked;
 }

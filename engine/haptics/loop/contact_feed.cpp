@@ -5,18 +5,13 @@
 
 #include "engine/base/deadline.hpp"
 #include "engine/body/body.hpp"
+#include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/descent/descent.hpp"
 
 namespace sonde {
 namespace {
 
-/// Of the probe's radius: farther no probe goes while the geometry is busy.
-constexpr double widest = 0.5;
-/// Of near pairs, whose rows are chosen from.
-constexpr std::size_t most_pairs = 192;
-/// Of the probe's radius: how far the device is moved to see which rows would hold the probe. At
-/// 1 m/s a tick of a probe of 5 cm.
-constexpr double support_reach = 0.02;
+constexpr const LoopTuning& tuned = loop_tuning;
 
 }  // namespace
 
@@ -25,7 +20,7 @@ ContactFeed::ContactFeed(const Pair& pair, Method method)
       method_(method),
       solver_(pair, method),
       near_(pair.probe(), pair.fixed(), method,
-            {.most_pairs = most_pairs, .most_listed = NeighbourList::enough}),
+            {.most_pairs = tuned.most_pairs, .most_listed = NeighbourList::enough}),
       marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
@@ -70,7 +65,7 @@ void ContactFeed::gather() noexcept {
   Chart chart(pair_.probe().mass, s.device);
   chart.absorb_free_spin(s.separated);
   const double radius = pair_.probe().mass.radius;
-  const double margin = 0.5 * allowed_clearance(radius, s.depth);
+  const double margin = tuned.margin_of_clearance * allowed_clearance(radius, s.depth);
   const Pose X_MF = inverse(s.separated);
   const auto add = [&](const Contact& c) {
     if (contacts_.size == LocalContacts::capacity) return false;
@@ -81,11 +76,12 @@ void ContactFeed::gather() noexcept {
   // Those that hold the probe come first: with them, the separated pose is the answer at the pose
   // it was found for.
   for (const Contact& c : s.contacts) add(c);
-  near_.gather(chart, chart.coordinates(s.separated), widest * radius, 4 * margin);
+  near_.gather(chart, chart.coordinates(s.separated), tuned.widest * radius,
+               tuned.flat_within * margin);
   contacts_.reach = near_.reach();
   const int rows = near_.size();
   std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
-  if (!marked_[0]) mark_support(support_reach * radius);
+  if (!marked_[0]) mark_support(tuned.support_reach * radius);
   for (int i = 0; i < rows; ++i)
     if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
   for (int i = 0; i < rows; ++i) {
@@ -103,7 +99,8 @@ void ContactFeed::mark_holding(const Pose& device) noexcept {
   const Vec6 y = chart.coordinates(contacts_.separation.separated);
   if (!near_.again(chart, y)) return;
   const LeastDistance held =
-      near_.solve(0.5 * allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
+      near_.solve(tuned.margin_of_clearance *
+                      allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
                   ContactRows::Narrow::keep);
   for (int i = 0; i < held.active_count; ++i)
     if (const int row = held.active[static_cast<std::size_t>(i)]; row < near_.size())
@@ -123,7 +120,7 @@ void ContactFeed::mark_support(double far) noexcept {
   const Eigen::AngleAxisd turned(device.q * last_device_.q.conjugate());
   const Vec3 turn = turned.angle() * turned.axis();
   const Vec3 shift = device * mass.com - last_device_ * mass.com;
-  for (const double ticks : {3.0, 8.0, 20.0}) mark_holding(moved(ticks * shift, ticks * turn));
+  for (const double ticks : tuned.support_ticks) mark_holding(moved(ticks * shift, ticks * turn));
   for (int axis = 0; axis < 3; ++axis)
     for (const double by : {-far, far}) {
       mark_holding(moved(by * Vec3::Unit(axis), Vec3::Zero()));

@@ -2,15 +2,15 @@
 #include "engine/haptics/loop/geometry_thread.hpp"
 
 #include "engine/base/real_time.hpp"
+#include "engine/haptics/loop/loop_tuning.hpp"
 
 namespace sonde {
 namespace {
 
-/// For a start in overlap, which somebody waits for: a place to follow from, not the last per cent.
 StaticOptions quick_search() {
   StaticOptions options;
-  options.starts = 64;
-  options.agreement = 6;
+  options.starts = loop_tuning.starts_at_begin;
+  options.agreement = loop_tuning.agreement_at_begin;
   return options;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/geometry/mass.hpp"
+#include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/contact/separation.hpp"
 
 namespace sonde {
@@ -21,7 +22,7 @@ struct LocalContact {
 /// What the geometry found for one device pose, and what is to be known of the surroundings of the
 /// separated pose until it has found the next: plain data, copied through a triple buffer.
 struct LocalContacts {
-  static constexpr int capacity = 64;
+  static constexpr int capacity = loop_tuning.most_rows;
   std::array<LocalContact, capacity> rows;  ///< those that hold the probe first
   int size = 0;
   /// m: where no point of the probe is farther than this from where it is at the separated pose, it

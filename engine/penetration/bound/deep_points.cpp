@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <queue>
 
+#include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr std::size_t most_points = 4;
-constexpr int most_meetings = 3;
-constexpr int most_opened = 400;
-constexpr int most_corners = 100;
-constexpr int most_boxes = 60;
-constexpr double large_triangle = 0.1;  // half of its box's diagonal, of the body's radius
+constexpr const BoundTuning& tuned = bound_tuning;
 
 /// Looks where the deepest points may be. A depth changes by no more than its point is moved by, so
 /// of a box no more is to be expected than at one point of it, and the way from there.
@@ -31,7 +27,7 @@ class DeepPoints {
     if (probe.solid && fixed.solid) between();
     const std::vector<CommonPoint> before = points_;
     for (const CommonPoint& p : before) {
-      points_.push_back(depth_.ascend(still_, p, 0.5 * p.depth(), 10));
+      points_.push_back(depth_.ascend(still_, p, tuned.last_stride * p.depth(), tuned.last_ascent));
       inwards(points_.back());
     }
     return points_;
@@ -42,22 +38,22 @@ class DeepPoints {
   void offer(const CommonPoint& s) {
     if (s.depth() <= 0) return;
     for (CommonPoint& t : points_)
-      if ((t.x - s.x).norm() < 0.5 * std::max(s.depth(), t.depth())) {
+      if ((t.x - s.x).norm() < tuned.apart * std::max(s.depth(), t.depth())) {
         if (t.depth() < s.depth()) t = s;
         return;
       }
     points_.push_back(s);
     std::stable_sort(points_.begin(), points_.end(),
                      [](const auto& p, const auto& q) { return p.depth() > q.depth(); });
-    if (points_.size() > most_points) points_.pop_back();
+    if (points_.size() > tuned.most_points) points_.pop_back();
   }
 
   /// As deep, but nearer to the centre of mass: a turn moves it less.
   void inwards(const CommonPoint& from) {
     const CommonPoint start = from;
-    for (const double left : {0.75, 0.5, 0.25}) {
+    for (const double left : tuned.inwards) {
       const CommonPoint next = depth_.at(still_, left * start.x);
-      if (next.depth() < 0.97 * start.depth()) return;
+      if (next.depth() < tuned.as_deep * start.depth()) return;
       points_.push_back(next);
     }
   }
@@ -72,19 +68,19 @@ class DeepPoints {
   void where_triangles_meet() {
     const Body &a = depth_.probe(), &b = depth_.fixed();
     const Placement at(a, b, depth_.X_FM());
-    const double stride = 0.02 * std::min(a.mass.radius, b.mass.radius);
+    const double stride = tuned.meeting_stride * std::min(a.mass.radius, b.mass.radius);
     PairStack<SlotPair> stack;
     SlotPairs found;
     stack.push(at.roots());
     for (int opened = 0, meetings = 0;
-         !stack.empty() && opened < most_opened && meetings < most_meetings;) {
+         !stack.empty() && opened < tuned.most_opened && meetings < tuned.most_meetings;) {
       const SlotPair p = stack.pop();
       if (at.is_leaf(p)) {
         const ClosestPoints c =
             closest_points(at.corners_a(at.triangle_a(p)), at.corners_b(at.triangle_b(p)));
         if (c.distance > 0) continue;
         ++meetings;
-        offer(depth_.ascend(still_, look(depth_.X_FW(), c.b), stride, 8));
+        offer(depth_.ascend(still_, look(depth_.X_FW(), c.b), stride, tuned.meeting_ascent));
         continue;
       }
       ++opened;
@@ -109,14 +105,14 @@ class DeepPoints {
       queue.push({slot, look(X, x).depth() + 2 * tree.half_diagonal(slot)});
     };
     look_at(0);
-    const int until = depth_.evaluations() + most_corners;
+    const int until = depth_.evaluations() + tuned.most_corners;
     while (!queue.empty() && depth_.evaluations() < until && !deadline_.passed()) {
       const Slot s = queue.top();
       queue.pop();
       if (s.most <= 0) break;
       const std::uint32_t child = tree.child(s.slot);
       if (child & Tree::triangle_bit) {
-        if (tree.half_diagonal(s.slot) > large_triangle * body.mass.radius)
+        if (tree.half_diagonal(s.slot) > tuned.large_triangle * body.mass.radius)
           spread(corners_of(body, child & ~Tree::triangle_bit), X);
         continue;
       }
@@ -154,7 +150,7 @@ class DeepPoints {
       queue.push({b.low, b.high, s.depth() + (b.high - b.low).norm()});
     };
     look_at(all);
-    for (int n = 0; n < most_boxes && !deadline_.passed(); n += 2) {
+    for (int n = 0; n < tuned.most_boxes && !deadline_.passed(); n += 2) {
       const Box b = queue.top();
       queue.pop();
       if (b.most <= 0) break;

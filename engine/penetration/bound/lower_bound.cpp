@@ -9,6 +9,7 @@
 #include <queue>
 #include <vector>
 
+#include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/penetration/bound/deep_points.hpp"
 #include "engine/penetration/bound/rotation_cell.hpp"
 #include "engine/penetration/bound/witness.hpp"
@@ -16,6 +17,7 @@
 namespace sonde {
 namespace {
 
+constexpr const BoundTuning& tuned = bound_tuning;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where
@@ -61,11 +63,11 @@ class TurnSearch {
   /// has hardly raised it.
   double run(int work, const Deadline& deadline) {
     double before = 0;
-    for (double look = first_look; spent() < work && !deadline.passed();) {
+    for (double look = tuned.first_look; spent() < work && !deadline.passed();) {
       if (spent() >= look) {
         const double now = std::sqrt(queue_.top().bound);
-        if (now < enough_gain * before) break;
-        before = now, look *= 1.5;
+        if (now < tuned.worth_going_on * before) break;
+        before = now, look *= tuned.look_growth;
       }
       const std::uint32_t i = queue_.top().node;
       queue_.pop();
@@ -82,8 +84,7 @@ class TurnSearch {
   }
 
  private:
-  static constexpr std::size_t most_near = 6, most_new = 64;
-  static constexpr double first_look = 4000, enough_gain = 1.02;
+  static constexpr std::size_t most_near = tuned.most_near;
   struct Near {
     double depth;           // at the cell's middle, m
     double away;            // r from p there, m
@@ -107,7 +108,7 @@ class TurnSearch {
     }
   };
 
-  int spent() const { return 10 * depth_.evaluations() + cells_; }
+  int spent() const { return tuned.work_of_evaluation * depth_.evaluations() + cells_; }
 
   void consider(Node& n, const CellSpread& spread, std::uint32_t witness) const {
     const Witness& w = witnesses_[witness];
@@ -140,11 +141,11 @@ class TurnSearch {
   double least_sum(const Node& n, const CellSpread& spread) const {
     const Witness& w = witnesses_[n.near[0].witness];
     const Eigen::Matrix4d G = distance_form(w.r, w.p);
-    const double least_away = 1e-3 * w.depth;
-    double away = std::max({n.near[0].away, 0.3 * spread.reach(w.r), least_away});
+    const double least_away = tuned.least_away * w.depth;
+    double away = std::max({n.near[0].away, tuned.first_away * spread.reach(w.r), least_away});
     double most = -infinity;
     Eigen::Vector4d at = n.cell.middle();
-    for (int i = 0; i < 2 && away < w.depth; ++i) {
+    for (int i = 0; i < tuned.tangents && away < w.depth; ++i) {
       Eigen::Matrix4d S = (1 - w.depth / away) * G;
       S.diagonal().tail<3>() += 4 * inertia_;
       const RotationCell::Least least = n.cell.least_quotient(S, at);
@@ -157,7 +158,7 @@ class TurnSearch {
 
   /// Takes in the witnesses found since, of many the last: those from afar matter least.
   void update(Node& n) {
-    n.seen = std::max(n.seen, witnesses_.size() - std::min(most_new, witnesses_.size()));
+    n.seen = std::max(n.seen, witnesses_.size() - std::min(tuned.most_new, witnesses_.size()));
     const CellSpread spread(n.cell);
     for (; n.seen < witnesses_.size(); ++n.seen)
       consider(n, spread, static_cast<std::uint32_t>(n.seen));
@@ -183,7 +184,7 @@ class TurnSearch {
     Node& n = nodes_[i];
     const CellSpread spread(n.cell);
     // A witness from afar has lost what it was moved by; one from here may be much better.
-    if (!n.queried && n.near[n.best].away > 1.4 * n.reach) {
+    if (!n.queried && n.near[n.best].away > tuned.from_afar * n.reach) {
       n.queried = true;
       find_witness(n, spread);
       queue_.push({n.bound, i});
@@ -219,7 +220,8 @@ class TurnSearch {
     if (!depth_.probe().solid) x = R * w.r;
     if (!depth_.fixed().solid) x = w.p;
     const CommonPoint here = depth_.at(R, x);
-    const CommonPoint best = depth_.ascend(R, here, 0.3 * std::abs(here.depth()), 2);
+    const CommonPoint best =
+        depth_.ascend(R, here, tuned.stride * std::abs(here.depth()), tuned.ascent);
     if (best.depth() > 0) witnesses_.push_back(best.witness());
   }
 

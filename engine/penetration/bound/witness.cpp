@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
 
 namespace sonde {
 namespace {
+
+constexpr const BoundTuning& tuned = bound_tuning;
 
 /// The last few gradients, and the least vector of their convex hull: uphill for all of them (after
 /// the bundle methods of Lemaréchal).
@@ -27,7 +30,7 @@ class Bundle {
   /// By the steps of Frank and Wolfe.
   Vec3 least() const {
     Vec3 p = g_[size_ - 1];
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < tuned.bundle_steps; ++i) {
       Vec3 low = p;
       for (std::size_t k = 0; k < size_; ++k)
         if (p.dot(g_[k]) < p.dot(low)) low = g_[k];
@@ -39,7 +42,7 @@ class Bundle {
   }
 
  private:
-  static constexpr std::size_t most = 4;
+  static constexpr std::size_t most = tuned.bundle;
   std::array<Vec3, most> g_;
   std::size_t size_ = 0;
 };
@@ -87,14 +90,14 @@ CommonPoint CommonDepth::ascend(const Mat3& R, const CommonPoint& start, double 
   CommonPoint best = start;
   Bundle bundle;
   bundle.add(best.up());
-  constexpr double level = 0.05;  // a gradient below it leads nowhere
   // A common point at all is worth more looks than a deeper one.
-  for (int i = 0; i < evaluations || (best.depth() <= 0 && i < 3 * evaluations); ++i) {
+  for (int i = 0;
+       i < evaluations || (best.depth() <= 0 && i < tuned.more_without_any * evaluations); ++i) {
     const Vec3 up = bundle.least();
-    if (up.norm() < level) {
+    if (up.norm() < tuned.level) {
       // A ridge's top, for this stride.
-      if (best.up().norm() < level) break;
-      stride *= 0.5;
+      if (best.up().norm() < tuned.level) break;
+      stride *= tuned.stride_at_top;
       bundle.clear();
       bundle.add(best.up());
       continue;
@@ -103,7 +106,7 @@ CommonPoint CommonDepth::ascend(const Mat3& R, const CommonPoint& start, double 
     bundle.add(next.up());
     const bool better = next.depth() > best.depth();
     if (better) best = next;
-    stride *= better ? 1.5 : 0.35;
+    stride *= better ? tuned.stride_growth : tuned.stride_decay;
   }
   return best;
 }

@@ -6,17 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/penetration/contact/contact_tuning.hpp"
+
 namespace sonde {
 namespace {
 
-/// Contacts so near each other, of R, and so well agreed are one to the eye and to the hand; a
-/// smooth patch of contact, which lies on a few triangles, stays one as it slides over others.
-constexpr double near_by = 0.25;
-constexpr double agreed = 0.966;  // 15°
-/// Faces that lie on each other: to the tilt and the height that the clearance leaves them, which
-/// is 1e-4 R at most.
-constexpr double flat = 1e-3;
-constexpr double level = 1 - 0.5 * flat * flat;
+constexpr const ContactTuning& tuned = contact_tuning;
+/// Cosine of that tilt.
+constexpr double level = 1 - 0.5 * tuned.flat * tuned.flat;
 
 struct Place {
   Vec3 point;
@@ -28,8 +25,8 @@ double apart(const Place& p, const Place& q, double radius) {
   const double cosine = p.normal.dot(q.normal);
   const Vec3 way = q.point - p.point;
   const double distance = way.norm();
-  const bool close = distance <= near_by * radius && cosine >= agreed;
-  const bool in_one_plane = std::abs(p.normal.dot(way)) <= flat * radius && cosine >= level;
+  const bool close = distance <= tuned.near_by * radius && cosine >= tuned.agreed;
+  const bool in_one_plane = std::abs(p.normal.dot(way)) <= tuned.flat * radius && cosine >= level;
   return close || in_one_plane ? distance : std::numeric_limits<double>::infinity();
 }
 

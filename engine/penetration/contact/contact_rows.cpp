@@ -11,32 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Pairs, the deepest, that one look may find; the next look finds what is left. Where faces lie on
-/// each other many of them keep their gaps, and are not in the way.
-constexpr std::size_t most_cut = 48;
-/// Pairs that are looked at again wherever the probe has come to. Six hold it at a time; those of
-/// the last few ticks' looks find room. One that is forgotten cuts a step again.
-constexpr std::size_t most_kept = 32;
-/// Of its gap, or of the margin, a step may take so little from a pair that it need not be thought
-/// over: what is lost tick by tick is not to be had back while the probe is pressed.
-constexpr double kept_share = 0.95;
-/// Of the effort that is left to a tick: a list that takes more goes on in the next ones.
-constexpr double share_for_list = 0.75;
-/// One that takes more, as much as some ticks have, is made smaller the next time.
-constexpr double good_share_for_list = 8;
-/// Of a list's reach: so much is for what lies aside of the course of late, the rest for the way
-/// along it. When lists were due the probe was off their course by 1 % of its way on nut-on-bolt
-/// and peg-in-hole, 10 to 14 % on torus-knots, linked-tori and spoon-in-cup (medians; 2 to 30 % in
-/// three of four).
-constexpr double share_around = 0.25;
-/// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
-/// missing.
-constexpr double least_share_of_reach = 0.1;
-/// A gather turns the probe by so much more than its reach by the radius, about: rows that would
-/// come in then are not dropped (rotation by a step of the size of the reach, about the thinnest
-/// axis; with 2, steps of torus-knots went to and fro between two sets of rows).
-constexpr double turn_per_reach = 8;
-constexpr int work_to_take = 16;  // a pair, in the units of Effort
+constexpr const ContactTuning& tuned = contact_tuning;
 
 }  // namespace
 
@@ -45,25 +20,22 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
     : probe_(probe),
       fixed_(fixed),
       method_(method),
-      list_(probe, fixed, finding.most_listed),
+      lists_(probe, fixed, finding.most_listed),
       most_near_(finding.most_pairs),
-      pairs_(finding.most_pairs + most_kept),
+      pairs_(finding.most_pairs + tuned.most_kept),
       contacts_(capacity),
       rows_(capacity + 1),  // and the rim of the chart
       at_(capacity),
-      violations_(most_cut),
+      violations_(tuned.most_cut),
       pair_of_(capacity),
-      kept_(most_kept),
-      crowded_(probe.mass.radius),
-      list_reach_(probe.mass.radius) {}
+      kept_(tuned.most_kept),
+      crowded_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
-  list_.clear();
-  sliding_ = turning_ = Vec3::Zero();
+  lists_.forget();
   gathered_ = rim_ = false;
   count_ = kept_count_ = 0;
   crowded_ = probe_.mass.radius;
-  list_reach_ = NeighbourReach(probe_.mass.radius);
 }
 
 void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
@@ -77,7 +49,7 @@ void ContactRows::keep(const TrianglePair& pair) noexcept {
   const auto found = std::find(begin, end, pair);
   if (found != end)
     std::rotate(found, found + 1, end);
-  else if (kept_count_ < most_kept)
+  else if (kept_count_ < tuned.most_kept)
     kept_[kept_count_++] = pair;
   else
     std::rotate(begin, begin + 1, end), kept_.back() = pair;
@@ -110,7 +82,7 @@ std::size_t ContactRows::add_kept(const Transform& X, double reach, std::size_t 
 bool ContactRows::is_news(const Contact& contact) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
-    if (row.normal.dot(contact.normal) < 1 - 1e-12) continue;
+    if (row.normal.dot(contact.normal) < tuned.same_normal) continue;
     // A turn of the size to be expected brings it no nearer than the row.
     const double apart = (contact.on_probe - row.on_probe).norm();
     if (contact.gap - row.gap >= turn_ * apart) return false;
@@ -135,21 +107,6 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
-Course ContactRows::usual(const Transform& X, const Vec3& centre) const noexcept {
-  const Vec3 arm = X.R * (centre - probe_.mass.com);
-  return {sliding_ + turning_.cross(arm), turning_};
-}
-
-void ContactRows::remember(const Motion& motion) noexcept {
-  const double radius = probe_.mass.radius;
-  const Motion::Velocity v = motion.velocity(0);
-  const double last = sliding_.norm() + radius * turning_.norm();
-  if (v.linear.norm() + radius * v.angular.norm() >= 0.9 * last)
-    sliding_ = v.linear, turning_ = v.angular;
-  else
-    sliding_ *= 0.9, turning_ *= 0.9;
-}
-
 Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   const Vec3& com = probe_.mass.com;
   if (count_ == 0) return com;
@@ -159,7 +116,8 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < count_; ++i) sum += local(i);
   const Vec3 middle = sum / static_cast<double>(count_);
-  const Displacement about_com = usual(X, com).size(), about_middle = usual(X, middle).size();
+  const Displacement about_com = lists_.usual(X, com).size(),
+                     about_middle = lists_.usual(X, middle).size();
   double by_com = 0, by_middle = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     by_com += about_com.of((local(i) - com).norm());
@@ -168,78 +126,50 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   return by_middle < by_com ? middle : com;
 }
 
-void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centre,
-                             const Path& ahead, Effort& effort) noexcept {
-  const double radius = probe_.mass.radius;
-  const Displacement next = ahead.course.size();
-  const double wanted = reach + next.of(radius) + ahead.bend.of(radius);
-  // A list pays where the steps are short beside its reach; long steps walk the trees.
-  if (list_.capacity() == 0 || list_reach_.is_too_far(wanted)) return;
-  if (list_.is_unfinished() && list_.reach_when_finished(X, ahead) > reach) {
-    effort.within(share_for_list, [&](Effort& part) { return list_.go_on(part); });
-    return;
-  }
-  // The course of late, or of what comes next where that is longer.
-  Course course = usual(X, centre);
-  if (course.size().of(radius) < next.of(radius)) course = ahead.course;
-  const double length = course.size().of(radius);
-  const double linear = length > 0 ? course.size().linear / length : 0.5;
-  const double near = std::max(reach, 2 * least_asked_);
-  const auto affordable = static_cast<std::int64_t>(
-      std::min(1e18, good_share_for_list * static_cast<double>(effort.left())));
-  const auto room = [&](double ample) {
-    const double around = length > 0 ? share_around * ample : ample;
-    const Course on = length > 0 ? (1 - share_around) * ample / length * course : Course{};
-    const Displacement off = deviation(X, on, X, ahead, centre, radius);
-    return NeighbourList::Room{{std::max(linear * around, 1.5 * (near + off.linear)),
-                                std::max((1 - linear) * around / radius, 1.5 * off.turn)},
-                               on};
-  };
-  const double ample = list_reach_.choose(wanted), least = NeighbourReach::least(wanted);
-  const NeighbourList::Plan plan{room(ample), room(least), list_reach_.most_work()};
-  const bool fits = effort.within(
-      share_for_list, [&](Effort& part) { return list_.build_by(plan, X, centre, part); });
-  // What the tick's effort was too little for goes on in the next ones.
-  if (list_.is_unfinished()) return;
-  const std::int64_t work = list_.work_of_build();
-  const bool shrunk = list_.is_least() && ample > least;
-  if (shrunk) list_reach_.learn(wanted, ample, false, work, affordable);
-  list_reach_.learn(wanted, shrunk ? least : ample, fits, work, affordable);
-}
-
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
                                   Effort& effort) noexcept {
-  const double listed = list_.reach_at(X);
-  if (listed >= std::max(least, least_share_of_reach * reach)) reach = std::min(reach, listed);
-  if (listed < reach) {
+  const auto take_what_is_listed = [&] {
+    const double listed = lists_.serving().reach_at(X);
+    if (listed >= std::max(least, tuned.least_share_of_reach * reach))
+      reach = std::min(reach, listed);
+    return listed >= reach;
+  };
+  if (!take_what_is_listed()) {
     const Vec3 centre = stillest(X);
-    list_pairs(X, reach, centre, {usual(X, centre), {}}, effort);
-    const double got = list_.reach_at(X);
-    if (got >= std::max(least, least_share_of_reach * reach)) reach = std::min(reach, got);
+    lists_.renew(X, {reach, near_of(reach), centre, {lists_.usual(X, centre), {}}}, effort);
     // Where there is no room for so much, less is expected the next time.
-    if (got < reach) sliding_ *= 0.5, turning_ *= 0.5;
+    if (!take_what_is_listed()) lists_.expect_less();
   }
+  NeighbourList& list = lists_.serving();
   const NearPairs near =
-      list_.reach_at(X) >= reach
-          ? list_.near(X, reach, {pairs_.data(), most_near_}, effort)
+      list.reach_at(X) >= reach
+          ? list.near(X, reach, {pairs_.data(), most_near_}, effort)
           : near_pairs(probe_, fixed_, X, reach, {pairs_.data(), most_near_}, effort);
   if (near.reach < 0) return near;
-  crowded_ = near.reach < reach ? near.reach : std::min(1.5 * crowded_, probe_.mass.radius);
+  crowded_ = near.reach < reach ? near.reach
+                                : std::min(tuned.crowded_growth * crowded_, probe_.mass.radius);
   return near;
+}
+
+void ContactRows::look_ahead(Effort& effort) noexcept {
+  if (!gathered_) return;
+  const double reach = std::max(least_asked_, tuned.least_share_of_reach * asked_);
+  const Vec3 centre = stillest(X_);
+  lists_.look_ahead(X_, {reach, near_of(reach), centre, {lists_.usual(X_, centre), {}}}, effort);
 }
 
 bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
                          Effort& effort) noexcept {
   const Transform X(chart.pose(y));
   asked_ = std::min(reach, crowded_);
-  least_asked_ = 4 * flat;
+  least_asked_ = tuned.least_reach_of_flat * flat;
   const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
   gathered_ = near.reach >= 0 && !effort.is_spent();
   if (!gathered_) return false;
   count_ = 0;
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
-  turn_ = std::max(turn_per_reach * reach_ / probe_.mass.radius, 2 * turning_.norm());
+  turn_ = std::max(tuned.turn_per_reach * reach_ / probe_.mass.radius, 2 * lists_.usual_turn());
   const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
@@ -247,7 +177,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   });
   if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
   for (const NearPair& p : pairs) {
-    effort.spend(work_to_take);
+    effort.spend(tuned.work_of_pair);
     take(p, X, flat);
   }
   linearise(chart, y);
@@ -278,16 +208,17 @@ void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
 
 ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
                                    double margin, Effort& effort) noexcept {
-  const double least = kept_share * margin;
+  const double least = tuned.kept_share * margin;
   const Transform end = motion.at(1);
-  remember(motion);
-  if (list_.reach_at(end) <= least) {
+  lists_.remember(motion);
+  if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = stillest(X_);
-    list_pairs(X_, least, centre, path_of(motion, centre), effort);
+    lists_.renew(X_, {least, near_of(least), centre, path_of(motion, centre)}, effort);
   }
+  NeighbourList& list = lists_.serving();
   std::size_t found = 0;
-  if (list_.reach_at(end) > least)
-    found = list_.violations(end, least, violations_, effort);
+  if (list.reach_at(end) > least)
+    found = list.violations(end, least, violations_, effort);
   else if (!effort.is_limited())
     found = find_violations(probe_, fixed_, end, least, violations_, effort);
   const std::size_t before = count_;
@@ -297,8 +228,8 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
     const auto& [a, b, gap] = violations_[i];
     const Corners ta = place(X_, corners(surface(probe_), a));
     const ClosestPoints p = closest_points(ta, corners(surface(fixed_), b));
-    effort.spend(work_to_take);
-    if (!(p.distance > 0) || gap >= kept_share * std::min(p.gap, margin)) continue;
+    effort.spend(tuned.work_of_pair);
+    if (!(p.distance > 0) || gap >= tuned.kept_share * std::min(p.gap, margin)) continue;
     out.clear = false;
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
@@ -320,7 +251,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
   // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
   const Vec3 v = chart.v(y);
   const double turn = v.norm();
-  rim_ = turn > 0.9 * Chart::largest_v && method_ == Method::pdg;
+  rim_ = turn > tuned.rim_from * Chart::largest_v && method_ == Method::pdg;
   if (!rim_) return;
   Vec6 out = Vec6::Zero();
   out.head<3>() = chart.in_v(v / turn);
@@ -329,11 +260,13 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 }
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
-  if (!list_.covers(motion, clearance)) {
+  if (!lists_.serving().covers(motion, clearance)) {
     const Vec3 centre = stillest(X_);
-    list_pairs(motion.at(0), clearance, centre, path_of(motion, centre), effort);
+    lists_.renew(motion.at(0), {clearance, near_of(clearance), centre, path_of(motion, centre)},
+                 effort);
   }
-  if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);
+  NeighbourList& list = lists_.serving();
+  if (list.covers(motion, clearance)) return list.sweep_along(motion, clearance, effort);
   return sweep(probe_, fixed_, motion, clearance, effort);
 }
 
@@ -362,7 +295,7 @@ LeastDistance ContactRows::solve(double margin, Narrow narrow, double rise) noex
     const double room = contacts_[i].gap - margin;
     rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room)) + rise;
   }
-  LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, 0.05 * margin);
+  LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, tuned.solved_to * margin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
     if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
       keep(pair_of_[row]);

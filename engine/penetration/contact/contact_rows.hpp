@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/penetration/contact/contact_tuning.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/contact/pair_lists.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/proximity/sweep/motion.hpp"
-#include "engine/proximity/sweep/neighbour_list.hpp"
-#include "engine/proximity/sweep/neighbour_reach.hpp"
 
 namespace sonde {
 
@@ -34,12 +34,10 @@ class ContactRows {
   /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
   /// kept from one gather to the next.
   struct Finding {
-    std::size_t most_pairs = 48;                      ///< a first guess: cut() finds the rest
-    std::size_t most_listed = NeighbourList::enough;  ///< 0: no list
+    std::size_t most_pairs = contact_tuning.most_pairs;  ///< a first guess: cut() finds the rest
+    std::size_t most_listed = NeighbourList::enough;     ///< 0: no list
   };
-  /// Rows, of which six at most are active. Beyond, a contact adds none, steps that it is in the
-  /// way of are cut short, and the answer is not converged where that is what ends it.
-  static constexpr std::size_t capacity = 256;
+  static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
   /// What comes next has nothing to do with what was gathered before.
@@ -65,10 +63,15 @@ class ContactRows {
 
   /// The last gather was too much work: the next ones have half of its reach, but no less than that
   /// (m), and then more again.
-  void look_less_far(double least) noexcept { crowded_ = std::max(0.5 * asked_, least); }
+  void look_less_far(double least) noexcept {
+    crowded_ = std::max(contact_tuning.crowded_to * asked_, least);
+  }
 
   /// Sweeps the probe along a motion; a list of pairs serves where the path is short.
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
+
+  /// What a tick leaves over of a limited effort goes into the list that comes next.
+  void look_ahead(Effort& effort) noexcept;
 
   /// What is in the way of a step that is thought of.
   struct Look {
@@ -102,16 +105,11 @@ class ContactRows {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;
   };
-  /// Where the probe goes of late from a place, seen from a point of it (its mesh frame).
-  Course usual(const Transform& X, const Vec3& centre) const noexcept;
-  void remember(const Motion& motion) noexcept;
   /// The point of the probe about which its contacts move least: the middle of the last ones, where
   /// it rolls on them, or its centre of mass, where it turns within them.
   Vec3 stillest(const Transform& X) const noexcept;
-  /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
-  /// and the list would not pay.
-  void list_pairs(const Transform& X, double reach, const Vec3& centre, const Path& ahead,
-                  Effort& effort) noexcept;
+  /// m: so much a list for a reach is to hold at any time.
+  double near_of(double reach) const noexcept { return std::max(reach, 2 * least_asked_); }
   /// The pairs within reach, or within what the list holds, if that is not below `least`.
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
@@ -126,7 +124,7 @@ class ContactRows {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
-  NeighbourList list_;
+  PairLists lists_;
   std::size_t most_near_;
   std::vector<NearPair> pairs_;
   std::vector<Contact> contacts_;
@@ -142,10 +140,6 @@ class ContactRows {
   std::size_t count_ = 0;
   // Reaches found to hold more pairs than there is room for; they grow again with time.
   double crowded_;
-  NeighbourReach list_reach_;
-  // Of a path of late, the longest, forgotten bit by bit: of the centre of mass, m; rad. In the
-  // fixed body's axes.
-  Vec3 sliding_ = Vec3::Zero(), turning_ = Vec3::Zero();
   double least_asked_ = 0;  // m: reach that a gather must have
   double asked_ = 0;        // reach of the last gather
   double smallest_gap_ = 0;

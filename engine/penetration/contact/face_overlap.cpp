@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/penetration/contact/contact_tuning.hpp"
+
 namespace sonde {
 namespace {
 
@@ -33,7 +35,7 @@ FaceOverlap face_overlap(const Corners& a, const Corners& b, const Vec3& normal)
   FaceOverlap out;
   const Vec3 face = (b[1] - b[0]).cross(b[2] - b[0]);
   const double facing = face.dot(normal);
-  if (std::abs(facing) <= 0.05 * face.norm()) return out;
+  if (std::abs(facing) <= contact_tuning.edge_on * face.norm()) return out;
   Polygon polygon;
   for (const Vec3& x : a) polygon.push(x);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/penetration/contact/contact_tuning.hpp"
+
 namespace sonde {
 namespace {
 
+constexpr const ContactTuning& tuned = contact_tuning;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using Normals = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
@@ -70,8 +73,7 @@ void begin_with(ActiveSet& active, std::span<const int> start, std::span<const H
   const Eigen::LLT<Gram> factor(G);
   if (factor.info() != Eigen::Success) return;
   const auto pivots = factor.matrixLLT().diagonal();
-  constexpr double dependent = 1e-3;  // its square is what the multipliers would suffer from
-  if (!(pivots.minCoeff() > dependent * pivots.maxCoeff())) return;
+  if (!(pivots.minCoeff() > tuned.start_dependent * pivots.maxCoeff())) return;
   Coefficients multipliers = factor.solve(bound);
   const Coefficients rest = bound - N.transpose() * (N * multipliers);
   multipliers += factor.solve(rest);
@@ -84,7 +86,7 @@ void begin_with(ActiveSet& active, std::span<const int> start, std::span<const H
 bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
   double multiplier = 0;
   const double normal2 = row.normal.squaredNorm();
-  for (int guard = 0; guard < 64; ++guard) {
+  for (int guard = 0; guard < tuned.most_leaving; ++guard) {
     Vec6 z = row.normal;
     Coefficients r(active.size());
     if (active.size() > 0) {
@@ -92,12 +94,12 @@ bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
       z -= active.combine(r);
     }
     const double z2 = z.squaredNorm();
-    const bool dependent = active.size() == 6 || z2 <= 1e-14 * normal2;
+    const bool dependent = active.size() == 6 || z2 <= tuned.dependent * normal2;
     const double full = dependent ? infinity : (row.bound - row.normal.dot(y)) / z2;
     double partial = infinity;
     int leaving = -1;
     for (int i = 0; i < active.size(); ++i)
-      if (r[i] > 1e-12 && active.multiplier(i) / r[i] < partial)
+      if (r[i] > tuned.least_influence && active.multiplier(i) / r[i] < partial)
         partial = active.multiplier(i) / r[i], leaving = i;
     const double step = std::min(full, partial);
     if (step == infinity) return false;
@@ -121,7 +123,7 @@ LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
   ActiveSet active;
   begin_with(active, start, rows);
   Vec6 y = active.point();
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < tuned.most_rounds; ++round) {
     int worst = -1;
     double violation = tolerance;
     for (std::size_t i = 0; i < rows.size(); ++i) {

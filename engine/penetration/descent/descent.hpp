@@ -62,6 +62,9 @@ class Descent {
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               Effort& effort) noexcept;
 
+  /// After a run with a limited effort: what it leaves over is used for the next ones.
+  void look_ahead(Effort& effort) noexcept { rows_.look_ahead(effort); }
+
   /// Translation only: where the probe, turned as the device is, comes to rest by the rows of where
   /// the last run ended. None where y is not there.
   std::optional<Vec6> turned_by_rows(const Chart& chart, const Vec6& y) noexcept;

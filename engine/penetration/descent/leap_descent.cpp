@@ -5,17 +5,17 @@
 #include <cmath>
 
 #include "engine/penetration/descent/descent_tuning.hpp"
+#include "engine/penetration/descent/leap_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr ContactRows::Finding few{.most_pairs = 96, .most_listed = 0};
-constexpr ContactRows::Finding many{.most_pairs = 512, .most_listed = 0};
-
 constexpr const DescentTuning& tuned = descent_tuning;
-/// Of what the rows of the first guess promised: a leap that gains less is not worth while.
-constexpr double worth = 0.1;
+constexpr const LeapTuning& leaps = leap_tuning;
+
+constexpr ContactRows::Finding few{.most_pairs = leaps.few_pairs, .most_listed = 0};
+constexpr ContactRows::Finding many{.most_pairs = leaps.many_pairs, .most_listed = 0};
 
 /// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
 /// and it is no longer than trusted.
@@ -57,7 +57,7 @@ bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {
 
 Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
   double taken = 0, free = 1;
-  for (int i = 0; i < 7; ++i) {
+  for (int i = 0; i < leaps.bisections; ++i) {
     const double middle = 0.5 * (taken + free);
     (is_free(chart, middle * y) ? free : taken) = middle;
   }
@@ -76,7 +76,7 @@ std::optional<Vec6> LeapDescent::around(const Chart& chart, const Vec6& first, d
       return std::nullopt;
     }
     step = worth_trying(chart, y, rows.solve(margin, ContactRows::Narrow::keep).y - y, trust);
-    if (!(-y.dot(step) > worth * -y.dot(first))) return std::nullopt;
+    if (!(-y.dot(step) > leaps.worth * -y.dot(first))) return std::nullopt;
     if (is_free(chart, y + step)) return step;
   }
   ++limited_;
@@ -94,30 +94,30 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
     return true;
   };
   if (take(step)) {
-    pace.trust = 2 * std::max(length, 0.5 * pace.trust);
+    pace.trust = leaps.trust_growth * std::max(length, leaps.trust_kept * pace.trust);
     pace.bending *= tuned.bending_decay;
     return true;
   }
   // Curved contacts leave room for themselves; it is worth less than what is gained.
-  const double room = std::min(pace.bending * length * length, 0.3 * length) + margin;
+  const double room = std::min(pace.bending * length * length, leaps.most_room * length) + margin;
   const Vec6 lifted =
       worth_trying(chart, y, rows.solve(room, ContactRows::Narrow::open).y - y, pace.trust);
-  if (-y.dot(lifted) > worth * -y.dot(step) && take(lifted)) return true;
+  if (-y.dot(lifted) > leaps.worth * -y.dot(step) && take(lifted)) return true;
   // The rows may lack what is in the way: the nearest pairs are a guess of it.
   if (const auto round =
           pace.complete ? around(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
     y += *round;
     pace.moved = round->norm();
-    pace.trust = 1.2 * std::max(pace.moved, 0.5 * pace.trust);
+    pace.trust = leaps.trust_after_part * std::max(pace.moved, leaps.trust_kept * pace.trust);
     return true;
   }
   pace.bending *= tuned.bending_growth;
-  for (const double part : {0.4, 0.16})
+  for (const double part : leaps.parts)
     if (take(part * step)) {
-      pace.trust = 1.2 * pace.moved;
+      pace.trust = leaps.trust_after_part * pace.moved;
       return true;
     }
-  pace.trust = 0.1 * length;
+  pace.trust = leaps.trust_lost * length;
   return false;
 }
 
@@ -134,8 +134,12 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   Effort effort = deadline.effort();
   for (;;) {
     const double length = out.y.norm(), allowed = allowed_clearance(radius, length);
-    const double margin = std::max(0.1 * goal.tolerance * std::min(length, radius), 0.5 * allowed);
-    const double reach = std::clamp(0.5 * pace.trust, 4 * margin, 0.1 * radius + 4 * margin);
+    const double margin =
+        std::max(leaps.margin_of_tolerance * goal.tolerance * std::min(length, radius),
+                 leaps.margin_of_clearance * allowed);
+    const double least = leaps.least_reach * margin;
+    const double reach =
+        std::clamp(leaps.reach * pace.trust, least, leaps.widest_reach * radius + least);
     const double flat = goal.guide == Guide::many ? tuned.flat_within * margin : 0;
     const bool looked = rows.gather(chart, out.y, reach, flat, effort);
     if (!looked && out.iterations == 0) return out;
@@ -147,9 +151,10 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     if (!looked) return out;
     out.converged =
         off <= goal.tolerance * length && rows.smallest_gap() <= tuned.settled_gap * margin;
-    const bool hopeless = goal.beat > 0 && length > 1.1 * goal.beat && nearest.y.norm() > goal.beat;
-    if (out.converged || (hopeless && out.iterations >= 3)) return out;
-    if (out.iterations >= goal.steps || pace.trust < 0.2 * margin) return out;
+    const bool hopeless =
+        goal.beat > 0 && length > leaps.hopeless * goal.beat && nearest.y.norm() > goal.beat;
+    if (out.converged || (hopeless && out.iterations >= leaps.steps_before_hopeless)) return out;
+    if (out.iterations >= goal.steps || pace.trust < leaps.least_trust * margin) return out;
     if (deadline.passed()) return out;
     ++out.iterations;
     leap(chart, nearest, margin, rows, pace, out.y);

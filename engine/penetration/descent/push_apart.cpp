@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/penetration/descent/descent_tuning.hpp"
+#include "engine/penetration/descent/push_apart_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
@@ -14,15 +15,7 @@
 namespace sonde {
 namespace {
 
-/// Looks at where the probe has come to, before this start is given up: another one is tried.
-constexpr int most_looks = 25;
-/// Pairs that one look takes down. Those of a deep overlap contradict each other; more of them are
-/// more work, and lead out no oftener.
-constexpr std::size_t most_pairs = 48;
-/// Of the probe's radius: how far apart triangles are to be.
-constexpr double margin_of_radius = 2e-4;
-/// |v| of the pose: beyond it the chart, which ends at 1, is too far from linear.
-constexpr double largest_v = 0.9;
+constexpr const PushApartTuning& tuned = push_apart_tuning;
 
 /// A direction in which two triangles come apart, and the gap that there is along it.
 struct WayOut {
@@ -46,13 +39,13 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
   const Vec3 face_a = edge(a, 0).cross(edge(a, 1)).normalized();
   const Vec3 face_b = edge(b, 0).cross(edge(b, 1)).normalized();
   WayOut best;
-  constexpr double aside = 0.1;  // a direction in the plane of a face leads neither in nor out
   const auto look = [&](const Vec3& axis) {
     const double length = axis.norm();
     if (!(length > 0)) return;
     for (const double side : {1 / length, -1 / length}) {
       const Vec3 n = side * axis;
-      if ((solid_b && n.dot(face_b) < -aside) || (solid_a && n.dot(face_a) > aside)) continue;
+      if ((solid_b && n.dot(face_b) < -tuned.aside) || (solid_a && n.dot(face_a) > tuned.aside))
+        continue;
       const double gap = gap_along(n, a, b);
       if (gap > best.gap) best = {n, Vec3::Zero(), gap};
     }
@@ -63,7 +56,7 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 u = edge(a, i), v = edge(b, j);
       const Vec3 axis = u.cross(v);
-      if (axis.squaredNorm() > 1e-12 * u.squaredNorm() * v.squaredNorm()) look(axis);
+      if (axis.squaredNorm() > tuned.parallel * u.squaredNorm() * v.squaredNorm()) look(axis);
     }
   if (std::isfinite(best.gap)) best.on_probe = lowest(a, best.normal);
   return best;
@@ -72,8 +65,8 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
 }  // namespace
 
 PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
-    : probe_(probe), fixed_(fixed), method_(method), found_(most_pairs) {
-  rows_.reserve(most_pairs);
+    : probe_(probe), fixed_(fixed), method_(method), found_(tuned.most_pairs) {
+  rows_.reserve(tuned.most_pairs);
 }
 
 void PushApart::look(const Chart& chart, const Vec6& y, double margin) {
@@ -95,14 +88,12 @@ void PushApart::look(const Chart& chart, const Vec6& y, double margin) {
 
 /// By projected Gauss-Seidel on the dual, regularised: what contradicts each other is met halfway.
 Vec6 PushApart::compromise() {
-  constexpr int sweeps = 8;
-  constexpr double give = 0.3;
   Vec6 step = Vec6::Zero();
-  for (int sweep = 0; sweep < sweeps; ++sweep)
+  for (int sweep = 0; sweep < tuned.sweeps; ++sweep)
     for (auto& [row, push] : rows_) {
       const double size = row.normal.squaredNorm();
-      const double lacking = row.bound - row.normal.dot(step) - give * size * push;
-      const double next = std::max(0.0, push + lacking / (size * (1 + give)));
+      const double lacking = row.bound - row.normal.dot(step) - tuned.give * size * push;
+      const double next = std::max(0.0, push + lacking / (size * (1 + tuned.give)));
       step += (next - push) * row.normal;
       push = next;
     }
@@ -111,16 +102,16 @@ Vec6 PushApart::compromise() {
 
 std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, double farthest,
                                     const Deadline& deadline) {
-  const double margin = margin_of_radius * chart.mass().radius;
+  const double margin = tuned.margin * chart.mass().radius;
   Vec6 y = start;
-  for (int looks = 0; looks < most_looks && !deadline.passed(); ++looks) {
+  for (int looks = 0; looks < tuned.most_looks && !deadline.passed(); ++looks) {
     if (!overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact)) return y;
     look(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one is inside the other
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
-    if (!(chart.v(y).norm() < largest_v && y.norm() < farthest)) return std::nullopt;
+    if (!(chart.v(y).norm() < tuned.largest_v && y.norm() < farthest)) return std::nullopt;
   }
   return std::nullopt;
 }

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 
+#include "engine/penetration/descent/refinement_tuning.hpp"
+
 namespace sonde {
 namespace {
 
-/// A list of pairs pays for many short steps, of which there are few here.
-constexpr ContactRows::Finding unlisted{.most_pairs = 512, .most_listed = 0};
-/// Of the time: the rest is for coming into contact.
-constexpr double share_for_leaps = 0.95;
-/// Steps: what has not converged by then (flat parts of hundreds of triangles, where a step costs
-/// 1 ms) is no nearer by a thousandth after 60.
-constexpr int most_swept = 20;
-/// Units of Effort, 0.1 ms or so: what a look and a sweep into contact take, of what is out of time
-/// before anything is known of its contacts.
-constexpr std::int64_t last_look = 10'000;
+constexpr const RefinementTuning& tuned = refinement_tuning;
+constexpr ContactRows::Finding unlisted{.most_pairs = tuned.most_pairs, .most_listed = 0};
 
 }  // namespace
 
@@ -24,7 +18,7 @@ Refinement::Refinement(const Body& probe, const Body& fixed, Method method)
 
 Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent& leaps, int steps,
                                  const Deadline& deadline) {
-  const Deadline leaping = deadline.part(share_for_leaps);
+  const Deadline leaping = deadline.part(tuned.share_for_leaps);
   Descent::Outcome out;
   out.move_to(y);  // nothing holds it yet
   int taken = 0;
@@ -32,29 +26,32 @@ Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent&
   const auto go_on = [&](const Descent::Outcome& next) {
     if (next.contacts.size > 0 || next.y != out.y) out = next;
   };
-  const auto leap = [&](LeapGoal goal) {
-    goal.steps = std::min(goal.steps, steps - taken);
+  const auto leap = [&](Guide guide, const RefinementTuning::Leaps& by) {
+    const LeapGoal goal{.guide = guide,
+                        .tolerance = by.tolerance,
+                        .steps = std::min(by.steps, steps - taken),
+                        .reach = by.reach};
     if (goal.steps <= 0 || leaping.passed()) return;
     const Descent::Outcome next = leaps.run(chart, out.y, goal, leaping);
     taken += next.iterations;
     go_on(next);
   };
-  leap({.guide = Guide::few, .tolerance = 1e-3, .steps = 20, .reach = 0.05});
+  leap(Guide::few, tuned.first);
   out.converged = false;
-  leap({.guide = Guide::many, .tolerance = 1e-4, .steps = 30, .reach = 0.005});
+  leap(Guide::many, tuned.second);
   if (!out.converged) {
-    const int left = leaping.passed() ? 0 : std::clamp(steps - taken, 0, most_swept);
+    const int left = leaping.passed() ? 0 : std::clamp(steps - taken, 0, tuned.most_swept);
     Effort effort = deadline.effort();
     descent_.forget();  // the last place was another
     const Descent::Outcome next =
-        descent_.run(chart, out.y, {.steps = left}, 1e-3 * out.y.norm(), effort);
+        descent_.run(chart, out.y, {.steps = left}, tuned.expected_step * out.y.norm(), effort);
     taken += next.iterations;
     go_on(next);
   }
   if (out.contacts.size == 0 && deadline.passed()) {
-    Effort last(last_look, 0);
+    Effort last(tuned.last_look, 0);
     descent_.forget();
-    go_on(descent_.run(chart, out.y, {.steps = 0}, 1e-3 * out.y.norm(), last));
+    go_on(descent_.run(chart, out.y, {.steps = 0}, tuned.expected_step * out.y.norm(), last));
   }
   out.iterations = std::max(taken, 1);
   return out;

@@ -5,14 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/penetration/descent/sketch_descent_tuning.hpp"
+
 namespace sonde {
 namespace {
 
-constexpr std::size_t most_rows = 40;
-constexpr double largest_turn = 0.35;
-constexpr double largest_v = 0.95;
-/// Of |y|: shorter steps end a descent, by few points or by all of them.
-constexpr double rough_tolerance = 0.05, tolerance = 0.01;
+constexpr const SketchDescentTuning& tuned = sketch_descent_tuning;
 
 }  // namespace
 
@@ -113,10 +111,10 @@ double SketchDescent::look(const Frame& frame, double reach, bool rough) {
         });
     least = std::min(least, gap);
   }
-  if (near_.size() > most_rows) {
-    std::nth_element(near_.begin(), near_.begin() + most_rows, near_.end(),
+  if (near_.size() > tuned.most_rows) {
+    std::nth_element(near_.begin(), near_.begin() + std::ptrdiff_t{tuned.most_rows}, near_.end(),
                      [](const Near& a, const Near& b) { return a.gap < b.gap; });
-    near_.resize(most_rows);
+    near_.resize(tuned.most_rows);
   }
   return least;
 }
@@ -149,29 +147,31 @@ LeastDistance SketchDescent::solve(double margin, bool open) {
     const double room = static_cast<double>(near_[i].gap) - margin;
     rows_[i].bound = at_[i] - (open ? room : std::max(0.0, room));
   }
-  return least_distance(rows_, 1e-2 * spacing_);
+  return least_distance(rows_, tuned.solved_to * spacing_);
 }
 
 SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, const Goal& goal) {
-  const double margin = goal.margin, shortest = goal.rough ? rough_tolerance : tolerance;
+  const double margin = goal.margin,
+               shortest = goal.rough ? tuned.rough_tolerance : tuned.tolerance;
   for (auto* groups : {&of_probe_, &of_fixed_})
     for (Known& k : *groups) k = {-std::numeric_limits<double>::infinity(), 0};
   travelled_ = 0;
   const double radius = chart.mass().radius;
   End out{start, 0, 0, false};
   Vec6 from = start;
-  double trust = 0.4 * std::max(start.norm(), spacing_), moved = 0;
+  double trust = tuned.first_trust * std::max(start.norm(), spacing_), moved = 0;
   for (;;) {
-    const double reach = 0.4 * trust + margin;
+    const double reach = tuned.reach * trust + margin;
     const Frame frame(chart, out.y, R_FB_, com_B_);
     out.gap = look(frame, reach, goal.rough);
     const double too_deep = margin - out.gap;
-    if (moved > 0.1 * spacing_ && too_deep > std::max(0.25 * moved, 0.1 * spacing_) &&
+    const double least = tuned.too_deep_at_least * spacing_;
+    if (moved > least && too_deep > std::max(tuned.too_deep * moved, least) &&
         out.steps < goal.steps) {
       // Linearised too far.
-      out.y = from + 0.4 * (out.y - from);
-      moved *= 0.4;
-      trust = 1.2 * moved;
+      out.y = from + tuned.taken_back_to * (out.y - from);
+      moved *= tuned.taken_back_to;
+      trust = tuned.trust_after_too_deep * moved;
       travelled_ += 2 * moved;
       ++out.steps;
       continue;
@@ -181,22 +181,23 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
     if (!nearest.feasible) nearest = solve(margin, false);
     Vec6 step = nearest.y - out.y;
     double length = step.norm();
-    if (length < std::max(shortest * out.y.norm(), 0.02 * spacing_)) {
-      out.arrived = out.gap > margin - 0.25 * spacing_;
+    if (length < std::max(shortest * out.y.norm(), tuned.shortest * spacing_)) {
+      out.arrived = out.gap > margin - tuned.arrived_within * spacing_;
       return out;
     }
     if (out.steps >= goal.steps) return out;
-    if (out.steps >= 2 && out.y.norm() > 1.1 * goal.beat && nearest.y.norm() > goal.beat)
+    if (out.steps >= tuned.steps_before_hopeless && out.y.norm() > tuned.hopeless * goal.beat &&
+        nearest.y.norm() > goal.beat)
       return out;
     const double turn = chart.v(step).norm();
-    step *= std::min({1.0, largest_turn / std::max(turn, 1e-30), trust / length});
-    const double limit = std::max(largest_v, chart.v(out.y).norm());
+    step *= std::min({1.0, tuned.largest_turn / std::max(turn, 1e-30), trust / length});
+    const double limit = std::max(tuned.largest_v, chart.v(out.y).norm());
     while (chart.v(out.y + step).norm() > limit) step *= 0.5;
     from = out.y;
     out.y += step;
     moved = step.norm();
-    trust = std::max(1.5 * moved, 0.7 * trust);
-    travelled_ += step.tail<3>().norm() + 2.5 * radius * chart.v(step).norm();
+    trust = std::max(tuned.trust_growth * moved, tuned.trust_decay * trust);
+    travelled_ += step.tail<3>().norm() + tuned.travel_per_turn * radius * chart.v(step).norm();
     ++out.steps;
   }
 }

@@ -5,12 +5,6 @@
 #include <cmath>
 
 namespace sonde {
-namespace {
-
-/// Of the depth: depths that differ by less are the same one, and ends are at one place.
-constexpr double same = 0.02;
-
-}  // namespace
 
 void LocalOptima::note(const LocalOptimum& place) {
   if (!std::isfinite(place.depth)) return;
@@ -19,12 +13,10 @@ void LocalOptima::note(const LocalOptimum& place) {
   optima_.insert(later, place);
 }
 
-bool LocalOptima::is_same(double depth, double best) { return depth < (1 + same) * best; }
-
 int LocalOptima::agreeing() const {
   int starts = 0;
   for (const LocalOptimum& place : optima_)
-    if (is_same(place.depth, best_)) starts += place.starts;
+    if (is_best(place.depth)) starts += place.starts;
   return starts;
 }
 
@@ -36,7 +28,7 @@ std::vector<Vec6> LocalOptima::nearest(std::size_t count) const {
   std::vector<Vec6> out;
   for (const LocalOptimum& place : optima_) {
     if (out.size() == count) break;
-    const auto is_here = [&](const Vec6& y) { return (y - place.y).norm() < same * place.depth; };
+    const auto is_here = [&](const Vec6& y) { return (y - place.y).norm() < same_ * place.depth; };
     if (std::ranges::none_of(out, is_here)) out.push_back(place.y);
   }
   return out;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/penetration/search/search_tuning.hpp"
 
 namespace sonde {
 
@@ -20,20 +21,24 @@ struct LocalOptimum {
 /// The places found so far, and how many starts agree on the best of them.
 class LocalOptima {
  public:
+  /// `same`: depths that differ by less than this share are the same one, and ends no further apart
+  /// are one place.
+  explicit LocalOptima(double same = search_tuning.same) : same_(same) {}
+
   void note(const LocalOptimum& place);
 
   bool empty() const { return optima_.empty(); }
   double best() const { return best_; }  ///< m; infinite where there is none
-  /// Independent starts that ended at the best depth, to 2 %.
+  /// Independent starts that ended at the best depth.
   int agreeing() const;
-  /// Is a depth the best one, to 2 %?
-  static bool is_same(double depth, double best);
+  bool is_best(double depth) const { return depth < (1 + same_) * best_; }
   /// Is y so near the best of them (of its depth) that a descent is thought to end there?
   bool is_known(const Vec6& y, double share) const;
   /// The nearest so many, the best first, no two of them close together.
   std::vector<Vec6> nearest(std::size_t count) const;
 
  private:
+  double same_;
   std::vector<LocalOptimum> optima_;  // the nearest first
   double best_ = std::numeric_limits<double>::infinity();
 };

@@ -6,10 +6,11 @@
 
 namespace sonde {
 
-SearchWorker::SearchWorker(const Body& probe, const Body& fixed)
-    : near(smallest_ball(probe)),
+SearchWorker::SearchWorker(const Body& probe, const Body& fixed, const SearchTuning& tuning)
+    : near(tuning.smallest_ball * probe.mass.radius),
       probe_(probe),
       fixed_(fixed),
+      tuned_(tuning),
       pdg_(probe, fixed, Method::pdg),
       pdt_(probe, fixed, Method::pdt),
       push_pdg_(probe, fixed, Method::pdg),
@@ -18,32 +19,34 @@ SearchWorker::SearchWorker(const Body& probe, const Body& fixed)
 LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method method,
                                    const Limits& limits) {
   const double beat = limits.beat;
-  const auto rough = leaps(method).run(
-      chart, y, {.steps = std::min(15, limits.steps), .reach = 0.3, .beat = 1.1 * beat},
-      limits.before);
+  const auto rough = leaps(method).run(chart, y,
+                                       {.steps = std::min(tuned_.rough_steps, limits.steps),
+                                        .reach = tuned_.rough_reach,
+                                        .beat = tuned_.hopeless_rough * beat},
+                                       limits.before);
   LocalOptimum out{rough.y, rough.y.norm(), rough.iterations};
   const int left = limits.steps - out.iterations;
-  if (left <= 0 || (beat > 0 && out.depth > 1.2 * beat)) return out;
+  if (left <= 0 || (beat > 0 && out.depth > tuned_.worth_exact * beat)) return out;
   const auto exact = leaps(method).run(chart, rough.y,
                                        {.guide = Guide::few,
-                                        .tolerance = 0.01,
-                                        .steps = std::min(12, left),
-                                        .reach = 0.1,
-                                        .beat = 1.02 * beat},
+                                        .tolerance = tuned_.exact_tolerance,
+                                        .steps = std::min(tuned_.exact_steps, left),
+                                        .reach = tuned_.exact_reach,
+                                        .beat = tuned_.hopeless_exact * beat},
                                        limits.before);
   return {exact.y, exact.y.norm(), out.iterations + exact.iterations};
 }
 
 LocalOptimum SearchWorker::descend_exactly(const Chart& chart, const Vec6& y, Method method,
                                            const Limits& limits) {
-  const auto exact =
-      leaps(method).run(chart, y,
-                        {.guide = Guide::few,
-                         .tolerance = 0.01,
-                         .steps = std::min(15, limits.steps),
-                         .reach = 0.2,
-                         .beat = std::isfinite(limits.beat) ? 1.02 * limits.beat : 0},
-                        limits.before);
+  const auto exact = leaps(method).run(
+      chart, y,
+      {.guide = Guide::few,
+       .tolerance = tuned_.exact_tolerance,
+       .steps = std::min(tuned_.exact_steps_alone, limits.steps),
+       .reach = tuned_.exact_reach_alone,
+       .beat = std::isfinite(limits.beat) ? tuned_.hopeless_exact * limits.beat : 0},
+      limits.before);
   return {exact.y, exact.y.norm(), exact.iterations};
 }
 
@@ -62,7 +65,7 @@ std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random
   for (int i = 0; i < tries && !before.passed(); ++i) {
     Vec6 y = center + sample(random, radius, method);
     if (method == Method::pdt) y.head<3>().setZero();
-    if (chart.v(y).norm() < 0.9 && leaps(method).is_free(chart, y)) return y;
+    if (chart.v(y).norm() < tuned_.largest_v && leaps(method).is_free(chart, y)) return y;
   }
   return std::nullopt;
 }

@@ -14,7 +14,7 @@ namespace sonde {
 /// What one thread of a search works with, one start after the other.
 class SearchWorker {
  public:
-  SearchWorker(const Body& probe, const Body& fixed);
+  SearchWorker(const Body& probe, const Body& fixed, const SearchTuning& tuning = search_tuning);
 
   struct Limits {
     int steps;        ///< at most
@@ -37,11 +37,12 @@ class SearchWorker {
                                   double radius, int tries, Method method, const Deadline& before);
 
   double near;  ///< m: no free pose was found in smaller balls
-  static double smallest_ball(const Body& probe) { return 2e-3 * probe.mass.radius; }
+  double smallest_ball() const { return tuned_.smallest_ball * probe_.mass.radius; }
 
  private:
   const Body& probe_;
   const Body& fixed_;
+  const SearchTuning& tuned_;
   LeapDescent pdg_, pdt_;
   PushApart push_pdg_, push_pdt_;
 };

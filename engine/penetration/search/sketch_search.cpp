@@ -13,24 +13,13 @@ namespace {
 
 /// Starts between which what they found is shared.
 constexpr std::size_t per_round = 8;
-/// Of the depth: what ends no further than this from another end is at the same place.
-constexpr double same_place = 0.1;
-/// Of the depth: an end that is so much nearer than what was known of its place is worth a descent
-/// of its own.
-constexpr double news = 0.98;
-/// Of the depth: where no other end is within this the best stands alone, and so many starts that
-/// came to it are enough.
-constexpr double alone = 1.08;
-constexpr int agreeing_alone = 4;
-constexpr int near_starts = 16;
-/// Of the radius: the smallest ball in which a free pose is looked for.
-constexpr double smallest_ball = 0.015;
 
 }  // namespace
 
 SketchSearch::SketchSearch(const Chart& chart, const SketchGoal& goal,
-                           std::span<SketchDescent> lanes, ThreadPair& threads)
-    : chart_(chart), goal_(goal), lanes_(lanes), threads_(threads) {}
+                           std::span<SketchDescent> lanes, ThreadPair& threads,
+                           const SearchTuning& tuning)
+    : chart_(chart), goal_(goal), lanes_(lanes), threads_(threads), tuned_(tuning) {}
 
 void SketchSearch::go_on(int fewest, int most, int agreeing) {
   while (made_ < most && !(made_ >= fewest && is_clear(agreeing)))
@@ -43,10 +32,10 @@ void SketchSearch::go_on(int fewest, int most, int agreeing) {
 bool SketchSearch::is_clear(int agreeing) const {
   int found = 0, beside = 0;
   for (const SketchEnd& end : ends_) {
-    if (end.depth < 1.02 * ends_.front().depth) found += end.starts;
-    beside += end.depth < alone * ends_.front().depth;
+    if (end.depth < (1 + tuned_.same) * ends_.front().depth) found += end.starts;
+    beside += end.depth < tuned_.alone * ends_.front().depth;
   }
-  return found >= (beside == 1 ? std::min(agreeing, agreeing_alone) : agreeing);
+  return found >= (beside == 1 ? std::min(agreeing, tuned_.clear_alone) : agreeing);
 }
 
 double SketchSearch::best() const {
@@ -69,16 +58,23 @@ void SketchSearch::round() {
 /// best depth, and about the best ends.
 std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent) const {
   Random random = stream(static_cast<std::uint64_t>(number));
-  const double smallest = smallest_ball * chart_.mass().radius;
-  if (ends_.empty()) return start_about(Vec6::Zero(), smallest, {1.6, 3}, random, descent);
-  const int kind = number < near_starts ? 0 : number % int{per_round};
-  if (kind < 3) return start_about(Vec6::Zero(), nearest_free_ / 2, {1.4, 12}, random, descent);
+  const double smallest = tuned_.smallest_ball_of_sketches * chart_.mass().radius;
+  if (ends_.empty())
+    return start_about(Vec6::Zero(), smallest, tuned_.first_balls, random, descent);
+  const int kind = number < tuned_.near_sketches ? 0 : number % int{per_round};
+  if (kind < 3)
+    return start_about(Vec6::Zero(), nearest_free_ / 2, tuned_.near_balls, random, descent);
   if (kind < 5)
-    return start_about(Vec6::Zero(), std::max(smallest, best() * random.uniform(0.8, 1.5)),
-                       {1.25, 8}, random, descent);
-  const auto which = static_cast<std::size_t>(number) % std::min<std::size_t>(3, ends_.size());
-  auto end = start_about(ends_[which].y, std::max(smallest, best() * random.uniform(0.1, 0.6)),
-                         {1.25, 8}, random, descent);
+    return start_about(
+        Vec6::Zero(),
+        std::max(smallest, best() * random.uniform(tuned_.least_far_ball, tuned_.largest_far_ball)),
+        tuned_.other_balls, random, descent);
+  const auto which =
+      static_cast<std::size_t>(number) % std::min(tuned_.ends_for_sketches, ends_.size());
+  auto end = start_about(
+      ends_[which].y,
+      std::max(smallest, best() * random.uniform(tuned_.least_end_ball, tuned_.largest_end_ball)),
+      tuned_.other_balls, random, descent);
   if (end) end->starts = 0;  // it knew where to look
   return end;
 }
@@ -86,10 +82,10 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
 std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
                                                    const Balls& balls, Random& random,
                                                    SketchDescent& descent) const {
-  for (; ball < 4 * chart_.mass().radius; ball *= balls.growth)
+  for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
     for (int tries = 0; tries < balls.tries && !goal_.deadline.passed(); ++tries) {
       const Vec6 y = center + sample(random, ball);
-      if (chart_.v(y).norm() > 0.9 || !descent.is_free(chart_, y)) continue;
+      if (chart_.v(y).norm() > tuned_.largest_v || !descent.is_free(chart_, y)) continue;
       return descend(y, descent);
     }
   return std::nullopt;
@@ -97,10 +93,12 @@ std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ba
 
 /// By few points, and where that is promising by more.
 std::optional<SketchEnd> SketchSearch::descend(const Vec6& y, SketchDescent& descent) const {
-  const auto rough =
-      descent.run(chart_, y, {.method = goal_.method, .rough = true, .beat = 0.95 * best()});
-  if (rough.y.norm() > 1.15 * best()) return std::nullopt;
-  const auto end = descent.run(chart_, rough.y, {.method = goal_.method, .beat = 1.1 * best()});
+  const auto rough = descent.run(
+      chart_, y,
+      {.method = goal_.method, .rough = true, .beat = tuned_.hopeless_few_points * best()});
+  if (rough.y.norm() > tuned_.worth_more_points * best()) return std::nullopt;
+  const auto end = descent.run(
+      chart_, rough.y, {.method = goal_.method, .beat = tuned_.hopeless_more_points * best()});
   if (!end.arrived) return std::nullopt;
   return SketchEnd{end.y, end.y.norm(), 1, y.norm()};
 }
@@ -118,11 +116,13 @@ Random SketchSearch::stream(std::uint64_t number) const {
 }
 
 void SketchSearch::note(const SketchEnd& end) {
-  nearest_free_ = std::clamp(end.from, smallest_ball * chart_.mass().radius, nearest_free_);
+  nearest_free_ =
+      std::clamp(end.from, tuned_.smallest_ball_of_sketches * chart_.mass().radius, nearest_free_);
   for (SketchEnd& known : ends_)
-    if ((known.y - end.y).norm() < same_place * known.depth) {
+    if ((known.y - end.y).norm() < tuned_.same_place_on_sketches * known.depth) {
       const int starts = known.starts + end.starts;
-      const double came_to = end.depth < news * known.depth ? -1 : known.came_to;
+      const double came_to =
+          end.depth < tuned_.nearer_on_sketches * known.depth ? -1 : known.came_to;
       if (end.depth < known.depth) known = end;
       known.starts = starts;
       known.came_to = came_to;

@@ -11,6 +11,7 @@
 #include "engine/base/thread_pair.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/descent/sketch_descent.hpp"
+#include "engine/penetration/search/search_tuning.hpp"
 
 namespace sonde {
 
@@ -43,7 +44,7 @@ struct SketchGoal {
 class SketchSearch {
  public:
   SketchSearch(const Chart& chart, const SketchGoal& goal, std::span<SketchDescent> lanes,
-               ThreadPair& threads);
+               ThreadPair& threads, const SearchTuning& tuning = search_tuning);
 
   /// Goes on until `most` starts are made, or `fewest` and it is clear what is the least depth.
   void go_on(int fewest, int most, int agreeing);
@@ -55,10 +56,7 @@ class SketchSearch {
   int made() const { return made_; }  ///< starts
 
  private:
-  struct Balls {
-    double growth;
-    int tries;  // in each
-  };
+  using Balls = SearchTuning::Balls;
   double best() const;
   void round();
   std::optional<SketchEnd> start(int number, SketchDescent& descent) const;
@@ -73,6 +71,7 @@ class SketchSearch {
   SketchGoal goal_;
   std::span<SketchDescent> lanes_;
   ThreadPair& threads_;
+  const SearchTuning& tuned_;
   std::vector<SketchEnd> ends_;
   int made_ = 0;
   double nearest_free_ = std::numeric_limits<double>::infinity();  // m, where a start began

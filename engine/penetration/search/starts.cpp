@@ -10,22 +10,19 @@
 namespace sonde {
 namespace {
 
-/// Of the best depth: overlaps further out are not pushed apart, and where it has been pushed to
-/// within so much of the best place it would come down there.
-constexpr double far_out = 1.3, close_by = 0.1;
-/// Random poses of one ball, of which one is to be free.
-constexpr int tries_in_a_ball = 50;
 /// Of a round of random starts: those that are not near ends.
-constexpr std::size_t far_starts = 3;
+constexpr std::size_t far_starts = std::size(search_tuning.far_widths);
 
 }  // namespace
 
-Starts::Starts(const Pair& pair, const Chart& chart, const Deadline& before)
+Starts::Starts(const Pair& pair, const Chart& chart, const Deadline& before,
+               const SearchTuning& tuning)
     : probe_(pair.probe()),
       fixed_(pair.fixed()),
       chart_(chart),
       before_(before),
-      lanes_{SearchWorker(probe_, fixed_), SearchWorker(probe_, fixed_)} {
+      tuned_(tuning),
+      lanes_{SearchWorker(probe_, fixed_, tuning), SearchWorker(probe_, fixed_, tuning)} {
   const Sketches& sketches = pair.sketches();
   if (!sketches) return;
   for (std::size_t k = 0; k < lanes_.size(); ++k)
@@ -45,9 +42,10 @@ std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, doub
 
 LocalOptimum Starts::near(Random random, int tries, const Aim& aim, std::size_t lane) {
   SearchWorker& in = lanes_[lane];
-  for (double radius = in.near; radius < 4 * probe_.mass.radius; radius *= 1.6)
+  for (double radius = in.near; radius < tuned_.largest_ball * probe_.mass.radius;
+       radius *= tuned_.near_growth)
     if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, in)) {
-      in.near = std::max(SearchWorker::smallest_ball(probe_), 0.3 * y->norm());
+      in.near = std::max(in.smallest_ball(), tuned_.near_again * y->norm());
       return in.descend(chart_, *y, aim.method, limits(aim, y->norm()));
     }
   return {};
@@ -63,10 +61,13 @@ LocalOptimum Starts::sketched(const SketchEnd& end, const Aim& aim, std::size_t 
 std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
   SketchDescent& sketches = sketched_[lane];
   Vec6 y = end;
-  for (const double apart : {0.0, 0.1, 0.3, 0.6, 1.2}) {
+  for (const double apart : tuned_.apart) {
     if (apart > 0)
       y = sketches
-              .run(chart_, y, {.method = method, .margin = apart * sketches.spacing(), .steps = 4})
+              .run(chart_, y,
+                   {.method = method,
+                    .margin = apart * sketches.spacing(),
+                    .steps = tuned_.steps_apart})
               .y;
     if (lanes_[lane].leaps(method).is_free(chart_, y)) return y;
   }
@@ -75,9 +76,10 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
 }
 
 LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
-  const auto free = lanes_[lane].push(aim.method).from(chart_, y, far_out * aim.beat, before_);
+  const auto free =
+      lanes_[lane].push(aim.method).from(chart_, y, tuned_.given_up_at * aim.beat, before_);
   LocalOptimum out;
-  if (free && !(aim.known && aim.known->is_known(*free, close_by)))
+  if (free && !(aim.known && aim.known->is_known(*free, tuned_.known_within)))
     out = lanes_[lane].descend_exactly(chart_, *free, aim.method, limits(aim));
   out.starts = 0;  // they all begin near the device pose
   return out;
@@ -90,15 +92,17 @@ LocalOptimum Starts::pushed_within(double radius, Random& random, const Aim& aim
 
 LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_t lane) {
   std::optional<Vec6> y;
-  for (double grown = 1; !y && grown < 4 && !before_.passed(); grown *= 1.2)
-    y = free_sample(random, Vec6::Zero(), grown * width * aim.beat, tries_in_a_ball, aim.method,
-                    lanes_[lane]);
+  for (double grown = 1; !y && grown < tuned_.largest_ball && !before_.passed();
+       grown *= tuned_.far_growth)
+    y = free_sample(random, Vec6::Zero(), grown * width * aim.beat, tuned_.tries_in_a_ball,
+                    aim.method, lanes_[lane]);
   return y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
 LocalOptimum Starts::about(const Vec6& end, Random random, const Aim& aim, std::size_t lane) {
-  const double part = random.uniform(0, 1), radius = aim.beat * (0.03 + 0.47 * part * part);
-  const auto y = free_sample(random, end, radius, tries_in_a_ball, aim.method, lanes_[lane]);
+  const double part = random.uniform(0, 1),
+               radius = aim.beat * (tuned_.about_nearest + tuned_.about_wider * part * part);
+  const auto y = free_sample(random, end, radius, tuned_.tries_in_a_ball, aim.method, lanes_[lane]);
   LocalOptimum out = y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
   out.starts = 0;
   return out;
@@ -109,13 +113,13 @@ LocalOptimum Starts::random(std::size_t turn, std::size_t k, const std::vector<V
   if (k >= far_starts)
     return about(ends[(turn * (per_round - far_starts) + k) % ends.size()], random, aim, lane);
   if (probe_.solid && fixed_.solid && turn % 2 == 0) {
-    const double radius = random.uniform(0.1, 1.2) * aim.beat;
+    const double radius =
+        random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * aim.beat;
     LocalOptimum out = pushed_within(radius, random, aim, lane);
     out.starts = 1;
     return out;
   }
-  constexpr double widths[far_starts] = {0.75, 1.15, 1.5};
-  return far(widths[k], random, aim, lane);
+  return far(tuned_.far_widths[k], random, aim, lane);
 }
 
 LocalOptimum Starts::outside(std::size_t k, const Aim& aim, std::size_t lane) {

@@ -24,7 +24,8 @@ struct Aim {
 /// its `starts` whether it was come to independently of what had been found before.
 class Starts {
  public:
-  Starts(const Pair& pair, const Chart& chart, const Deadline& before);
+  Starts(const Pair& pair, const Chart& chart, const Deadline& before,
+         const SearchTuning& tuning = search_tuning);
 
   SearchWorker& lane(std::size_t k) { return lanes_[k]; }
   /// One for each lane; or none, where the pair has no sketches.
@@ -69,6 +70,7 @@ class Starts {
   const Body& fixed_;
   const Chart& chart_;
   Deadline before_;
+  const SearchTuning& tuned_;
   std::array<SearchWorker, 2> lanes_;
   std::vector<SketchDescent> sketched_;
 };

@@ -31,5 +31,9 @@ struct StaticOptions {
 /// space. The separated pose is verified free with exact predicates. Never throws on geometry: a
 /// failure says so in the result. Allocates.
 Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
+/// The same with other numbers than the search's own (search_tuning.hpp), for studies of them.
+struct SearchTuning;
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
+                           const SearchTuning& tuning);
 
 }  // namespace sonde

@@ -60,7 +60,7 @@ double NeighbourList::left(const Room& room, const Transform& X, const Path& pat
 }
 
 bool NeighbourList::covers(const Motion& motion, double clearance) const noexcept {
-  return reach_after(motion.at(0), path_of(motion, centre_)) > clearance;
+  return reach_at(motion.at(0), path_of(motion, centre_)) > clearance;
 }
 
 void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {

@@ -63,10 +63,13 @@ class NeighbourList {
   bool is_unfinished() const noexcept { return unfinished_; }
   /// As reach_at, on all of a path from X, of the list once it is finished.
   double reach_when_finished(const Transform& X, const Path& path) const noexcept {
-    return left(planned_, X, path);
+    return planned_.around.linear < 0 ? -1 : left(planned_, X, path);
   }
 
-  void clear() noexcept { count_ = 0, room_.around.linear = -1, unfinished_ = false; }
+  void clear() noexcept {
+    count_ = 0, unfinished_ = false;
+    room_.around.linear = planned_.around.linear = -1;
+  }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
   /// Has the last list no more room than the least of its plan?
@@ -74,8 +77,11 @@ class NeighbourList {
   /// What the last list took to make, in the units of Effort.
   std::int64_t work_of_build() const noexcept { return work_of_build_; }
 
-  /// Every pair at a distance of at most this, at X, is in the list. Negative: no statement.
-  double reach_at(const Transform& X) const noexcept { return reach_after(X, {}); }
+  /// Every pair at a distance of at most this, at X and on all of the path from there, is in the
+  /// list. Negative: no statement.
+  double reach_at(const Transform& X, const Path& path = {}) const noexcept {
+    return room_.around.linear < 0 ? -1 : left(room_, X, path);
+  }
   /// Is every pair that may come within the clearance along the motion?
   bool covers(const Motion& motion, double clearance) const noexcept;
 
@@ -108,9 +114,6 @@ class NeighbourList {
     std::uint32_t item;
     double until;  ///< of the path: about where it may be stopped
   };
-  double reach_after(const Transform& X, const Path& path) const noexcept {
-    return room_.around.linear < 0 ? -1 : left(room_, X, path);
-  }
   double left(const Room& room, const Transform& X, const Path& path) const noexcept;
   /// What rounding may add to a distance at either pose, m.
   double guard(const Transform& X) const noexcept;

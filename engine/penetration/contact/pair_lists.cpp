@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/contact/pair_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/penetration/contact/contact_tuning.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr const ContactTuning& tuned = contact_tuning;
+
+}  // namespace
+
+PairLists::PairLists(const Body& probe, const Body& fixed, std::size_t capacity)
+    : radius_(probe.mass.radius),
+      lists_{NeighbourList(probe, fixed, capacity), NeighbourList(probe, fixed, capacity)},
+      reach_(probe.mass.radius),
+      com_(probe.mass.com) {}
+
+void PairLists::forget() noexcept {
+  for (NeighbourList& list : lists_) list.clear();
+  sliding_ = turning_ = Vec3::Zero();
+  reach_ = NeighbourReach(radius_);
+  last_work_ = 0;
+}
+
+void PairLists::remember(const Motion& path) noexcept {
+  const Motion::Velocity v = path.velocity(0);
+  const double last = sliding_.norm() + radius_ * turning_.norm();
+  if (v.linear.norm() + radius_ * v.angular.norm() >= tuned.path_kept * last)
+    sliding_ = v.linear, turning_ = v.angular;
+  else
+    sliding_ *= tuned.path_kept, turning_ *= tuned.path_kept;
+}
+
+void PairLists::expect_less() noexcept {
+  sliding_ *= tuned.path_without_room, turning_ *= tuned.path_without_room;
+}
+
+Course PairLists::usual(const Transform& X, const Vec3& centre) const noexcept {
+  const Vec3 arm = X.R * (centre - com_);
+  return {sliding_ + turning_.cross(arm), turning_};
+}
+
+double PairLists::travel(const Wanted& wanted) const noexcept {
+  return wanted.reach + wanted.path.course.size().of(radius_) + wanted.path.bend.of(radius_);
+}
+
+NeighbourList::Room PairLists::room(const Transform& X, const Wanted& wanted,
+                                    double length) const noexcept {
+  // The course of late, or of what comes next where that is longer.
+  Course course = usual(X, wanted.centre);
+  if (course.size().of(radius_) < wanted.path.course.size().of(radius_))
+    course = wanted.path.course;
+  const double size = course.size().of(radius_);
+  const double linear = size > 0 ? course.size().linear / size : 0.5;
+  const double around = size > 0 ? tuned.share_beside_course * length : length;
+  const Course ahead = size > 0 ? (length - around) / size * course : Course{};
+  const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
+  return {{std::max(linear * around, tuned.room_for_path * (wanted.near + off.linear)),
+           std::max((1 - linear) * around / radius_, tuned.room_for_path * off.turn)},
+          ahead};
+}
+
+void PairLists::begin(const Transform& X, const Wanted& wanted, double at_least,
+                      Effort& effort) noexcept {
+  const double travel = this->travel(wanted);
+  begun_.travel = travel;
+  begun_.ample = std::max(reach_.choose(travel), at_least * travel);
+  begun_.least = std::max(NeighbourReach::least(travel), 0.6 * at_least * travel);
+  begun_.affordable = static_cast<std::int64_t>(
+      std::min(1e18, tuned.affordable_list * static_cast<double>(effort.left())));
+  const std::int64_t most =
+      at_least > 0 ? std::numeric_limits<std::int64_t>::max() : reach_.most_work();
+  end(next().build_by({room(X, wanted, begun_.ample), room(X, wanted, begun_.least), most}, X,
+                      wanted.centre, effort));
+}
+
+void PairLists::end(bool fits) noexcept {
+  const NeighbourList& list = next();
+  if (list.is_unfinished()) return;
+  const auto& [travel, ample, least, affordable] = begun_;
+  last_work_ = list.work_of_build();
+  const bool shrunk = list.is_least() && ample > least;
+  if (shrunk) reach_.learn(travel, ample, false, last_work_, affordable);
+  reach_.learn(travel, shrunk ? least : ample, fits, last_work_, affordable);
+}
+
+void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
+  // A list pays where the steps are short beside its reach; long steps walk the trees.
+  if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
+  NeighbourList& list = next();
+  if (!(list.reach_when_finished(X, wanted.path) > wanted.reach))
+    effort.within(tuned.share_for_list, [&](Effort& part) { return begin(X, wanted, 0, part), 0; });
+  else if (list.is_unfinished())
+    effort.within(tuned.share_for_list, [&](Effort& part) { return end(list.go_on(part)), 0; });
+  // What the tick's effort was too little for goes on in the next ones.
+  if (list.is_unfinished() || !(list.reach_at(X) > 0)) return;
+  serving().clear();
+  serving_ = 1 - serving_;
+}
+
+void PairLists::look_ahead(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
+  NeighbourList& list = next();
+  if (!effort.is_limited() || effort.is_spent() || !(serving().reach_at(X) > wanted.reach)) return;
+  if (list.is_unfinished()) {
+    if (!(list.reach_when_finished(X, wanted.path) > wanted.reach)) return list.clear();
+    effort.within(tuned.share_for_next_list,
+                  [&](Effort& part) { return end(list.go_on(part)), 0; });
+    return;
+  }
+  const double a_tick = tuned.share_for_next_list * static_cast<double>(effort.left());
+  const double ticks = std::ceil(static_cast<double>(last_work_) / std::max(a_tick, 1.0));
+  const Path until_then{(ticks + 1) * wanted.path.course, {}};
+  if (serving().reach_at(X, until_then) > wanted.reach ||
+      list.reach_at(X, wanted.path) > wanted.reach)
+    return;
+  effort.within(tuned.share_for_next_list, [&](Effort& part) {
+    return begin(X, wanted, std::min(ticks + tuned.ticks_of_next_list, 32.0), part), 0;
+  });
+}
+
+}  // namespace sonde
