@@ -28,7 +28,8 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
       due_of_pair_(capacity),
       open_(capacity),
       capacity_(capacity),
-      centre_(a.mass.com) {
+      centre_(a.mass.com),
+      to_visit_(capacity > 0 ? std::make_unique<PairStack<SlotPair>>() : nullptr) {
   clear();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -166,11 +167,11 @@ class NeighbourList {
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Room room_;                     // of the list; around.linear negative: there is none
-  Room planned_;                  // of the list that is being made
-  Plan plan_;                     // for it
-  bool least_only_ = false;       // nothing is planned but the least
-  PairStack<SlotPair> to_visit_;  // for it
+  Room room_;                // of the list; around.linear negative: there is none
+  Room planned_;             // of the list that is being made
+  Plan plan_;                // for it
+  bool least_only_ = false;  // nothing is planned but the least
+  std::unique_ptr<PairStack<SlotPair>> to_visit_;  // for it; large; none for no pairs
   bool unfinished_ = false;
   Transform X_;        // of the list
   Transform last_;     // the pose last looked at
