@@ -27,10 +27,10 @@ struct StaticOptions {
 
 // Not of the public face from here on (engine/sonde.hpp).
 
-/// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B, by a
-/// global search on the pair's sketches and from many starts, each followed by a descent on the
-/// contact space. The separated pose is verified free with exact predicates. Never throws on
-/// geometry: the result states a failure. Allocates.
+/// Generalized (or translational) penetration depth of probe A at X_FM against fixed body B,
+/// searched globally on the pair's sketches and from many starts, each descended on the contact
+/// space. The separated pose is verified free with exact predicates. Never throws on geometry: a
+/// failure says so in the result. Allocates.
 Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
 
 }  // namespace sonde
