@@ -76,7 +76,7 @@ struct Separation {
   int iterations = 0;        ///< linearise-solve-advance steps taken
   bool converged = false;    ///< false: the budget ran out first
   /// Steps that were cut short by a limit on rows, on looks at them or on fruitless steps: of a
-  /// tick, or of all descents of a search. The final pose is verified in any case.
+  /// tick, or of all descents of a search. What it ends with is verified all the same.
   int limited = 0;
   /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
   /// In a tick, the path swept free led over an edge to another place, and the depth fell by more
