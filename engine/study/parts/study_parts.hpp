@@ -11,10 +11,10 @@
 
 namespace sonde {
 
-/// Long work calls it now and then; true stops the work (it then throws Cancelled).
+/// Asked now and then by long work: true where it is to stop (it then throws Cancelled).
 using Stop = std::function<bool()>;
 
-/// A part of a study that is independent of all other parts.
+/// A piece of a study that needs nothing of any other piece.
 struct StudyPart {
   std::string name;  ///< of its file: letters, digits, '-', '_' and '.'
   /// Its result as JSON text: the same bits wherever and whenever it is computed, except for
