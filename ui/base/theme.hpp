@@ -9,9 +9,8 @@ class QString;
 
 namespace sonde::ui {
 
-/// The colours of the picture. Each has one meaning, the same in view, legend and panels. Those of
-/// the overlays differ for each of the three kinds of colour vision deficiency, and are legible on
-/// dark.
+/// The colours of the picture: one meaning each, the same in view, legend and panels. Those of the
+/// overlays can be told apart in each of the three ways of seeing fewer hues, and read on dark.
 namespace colour {
 inline const QColor probe{233, 125, 37};
 inline const QColor fixed{129, 135, 159};
@@ -19,15 +18,15 @@ inline const QColor ghost{73, 219, 255};  ///< the separated probe and the motio
 inline const QColor contact{247, 236, 84};
 inline const QColor force{255, 26, 85};
 inline const QColor torque{200, 110, 255};
-inline const QColor nearest{20, 165, 112};    ///< the nearest way out that a search found
+inline const QColor nearest{20, 165, 112};    ///< the nearest way out, searched for
 inline const QColor straight{226, 250, 250};  ///< the way out without a turn, PD_t
-inline const QColor turn{168, 140, 255};      ///< the contribution of a turn to the depth
+inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
 inline const QColor hole{255, 235, 160};      ///< where a mesh is not closed
-inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree on which side is out
+inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree which side is out
 inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut at
-inline const QColor bound{170, 160, 255};     ///< the witness of the lower bound
-inline const QColor measure{255, 255, 255};   ///< measured points
-inline const QColor chosen{255, 255, 255};    ///< the marked contact
+inline const QColor bound{170, 160, 255};     ///< what shows the lower bound
+inline const QColor measure{255, 255, 255};   ///< what was measured
+inline const QColor chosen{255, 255, 255};    ///< the contact that is marked
 inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};
@@ -35,26 +34,26 @@ inline const QColor background_top{46, 53, 62};
 inline const QColor background_bottom{22, 26, 31};
 }  // namespace colour
 
-/// Secondary text on a window of this palette, light or dark.
+/// Text that stands back, on a window of this palette, light or dark.
 QColor faint_text(const QPalette& palette);
 
-/// The colour, or a darker one of its hue that is legible on a light window of this palette.
+/// The colour, or a darker one of its hue that can be read on a light window of this palette.
 QColor readable(const QColor& colour, const QPalette& palette);
 
-/// Text in a colour of the picture, legible on the program's windows: rich text. A QLabel that
+/// Text in a colour of the picture, to be read on the program's windows: rich text. A QLabel that
 /// shows it follows the theme.
 QString in_colour(const QColor& colour, const QString& text);
 
 enum class Theme { dark, light, system };
 
-/// Returns whether the system's own window colours, before any theme, are dark.
+/// Is what the system had for windows, before any theme was applied, dark?
 bool system_is_dark();
 
-/// Applies a dark or light palette on Qt's Fusion style, also to open windows. The view's own
-/// picture stays dark, because its colours are made for that.
+/// A palette on Qt's Fusion style, dark or light; also while windows are open. The view's own
+/// picture stays dark: its colours are made for that.
 void apply_theme(QApplication& application, Theme theme = Theme::dark);
 
-/// The user's choice of theme, kept between runs.
+/// The theme that was chosen, kept between runs.
 Theme chosen_theme();
 void choose_theme(QApplication& application, Theme theme);
 
