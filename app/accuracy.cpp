@@ -15,17 +15,15 @@ void add_flags(CLI::App& parser, AccuracyOptions& options) {
       ->group(group);
   parser
       .add_option("--accuracy", options.accuracy,
-                  "accuracy wanted of nine in ten poses, 1% or 0.01: the time follows")
+                  "accuracy that nine in ten poses should reach, 1% or 0.01: the time follows")
       ->group(group);
   parser
       .add_option("--calibration", options.calibration,
-                  "what ties the two together (sonde calibrate); without it what ships with the "
-                  "program")
+                  "file that relates the two (sonde calibrate); without it the program's own")
       ->group(group);
   parser
       .add_flag("--claim", options.claim,
-                "say how near to the true depth each result claims to be; with --time and "
-                "--accuracy it does")
+                "state the accuracy that each result claims; --time and --accuracy imply it")
       ->group(group);
 }
 

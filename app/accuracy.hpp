@@ -11,28 +11,28 @@
 
 namespace sonde::app {
 
-/// The one knob on the command line: a time or an accuracy, and what ties them together.
+/// The one knob on the command line: a time or an accuracy, and the calibration that relates them.
 struct AccuracyOptions {
   std::string time, accuracy;  ///< as given; empty: not given
-  std::string calibration;     ///< a file; empty: what ships with the program
-  bool claim = false;          ///< results say how near they claim to be, also without the knob
+  std::string calibration;     ///< a file; empty: the program's own
+  bool claim = false;          ///< results state their claim even without the knob
 
   bool turned() const { return !time.empty() || !accuracy.empty(); }
 };
 void add_flags(CLI::App& parser, AccuracyOptions& options);
 
-/// What became of the knob, for one pair of bodies.
+/// The effect of the knob, for one pair of bodies.
 class Accuracy {
  public:
   /// Reads the flags and the file, before any work. Throws UsageError where flags contradict each
-  /// other, InputError where a value or the file is no good.
+  /// other, InputError where a value or the file cannot be used.
   Accuracy(const AccuracyOptions& options, const SolverOptions& solver);
 
-  /// The solver's options with the budget of time that the knob comes to on this pair. With it, a
-  /// bound is made only where it was asked for.
+  /// The solver's options with the knob's budget of time for this pair. With the knob, a bound is
+  /// computed only if requested.
   SolverOptions applied(const SolverOptions& solver, const Pair& pair);
 
-  /// The columns of the results, and the two that say what each claims, where it is to.
+  /// The columns of the results, and, where wanted, the two with the claims.
   std::vector<Column> with_claims(std::span<const Column> columns) const;
   void append_claim(Row& row, const Separation& answer) const;
 

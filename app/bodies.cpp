@@ -40,15 +40,16 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
   probe->excludes(scene)->needs(fixed);
   fixed->excludes(scene)->needs(probe);
   add_models(parser, options);
-  parser.add_option("--probe-scale", options.probe_scale, "multiplies the probe's mesh")
+  parser.add_option("--probe-scale", options.probe_scale, "factor for the probe's coordinates")
       ->needs(probe)
       ->check(check_positive)
       ->capture_default_str();
-  parser.add_option("--fixed-scale", options.fixed_scale, "multiplies the fixed body's mesh")
+  parser
+      .add_option("--fixed-scale", options.fixed_scale, "factor for the fixed body's coordinates")
       ->needs(fixed)
       ->check(check_positive)
       ->capture_default_str();
-  parser.add_option("--unit", options.unit, "unit of the two loose meshes")
+  parser.add_option("--unit", options.unit, "unit of the two meshes")
       ->needs(probe)
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
       ->capture_default_str();

@@ -11,7 +11,7 @@
 
 namespace sonde::app {
 
-/// Where the two bodies come from: a scene, or two loose meshes.
+/// The source of the two bodies: a scene, or two meshes.
 struct BodyOptions {
   std::string scene;
   std::string probe, fixed;              ///< mesh files, instead of a scene
@@ -22,14 +22,13 @@ struct BodyOptions {
 void add_scene_or_meshes(CLI::App& parser, BodyOptions& options);
 void add_scene(CLI::App& parser, BodyOptions& options);
 
-/// The scene read, or one made of the two loose meshes, with the models asked for on the command
-/// line.
+/// The scene from its file, or a scene made of the two meshes, with the models of the command line.
 Scene scene_of(const BodyOptions& options);
 
-/// The files a scene is made of.
+/// The files of a scene.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);
 
-/// Loads the two bodies, and notes on stderr what was changed in them, unless quiet.
+/// Loads the two bodies, and reports changes to them on stderr, unless quiet.
 Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress);
 Pair load_bodies(const Scene& scene, bool quiet);
 

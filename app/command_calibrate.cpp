@@ -64,11 +64,11 @@ void run(const CalibrateOptions& options) {
 Command add_calibrate_command(CLI::App& program) {
   const auto options = std::make_shared<CalibrateOptions>();
   CLI::App* parser = program.add_subcommand(
-      "calibrate", "Measures on scenes, here, how accurate answers are in which time");
+      "calibrate", "Measures, on this machine and given scenes, which accuracy takes which time");
   parser->add_option("SCENE", options->scenes, "scene files, NAME.sonde.json")->required();
   parser
       ->add_option("--count", options->count,
-                   "poses of each scene to search at, of its path or random ones")
+                   "poses to search at in each scene: of its path, or random ones")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
       ->capture_default_str();
   parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")

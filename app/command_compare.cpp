@@ -65,7 +65,7 @@ void run(const CompareOptions& options) {
 Command add_compare_command(CLI::App& program) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* parser = program.add_subcommand(
-      "compare", "One device path with PD_t and with PD_g: which is smoother, which truer");
+      "compare", "Renders one device path with PD_t and with PD_g: which is smoother, which truer");
   add_scene(*parser, options->bodies);
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
@@ -84,7 +84,7 @@ Command add_compare_command(CLI::App& program) {
       ->capture_default_str();
   parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
       ->check(CLI::IsMember({"object", "classic"}))
-      ->group("Settings of the scene to replace");
+      ->group("Settings that replace the scene's");
   add_setting_flags(*parser, coupling_settings(), options->coupling);
   return {parser, [options] { run(*options); }};
 }

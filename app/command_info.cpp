@@ -64,8 +64,7 @@ void run(const InfoOptions& options) {
 Command add_info_command(CLI::App& program) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* parser = program.add_subcommand(
-      "info",
-      "What meshes hold: counts, model, mass properties, bounds and defects; or recordings");
+      "info", "Describes meshes (counts, model, mass properties, bounds, defects) or recordings");
   parser->add_option("MESH", options->meshes, "OFF, OBJ, PLY or STL files, or recordings")
       ->required();
   parser
@@ -76,7 +75,8 @@ Command add_info_command(CLI::App& program) {
   parser->add_option("--unit", options->unit, "unit of the files")
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
       ->capture_default_str();
-  parser->add_option("--scale", options->scale, "multiplies the meshes, beside the unit")
+  parser
+      ->add_option("--scale", options->scale, "factor for the coordinates, in addition to the unit")
       ->check(check_positive)
       ->capture_default_str();
   add_flags(*parser, options->output);

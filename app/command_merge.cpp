@@ -42,8 +42,8 @@ void run(const MergeOptions& options) {
 Command add_merge_command(CLI::App& program) {
   const auto options = std::make_shared<MergeOptions>();
   CLI::App* parser = program.add_subcommand(
-      "merge", "Joins the shards of a study: what one run of all of it would have written");
-  parser->add_option("folders", options->folders, "what the shards were written to")->required();
+      "merge", "Joins the shards of a study into what one run of all of it would have written");
+  parser->add_option("folders", options->folders, "folders of the shards")->required();
   parser->add_option("--out", options->study.out, "folder to write; may be one of the others")
       ->required();
   return {parser, [options] { run(*options); }};

@@ -127,7 +127,7 @@ void run(const QueryOptions& options) {
 Command add_query_command(CLI::App& program) {
   const auto options = std::make_shared<QueryOptions>();
   CLI::App* parser = program.add_subcommand(
-      "query", "Penetration depth and separated pose for each pose of a file");
+      "query", "Computes penetration depth and separated pose for each pose of a file");
   add_scene_or_meshes(*parser, options->bodies);
   parser
       ->add_option("--poses", options->poses,

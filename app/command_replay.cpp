@@ -218,7 +218,7 @@ void run(const ReplayOptions& options) {
 Command add_replay_command(CLI::App& program) {
   const auto options = std::make_shared<ReplayOptions>();
   CLI::App* parser = program.add_subcommand(
-      "replay", "The haptic loop over a recorded device path: one tick for each row");
+      "replay", "Runs the haptic loop over a recorded device path, one tick for each row");
   add_scene(*parser, options->bodies);
   parser->get_option("SCENE")->description(
       "scene file, NAME.sonde.json; or a recording, whose path and gains are run again");
@@ -231,7 +231,7 @@ Command add_replay_command(CLI::App& program) {
   add_flags(*parser, options->output);
   parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
       ->check(CLI::IsMember({"object", "classic"}))
-      ->group("Settings of the scene to replace");
+      ->group("Settings that replace the scene's");
   add_setting_flags(*parser, coupling_settings(), options->coupling);
   // The budgets of the table are the flags --budget-us and --budget-steps of every command.
   add_setting_flags(*parser, servo_settings().first(1), options->servo);

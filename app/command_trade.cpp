@@ -80,11 +80,12 @@ std::string check_count(const std::string& text) {
 Command add_trade_command(CLI::App& program) {
   const auto options = std::make_shared<TradeOptions>();
   CLI::App* parser = program.add_subcommand(
-      "trade", "What accuracy less time costs: searches, bounds and ticks with budgets");
+      "trade", "Measures accuracy against time: searches, bounds and ticks with budgets");
   add_scene_or_meshes(*parser, options->bodies);
-  parser->add_option("--poses", options->poses,
-                     "search at these (CSV px,py,pz,qw,qx,qy,qz), as far as they overlap; without "
-                     "it at poses of the trajectory, or at random ones");
+  parser->add_option(
+      "--poses", options->poses,
+      "search at those of these poses (CSV px,py,pz,qw,qx,qy,qz) that overlap; without "
+      "it at poses of the trajectory, or at random ones");
   parser->add_option("--trajectory", options->trajectory,
                      "follow this path (CSV t,px,py,pz,qw,qx,qy,qz) instead of the scene's");
   parser

@@ -83,7 +83,7 @@ std::string check_ratio(const std::string& text) {
 Command add_tune_command(CLI::App& program) {
   const auto options = std::make_shared<TuneOptions>();
   CLI::App* parser = program.add_subcommand(
-      "tune", "Stability of a coupling on a device, in contacts of a scene; recommended gains");
+      "tune", "Measures how stiff a coupling on a device may be in a scene; recommends gains");
   add_scene(*parser, options->bodies);
   parser
       ->add_option("--device", options->device,
@@ -98,8 +98,9 @@ Command add_tune_command(CLI::App& program) {
       ->check(CLI::IsMember({"pdg", "pdt"}))
       ->capture_default_str();
   parser
-      ->add_option("--ratio", options->ratio,
-                   "a limit is known when what fails is at most so many times as stiff")
+      ->add_option(
+          "--ratio", options->ratio,
+          "search limits until the failing stiffness is at most this many times the holding one")
       ->check(check_ratio)
       ->capture_default_str();
   parser->add_option("--from", options->low, "least stiffness studied, N/m")

@@ -14,7 +14,7 @@ struct MeshReport {
   const Body& body;
 };
 
-/// For people: one block for each mesh, six digits, with units.
+/// For the user: one block for each mesh, six digits, with units.
 std::string to_text(const std::vector<MeshReport>& reports);
 /// {"units": {...}, "meshes": [{...}, ...]}, every digit.
 std::string to_json(const std::vector<MeshReport>& reports);

@@ -56,7 +56,7 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
       ->capture_default_str();
   parser
       .add_option("--mode", options.mode,
-                  "static: each pose searched for itself; coherent: each follows the last")
+                  "static: searches each pose by itself; coherent: follows each from the last")
       ->check(CLI::IsMember({"static", "coherent"}))
       ->capture_default_str();
   parser
@@ -71,7 +71,7 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
       ->capture_default_str();
   parser.add_flag_callback(
       "--bound", [&options] { options.bound = true; },
-      "a certified lower bound too, also where the time is limited: it gets 0.3 of it");
+      "a certified lower bound too; it gets 0.3 of a limited time");
   parser
       .add_flag_callback(
           "--no-bound", [&options] { options.bound = false; }, "no lower bound")
@@ -81,7 +81,7 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
       ->capture_default_str();
   parser
       .add_option("--threads", options.threads,
-                  "threads to search on, two for each pose; 0: all the machine has")
+                  "threads to search on, two for each pose; 0: all of the machine's")
       ->check(check_whole)
       ->check(CLI::Range(0U, most_threads))
       ->capture_default_str();
@@ -106,7 +106,7 @@ void add_setting_flags(CLI::App& parser, std::span<const Setting> settings, Sett
           return check_number(
               text, [&](double x) { return allowed(setting, x); }, range_text(setting));
         })
-        ->group("Settings of the scene to replace");
+        ->group("Settings that replace the scene's");
   }
 }
 

@@ -23,19 +23,19 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A command of the program: its parser, and what it does once that has parsed.
+/// A command of the program: its parser, and its function after parsing.
 struct Command {
   CLI::App* parser;
   std::function<void()> run;
 };
 
-/// How the separation is searched for: the flags every computing command has.
+/// The options of the search: the flags of every computing command.
 struct SolverOptions {
   std::string method = "pdg";
   std::string mode;  ///< "static" or "coherent"
   Budget budget;
   std::uint64_t seed = 1;
-  std::optional<bool> bound;  ///< wanted or not; not said: where nothing limits the time
+  std::optional<bool> bound;  ///< wanted or not; by default, where nothing limits the time
   unsigned threads = 0;       ///< 0: as many as the machine runs at once
 
   bool coherent() const { return mode == "coherent"; }
@@ -50,7 +50,7 @@ struct SolverOptions {
 };
 void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode);
 
-/// What results are written as, and where to.
+/// The format and the target of results.
 struct OutputOptions {
   std::string out = "-";  ///< "-": standard output
   bool json = false;
@@ -66,7 +66,7 @@ void add_setting_flags(CLI::App& parser, std::span<const Setting> settings, Sett
 
 /// Refuses, before any work, an output that cannot be written or is one of the inputs.
 void check_output(const OutputOptions& options, const std::vector<std::filesystem::path>& inputs);
-/// The same of a file that another flag names.
+/// The same for a file that another flag names.
 void check_output(const std::string& flag, const std::string& file,
                   const std::vector<std::filesystem::path>& inputs);
 /// Writes the result, whole.

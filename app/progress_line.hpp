@@ -10,8 +10,8 @@
 
 namespace sonde::app {
 
-/// One line on stderr that says how far a command is, where stderr is a terminal and the user has
-/// not asked for quiet. May be called from any thread.
+/// One line on stderr with the progress of a command, where stderr is a terminal and --quiet is not
+/// set. May be called from any thread.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);

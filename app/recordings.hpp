@@ -9,7 +9,8 @@
 
 namespace sonde::app {
 
-/// For people: what each recording holds, whether it ends whole, and whether its meshes are there.
+/// For the user: the content of each recording, whether its end is intact, and whether its meshes
+/// are there.
 std::string to_text(const std::vector<std::unique_ptr<Recording>>& recordings);
 /// {"units": {...}, "recordings": [{...}, ...]}.
 std::string to_json(const std::vector<std::unique_ptr<Recording>>& recordings);

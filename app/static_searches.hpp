@@ -17,12 +17,12 @@ struct TimedSeparation {
   double time_us = 0;
 };
 
-/// A static search for each pose, on the threads asked for. Every pose has a seed of its own, made
-/// of the seed and its index: the results do not depend on the number of threads.
+/// A static search for each pose, on the requested threads. Every pose has its own seed, made from
+/// the seed and its index, so the results do not depend on the number of threads.
 std::vector<TimedSeparation> search_all(const Pair& pair, std::span<const Pose> poses,
                                         const SolverOptions& options, ProgressLine& progress);
 
-/// Says on stderr why pose `index` failed, if it did. Failures are said even where quiet is asked.
+/// Prints on stderr why pose `index` failed, if it did, even with --quiet.
 void report_failure(const Separation& separation, std::size_t index);
 
 }  // namespace sonde::app

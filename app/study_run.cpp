@@ -39,13 +39,13 @@ std::vector<TimedPose> path_to_study(const std::filesystem::path& file) {
 }
 
 void add_flags(CLI::App& parser, StudyOptions& options) {
-  parser.add_option("--out", options.out, "folder to write; what is finished in it is kept")
+  parser.add_option("--out", options.out, "folder to write; finished parts in it are kept")
       ->required();
   parser
       .add_option("--shard", options.shard,
                   "I/N: compute only the I-th of N shares of the study; sonde merge joins them")
       ->check(check_shard);
-  parser.add_option("--threads", options.threads, "threads to compute on; 0: all the machine has")
+  parser.add_option("--threads", options.threads, "threads to compute on; 0: all of the machine's")
       ->check(check_whole)
       ->check(CLI::Range(0U, most_threads))
       ->capture_default_str();

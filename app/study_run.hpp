@@ -13,7 +13,7 @@
 
 namespace sonde::app {
 
-/// How a study is run: where to, and how much of it here.
+/// How to run a study: the folder, and the share of it to compute here.
 struct StudyOptions {
   std::string out;    ///< folder
   std::string shard;  ///< "2/8"; empty: all of it
@@ -25,32 +25,32 @@ void add_flags(CLI::App& parser, StudyOptions& options);
 /// Refuses, before any work, an --out that is a file.
 void check_output(const StudyOptions& options);
 
-/// A trajectory that is there to be studied: throws InputError where it holds no pose, and as
+/// Reads the trajectory of a study. Throws InputError where it holds no pose, and as
 /// read_trajectory.
 std::vector<TimedPose> path_to_study(const std::filesystem::path& file);
 
-/// What a finished folder is joined into.
+/// The result that a finished folder is joined into.
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);
 
-/// Computes the parts that are missing in the folder and, where all are there, writes what they
-/// join into. Says on stderr what is left to do, unless quiet.
+/// Computes the missing parts in the folder and, once all are there, writes the joined result.
+/// Prints on stderr what remains to do, unless quiet.
 void run_study(const Study& study, const StudyOptions& options, StudyFiles join);
 
-/// Reads a complete study and writes what it is joined into beside its parts. Throws InputError
-/// naming the parts that are missing.
+/// Reads a complete study and writes the joined result beside its parts. Throws InputError naming
+/// the missing parts.
 void join_study(const std::string& folder, StudyFiles join);
 
-/// Prints the summary of a finished study. Where only a share of it was asked for there is none to
-/// print, whichever ends last.
+/// Prints the summary of a finished study. A run of a share prints none, even if it is the last to
+/// end.
 void print_summary(const StudyOptions& options, bool json);
 
-/// What the results of a study depend on beside its settings: the program, the meshes and the
-/// trajectory. Names, not paths: a shard may run elsewhere.
+/// The inputs that the results of a study depend on besides its settings: the program, the meshes
+/// and the trajectory. Names, not paths: a shard may run elsewhere.
 nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair);
-/// Tells files of one name apart. Throws InputError where the file cannot be read.
+/// Identifies a file's content. Throws InputError where the file cannot be read.
 std::string fingerprint_of(const std::filesystem::path& file);
 
-/// True once an interrupt has asked long work to stop.
+/// True once an interrupt has requested long work to stop.
 Stop stop_on_interrupt();
 
 }  // namespace sonde::app

@@ -5,7 +5,7 @@
 
 namespace sonde::app {
 
-/// Does the work and returns the microseconds it took.
+/// Runs the work and returns the microseconds that it took.
 double timed_us(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();

@@ -2,13 +2,13 @@
 #pragma once
 
 /// Sonde as a library: how deep two polygon soups are in each other, the nearest pose at which they
-/// are apart, and the force and torque that go with it. This header is all that a program needs; it
-/// needs Eigen and nothing else. resources/docs/use/library.md shows it in use.
+/// do not touch, and the force and torque of that separation. This header is all that a program
+/// includes. It needs Eigen and nothing else. resources/docs/use/library.md shows how to use it.
 ///
 /// Frames are in the names: X_FM is the pose of the probe's mesh frame M in the fixed body's mesh
-/// frame F, x_F = X_FM * x_M. A mesh frame is that of the mesh's file, in metres. O is the pose
-/// that is asked about (the device's), Q the separated one. Lengths are metres, angles radians,
-/// forces newtons, torques newton metres, times seconds.
+/// frame F, x_F = X_FM * x_M. A mesh frame is the frame of the mesh file, in metres. O is the given
+/// pose (the device pose), Q the separated pose. Lengths are metres, angles radians, forces
+/// newtons, torques newton metres, times seconds.
 
 #include <array>
 #include <cstddef>
@@ -30,25 +30,25 @@
 
 namespace sonde {
 
-/// A rigid body made of a mesh: immutable, to be shared by as many pairs and threads as wanted.
-/// What there is to know of one is in its facts.
+/// A rigid body made from a mesh. It is immutable, and any number of pairs and threads may share
+/// it. facts() describes it.
 struct Body;
 
-/// Reads a body from an OFF, OBJ, PLY (text or binary) or STL (text or binary) file, told apart by
-/// extension. Coordinates are multiplied by `scale`, the file's unit in metres.
+/// Reads a body from an OFF, OBJ, PLY (text or binary) or STL (text or binary) file. The extension
+/// tells the format. Coordinates are multiplied by `scale`, the file's unit in metres.
 /// @pre `scale` is positive and finite.
-/// @throws InputError, naming the file and where there is one the line or byte, where the file is
+/// @throws InputError, naming the file and, where there is one, the line or byte, where the file is
 /// missing, empty, truncated or no mesh, an index is out of range, a coordinate is not finite or
 /// beyond 1e30 m, no triangle has an area, `model` is solid and the mesh is open or has no volume,
-/// or `scale` is not as asked for.
+/// or `scale` violates its precondition.
 /// @throws Cancelled where `progress` returns false.
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file,
                                       Model model = Model::automatic, double scale = 1,
                                       const Progress& progress = {});
 
-/// Makes a body of triangles: `vertices` in metres in its mesh frame, three indices into them for
-/// each triangle, counter-clockwise seen from outside (a closed mesh that is inside out is turned).
-/// Nothing is assumed of how triangles meet. `name` is for what is said of it.
+/// Makes a body from triangles: `vertices` in metres in its mesh frame, and three indices into them
+/// for each triangle, counter-clockwise seen from outside. (A closed mesh that is inside out is
+/// turned.) The triangles may meet in any way, or not at all. `name` is used in messages.
 /// @throws InputError, naming `name` and the triangle or vertex, where there are no triangles, an
 /// index is out of range, a coordinate of any vertex is not finite or one in use is beyond 1e30 m,
 /// no triangle has an area, or `model` is solid and the mesh is open or has no volume.
@@ -57,70 +57,72 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       Model model = Model::automatic,
                                       const std::string& name = "body");
 
-/// What is known of a body.
+/// Facts about a body.
 struct BodyFacts {
   std::string name;            ///< its file, or the name it was given
-  std::size_t triangles = 0;   ///< that have an area
-  std::size_t degenerate = 0;  ///< triangles set aside for having none
-  bool solid = false;          ///< its interior counts, not its triangles alone
-  std::string why;             ///< it is a solid or a surface: "closed: the inside counts", ...
+  std::size_t triangles = 0;   ///< triangles that have an area
+  std::size_t degenerate = 0;  ///< triangles set aside because they have no area
+  bool solid = false;          ///< its interior counts, not only its triangles
+  std::string why;             ///< why it is a solid or a surface: "closed: the inside counts", ...
   bool turned = false;         ///< the mesh was inside out
-  /// At density 1, in the mesh frame: the object norm is made of it, and torques are about its
-  /// centre of mass.
+  /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
+  /// mass.
   MassProperties mass;
 };
 BodyFacts facts(const Body& body);
 
-// Pair (penetration/search/pair.hpp) is the probe and the fixed body, with what is made once for
-// both.
+// Pair (penetration/search/pair.hpp) holds the probe and the fixed body, and what is computed once
+// for both.
 
-/// The penetration depth of the probe at X_FM, searched globally: the least √σ from X_FM to any
-/// pose at which the two are apart that is found; with Method::pdt, among those that do not turn
-/// the probe. The pose returned is verified free with exact predicates, so the depth is an upper
-/// bound of the true one; `lower_bound` is one from below. X_FM.q need not have length 1.
+/// The penetration depth of the probe at X_FM, by a global search: the least √σ found from X_FM to
+/// a pose at which the two bodies do not touch. With Method::pdt the search is among the poses that
+/// do not turn the probe. The returned pose is verified free with exact predicates, so the depth is
+/// an upper bound of the true depth; `lower_bound` is a lower bound. X_FM.q need not have length 1.
 ///
 /// Never throws on geometry: a pose that is not finite, or too far away to compute with, has
 /// Status::failed and a reason. The same pair, pose, seed and counted budget give the same bits, on
-/// one thread or two. May be called on one pair from any number of threads at once. Allocates.
+/// one thread or two. Any number of threads may call it on one pair at once. Allocates.
 /// @throws std::bad_alloc.
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
 
-/// An answer to the knob.
+/// A separation with the accuracy that it claims.
 struct Answer {
   Separation separation;
-  Claim claim;  ///< how near to the true depth it claims to be
+  Claim claim;  ///< the claimed accuracy of the depth
 };
 
-/// The same with one knob: a time, and the accuracy follows, or an accuracy, and the time follows,
-/// by what was measured on the pairs that the calibration which ships is made of. Without a bound.
-/// Neither: until it has converged. Times are those of the wall's clock, so no two runs need give
-/// the same bits.
+/// The same search with one knob, a time or an accuracy. Given a time, the accuracy follows; given
+/// an accuracy, the time follows, both from the calibration that comes with Sonde. Given neither,
+/// it searches until it has converged. Computes no lower bound. Times are wall-clock times, so two
+/// runs need not give the same bits.
 /// @throws InputError where both are given, the time is negative or not finite, or the accuracy is
-/// negative, not finite, or 1 and more. @throws std::bad_alloc.
+/// negative, not finite, or 1 and more.
+/// @throws std::bad_alloc.
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method = Method::pdg,
                 std::uint64_t seed = 1);
 
-/// The separated pose of a probe that moves, pose by pose: each is reached from the one before
-/// along a path swept free, on which √σ to the new device pose never rises. So it never pops
-/// through, and may be further away than the nearest pose that separate() finds. To be used by one
-/// thread at a time.
+/// Follows a moving probe and keeps its separated pose. Each separated pose is reached from the one
+/// before along a path swept free, on which √σ to the new device pose never rises. So the probe
+/// never pops through, and the pose may be further away than the nearest pose that separate()
+/// finds. Only one thread at a time may use a follower.
 class Follower {
  public:
   explicit Follower(const Pair& pair, Method method = Method::pdg);
   ~Follower();
-  Follower(Follower&&) noexcept;  ///< What was moved from may only be assigned to or destroyed.
+  Follower(Follower&&) noexcept;  ///< A moved-from follower may only be assigned to or destroyed.
   Follower& operator=(Follower&&) noexcept;
 
-  /// Starts at X_FM: free there, or from what a static search finds, which may take seconds; the
-  /// result is `jumped` then. Of the options, the method and the bound asked for do not count.
-  /// Where it failed it has not started. Allocates.
+  /// Starts at X_FM. If the probe is free there, that is the separated pose. Otherwise a static
+  /// search finds one, which may take seconds, and the result is `jumped`. The method and the wish
+  /// for a bound in the options have no effect. After a failure the follower has not started.
+  /// Allocates.
   /// @throws std::bad_alloc.
   const Separation& start(const Pose& X_FM, const StaticOptions& options = {});
 
-  /// The next device pose. Fails before a start, and at a pose that is not finite or is further
-  /// away than 1e9 times the bodies' size: then nothing has changed, and the next goes on from the
-  /// pose before. Neither allocates, locks, logs nor throws. Without a budget it goes on until it
-  /// has converged.
+  /// Follows to the next device pose. Fails before a start, and at a pose that is not finite or is
+  /// further away than 1e9 times the bodies' size. A failure changes nothing: the next call
+  /// continues from the pose before. Neither allocates, locks, logs nor throws. Without a budget it
+  /// continues until it has converged.
   const Separation& follow(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
   /// The newest result; Status::failed before the first.
@@ -131,16 +133,17 @@ class Follower {
   std::unique_ptr<State> state_;
 };
 
-/// Force and torque of a separation, on the hand, in the fixed frame, the torque about the probe's
-/// centre of mass at the device pose, within the coupling's limits: zero out of contact and where
-/// the separation failed. No damping.
-/// @pre `now` is of this pair, the coupling's gains are finite and its limits not negative. (What
-/// is not finite does not reach the hand: that wrench is zero, and `saturated`.)
+/// Force and torque of a separation, on the hand, in the fixed frame, without damping. The torque
+/// is about the probe's centre of mass at the device pose. Both are within the coupling's limits,
+/// and zero out of contact and where the separation failed.
+/// @pre `now` is a result of this pair, the coupling's gains are finite and its limits not
+/// negative. (A wrench that is not finite does not reach the hand: the result is zero, and
+/// `saturated`.)
 Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling) noexcept;
 
 /// The same with the damping of the classic mode, from the separation `before`, `dt` seconds ago.
-/// Nothing is damped where `before` failed, `now` jumped, or dt is not positive and finite.
-/// @pre As above, of both separations.
+/// There is no damping where `before` failed, `now` jumped, or dt is not positive and finite.
+/// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;
 

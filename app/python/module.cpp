@@ -107,7 +107,7 @@ Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
   return depths_of(rows);
 }
 
-/// The coherent solver: a search starts it, at the first pose or wherever it is asked to.
+/// The coherent solver. A search starts it, at the first pose and after each restart().
 class PathFollower {
  public:
   PathFollower(const SharedBody& a, const SharedBody& b, const std::string& method,
@@ -145,59 +145,67 @@ class PathFollower {
 py::array_t<double> three(const Vec3& v) { return py::array_t<double>(3, v.data()); }
 
 void declare_body(py::module_& module) {
-  py::class_<SharedBody>(module, "Body", "A rigid body made of triangles; it does not change.")
+  py::class_<SharedBody>(module, "Body", "A rigid body made of triangles. It is immutable.")
       .def(py::init(&body_of), "vertices"_a, "faces"_a, "model"_a = "auto", "name"_a = "body",
-           "A body of vertices (n, 3), metres, and faces (m, 3), indices of vertices,\n"
+           "Makes a body from vertices (n, 3), metres, and faces (m, 3), indices of vertices,\n"
            "counter-clockwise seen from outside. model: \"solid\" (the inside counts),\n"
            "\"surface\" (the triangles alone) or \"auto\" (solid where closed).\n"
-           "Raises InputError where it cannot be a body.")
+           "Raises InputError if they cannot be a body.")
       .def_static("read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0,
                   "Reads an OFF, OBJ, PLY or STL file; scale is its unit in metres.\n"
-                  "Raises InputError, with the file and the line.")
-      .def_property_readonly("name", [](const SharedBody& b) { return b.facts.name; })
+                  "Raises InputError, which names the file and the line.")
+      .def_property_readonly(
+          "name", [](const SharedBody& b) { return b.facts.name; }, "Its file, or the given name.")
       .def_property_readonly(
           "triangles", [](const SharedBody& b) { return b.facts.triangles; },
-          "Triangles that have an area.")
+          "Number of triangles that have an area.")
       .def_property_readonly(
-          "solid", [](const SharedBody& b) { return b.facts.solid; }, "Its inside counts.")
+          "solid", [](const SharedBody& b) { return b.facts.solid; }, "Whether its inside counts.")
       .def_property_readonly(
-          "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is solid, or not.")
+          "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is a solid or a surface.")
       .def_property_readonly(
           "measure", [](const SharedBody& b) { return b.facts.mass.measure; },
           "Volume of a solid, m^3; area of a surface, m^2.")
       .def_property_readonly(
           "centre_of_mass", [](const SharedBody& b) { return three(b.facts.mass.com); },
-          "In the mesh frame, m, shape (3,).")
+          "Centre of mass in the mesh frame, m, shape (3,).")
       .def_property_readonly(
           "inertia", [](const SharedBody& b) { return three(b.facts.mass.inertia); },
-          "Principal moments by measure, m^2, ascending, shape (3,).");
+          "Principal moments of inertia divided by the measure, m^2, ascending, shape (3,).");
 }
 
 void declare_depths(py::module_& module) {
   py::class_<Depths>(module, "Depths", "Results as arrays, one row for each pose.")
       .def_readonly("status", &Depths::status, "\"separated\", \"penetrating\" or \"failed\".")
-      .def_readonly("reason", &Depths::reason, "Why a pose failed; else empty.")
-      .def_readonly("depth", &Depths::depth, "sqrt(PD_g), m; NaN where it failed.")
-      .def_readonly("sigma", &Depths::sigma, "depth squared, m^2.")
+      .def_readonly("reason", &Depths::reason, "Why a pose failed; empty where it did not.")
+      .def_readonly("depth", &Depths::depth, "sqrt(PD_g), m; NaN where the pose failed.")
+      .def_readonly("sigma", &Depths::sigma, "The square of the depth, m^2.")
       .def_readonly("pose", &Depths::pose, "The separated pose, (n, 7): px,py,pz,qw,qx,qy,qz.")
-      .def_readonly("lower_bound", &Depths::lower_bound, "Of the depth, m; NaN where none.")
-      .def_readonly("contacts", &Depths::contacts, "Clusters of contacts that carry it.")
-      .def_readonly("residual", &Depths::residual, "|y - J^T lambda| / |y|.")
-      .def_readonly("iterations", &Depths::iterations)
-      .def_readonly("converged", &Depths::converged, "False: the budget ran out first.")
-      .def_readonly("jumped", &Depths::jumped, "The separated pose went over an edge.")
+      .def_readonly("lower_bound", &Depths::lower_bound,
+                    "Lower bound of the depth, m; NaN where there is none.")
+      .def_readonly("contacts", &Depths::contacts,
+                    "Number of contact clusters that carry the separation.")
+      .def_readonly("residual", &Depths::residual,
+                    "|y - J^T lambda| / |y|: distance from a local optimum.")
+      .def_readonly("iterations", &Depths::iterations, "Steps of the local optimiser.")
+      .def_readonly("converged", &Depths::converged, "False where the budget ran out first.")
+      .def_readonly("jumped", &Depths::jumped,
+                    "The force is not continuous here: a search found the separated pose,\n"
+                    "or the path led over an edge.")
       .def("__len__", [](const Depths& d) { return d.reason.size(); });
 }
 
 void declare_follower(py::module_& module) {
-  py::class_<PathFollower>(module, "Follower",
-                           "The separated pose of a probe that moves, pose by pose along free\n"
-                           "paths: it never pops through. One thread at a time.")
+  py::class_<PathFollower>(
+      module, "Follower",
+      "Follows a moving probe, pose by pose along free paths, so the separated\n"
+      "pose never pops through. Use it from one thread at a time.")
       .def(py::init<const SharedBody&, const SharedBody&, const std::string&, std::uint64_t>(),
            "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1)
       .def("follow", &PathFollower::follow, "poses"_a, "budget_steps"_a = 0, "budget_us"_a = 0.0,
-           "Goes on to the next poses, (7,) or (n, 7). The first is searched for.")
-      .def("restart", &PathFollower::restart, "The next pose is searched for again.");
+           "Follows to the next poses, (7,) or (n, 7). A search finds the first separated pose.")
+      .def("restart", &PathFollower::restart,
+           "Starts again: a search finds the next separated pose.");
 }
 
 }  // namespace
@@ -205,7 +213,7 @@ void declare_follower(py::module_& module) {
 
 PYBIND11_MODULE(_sonde, module) {
   using namespace sonde::python;
-  module.doc() = "How deep two polygon soups are in each other.";
+  module.doc() = "Penetration depth of two polygon soups.";
   module.attr("__version__") = SONDE_VERSION;
   py::register_exception<sonde::InputError>(module, "InputError", PyExc_ValueError);
   declare_body(module);
@@ -215,6 +223,7 @@ PYBIND11_MODULE(_sonde, module) {
              "seed"_a = 1, "threads"_a = 0, "budget_steps"_a = 0, "budget_us"_a = 0.0,
              "The penetration depth of the probe at each of the poses, (7,) or (n, 7):\n"
              "px,py,pz,qw,qx,qy,qz, the probe's mesh frame in the fixed body's, metres.\n"
-             "Every pose is searched for itself, on `threads` threads (0: all there are);\n"
-             "the results do not depend on how many. The same bits as `sonde query`.");
+             "Searches each pose by itself, on `threads` threads (0: all of the machine's).\n"
+             "The number of threads does not change the results. They are the same bits as\n"
+             "those of `sonde query`.");
 }

@@ -5,15 +5,15 @@
 
 namespace sonde {
 
-/// A clock that long work asks between its steps; none: never out of time.
+/// A limit of time that long work checks between its steps; by default there is no limit.
 struct Deadline {
   double microseconds = 0;  ///< 0: none
   double started = 0;       ///< from now_us()
-  /// `ahead`: or will be in so many µs.
+  /// Whether the time is over, or will be in `ahead` µs.
   bool passed(double ahead = 0) const {
     return microseconds > 0 && now_us() - started + ahead > microseconds;
   }
-  /// For work that can be broken off anywhere.
+  /// For work that can stop at any point.
   Effort effort() const { return {0, microseconds > 0 ? started + microseconds : 0}; }
   /// The same start, and a share of the time.
   Deadline part(double share) const { return {share * microseconds, started}; }

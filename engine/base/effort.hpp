@@ -8,18 +8,18 @@
 
 namespace sonde {
 
-/// µs of a clock that never goes back.
+/// µs of a monotonic clock.
 inline double now_us() {
   using namespace std::chrono;
   return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// What a query may still spend. Work is counted by the query itself, in units of about 10 ns, so
-/// that a limit on it leaves the same bits on every machine; a clock is looked at now and then.
-/// Long queries ask after each small piece of work, and give up with what they know by then.
+/// The remaining effort of a query. The query counts its work itself, in units of about 10 ns, so
+/// that a limit on it gives the same bits on every machine; it also looks at a clock now and then.
+/// Long queries check after each small piece of work, and stop with what they know by then.
 class Effort {
  public:
-  Effort() = default;  ///< as much as it takes
+  Effort() = default;  ///< no limit
   /// `work`: units at most (0: no limit). `until`: of now_us() (0: none).
   Effort(std::int64_t work, double until)
       : left_(work > 0 ? work : std::numeric_limits<std::int64_t>::max()), until_(until) {}
@@ -38,13 +38,13 @@ class Effort {
     return until_ > 0 || left_ < std::numeric_limits<std::int64_t>::max() / 2;
   }
 
-  /// What is left, in units of work, of which the clock is thought to give 100 a microsecond.
+  /// The remaining effort in units of work; the clock is assumed to give 100 per microsecond.
   std::int64_t left() const noexcept {
     if (!(until_ > 0)) return left_;
     const double by_clock = 100 * std::max(0.0, until_ - now_us());
     return std::min(left_, static_cast<std::int64_t>(std::min(by_clock, 1e15)));
   }
-  /// Does a piece of work, task(Effort&), that may take so much and no more.
+  /// Runs task(Effort&), which may spend at most `work`.
   template <class Task>
   auto at_most(std::int64_t work, const Task& task) {
     Effort part(*this);
@@ -54,7 +54,7 @@ class Effort {
     unwatched_ = between_looks;  // the clock is looked at next time
     return out;
   }
-  /// The same, of a share of what is left.
+  /// The same, with a share of the remaining effort.
   template <class Task>
   auto within(double share, const Task& task) {
     if (!is_limited()) return task(*this);

@@ -3,10 +3,10 @@
 
 namespace sonde {
 
-/// µs of processor time that the calling thread has had: what others do does not count.
+/// µs of processor time of the calling thread: other work does not count.
 double processor_time_us();
 
-/// Does the work and returns the µs of processor time that it took on this thread.
+/// Runs the work and returns the µs of processor time that it took on this thread.
 double processor_time_us(const auto& work) {
   const double begin = processor_time_us();
   work();

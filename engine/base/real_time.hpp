@@ -3,11 +3,11 @@
 
 namespace sonde {
 
-/// What the system granted of what a loop with deadlines asks for.
+/// The scheduling that the system granted to a loop with deadlines.
 struct RealTime {
   bool scheduled = false;  ///< this thread runs before all ordinary ones (SCHED_FIFO)
   bool locked = false;     ///< no memory of the process is paged out (mlockall)
-  /// Static text: what was granted, or why not and what would allow it. "": not asked for.
+  /// Static text: what was granted, or why not and what would permit it. "": not requested.
   const char* scheduling = "";
   const char* memory = "";
 };
@@ -15,12 +15,12 @@ struct RealTime {
 /// The calling thread's name in the system's tools (top -H); up to 15 letters.
 void name_thread(const char* name) noexcept;
 
-/// Asks for both, for the calling thread and for the process. May wait; not to be called in a tick.
+/// Requests both, for the calling thread and for the process. May wait; do not call it in a tick.
 RealTime request_real_time() noexcept;
 
-/// Asks for the calling thread to run before all ordinary ones, but behind those of
-/// request_real_time(). For work that may have no end: where there is a single processor, only a
-/// greater share of it is asked for. False where that is not permitted.
+/// Requests that the calling thread run before all ordinary ones, but after those of
+/// request_real_time(). For work that may not end: with a single processor, it requests only a
+/// greater share. False where that is not permitted.
 bool request_precedence() noexcept;
 
 /// While it lives the calling thread runs before all ordinary ones and those of
@@ -34,7 +34,7 @@ class Promptness {
   Promptness(const Promptness&) = delete;
   Promptness& operator=(const Promptness&) = delete;
 
-  /// Static text: why not, and what would allow it; "" where it was granted or not wanted.
+  /// Static text: why not, and what would permit it; "" where it was granted or not wanted.
   const char* words() const noexcept { return words_; }
 
  private:

@@ -7,15 +7,15 @@
 
 namespace sonde {
 
-/// What was made of late for numbers that come up again and again, close together: each of the
-/// places holds what fell to it last. Never allocates.
+/// A cache for numbers that recur within a short time: each slot holds its newest entry. Never
+/// allocates.
 template <class Value, std::size_t places = 64>
 class Recent {
  public:
   Recent() { number_.fill(none); }
 
-  /// What make(number) gives, which must be the same every time. The reference holds until the next
-  /// call. The number must not be 2³² − 1.
+  /// The result of make(number), which must be the same every time. The reference holds until the
+  /// next call. The number must not be 2³² − 1.
   template <class Make>
   const Value& at(std::uint32_t number, const Make& make) {
     const std::size_t place = number % places;

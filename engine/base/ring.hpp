@@ -8,9 +8,8 @@
 
 namespace sonde {
 
-/// A queue from one writing thread to one reading thread, without a lock. Where the reader does not
-/// keep up, what is new is dropped and counted: the writer never waits. Allocates when constructed
-/// only.
+/// A lock-free queue from one writing thread to one reading thread. Where the reader does not keep
+/// up, new items are dropped and counted: the writer never waits. Allocates only when constructed.
 template <class T>
 class Ring {
  public:

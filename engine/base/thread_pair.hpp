@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// The calling thread and at most one more, which lives as long as this does: thousands of small
-/// pieces of work, where starting a thread for each would cost as much as they do.
+/// The calling thread and at most one more, which lives as long as this object. For thousands of
+/// small pieces of work: starting a thread for each would cost as much as the work.
 class ThreadPair {
  public:
   /// work(k, lane), for k < count; the lane is k % 2. What one lane does is done in order, so that
@@ -21,8 +21,9 @@ class ThreadPair {
   ThreadPair(const ThreadPair&) = delete;
   ThreadPair& operator=(const ThreadPair&) = delete;
 
-  /// All of k < count, each once. Returns when all are done. Work must not throw. Where the other
-  /// thread has not come by the time this one is done with its lane, it does both.
+  /// Runs work for all k < count, each once, and returns when all are done. Work must not throw. If
+  /// the other thread has not started by the time this one has finished its lane, this one does
+  /// both.
   void each(std::size_t count, const Work& work);
 
  private:

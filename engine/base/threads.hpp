@@ -21,13 +21,13 @@ constexpr std::size_t worth_a_thread = 20'000;
 
 using Part = std::function<void(const Progress&)>;
 
-/// Does two parts of a step that do not touch each other, `there` on a second thread if
-/// `two_threads` and after `here` if not. Progress is called on this thread only; once it has
-/// cancelled `here`, the progress of `there` says the same. Throws what either throws.
+/// Runs two independent parts of a step, `there` on a second thread if `two_threads` and after
+/// `here` if not. Progress is called on this thread only; once it has cancelled `here`, the
+/// progress of `there` also cancels. Throws what either throws.
 void run_both(bool two_threads, const Progress& progress, const Part& here, const Part& there);
 
-/// Calls task(i) for every i below n, each once, in any order. The first exception ends it and is
-/// thrown here. On so many threads, this one included.
+/// Calls task(i) for every i below n, each once, in any order, on that many threads, including this
+/// one. The first exception ends it and is thrown here.
 template <class Task>
 void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
   std::atomic<std::size_t> next{0};

@@ -7,9 +7,10 @@
 
 namespace sonde {
 
-/// The newest value from one writing thread to one reading thread, without a lock: the writer never
-/// waits and the reader never sees half a value. Of the three slots one is the writer's, one the
-/// reader's, and the third changes hands in the middle, with a bit that says whether it is fresh.
+/// Passes the newest value from one writing thread to one reading thread, without a lock: the
+/// writer never waits and the reader never sees half a value. Of the three slots one is the
+/// writer's, one the reader's. The third changes hands in the middle, with a bit that says whether
+/// it is fresh.
 template <class T>
 class TripleBuffer {
  public:

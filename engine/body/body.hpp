@@ -29,29 +29,29 @@ struct Body {
   /// One triangle of surface(body), the first, of each connected component.
   std::vector<std::uint32_t> component_triangle;
   MassProperties mass;
-  /// The surface in as few triangles as its flat parts need (facets.hpp). Empty where that is the
-  /// soup as it stands.
+  /// The surface in as few triangles as its flat parts need (facets.hpp). Empty where the soup
+  /// already is that.
   Soup facets;
   std::size_t merged = 0;      ///< triangles of the soup that are parts of larger ones in `facets`
   std::size_t duplicates = 0;  ///< triangles of the soup that `facets` leaves out as repeated
   Tree tree;                   ///< over surface(body)
-  /// The same body, with its mass, in about outline_triangles triangles: a guess of its shape that
-  /// searches are guided by. None where it has few itself.
+  /// The same body, with its mass, in about outline_triangles triangles: an approximation that
+  /// guides searches. None where the body itself has few.
   std::shared_ptr<const Body> outline;
 };
 constexpr std::size_t outline_triangles = 1000;
 
-/// The triangles that touch, in the order of the tree's leaves: what every query works on.
+/// The triangles of contact, in the order of the tree's leaves: every query works on these.
 inline const Soup& surface(const Body& body) {
   return body.facets.triangles.empty() ? body.soup : body.facets;
 }
 
-/// The outline of a body, or itself where it has none.
+/// The outline of a body, or the body itself where it has none.
 inline const Body& roughly(const Body& body) { return body.outline ? *body.outline : body; }
 
 /// Builds a body. `asked` solid throws InputError where the mesh is not closed or has no volume;
-/// automatic falls back to surface and says why. A closed mesh whose volume cannot be told from
-/// zero (flat) is a surface. Throws InputError where no triangle has an area.
+/// automatic falls back to surface and gives the reason. A closed mesh whose volume cannot be told
+/// from zero (flat) is a surface. Throws InputError where no triangle has an area.
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress = {});
 

@@ -6,11 +6,11 @@
 
 namespace sonde {
 
-/// A soup with about as many triangles as asked for and the shape of the one given, roughly: its
-/// vertices are gathered in cells of a grid, each cell stands where the vertex nearest to their
-/// mean is, and triangles that are left with fewer than three corners, or twice, go (vertex
-/// clustering: Rossignac and Borrel, 1993; it asks nothing of topology). No bound of the error: for
-/// guesses alone. Empty where nothing was left. Throws Cancelled.
+/// A soup with about `triangles` triangles and roughly the shape of the given one. Its vertices are
+/// gathered in cells of a grid, and each cell is replaced by the vertex nearest to their mean.
+/// Triangles that are left with fewer than three corners, or twice, are removed (vertex clustering:
+/// Rossignac and Borrel, 1993; it needs no topology). The error has no bound, so it is for guesses
+/// only. Empty where nothing remains. Throws Cancelled.
 Soup outline(const Soup& soup, std::size_t triangles, const Progress& progress = {});
 
 }  // namespace sonde

@@ -10,7 +10,7 @@
 namespace sonde {
 
 /// A part of the plane by its outline: segments between points (indices), in any order, that may
-/// meet at their ends alone. What an odd number of them surrounds is inside.
+/// meet only at their ends. A place that an odd number of them surrounds is inside.
 struct PlanarRegion {
   std::vector<std::array<double, 2>> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> outline;

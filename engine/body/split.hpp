@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// A triangle while a tree is built: its box along the axes, in whatever unit makes the whole of
-/// the order of 1 (it decides how to split, never what a box must hold).
+/// A triangle while a tree is built: its axis-aligned box, in a unit that makes the whole of the
+/// order of 1 (it decides how to split, never what a box must hold).
 struct SplitItem {
   float low[3];
   std::uint32_t triangle;
@@ -23,7 +23,7 @@ std::pair<Eigen::Vector3f, Eigen::Vector3f> bounds(std::span<const SplitItem> it
 /// Half the surface of the box around all items.
 double half_area(std::span<const SplitItem> items);
 
-/// How to choose where a range ends.
+/// How to split a range.
 enum class SplitBy {
   cost,  ///< the surface-area heuristic in 16 bins (after Wald, 2007)
   half   ///< by count, along the longest axis: ends in time whatever the items are

@@ -9,14 +9,14 @@
 
 namespace sonde {
 
-/// Whose answers: a search's at one pose, or the ticks' that follow a path.
+/// The kind of answers: a search's at one pose, or those of the ticks along a path.
 enum class Answers { search, tick };
 
-/// What was measured on one pair of bodies with one limit of time: the error of each answer,
-/// ascending; infinite where it failed. That of a search is depth / reference − 1, that of a tick
-/// |depth − depth without a limit| over the largest depth of the path.
+/// The errors measured on one pair of bodies with one limit of time, ascending; infinite where an
+/// answer failed. The error of a search is depth / reference − 1, that of a tick |depth − depth
+/// without a limit| over the largest depth of the path.
 struct CalibrationPoint {
-  double time_us = 0;  ///< of the wall's clock; 0: none
+  double time_us = 0;  ///< wall-clock time; 0: none
   std::vector<double> errors;
 };
 
@@ -29,22 +29,24 @@ struct CalibrationSeries {
   std::vector<CalibrationPoint> points;  ///< by time, none last
 };
 
-/// What was measured, on as many pairs as there are.
+/// The measurements on all pairs.
 struct Calibration {
   std::vector<CalibrationSeries> series;
 };
 
-/// The accuracy that nine in ten answers of a kind keep to, by their time.
+/// The accuracy that nine in ten answers of a kind reach, by their time.
 class AccuracyCurve {
  public:
-  /// Made of the series of that kind; where none is of pairs with (or without) sketches, of all.
+  /// Uses the series of that kind, from pairs with sketches or from pairs without; where there are
+  /// none of these, all of that kind.
   AccuracyCurve(const Calibration& calibration, Answers answers, Method method, bool sketched);
 
   bool known() const { return !points_.empty(); }
-  /// The share of the depth, expected of nine in ten; infinite where nothing is known: with less
-  /// time than was measured, or where more than one in ten failed. 0 µs: no limit.
+  /// The expected accuracy, as a share of the depth, of nine in ten answers. Infinite where nothing
+  /// is known: with less time than was measured, or where more than one in ten failed. 0 µs: no
+  /// limit.
   double within(double time_us) const;
-  /// The least time for which that accuracy is expected, µs; 0 where it takes as long as it takes.
+  /// The least time for which that accuracy is expected, µs; 0: no limit of time.
   double time_for(double accuracy) const;
 
  private:
@@ -58,8 +60,8 @@ class AccuracyCurve {
 /// A budget of time for the knob, µs; 0: none.
 double budget_us(const Knob& knob, const AccuracyCurve& curve);
 
-/// What the answer claims, the narrower of the two: the bound where it has one, or what is expected
-/// of an answer in so much time (0: without a limit).
+/// The claim of the answer, the narrower of two: from the bound where it has one, and from what is
+/// expected of an answer in that time (0: without a limit).
 Claim claim_of(const Separation& answer, double time_us, const AccuracyCurve& curve);
 
 }  // namespace sonde

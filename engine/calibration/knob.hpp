@@ -3,9 +3,9 @@
 
 namespace sonde {
 
-/// The one knob of an answer: what it may take, or how near to the true depth it is wanted. One of
-/// the two is given, and the other follows from what was measured (calibration.hpp). Neither: as
-/// long as it takes.
+/// The one knob of a search: the time that it may take, or the accuracy that it should reach. Give
+/// one of the two; the other follows from what was measured (calibration.hpp). Give neither, and
+/// the search takes as long as it needs.
 struct Knob {
   double time = 0;      ///< s; 0: not given
   double accuracy = 0;  ///< share of the depth, 0.01 is 1 %; 0: not given
@@ -13,11 +13,11 @@ struct Knob {
 
 /// How near to the true depth an answer claims to be.
 struct Claim {
-  /// - certified: by the lower bound, or since the probe is free; it holds always.
-  /// - expected: by calibration, of nine in ten answers.
+  /// - certified: by the lower bound, or because the probe is free; always holds.
+  /// - expected: by calibration; holds for nine in ten answers.
   enum class By { nothing, certified, expected };
   By by = By::nothing;
-  double within = 0;  ///< depth / true depth − 1 is at most this; of no meaning for nothing
+  double within = 0;  ///< depth / true depth − 1 is at most this; no meaning with By::nothing
 };
 
 }  // namespace sonde

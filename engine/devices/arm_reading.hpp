@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// What a maker's library says of an arm, once asked; in our units and frames.
+/// The reading of a maker's library for an arm, in our units and frames.
 struct ArmReading {
   enum class Kind {
     nothing,  ///< no new pose
@@ -24,7 +24,7 @@ struct ArmReading {
   std::string words{};
 };
 
-/// None where the matrix is no rotation, by more than 1 % (OpenHaptics' are not exact).
+/// None where the matrix is not a rotation, by more than 1 % (OpenHaptics' are not exact).
 inline std::optional<Quat> rotation_of(const Mat3& R) {
   constexpr double tolerance = 0.01;
   const double error = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
@@ -33,7 +33,7 @@ inline std::optional<Quat> rotation_of(const Mat3& R) {
 }
 inline constexpr const char* no_rotation = "its rotation matrix is none, or not finite";
 
-/// What an arm is, as its library tells when it is opened.
+/// The properties of an arm, as its library reports them when it is opened.
 struct ArmIdentity {
   std::string name, serial;
   DeviceCapabilities capabilities;

@@ -7,23 +7,23 @@
 
 namespace sonde {
 
-/// How one axis of the hand's motion is made from the device's.
+/// The mapping from a device axis to one axis of the motion.
 struct AxisSetting {
-  int source = 0;  ///< the device's axis it is taken from, 0 to 5 in the order of SixAxes: swaps
+  int source = 0;  ///< the device axis that drives it, 0 to 5 in the order of SixAxes: swaps
   bool inverted = false;
   double gain = 1;          ///< 0 switches the axis off
-  double dead_zone = 0.05;  ///< a deflection up to this counts as none; 0 to below 1
+  double dead_zone = 0.05;  ///< a deflection up to this counts as zero; 0 to below 1
 };
 
 struct AxisMap {
   std::array<AxisSetting, 6> axes{{{0}, {1}, {2}, {3}, {4}, {5}}};
 };
 
-/// Deflections as the user wants them, each from -gain to gain. Continuous at the edge of the dead
-/// zone; full deflection stays full. A source that is no axis gives zero.
+/// The mapped deflections, each from -gain to gain. Continuous at the edge of the dead zone; full
+/// deflection stays full. A source that is not an axis gives zero.
 SixAxes mapped(const AxisMap& map, const SixAxes& deflection) noexcept;
 
-/// How far full deflection leads, or how fast.
+/// The displacement, or the velocity, of full deflection.
 struct Reach {
   double translation = 0.1;  ///< m, or m/s
   double rotation = 1;       ///< rad, or rad/s
@@ -33,7 +33,7 @@ struct Reach {
 /// fixed frame. X_FP: the probe in the fixed frame.
 Pose position_controlled(const Pose& X_FP_rest, const SixAxes& mapped, const Reach& reach) noexcept;
 
-/// The pose at rest from which this deflection leads to X_FP by position control.
+/// The rest pose from which this deflection leads to X_FP by position control.
 Pose position_at_rest(const Pose& X_FP, const SixAxes& mapped, const Reach& reach) noexcept;
 
 /// Rate control: the deflection is a velocity, in the axes of the fixed frame and about the probe's

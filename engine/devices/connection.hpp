@@ -16,14 +16,14 @@ namespace sonde {
 enum class DeviceKind { space_mouse, force_device, arm };
 const char* name_of(DeviceKind kind);
 
-/// What the interface is, by its ids and usages; none where it is not a 6-DoF device, or is another
-/// interface of one.
+/// The kind of the interface, by its ids and usages; none where it is not a 6-DoF device, or is
+/// another interface of one.
 std::optional<DeviceKind> kind_of(const HidInfo& info);
 
-/// What to call the device: by its ids, else by what it says.
+/// The device's name: by its ids, else its own.
 std::string name_of(const HidInfo& info);
 
-/// An open device, and what understands it.
+/// An open device and its driver.
 struct Connection {
   std::optional<HidDevice> hid;  ///< none of an arm
   std::variant<SpaceMouse, ForceDevice, ForceArm> driver;
@@ -31,8 +31,8 @@ struct Connection {
   const DeviceCapabilities& capabilities() const;
 };
 
-/// Opens it and sees that it is what it says. Throws InputError "PATH: reason", which names the
-/// program that holds it where there is one.
+/// Opens it and verifies its kind. Throws InputError "PATH: reason", which names the program that
+/// holds it where there is one.
 Connection connect(const HidInfo& info);
 
 /// A 6-DoF device as found without opening it.
@@ -43,7 +43,7 @@ struct ConnectedDevice {
 /// Every one that is connected.
 std::vector<ConnectedDevice> connected_devices();
 
-/// One device that is connected, and whether it could be used.
+/// One connected device, and whether it can be used.
 struct DeviceListing {
   HidInfo info;
   DeviceKind kind = DeviceKind::space_mouse;

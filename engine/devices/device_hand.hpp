@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// A connected device that holds the probe: its samples through a DeviceMotion, and the wrench back
-/// to it.
+/// A connected device that holds the probe: its samples pass a DeviceMotion, and the wrench goes
+/// back to it.
 class DeviceHand {
  public:
   /// The probe is at X_FM, com its centre of mass in its mesh frame.

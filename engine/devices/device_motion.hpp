@@ -8,14 +8,15 @@
 
 namespace sonde {
 
-/// What a device's samples make of the probe: by position through the WorkspaceMap where it tells
-/// positions; else by the deflections, mapped, smoothed, and taken as a displacement or a velocity.
+/// Moves the probe by a device's samples: through the WorkspaceMap where the device reports
+/// positions, else by its deflections, which are mapped, smoothed, and taken as a displacement or a
+/// velocity.
 ///
-/// The probe stays where it is, to the bit, while the clutch button is held and while the device
-/// cannot be trusted; afterwards, as after a change of settings, view or connection, the pose of
-/// the device at that moment stands for the pose of the probe at that moment. So no pose ever
-/// jumps. A change of settings or view turns the force that the handle gets: there is no force
-/// for a tick, after which it comes in from zero. No device, no clock; no allocation, lock, throw.
+/// The probe stays where it is, to the bit, while the clutch button is held and while the device is
+/// not trusted. Afterwards, as after a change of settings, view or connection, the pose of the
+/// device at that moment corresponds to the pose of the probe at that moment. So no pose ever
+/// jumps. A change of settings or view turns the force at the handle, so there is no force for a
+/// tick, after which it rises from zero. No device, no clock; no allocation, lock, throw.
 class DeviceMotion {
  public:
   /// com: the probe's centre of mass in its mesh frame M, about which it turns.
@@ -24,7 +25,7 @@ class DeviceMotion {
   void set_settings(const DeviceSettings& settings) noexcept;
   /// q_FV: the axes of the picture (x right, y up, z to the eye), for DeviceSettings::Frame::view.
   void set_view(const Quat& q_FV) noexcept;
-  /// Puts the probe somewhere else.
+  /// Puts the probe at another pose.
   void place(const Pose& X_FM) noexcept;
 
   /// dt: s since the call before; 0 where there was none, or a pause.

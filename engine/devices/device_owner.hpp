@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// Which other program has the device open, or, where that is not ours to see, which driver daemon
-/// (spacenavd, the vendor's own) runs and so may have it; one line, and empty where there is none.
+/// The other program that has the device open. Where we may not see that, the driver daemon
+/// (spacenavd, the vendor's own) that runs and so may have it. One line; empty where there is none.
 /// `proc`: the system's folder of processes.
 std::string other_owner(const std::string& path, const std::filesystem::path& proc = "/proc");
 

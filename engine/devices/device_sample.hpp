@@ -17,16 +17,16 @@ using SixAxes = Eigen::Matrix<double, 6, 1>;
 
 enum class DeviceState {
   absent,   ///< nothing of the kind is connected
-  refused,  ///< connected, and cannot be opened or used: the status says why
-  ready,    ///< what it sends can be used
-  silent,   ///< open, and it sends nothing where it should
-  faulty,   ///< what it sends cannot be used: the status says why
+  refused,  ///< connected, but it cannot be opened or used: the status gives the reason
+  ready,    ///< its reports can be used
+  silent,   ///< open, but it sends nothing where it should
+  faulty,   ///< its reports cannot be used: the status gives the reason
 };
 const char* name_of(DeviceState state);
 
-/// What a device can do. The same from one sample to the next while it stays connected.
+/// The capabilities of a device. They do not change while it stays connected.
 struct DeviceCapabilities {
-  bool position = false;      ///< tells where its handle is; else it tells deflections from rest
+  bool position = false;      ///< reports the position of its handle; else deflections from rest
   bool force = false;         ///< takes a wrench
   bool led = false;           ///< has a light to switch
   unsigned buttons = 0;       ///< how many, as far as it says
@@ -37,7 +37,7 @@ struct DeviceCapabilities {
   Vec3 reach = Vec3::Zero();  ///< half the working volume along each axis, m; 0 without position
 };
 
-/// The newest word of a device: plain data, copied through a triple buffer.
+/// The newest state of a device: plain data, copied through a triple buffer.
 struct DeviceSample {
   DeviceState state = DeviceState::absent;
   bool position = false;           ///< it tells poses; else deflections from rest
@@ -50,7 +50,7 @@ struct DeviceSample {
   SixAxes deflection = SixAxes::Zero();  ///< -1 to 1 each; zero where the device tells positions
 };
 
-/// The sample as it counts `now`: one that is too old holds no deflection, and is silent, but for a
+/// The sample as it counts at `now`. One that is too old has no deflection, and is silent; except a
 /// device of deflections at rest, which sends nothing then. Does not rely on the device's thread.
 DeviceSample aged(const DeviceSample& sample, DeviceClock::time_point now) noexcept;
 
@@ -60,11 +60,10 @@ struct DeviceWrench {
   Vec3 torque = Vec3::Zero();
 };
 
-/// Scaled down, force and torque each on its own, to the device's limits; zero where a number of it
-/// is not finite.
+/// Force and torque, each scaled down to the device's limits; zero where a number is not finite.
 DeviceWrench limited(const DeviceWrench& wrench, const DeviceCapabilities& capabilities) noexcept;
 
-/// What came of a report.
+/// The result of a report.
 enum class Heard {
   sample,   ///< it changed the sample
   nothing,  ///< it holds nothing of use, and is no fault: a battery's level, a repeat

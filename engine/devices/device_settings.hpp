@@ -7,12 +7,12 @@
 
 namespace sonde {
 
-/// How a person wants a device to move the probe: plain data, copied through a triple buffer. Kept
-/// for each device.
+/// The user's settings of how a device moves the probe: plain data, copied through a triple buffer.
+/// Stored for each device.
 struct DeviceSettings {
-  /// What a deflection is. A device that tells positions is always followed in position.
+  /// The meaning of a deflection. A device that reports positions is always followed in position.
   enum class Control { position, rate };
-  /// Along which axes the device's x (right), y (away from the user) and z (up) lie.
+  /// The axes along which the device's x (right), y (away from the user) and z (up) lie.
   enum class Frame {
     view,   ///< those of the picture, however the camera stands
     scene,  ///< x, y and z of the scene
@@ -21,11 +21,11 @@ struct DeviceSettings {
 
   Control control = Control::rate;
   Frame frame = Frame::view;
-  double scaling = 1;       ///< how far the probe goes, for what the device asks
+  double scaling = 1;       ///< how far the probe moves per movement of the device
   double reach = 0.1;       ///< m or m/s of full deflection
   double turn = 1;          ///< rad or rad/s of full deflection
   double smoothing = 0.03;  ///< s, time constant for deflections
-  int clutch_button = 1;    ///< held down, it leaves the probe where it is; 0: none
+  int clutch_button = 1;    ///< held down, it keeps the probe in place; 0: none
   AxisMap axes;
   // What the device wants of the haptic loop, before what the scene says; none: as the scene says.
   std::optional<double> rate_hz;

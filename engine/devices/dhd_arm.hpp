@@ -37,18 +37,19 @@ class DhdLibrary {
 /// the maker's program: it moves the arm by itself, which no program should do unasked.
 class DhdArm {
  public:
-  /// By the order of the system, from 0. Throws InputError "libdhd/INDEX: reason".
+  /// Opens an arm by its index in the order of the system, from 0. Throws InputError "libdhd/INDEX:
+  /// reason".
   DhdArm(std::shared_ptr<const DhdLibrary> library, int index);
   ~DhdArm();
   DhdArm(const DhdArm&) = delete;
   DhdArm& operator=(const DhdArm&) = delete;
 
-  /// How many this program has open.
+  /// The number of arms that this program has open.
   static int open();
   const ArmIdentity& identity() const { return identity_; }
   /// Waits for the next millisecond, and asks for the pose.
   ArmReading read();
-  /// False where the library does not take it. Not `on`: no force, but gravity's compensation.
+  /// False where the library refuses it. Not `on`: no force, but gravity compensation.
   bool write(const DeviceWrench& wrench, bool on);
 
  private:

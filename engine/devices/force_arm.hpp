@@ -14,8 +14,8 @@
 
 namespace sonde {
 
-/// An arm that its maker's library speaks to. What it says is trusted no more than what a force
-/// device says: see ForceDevice.
+/// An arm that its maker's library drives. Its data is trusted no more than that of a force device:
+/// see ForceDevice.
 class ForceArm {
  public:
   /// "libdhd/0" (by the order of the system), "libHD/Default Device" (by its name in the maker's
@@ -41,14 +41,14 @@ class ForceArm {
   std::string complaint_;
 };
 
-/// Whether a device's path is one of an arm's, not of a node.
+/// Returns whether a device's path is that of an arm, not of a node.
 bool is_arm_path(const std::string& path);
 
-/// Every arm that its maker's library tells of; none where no library is installed. Those of
+/// Every arm that its maker's library reports; none where no library is installed. The arms of
 /// Force Dimension are opened once for their names and serial numbers, whenever their number has
-/// changed and none is in use. OpenHaptics knows none but by name: those that the environment
-/// variable SONDE_HD_DEVICES lists, divided by commas, else the default device alone; each is
-/// listed whether or not it is there.
+/// changed and none is in use. OpenHaptics knows arms only by name: those in the environment
+/// variable SONDE_HD_DEVICES, separated by commas, else the default device alone. Each is listed
+/// whether or not it is there.
 std::vector<HidInfo> list_arms();
 
 /// The makers' libraries, found or not.

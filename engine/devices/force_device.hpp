@@ -13,13 +13,13 @@
 namespace sonde {
 
 /// The host's side of the open force protocol: turns pose reports into samples, and a wrench into a
-/// report. Nothing that arrives is trusted. No device, no clock.
+/// report. It trusts nothing that arrives. No device, no clock.
 ///
-/// A report is refused, and the device faulty from that moment (no force), where a number is not
+/// It refuses a report, and the device is faulty from that moment (no force), where a number is not
 /// finite, the quaternion is not of unit length (by more than 1 %), the handle is outside the
 /// working volume, it has moved further from the report before than a hand moves (20 mm and 5 m/s,
-/// 0.2 rad and 60 rad/s), or the sequence goes back. It is ready again after a run of reports that
-/// agree with each other; so it is at the start and after silence.
+/// 0.2 rad and 60 rad/s), or the sequence goes back. The device is ready again after a run of
+/// reports that agree with each other. The same holds at the start and after silence.
 class ForceDevice {
  public:
   /// Reports in a row that must agree before the device is ready.
@@ -31,10 +31,10 @@ class ForceDevice {
   /// One report as it was read.
   Heard accept(std::span<const std::uint8_t> report, DeviceClock::time_point now,
                DeviceSample& sample);
-  /// The same of one that was decoded, or that came some other way than by HID.
+  /// The same for a report that was decoded, or that arrived in another way than by HID.
   Heard accept(force_protocol::PoseReport report, DeviceClock::time_point now,
                DeviceSample& sample);
-  /// What is heard cannot be used: faulty from now on, for this reason.
+  /// Reports that the data cannot be used: faulty from now on, for this reason.
   Heard refuse(const std::string& complaint, DeviceSample& sample);
   /// Why the last report was refused.
   const std::string& complaint() const { return complaint_; }

@@ -22,7 +22,7 @@ class HdLibrary {
   explicit HdLibrary(const std::filesystem::path& file);
 
   const hd::Api& api() const { return api_; }
-  /// By its own word, which some versions give only with a device; empty where it gives none.
+  /// Its version, which some report only with a device; empty where it reports none.
   const std::string& version() const { return version_; }
 
  private:
@@ -41,8 +41,8 @@ class HdLibrary {
 /// the user, z up. Velocity limit, largest force and ramps of the library stay as they are.
 class HdArm {
  public:
-  /// As it is called in the maker's set-up; "Default Device" is the default. Throws InputError
-  /// "libHD/NAME: reason".
+  /// Opens an arm by its name in the maker's configuration; "Default Device" is the default. Throws
+  /// InputError "libHD/NAME: reason".
   HdArm(std::shared_ptr<const HdLibrary> library, const std::string& name);
   ~HdArm();
   HdArm(const HdArm&) = delete;

@@ -25,13 +25,14 @@ struct HidInfo {
   bool has(HidUsage usage) const;
 };
 
-/// All that is connected, each path once, in the order of the paths.
+/// All connected interfaces, each path once, in the order of the paths.
 std::vector<HidInfo> list_hid();
 
-/// The file that lets the user at the screen open the devices; named where one may not.
+/// The file that lets the user at the screen open the devices; messages name it where permission is
+/// missing.
 inline constexpr const char* udev_rule_file = "70-sonde-devices.rules";
 
-/// What an open that failed with this errno means, and what to do about it.
+/// The meaning of a failed open with this errno, and the remedy.
 std::string open_failure(int error);
 
 /// An open HID device; closes with the object. One thread uses it.
@@ -46,7 +47,7 @@ class HidDevice {
   /// reports; empty after the timeout; none where the device is gone. No allocation.
   std::optional<std::span<const std::uint8_t>> read(std::span<std::uint8_t> buffer,
                                                     std::chrono::milliseconds timeout) noexcept;
-  /// The id (0 without ids) first. False where the device did not take it.
+  /// Writes a report; the id (0 without ids) first. False where the device did not accept it.
   bool write(std::span<const std::uint8_t> report) noexcept;
   /// The id in buffer[0]; its part of `buffer`, the id first; none where that fails.
   std::optional<std::span<const std::uint8_t>> feature(std::span<std::uint8_t> buffer) noexcept;

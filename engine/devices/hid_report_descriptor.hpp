@@ -37,7 +37,8 @@ struct HidReport {
   std::size_t bytes() const { return (bits + 7) / 8; }
 };
 
-/// What a device says its reports hold (Device Class Definition for HID 1.11, section 6.2.2).
+/// The contents of a device's reports by its own description (Device Class Definition for HID 1.11,
+/// section 6.2.2).
 struct HidReportDescriptor {
   HidUsage application;  ///< of the first top-level collection
   std::vector<HidReport> reports;
@@ -49,9 +50,8 @@ struct HidReportDescriptor {
   bool numbered() const;  ///< each report begins with its id
 };
 
-/// Reads any bytes at all: never throws but for memory, and takes little of that. What lies after
-/// an item that cannot be (cut off, a report beyond 16 kB, collections that do not nest) is left
-/// out.
+/// Reads any bytes: never throws except for memory, and takes little of that. It leaves out what
+/// lies after an impossible item (cut off, a report beyond 16 kB, collections that do not nest).
 HidReportDescriptor parse_hid_report_descriptor(std::span<const std::uint8_t> bytes);
 
 /// The field's value; none where the report is of another id or too short. No allocation.

@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// Looks once a second, in a thread of its own, which 6-DoF devices are connected; opens none.
+/// Lists the connected 6-DoF devices once a second, in its own thread; opens none.
 class HotplugMonitor {
  public:
   HotplugMonitor();
@@ -18,7 +18,7 @@ class HotplugMonitor {
   HotplugMonitor(const HotplugMonitor&) = delete;
   HotplugMonitor& operator=(const HotplugMonitor&) = delete;
 
-  /// As last seen; none before the first look is over.
+  /// The last list; none before the first look is over.
   std::vector<ConnectedDevice> connected() const;
 
  private:

@@ -11,18 +11,18 @@
 
 namespace sonde {
 
-/// The model's name; null for what is not known to be a six-axis device of 3Dconnexion's.
+/// The model's name; null where it is not known as a six-axis device of 3Dconnexion's.
 const char* space_mouse_name(std::uint16_t vendor, std::uint16_t product);
 
 /// 3Dconnexion's mice and keyboards, which have no six axes: never opened.
 bool is_plain_3dconnexion(std::uint16_t vendor, std::uint16_t product);
 
-/// The usage of the one interface, among a receiver's several, that tells the axes.
+/// The usage of the interface that reports the axes, among a receiver's several.
 inline constexpr HidUsage multi_axis_controller{0x01, 0x08};
 
-/// Where the six numbers, the buttons and the light are.
+/// The places of the six numbers, the buttons and the light in the reports.
 struct SpaceMouseLayout {
-  /// By the descriptor, in the device's own frame; none where it does not name all six.
+  /// From the descriptor, in the device's own frame; none where it does not name all six.
   std::optional<std::array<HidField, 6>> axes;
   std::vector<HidField> buttons;  ///< bits, or arrays of the numbers of those held
   unsigned button_count = 0;      ///< at most 32 are told
@@ -41,10 +41,10 @@ SpaceMouseLayout space_mouse_layout(const HidReportDescriptor& descriptor);
 /// or 13 bytes with id 1 (both).
 class SpaceMouse {
  public:
-  /// A puck held still repeats itself, so one that says nothing for this long is taken to be at
-  /// rest, or gone. (Wireless ones report at about 62 Hz.)
+  /// A puck that is held still repeats its report, so one that sends nothing for this long counts
+  /// as at rest, or gone. (Wireless ones report at about 62 Hz.)
   static constexpr DeviceClock::duration stale_after = std::chrono::milliseconds(200);
-  /// After so many refused reports in a row the deflection is zero and the device faulty.
+  /// After this many refused reports in a row the deflection is zero and the device faulty.
   static constexpr int most_refused = 10;
 
   explicit SpaceMouse(const HidReportDescriptor& descriptor);

@@ -8,16 +8,16 @@
 
 namespace sonde {
 
-/// A library that the maker of a device hands out and nobody else may, and where it is looked for.
+/// A library that only the maker of a device may distribute, and the places where it is searched.
 struct VendorLibraryName {
-  const char* name;                    ///< for people: "libdhd"
+  const char* name;                    ///< name for the user: "libdhd"
   const char* maker;                   ///< "Force Dimension"
-  std::span<const char* const> files;  ///< by which it may go, the better first
+  std::span<const char* const> files;  ///< possible names, the preferred first
   const char* variable;                ///< environment variable that holds its absolute path
   const char* source;                  ///< where to get it
 };
 
-/// What is known of one, for `sonde devices`.
+/// The state of a library, for `sonde devices`.
 struct VendorLibraryListing {
   std::string name, maker;
   std::string path{};     ///< empty where there is none
@@ -29,15 +29,15 @@ struct VendorLibraryListing {
 /// The folders of the system that libraries lie in; absolute, as everything that is opened here.
 std::span<const char* const> system_library_folders();
 
-/// The file to load: what the environment variable says, else the first that there is in the system
+/// The file to load: the one in the environment variable, else the first that exists in the system
 /// folders; empty where there is none. The working folder and the loader's own search (which
-/// LD_LIBRARY_PATH or an RPATH may lead anywhere) have no part in it. Throws InputError where the
-/// variable holds no absolute path, or none of a file.
+/// LD_LIBRARY_PATH or an RPATH may lead anywhere) are not used. Throws InputError where the
+/// variable holds no absolute path, or not that of a file.
 std::filesystem::path find_vendor_library(
     const VendorLibraryName& name, std::span<const char* const> folders = system_library_folders());
 
-/// A library that was loaded, and stays so until the program ends: makers' libraries leave threads
-/// behind that would run on in memory that is gone.
+/// A loaded library. It stays loaded until the program ends: makers' libraries leave threads behind
+/// that would run on in freed memory.
 class VendorLibrary {
  public:
   /// Throws InputError "FILE: reason": no library, one for another processor, or the loader's word.

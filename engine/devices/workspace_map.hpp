@@ -25,19 +25,20 @@ namespace sonde {
 /// passive at the probe is passive in the hand. No allocation anywhere.
 class WorkspaceMap {
  public:
-  /// Scaling and axes, and where the base stands. Does not move the anchor: anchor again after it.
+  /// Sets scaling and axes, and the orientation of the base. Does not move the anchor: anchor again
+  /// after it.
   void configure(const AxisMap& axes, double scaling, const Quat& q_FB) noexcept;
-  /// From now on this pose of the handle stands for this one of the probe.
+  /// From now on this pose of the handle corresponds to this pose of the probe.
   void anchor(const Pose& X_BH, const Pose& X_FC) noexcept;
-  /// X_FC. More than a quarter of a turn from it, the handle drags the anchor along, so that no
-  /// rotation is too large: with gains of 1 that changes nothing, with others the turn of the probe
-  /// depends on the hand's way. Neither the pose nor the wrench jumps there.
+  /// X_FC. Beyond a quarter of a turn from the anchor, the handle drags the anchor along, so that
+  /// no rotation is too large. With gains of 1 that changes nothing; with others the probe's
+  /// rotation depends on the hand's path. Neither the pose nor the wrench jumps there.
   Pose follow(const Pose& X_BH) noexcept;
-  /// On the handle, about its origin, in B, at the pose last followed; from the wrench about the
+  /// The wrench on the handle, about its origin, in B, at the last pose; from the wrench about the
   /// probe's centre of mass, in F.
   DeviceWrench on_handle(const Wrench& wrench) const noexcept;
-  /// The most that the map makes of a velocity of the handle, in any direction, at the pose last
-  /// followed.
+  /// The largest factor by which the map multiplies a velocity of the handle, in any direction, at
+  /// the last pose.
   struct Ratios {
     double translation = 1;
     double rotation = 1;

@@ -9,7 +9,8 @@
 
 namespace sonde {
 
-/// Where a mesh is not closed, to be shown: what Topology counts. Edges as pairs of vertices.
+/// The edges where a mesh is not closed, to be shown: those that Topology counts, as pairs of
+/// vertices.
 struct DefectEdges {
   using Edge = std::array<std::uint32_t, 2>;
   std::vector<Edge> open;     ///< of one triangle only

@@ -8,11 +8,11 @@
 
 namespace sonde {
 
-/// Cuts one polygon into triangles by clipping its ears, going round so that a convex one does not
-/// become a fan. `flat` are its corners in a plane, counter-clockwise, of about unit size;
-/// `polygon` their numbers in the soup. A polygon that does not cross itself is covered once. One
-/// that does has no such triangles: it gets as many, of the same signed area altogether, from
-/// whatever corners are most convex near by, so that a large one takes no longer than others.
+/// Cuts one polygon into triangles by clipping its ears, going round so that a convex polygon does
+/// not become a fan. `flat` are its corners in a plane, counter-clockwise, of about unit size;
+/// `polygon` their indices in the soup. A polygon that does not cross itself is covered once. One
+/// that does has no such triangles: it gets as many, with the same total signed area, from whatever
+/// corners are most convex nearby, so that a large polygon takes no longer than others.
 void clip_ears(const std::vector<std::size_t>& polygon, std::vector<Eigen::Vector2d> flat,
                std::vector<Triangle>& out);
 

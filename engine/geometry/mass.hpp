@@ -14,12 +14,12 @@ struct MassProperties {
   double measure =
       0;  ///< V: volume in m³ or area in m²; a solid's is signed (negative: inside out)
   Vec3 com = Vec3::Zero();  ///< centre of mass in the mesh frame, m
-  /// Rotation from principal axes to mesh axes; columns are the principal axes, inertia ascending,
-  /// sign-canonical: the largest component of the first two is positive, the third completes a
-  /// right-handed frame. The identity where all three inertias agree to rounding.
+  /// Rotation from principal axes to mesh axes. Its columns are the principal axes, with ascending
+  /// inertia and canonical signs: the largest component of the first two is positive, and the third
+  /// completes a right-handed frame. The identity where all three inertias agree to rounding.
   Mat3 R_MP = Mat3::Identity();
-  /// Principal moments of Î = I/V in m², ascending, never negative. One that cannot be told from
-  /// zero (≤ 1e-14 of the largest) is exactly zero: turning about that axis moves nothing.
+  /// Principal moments of Î = I/V in m², ascending, never negative. A moment that cannot be told
+  /// from zero (≤ 1e-14 of the largest) is exactly zero: a turn about that axis moves nothing.
   Vec3 inertia = Vec3::Zero();
   double radius = 0;  ///< R: largest distance of a vertex of a triangle from com, m
 };

@@ -3,8 +3,9 @@
 
 namespace sonde {
 
-/// What counts of a body: its interior and its triangles (solid, of a closed mesh), its triangles
-/// alone (surface, of any soup), or solid where the mesh is closed and has a volume (automatic).
+/// Which part of a body counts: its interior and its triangles (solid, for a closed mesh), its
+/// triangles alone (surface, for any soup), or solid where the mesh is closed and has a volume,
+/// else surface (automatic).
 enum class Model { automatic, solid, surface };
 
 }  // namespace sonde

@@ -30,9 +30,9 @@ inline Pose inverse(const Pose& X_BA) {
 
 // Not of the public face from here on (engine/sonde.hpp).
 
-/// Pose as a rotation matrix and a translation: what the geometric kernels multiply points with.
-/// Every kernel and every test of freedom goes through this one conversion, so that all of them
-/// see the same transformed vertices, to the bit.
+/// A pose as a rotation matrix and a translation, with which the geometric kernels multiply points.
+/// Every kernel and every test for a free pose uses this one conversion, so all of them see the
+/// same transformed vertices, to the bit.
 struct Transform {
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();

@@ -13,14 +13,14 @@ namespace sonde {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle soup in its mesh frame, metres. Nothing is assumed of topology: triangles may cross,
-/// repeat, or hang loose. Indices are in range and coordinates finite (the readers see to it).
+/// A triangle soup in its mesh frame, metres, with any topology: triangles may cross, repeat, or
+/// hang loose. Indices are in range and coordinates finite (the readers ensure it).
 struct Soup {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
 };
 
-/// A polygon soup as a file gives it, before triangulation.
+/// A polygon soup as a file holds it, before triangulation.
 using Polygon = std::vector<std::size_t>;  ///< its corners, as indices of points
 struct PolygonSoup {
   std::vector<Vec3> points;
@@ -29,7 +29,8 @@ struct PolygonSoup {
 
 /// The triangles of a polygon soup (by ear clipping in the polygon's best-fit plane, so that
 /// concave polygons keep their shape), with degenerate ones set aside. A polygon that crosses
-/// itself has no right triangulation: each of its corners is in a triangle, and that is all.
+/// itself has no correct triangulation: the only promise is that each of its corners is in a
+/// triangle.
 struct Triangulated {
   Soup soup;
   /// Triangles with no area (an index twice, or corners that cannot be told from collinear).

@@ -3,9 +3,9 @@
 
 namespace sonde {
 
-/// x as single precision holds it, where the rounding counts. A function that is not inlined,
-/// because g++ 12 takes double → float → double for doing nothing wherever it vectorises the two
-/// together, and what is computed from the difference, or checked by it, would be wrong unseen.
+/// x in single precision, where the rounding counts. It is not inlined, because g++ 12 removes
+/// double → float → double where it vectorises both together. A result computed from the
+/// difference, or checked by it, would then be wrong without notice.
 float to_float(double x);
 
 }  // namespace sonde

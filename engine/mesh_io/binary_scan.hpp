@@ -12,8 +12,7 @@
 
 namespace sonde {
 
-/// Walks through the numbers of a binary mesh file, knowing at which byte it is when it must
-/// refuse.
+/// Walks through the numbers of a binary mesh file and knows the byte of each for error messages.
 class BinaryScanner {
  public:
   BinaryScanner(const std::string& file, std::string_view bytes, std::size_t start,
@@ -42,7 +41,7 @@ class BinaryScanner {
   void need(std::uint64_t n, const auto& inside) const {
     if (bytes_left() < n) refuse_at(bytes_.size(), "the file ends inside " + inside());
   }
-  /// Called for each of many items: tells progress now and then.
+  /// Call it for each of many items: it reports progress now and then.
   void report(std::uint64_t item) const {
     if ((item & 0xffff) == 0 && progress_ &&
         !progress_(static_cast<double>(at_) / static_cast<double>(bytes_.size())))

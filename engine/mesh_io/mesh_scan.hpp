@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// Walks through the lines and words of a text mesh file, knowing where it is when it must refuse.
-/// Blank lines, and what follows a comment sign, are passed over; CRLF counts as a line end.
+/// Walks through the lines and words of a text mesh file and knows the line for error messages. It
+/// skips blank lines, and what follows a comment sign; CRLF counts as a line end.
 class MeshScanner {
  public:
   /// `comment` is the sign that starts a comment ('\0': none). Where `continues` is set, a

@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// What a column's numbers are in a file, little-endian.
+/// The number type of a column in a file, little-endian.
 enum class Stored { f64, f32, u64, u32, u8 };
 const char* name_of(Stored as);
 std::size_t width(Stored as) noexcept;  ///< bytes
@@ -29,10 +29,11 @@ struct Column {
   void (*set)(Row& row, double value);
 };
 
-/// Numbers of one width, each combined (XOR) with the one before, in planes of bytes: first the
-/// lowest byte of each, the highest last. What changes slowly becomes runs of zeros.
+/// Numbers of one width, each combined (XOR) with the one before, in planes of bytes: the lowest
+/// byte of each first, the highest last. Slow changes become runs of zeros.
 void append_planes(std::string& out, std::span<const std::uint64_t> bits, std::size_t width);
-/// Takes them off the front again. Throws std::invalid_argument where the text is too short.
+/// Reads them from the front of the text and removes them. Throws std::invalid_argument where the
+/// text is too short.
 std::vector<std::uint64_t> take_planes(std::string_view& in, std::size_t count, std::size_t width);
 
 void append_count(std::string& out, std::uint32_t count);
@@ -50,7 +51,8 @@ void append_table(std::string& out, std::span<const Row> rows,
   }
 }
 
-/// Takes a table off the front. Throws std::invalid_argument where the text is too short for it.
+/// Reads a table from the front and removes it. Throws std::invalid_argument where the text is too
+/// short.
 template <class Row>
 std::vector<Row> take_table(std::string_view& in, std::span<const Column<Row>> columns) {
   const std::size_t count = take_count(in);

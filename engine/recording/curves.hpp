@@ -13,7 +13,7 @@
 
 namespace sonde {
 
-/// What is drawn over time.
+/// The quantities that are drawn over time.
 enum class Curve {
   held,      ///< m, depth of the separated pose that holds the probe
   nearest,   ///< m, √PD_g as last searched
@@ -35,24 +35,25 @@ struct CurvePoint {
   double value = 0;
 };
 
-/// Quantities of every tick, as columns: quick to draw over minutes. Where a quantity is not there,
-/// its value is NaN.
+/// Quantities of every tick, as columns that are quick to draw over minutes. A missing value is
+/// NaN.
 class Curves {
  public:
-  /// The oldest ticks go where there are more; 0: no limit.
+  /// Drops the oldest ticks where there are more; 0: no limit.
   explicit Curves(std::uint64_t most = 0) : most_(most) {}
 
-  /// The next tick, at a time that does not fall; what was found by a search until then.
+  /// Adds the next tick, at a time that does not fall, with what a search has found until then.
   void add(const Snapshot& tick, double time, const BackgroundResult* searched);
   void clear();
 
   std::size_t size() const { return times_.size(); }
   double first_time() const { return times_.empty() ? 0 : times_.front(); }
   double last_time() const { return times_.empty() ? 0 : times_.back(); }
-  /// At the last tick that is not later than that; NaN where there is none.
+  /// The value at the last tick that is not later than that; NaN where there is none.
   double at(Curve curve, double time) const;
-  /// Of each of so many equal parts of that time the lowest and the highest point, in their order,
-  /// with one point beyond each end: what a picture of that many columns shows of all the points.
+  /// Divides that time into equal parts and gives the lowest and the highest point of each, in
+  /// their order, with one point beyond each end: all that a picture with that many columns shows
+  /// of the points.
   std::vector<CurvePoint> outline(Curve curve, double from, double to, std::size_t columns) const;
   std::size_t bytes() const;  ///< of memory
 
@@ -62,7 +63,7 @@ class Curves {
   std::array<std::deque<float>, curve_count> values_;
 };
 
-/// Those of a whole log, which is decoded for it.
+/// The curves of a whole log, which it decodes.
 Curves curves_of(const TickLog& ticks, const Progress& progress = {});
 
 }  // namespace sonde

@@ -11,7 +11,7 @@
 
 namespace sonde {
 
-/// A device pose that the loop is to be run at, with the gains of that tick.
+/// A device pose at which to run the loop, with the gains of that tick.
 struct LoopStep {
   TimedPose at;
   Coupling coupling;
@@ -19,8 +19,8 @@ struct LoopStep {
   bool begins = false;  ///< the probe is put here: nothing is followed from before
 };
 
-/// The device's path of a recording and its gains. A time that passed in a pause, or in ticks that
-/// were lost, is not known.
+/// The device's path of a recording, with its gains. The time is unknown across a pause and across
+/// ticks that were lost.
 std::vector<LoopStep> steps_of(const TickLog& ticks, const Progress& progress = {});
 /// A path with one set of gains.
 std::vector<LoopStep> steps_of(std::span<const TimedPose> path, const Coupling& coupling);
@@ -31,8 +31,8 @@ struct LoopRun {
   double rate_hz = 1000;  ///< a tick that takes longer than its period is late
 };
 
-/// The loop in step over the poses, as `replay` runs it: a tick for each, handed on in its order.
-/// The same bits every time where the budgets are of counted work, but for the times.
+/// Runs the loop in step over the poses, as `replay` does, and passes on a tick for each, in order.
+/// With budgets of counted work the bits are the same every time, except for the times.
 void run_loop(const Pair& pair, std::span<const LoopStep> steps, const LoopRun& run,
               const std::function<void(const Snapshot&)>& ticked);
 

@@ -12,21 +12,22 @@
 
 namespace sonde {
 
-/// A recording, read: every block's checksum has been looked at, and ticks are fetched from the
-/// file when they are asked for.
+/// A recording that was read: every block's checksum is verified, and ticks are fetched from the
+/// file on demand.
 struct Recording {
   std::filesystem::path file;
   RecordingHeader header;
   TickLog ticks;
   std::uint64_t bytes = 0;  ///< of the file
   /// Where the last whole block ends, and why the file is not read beyond; empty where the
-  /// recording is whole. A program that was killed leaves one that is not.
+  /// recording is whole. A program that was killed leaves a recording that is not whole.
   std::uint64_t readable = 0;
   std::string cut = {};
 };
 
-/// Throws InputError, naming the file, the byte and the reason, where there is no header that can
-/// be read; Cancelled. What is cut or damaged further on is read up to there, and says so.
+/// Throws InputError, naming the file, the byte and the reason, where there is no readable header;
+/// and Cancelled. A recording that is cut or damaged further on is read up to there; `cut` says
+/// why.
 std::unique_ptr<Recording> read_recording(const std::filesystem::path& file,
                                           const Progress& progress = {});
 

@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// By what a mesh file is known again.
+/// Identifies a mesh file.
 struct FileMark {
   std::uint64_t bytes = 0;
   std::uint32_t crc = 0;  ///< CRC-32 of all of it
@@ -19,7 +19,7 @@ struct FileMark {
 /// Reads all of the file. Throws InputError.
 FileMark mark_of(const std::filesystem::path& file);
 
-/// What a recording says of itself before its first tick.
+/// The facts of a recording before its first tick.
 struct RecordingHeader {
   Scene scene;  ///< at its beginning; paths as in a scene file beside the recording
   FileMark probe, fixed;
@@ -28,7 +28,7 @@ struct RecordingHeader {
   std::string started;      ///< UTC, ISO 8601
 };
 
-/// The header of a recording that begins now: reads the meshes for their marks.
+/// The header of a recording that begins now. Reads the meshes to identify them.
 RecordingHeader header_of(const Scene& scene, double probe_radius);
 
 constexpr std::uint32_t recording_version = 1;
@@ -46,11 +46,11 @@ struct ReadHeader {
 };
 ReadHeader read_header(std::string_view bytes, const std::filesystem::path& file);
 
-/// Does the file begin as a recording does? False where it cannot be read.
+/// Returns whether the file begins as a recording does; false where it cannot be read.
 bool is_recording(const std::filesystem::path& file);
 
-/// Throws InputError that names the recording and the mesh where a mesh of the scene is gone, or is
-/// another than was recorded.
+/// Throws InputError, naming the recording and the mesh, where a mesh of the scene is missing or
+/// differs from the recorded one.
 void check_meshes(const RecordingHeader& header, const std::filesystem::path& recording);
 
 }  // namespace sonde

@@ -17,22 +17,22 @@
 
 namespace sonde {
 
-/// Writes a recording block by block, in a thread of its own. After a kill the file can be read up
-/// to the last whole block.
+/// Writes a recording block by block in its own thread. After a kill the file can be read up to the
+/// last whole block.
 class RecordingWriter {
  public:
-  /// Throws InputError where the file cannot be made. The meshes are read for their marks in the
-  /// thread, so what is wrong with them is a failure().
+  /// Throws InputError where the file cannot be created. The thread reads the meshes to identify
+  /// them, so an error in them is a failure().
   RecordingWriter(const std::filesystem::path& file, const Scene& scene, double probe_radius);
   ~RecordingWriter();  ///< finishes it
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// Returns at once. After a failure, nothing is written any more.
+  /// Returns at once. After a failure it writes nothing more.
   void add(BlockBytes block);
-  /// Waits until all is written, with the block that says so.
+  /// Waits until everything is written, including the last block.
   void finish();
-  /// Why the file ends early; none where it does not. It holds all blocks before, whole.
+  /// Why the file ends early; none where it does not. The file holds all blocks before that, whole.
   std::optional<std::string> failure() const;
   std::uint64_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
   const std::filesystem::path& file() const { return file_; }
@@ -54,7 +54,7 @@ class RecordingWriter {
   std::thread thread_;
 };
 
-/// A recording whole at once, or not at all: of ticks that are all there. Throws InputError.
+/// Writes a whole recording at once, or nothing: from ticks that are all there. Throws InputError.
 void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
                      const TickLog& ticks);
 

@@ -15,9 +15,10 @@ struct RecordedSearch {
   BackgroundResult result;
 };
 
-/// What is kept of a tick: device pose, depth, times and gains to the bit; the separated pose as
-/// the motion from the device pose, wrench and contacts to seven digits. Reading these columns puts
-/// that motion into the separated pose (ticks_in() makes the pose of it).
+/// The stored columns of a tick. Device pose, depth, times and gains are kept to the bit; the
+/// separated pose as the motion from the device pose, the wrench and the contacts to seven digits.
+/// Reading these columns puts that motion into the separated pose (ticks_in() makes the pose from
+/// it).
 std::span<const Column<Snapshot>> tick_columns();
 std::span<const Column<Contact>> contact_columns();
 std::span<const Column<RecordedSearch>> search_columns();

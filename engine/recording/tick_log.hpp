@@ -13,48 +13,50 @@
 
 namespace sonde {
 
-/// The bytes of a block, head included, wherever they lie. Throws InputError where they cannot be
-/// had any more.
+/// The bytes of a block, head included, wherever they are stored. Throws InputError where they are
+/// no longer available.
 using BlockBytes = std::function<std::string()>;
 
-/// The ticks of one probe in their order, in compressed blocks, with the searches beside them: of
-/// the servo as it runs, or of a file. For one thread.
+/// The ticks of one probe in order, in compressed blocks, with the searches beside them, from a
+/// running servo or from a file. For one thread.
 class TickLog {
  public:
-  /// The oldest block goes where there is more; 0: no limit.
+  /// Drops the oldest block where there is more; 0: no limit.
   struct Limits {
     std::uint64_t ticks = 0;
     std::size_t bytes = 0;
   };
   static constexpr std::size_t block_ticks = 512;
 
-  /// Of a probe of that radius, m, at that rate, Hz.
+  /// For a probe of that radius, m, at that rate, Hz.
   TickLog(double probe_radius, double rate_hz, Limits limits);
   TickLog(double probe_radius, double rate_hz) : TickLog(probe_radius, rate_hz, Limits{}) {}
 
-  /// Times never fall: a tick that is not later than the one before it is the first of another run
-  /// of the servo, and comes a period after that. A paused one is left out. False: so it was.
+  /// Adds a tick. Times never fall: a tick that is not later than the one before is the first of
+  /// another run of the servo, and gets a time one period after that. Leaves out a paused tick and
+  /// returns false then.
   bool add(const Snapshot& tick);
   /// A search that has ended now, at the time of the last tick.
   void add(const BackgroundResult& search);
   /// A search with a time of its own.
   void add(const RecordedSearch& search) { searches_.push_back(search); }
-  /// A block that is there already. Its ticks come after those before.
+  /// Adds a finished block. Its ticks come after those before.
   void add(const BlockHead& head, BlockBytes bytes);
-  /// What is not yet in a block becomes one.
+  /// Makes a block from the ticks that are not yet in one.
   void seal();
   /// Called with each block made here, searches before the ticks of their time.
   std::function<void(const std::shared_ptr<const std::string>&)> sealed;
 
-  /// Ticks are counted from 0, also those that have gone since: there are [begin, end).
+  /// Ticks are counted from 0, including dropped ones; [begin, end) are there.
   std::uint64_t begin() const { return blocks_.empty() ? sealed_ : blocks_.front().begin; }
   std::uint64_t end() const { return sealed_ + open_.size(); }
   bool empty() const { return begin() == end(); }
   double first_time() const;  ///< s; 0 where there is no tick
   double last_time() const;
-  /// One of the ticks there are. Throws InputError where a file holds it no more.
+  /// One of these ticks. Throws InputError where the file no longer holds it.
   Snapshot at(std::uint64_t index) const;
-  /// The last tick that is not later than that; the first where all are. Not of an empty log.
+  /// The last tick that is not later than that; the first where all are later. The log must not be
+  /// empty.
   std::uint64_t find(double time) const;
   /// The newest search that had ended by then; null where there is none.
   const RecordedSearch* searched(double time) const;
@@ -63,7 +65,7 @@ class TickLog {
   double probe_radius() const { return probe_radius_; }
   double rate_hz() const { return rate_hz_; }
   std::size_t bytes() const;  ///< of memory, for ticks and searches
-  /// All that is in blocks, as a file has it: the searches in one, then the ticks.
+  /// All blocks, as a file holds them: the searches in one, then the ticks.
   std::vector<BlockBytes> all() const;
 
  private:

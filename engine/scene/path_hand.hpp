@@ -9,12 +9,12 @@
 
 namespace sonde {
 
-/// The pose of a path at a time: straight from one pose to the next, and turning about one axis;
-/// before the first and after the last, those. The path must not be empty.
+/// The pose of a path at a time: between two poses it moves straight and turns about one axis;
+/// before the first and after the last it is that pose. The path must not be empty.
 Pose pose_at(std::span<const TimedPose> path, double t) noexcept;
 
-/// A recorded path holds the probe: from where it is to the path's first pose within a second, then
-/// along the path in its own time, then it stays.
+/// A recorded path that holds the probe. It moves the probe from its present pose to the path's
+/// first pose within a second, then along the path at the recorded speed, and then it stays.
 class PathHand {
  public:
   /// Throws std::invalid_argument for a path without poses.

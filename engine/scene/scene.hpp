@@ -21,12 +21,12 @@ struct SceneBody {
   Pose pose;  ///< X_WM, metres
 };
 
-/// What a scene says of the device.
+/// The device settings of a scene.
 struct SceneDevice {
-  /// The profile to simulate where no other device is asked for: an id, or a path that ends in
-  /// ".json" (absolute, or relative to the working directory); empty where the scene names none.
+  /// The profile to simulate unless another device is chosen: an id, or a path that ends in ".json"
+  /// (absolute, or relative to the working directory). Empty where the scene names none.
   std::string profile;
-  /// None: those kept for the device, or the defaults.
+  /// None: the settings stored for the device, or the defaults.
   std::optional<DeviceSettings> settings;
 };
 
@@ -50,21 +50,21 @@ struct Scene {
 /// parse, a missing key, an unknown one (with the nearest known), a value out of range or a
 /// quaternion far from unit.
 Scene read_scene(const std::filesystem::path& file);
-/// The same of the text of a file, wherever it comes from.
+/// The same from the text of a file, wherever it comes from.
 Scene scene_in(const std::string& text, const std::filesystem::path& file);
 
-/// The name of a scene in that file: the file's, with no folder and no ".sonde.json".
+/// The name of a scene in that file: the file's name, without folder and ".sonde.json".
 std::string name_of_scene(const std::filesystem::path& file);
 
 /// Reads a file that holds a scene's `coupling` object alone. Errors as read_scene.
 Coupling read_coupling(const std::filesystem::path& file);
 
-/// Every key read_scene knows, with the objects it lies in: "unit", "probe", "probe.mesh", ...
+/// Every key that read_scene accepts, with its parents: "unit", "probe", "probe.mesh", ...
 std::vector<std::string> scene_keys();
 
 /// Metres per unit, "m" | "cm" | "mm" | "um" | "in" | "ft"; no value for anything else.
 std::optional<double> unit_in_metres(const std::string& unit);
-/// Its name again, exactly.
+/// The name of a unit, exactly.
 std::optional<std::string> unit_name(double metres);
 
 /// The pose of the probe's mesh frame in the fixed body's mesh frame, from the two poses of a

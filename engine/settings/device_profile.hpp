@@ -11,17 +11,17 @@
 
 namespace sonde {
 
-/// A number of a profile, and what it rests on.
+/// A number of a profile, and its origin.
 struct ProfileValue {
   double value = 0;
-  std::string origin;    ///< where it was read, or why this figure was assumed
+  std::string origin;    ///< its source, or why this figure was assumed
   bool assumed = false;  ///< the origin is a reason, not a source
 };
 
-/// What a haptic device can do and what it is like to move: ID.json in a folder of profiles.
+/// The limits of a haptic device and how it moves: ID.json in a folder of profiles.
 struct DeviceProfile {
   std::string id;    ///< the file's name without ".json"
-  std::string name;  ///< for people
+  std::string name;  ///< name for the user
   // What its driver allows.
   ProfileValue max_force;                 ///< N, peak or continuous
   ProfileValue max_torque;                ///< N·m; 0: no motors for torque
@@ -62,14 +62,14 @@ DeviceProfile read_device_profile(const std::filesystem::path& file);
 /// none.
 std::vector<std::string> device_profile_ids(std::span<const std::filesystem::path> folders);
 
-/// The profile a user asks for: the path of a file (it ends in ".json"), or an id, which is looked
-/// for in the folders in their order (the user's own before those that came with the program).
+/// The profile that a user names: the path of a file (it ends in ".json"), or an id, which is
+/// searched in the folders in their order (the user's own before those that came with the program).
 /// Throws InputError naming the nearest known id; else as read_device_profile.
 DeviceProfile find_device_profile(std::string_view id_or_file,
                                   std::span<const std::filesystem::path> folders);
 
-/// The keys whose values are assumed, in the order of profile_keys. Whatever is computed from one
-/// of these says so.
+/// The keys whose values are assumed, in the order of profile_keys. Every result computed from one
+/// of these states it.
 std::vector<std::string> assumed_keys(const DeviceProfile& profile);
 
 /// The device to simulate, with the hand of SimulatedDeviceParameters.

@@ -22,7 +22,7 @@ namespace sonde {
 
 /// The keys of that object.
 std::vector<std::string_view> device_settings_keys();
-/// Those of each axis.
+/// The keys of each axis.
 std::vector<std::string_view> device_axis_keys();
 
 /// Reads the object; its keys may be more than these, and the caller has checked them. Throws
@@ -35,9 +35,9 @@ DeviceSettings read_device_settings(const std::filesystem::path& file);
 /// The object as text; reads back as the same settings, to the bit.
 std::string device_settings_text(const DeviceSettings& settings);
 
-/// The name under which a device's settings are kept: "256f-c635-SERIAL.json", without the serial
-/// number where it has none; or, of a simulated one, "ID.json". Letters that a file's name should
-/// not have become '_'.
+/// The file name for a device's settings: "256f-c635-SERIAL.json", without the serial number where
+/// it has none; for a simulated device "ID.json". Letters that a file name should not have become
+/// '_'.
 std::string device_settings_name(std::uint16_t vendor, std::uint16_t product,
                                  std::string_view serial);
 std::string device_settings_name(std::string_view profile_id);

@@ -19,7 +19,7 @@ std::vector<std::string_view> keys_of(std::span<const Row> table) {
   return keys;
 }
 
-/// The settings of a table that the object holds; those it does not stay as they are. Throws
+/// Reads the settings of a table that the object holds; the others stay as they are. Throws
 /// InputError with the file, the line and the reason: a value that is no number or out of range.
 template <class Target>
 void read_settings(const std::filesystem::path& file, const JsonNode& object,
@@ -36,7 +36,7 @@ void read_settings(const std::filesystem::path& file, const JsonNode& object,
   }
 }
 
-/// Which of the choices the node names. Throws InputError that names the nearest.
+/// The choice that the node names. Throws InputError that names the nearest.
 std::size_t read_choice(const std::filesystem::path& file, const JsonNode& node,
                         std::span<const Choice> choices);
 

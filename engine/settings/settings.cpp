@@ -48,10 +48,10 @@ constexpr std::array coupling_rows{
         "Torque for each rad/s at which the separation turns; free motion is not damped.",
         false, "classic"}),
     gain<&Coupling::max_force>({"max_force", "Force limit", "N", 0.01, 1000, 0, true,
-        "Largest force the device is asked for; beyond it the force keeps its direction only.",
+        "Largest force on the device; a larger one is scaled down and keeps its direction.",
         false, ""}),
     gain<&Coupling::max_torque>({"max_torque", "Torque limit", "N·m", 1e-4, 100, 0, true,
-        "Largest torque the device is asked for; beyond it the torque keeps its direction only.",
+        "Largest torque on the device; a larger one is scaled down and keeps its direction.",
         false, ""}),
 };
 
@@ -74,7 +74,7 @@ constexpr std::array<Row<ServoSettings>, 8> servo_rows{{
      [](const ServoSettings& s) { return double(s.budget.steps); },
      [](ServoSettings& s, double value) { s.budget.steps = static_cast<int>(value); }},
     {{"ramp_time", "Force ramp", "s", 0, 5, ServoSettings{}.safety.ramp_time, false,
-      "Time in which the force comes in from zero, after a start and after a fault."},
+      "Time in which the force rises from zero, after a start and after a fault."},
      [](const ServoSettings& s) { return s.safety.ramp_time; },
      [](ServoSettings& s, double value) { s.safety.ramp_time = value; }},
     {{"force_slew", "Force slew limit", "N/s", 0, 1e6, ServoSettings{}.safety.force_slew, false,
@@ -86,28 +86,28 @@ constexpr std::array<Row<ServoSettings>, 8> servo_rows{{
      [](const ServoSettings& s) { return s.safety.torque_slew; },
      [](ServoSettings& s, double value) { s.safety.torque_slew = value; }},
     {{"force_error", "Largest force error", "N", 0, 1e3, ServoSettings{}.safety.force_error, false,
-      "What the force of an answer that has not converged may be off by; beyond, it fades; 0: any."},
+      "Largest error of a force that has not converged; beyond it the force fades; 0: any."},
      [](const ServoSettings& s) { return s.safety.force_error; },
      [](ServoSettings& s, double value) { s.safety.force_error = value; }},
     {{"passivity_control", "Passivity control", "", 0, 1,
       double(ServoSettings{}.passivity.control), false,
-      "1: damps away the energy that the loop has put into the hand; 0: only observes it.", true},
+      "1: damps away the energy that the loop gives to the hand; 0: only observes it.", true},
      [](const ServoSettings& s) { return double(s.passivity.control); },
      [](ServoSettings& s, double value) { s.passivity.control = value > 0; }},
 }};
 
 constexpr std::array device_rows{
     number<DeviceSettings, &DeviceSettings::scaling>({"scaling", "Workspace scaling", "", 1e-3,
-        1000, 0, true, "How far the probe goes for a motion of the hand; the force grows with it."}),
+        1000, 0, true, "How far the probe moves per motion of the hand; the force grows with it."}),
     number<DeviceSettings, &DeviceSettings::reach>({"reach", "Full push", "m or m/s", 1e-4, 10, 0,
-        true, "Where full deflection takes the probe, or how fast."}),
+        true, "How far full deflection moves the probe, or how fast."}),
     number<DeviceSettings, &DeviceSettings::turn>({"turn", "Full twist", "rad or rad/s", 0.01, 20, 0,
         true, "How far full deflection turns the probe, or how fast."}),
     number<DeviceSettings, &DeviceSettings::smoothing>({"smoothing", "Smoothing", "s", 0, 1, 0,
         false, "Time in which most of a new deflection has taken effect."}),
     Row<DeviceSettings>{
         {"clutch_button", "Clutch button", "", 0, 32, double(DeviceSettings{}.clutch_button), false,
-         "Held down, it leaves the probe where it is while the hand moves on; 0: none.", true},
+         "Held down, it keeps the probe in place while the hand moves; 0: none.", true},
         [](const DeviceSettings& d) { return double(d.clutch_button); },
         [](DeviceSettings& d, double value) { d.clutch_button = static_cast<int>(value); }},
 };
@@ -116,15 +116,15 @@ constexpr std::array axis_rows{
     number<AxisSetting, &AxisSetting::gain>({"gain", "Gain", "", 0, 10, 0, false,
         "Multiplies the axis; 0 switches it off."}),
     number<AxisSetting, &AxisSetting::dead_zone>({"dead_zone", "Dead zone", "", 0, 0.9, 0, false,
-        "A deflection up to this part of the full one counts as none."}),
+        "A deflection up to this part of the full one counts as zero."}),
 };
 
 constexpr std::array<Choice, 2> controls{{
-    {"position", "Position", "A deflection is a displacement: let go, and the probe comes back."},
-    {"rate", "Rate", "A deflection is a velocity: let go, and the probe stays."},
+    {"position", "Position", "A deflection is a displacement: when you let go, the probe comes back."},
+    {"rate", "Rate", "A deflection is a velocity: when you let go, the probe stays."},
 }};
 constexpr std::array<Choice, 3> frames{{
-    {"view", "The picture's", "What is pushed to the right goes to the right of the picture."},
+    {"view", "The picture's", "A push to the right moves the probe to the right of the picture."},
     {"scene", "The scene's, z up", "x, y and z of the device are those of the scene."},
     {"y_up", "The scene's, y up", "x, y and z of the device are x, -z and y of the scene."},
 }};

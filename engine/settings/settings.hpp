@@ -17,7 +17,7 @@ namespace sonde {
 /// from this one declaration, in the table of settings.cpp.
 struct Setting {
   const char* key;    ///< scene key; the flag is the same with '-' for '_'
-  const char* label;  ///< for people, in sentence case
+  const char* label;  ///< name for the user, in sentence case
   const char* unit;   ///< SI, "" where there is none
   double minimum;     ///< allowed values, both ends included
   double maximum;
@@ -45,7 +45,7 @@ std::span<const Setting> servo_settings();
 
 /// A device's: scaling, reach, turn, smoothing, clutch_button.
 std::span<const Setting> device_settings();
-/// Those of each of its axes: gain, dead_zone.
+/// The settings of each axis: gain, dead_zone.
 std::span<const Setting> axis_settings();
 /// The values of the device's "control" and "frame", in the order of the enumerations.
 std::span<const Choice> device_controls();

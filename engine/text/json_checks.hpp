@@ -11,8 +11,8 @@
 
 namespace sonde {
 
-/// What every reader of a JSON file asks of its values. The complaints are InputErrors with the
-/// file, the line and the reason.
+/// The checks of every reader of a JSON file. The errors are InputErrors with the file, the line
+/// and the reason.
 
 /// The text in quotes, cut where it is long.
 std::string in_quotes(std::string_view text);
@@ -22,12 +22,11 @@ std::string in_quotes(std::string_view text);
 
 void expect_kind(const std::filesystem::path& file, const JsonNode& node, JsonNode::Kind kind);
 
-/// An object with no other keys than these; else the complaint names the nearest known one.
+/// Requires an object with no other keys than these; the error names the nearest known one.
 void expect_keys(const std::filesystem::path& file, const JsonNode& node,
                  std::span<const std::string_view> known);
 
-/// The value of a key that an object must have. `whole` is what the file's own object is called:
-/// "the scene".
+/// The value of a required key. `whole` is the name of the file's own object: "the scene".
 const JsonNode& need_key(const std::filesystem::path& file, const JsonNode& object,
                          std::string_view key, std::string_view whole);
 

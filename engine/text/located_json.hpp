@@ -8,8 +8,7 @@
 
 namespace sonde {
 
-/// A JSON value that knows where it stands in its file, so that a complaint about what it means can
-/// name the line.
+/// A JSON value with its place in its file, so that an error about its meaning can name the line.
 struct JsonNode {
   enum class Kind { null, boolean, number, string, array, object };
   Kind kind = Kind::null;

@@ -7,10 +7,11 @@
 
 namespace sonde {
 
-/// Fewest letters to insert, delete, replace or swap with a neighbour that make one word the other.
+/// The least number of letters to insert, delete, replace or swap with a neighbour that turns one
+/// word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known word nearest to the one given, the longer of two equally near; empty where none is
+/// The known word nearest to the given one; of two equally near, the longer. Empty where none is
 /// known.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
 

@@ -6,13 +6,13 @@
 
 namespace sonde {
 
-/// Writes a file whole or not at all: to a temporary one beside it, which then takes its name. What
-/// was there before stays until that moment. A target that is no ordinary file (a pipe, /dev/null)
-/// is written straight to. Throws InputError naming the file and the reason.
+/// Writes a file whole or not at all: to a temporary file beside it, which then takes its name. The
+/// old file stays until that moment. A target that is not an ordinary file (a pipe, /dev/null) is
+/// written directly. Throws InputError naming the file and the reason.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
-/// Throws what write_whole would for a folder that is not there or not writable: to be asked before
-/// the work whose result is to be written.
+/// Throws what write_whole would throw for a folder that is missing or not writable: call it before
+/// the work whose result is written.
 void check_writable(const std::filesystem::path& file);
 
 /// Writes everything to a file descriptor. False, with errno set, where that fails.

@@ -13,9 +13,9 @@ class QPushButton;
 
 namespace sonde::ui {
 
-/// Asks what mesh files do not say: of each body the unit, the scale, the axis that points up, and
-/// whether its inside counts. It shows how large both are with that, since a person knows at once
-/// whether a cup is 90 mm or 90 m tall, and what was found in each file.
+/// Asks for what mesh files do not state: for each body the unit, the scale, the axis that points
+/// up, and whether its inside counts. It shows how large both are with these answers, because a
+/// user knows at once whether a cup is 90 mm or 90 m tall, and the defects of each file.
 class BodiesDialog : public QDialog {
  public:
   BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget* parent);

@@ -19,7 +19,7 @@ namespace sonde::ui {
 
 class Opener;
 
-/// What the document needs of the window it is shown in.
+/// The window's functions that the document needs.
 struct DocumentView {
   std::function<Session*()> session;
   std::function<void(DrawnSession, bool same_document)>
@@ -33,8 +33,8 @@ struct DocumentView {
   std::function<void(const QString&)> say;  ///< in passing
 };
 
-/// All that is done with the document as a whole: opened, saved, left, recovered, followed on the
-/// disk; and the commands that change it (document_commands.cpp).
+/// Everything about the document as a whole: opening, saving, leaving, recovering, following
+/// changes on disk; and the commands that change it (document_commands.cpp).
 class DocumentControl : public QObject {
  public:
   DocumentControl(Opener& opener, Prompts& prompts, DocumentView view);
@@ -45,7 +45,7 @@ class DocumentControl : public QObject {
   void open(const QStringList& files, std::optional<double> unit);
   void ask_scene();
   void ask_meshes(const QString& first = {});
-  /// A scene, two meshes, or one, which takes the place of a body.
+  /// A scene, two meshes, or one mesh, which replaces a body.
   void drop(const QStringList& files);
   void start_anew();  ///< nothing is open: the start page
   bool may_leave();   ///< false: stay
@@ -53,9 +53,10 @@ class DocumentControl : public QObject {
   bool save();
   bool save_as();
 
-  /// Another document is on show.
+  /// Another document is shown.
   void opened(const Session& session);
-  /// Offers what a program that died has left. False: there is nothing, or it is not wanted now.
+  /// Offers the document that a program that died has left. False: there is none, or the user does
+  /// not want it now.
   bool offer_recovery();
 
   // Commands.
@@ -65,7 +66,7 @@ class DocumentControl : public QObject {
   void copy_pose();
   void paste_pose();
   void place(const Pose& X_FM, const QString& what, bool mergeable = false);
-  /// The probe was moved, and was before there.
+  /// The probe was moved from that pose.
   void moved_from(const Pose& before, const QString& what, bool mergeable);
   void set_coupling(const Coupling& coupling);
   void set_device_settings(const DeviceSettings& settings);

@@ -16,8 +16,8 @@ namespace sonde::ui {
 
 struct DrawnSession;
 
-/// Writes what is on show to files that others read: pictures, tables, ParaView's, glTF. Each
-/// appears whole or not at all.
+/// Writes what the window shows to files for other programs: pictures, tables, ParaView's, glTF.
+/// Each appears whole or not at all.
 class ExportControl : public QObject {
  public:
   ExportControl(Viewport& viewport, QWidget& window);

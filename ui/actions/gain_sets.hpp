@@ -13,8 +13,8 @@ namespace sonde::ui {
 
 class CouplingPanel;
 
-/// Two sets of gains, A and B, to feel one after the other: the sliders show and change the active
-/// one, the other waits as it was left. The panel, the stack and the sets live equally long.
+/// Two sets of gains, A and B, to feel one after the other. The sliders show and change the active
+/// one; the other keeps its values. The panel, the stack and the sets live equally long.
 class GainSets {
  public:
   GainSets(CouplingPanel& panel, QUndoStack& undo) : panel_(panel), undo_(undo) {}

@@ -15,8 +15,9 @@ namespace sonde::ui {
 class Session;
 class Viewport;
 
-/// Paints the gaps between the separated probe and the fixed body, each on the other, where they
-/// are near. They are computed in a thread of its own, for the newest pose once the last is done.
+/// Paints the gaps between the separated probe and the fixed body on both, where they are near each
+/// other. A thread of its own computes them, for the newest pose each time it has finished the
+/// last.
 class GapPainter {
  public:
   explicit GapPainter(Viewport& viewport);

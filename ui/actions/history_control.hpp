@@ -20,7 +20,7 @@ namespace sonde::ui {
 
 class Opener;
 
-/// What looking back needs of the window it is in.
+/// The window's functions that looking back needs.
 struct HistoryView {
   std::function<Session*()> session;
   std::function<Scene()> scene;  ///< as a file would hold it now
@@ -30,7 +30,7 @@ struct HistoryView {
   std::function<void(const QString&)> say;  ///< in passing
 };
 
-/// Ticks with their curves: what can be looked back on.
+/// Ticks with their curves, to look back on.
 struct KeptTicks {
   QString name;
   std::unique_ptr<Recording> recording;  ///< of a file
@@ -40,7 +40,7 @@ struct KeptTicks {
 };
 
 /// Everything about time: keeps the last minutes of the session, records them, opens recordings,
-/// shows any instant of them, and runs them again with other gains. While somebody looks back the
+/// shows any instant of them, and runs them again with other gains. While the user looks back the
 /// servo is paused, so that what the hand feels is always what is on the screen.
 class HistoryControl : public QObject {
  public:
@@ -52,22 +52,22 @@ class HistoryControl : public QObject {
   const Playback& playback() const { return playback_; }
   const Recorder& recorder() const { return recorder_; }
 
-  /// Another session is open, or none: what was kept is gone, and a recording ends.
+  /// Another session is open, or none: the kept ticks are gone, and a recording ends.
   void attach(Session* session);
   void add(const Snapshot& tick) { recorder_.add(tick); }
   void add(const BackgroundResult& search) { recorder_.add(search); }
   /// With each frame, at so many ms.
   void frame(qint64 now);
 
-  /// None while the servo is what is shown.
+  /// None while the window shows the servo.
   std::optional<Instant> instant();
   bool looking_back() const { return playback_.looking(); }
   void look_at(double time);
   void step(int ticks);
   void play(bool on);
-  /// The run with other gains instead of what was kept, at the same time.
+  /// Shows the run with other gains instead of the kept one, at the same time.
   void show_replay(bool on);
-  /// Shows the servo again, which goes on if it went before.
+  /// Shows the servo again, which runs again if it ran before.
   void go_live();
   /// The same, and the servo stays as it is.
   void leave() { playback_.look_at(nullptr); }

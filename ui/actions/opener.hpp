@@ -13,26 +13,27 @@
 
 namespace sonde::ui {
 
-/// Opens scenes and pairs of meshes, in a worker. What was open is touched only once the new pair
-/// is ready: on bad input, or when the user gives up, it stays.
+/// Opens scenes and pairs of meshes, in a worker. The present document stays until the new pair is
+/// ready, and stays on bad input or when the user cancels.
 class Opener : public QObject {
  public:
   Opener(QWidget& window, Prompts& prompts);
 
   void open_scene(const QString& file);
-  /// With no unit, asks for it once both files are read.
+  /// Without a unit, asks for it once both files are read.
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
-  /// Whatever `open` makes in the worker; `done` gets it, or `given_up` says that nothing came of
-  /// it, also where something else is opened instead.
+  /// Opens whatever `open` makes in the worker. `done` gets it; `given_up` reports that nothing was
+  /// opened, also where something else is opened instead.
   void make(const QString& what, std::function<LoadedScene(const Progress&)> open,
             std::function<void(DrawnSession)> done, std::function<void()> given_up);
-  /// Nothing more is heard of what is being opened.
+  /// Abandons the present work; its end is not reported.
   void abandon() { given_up_ = {}, job_.abandon(); }
-  /// What was dropped, or given on a command line: one scene, or the probe and the fixed body.
+  /// Opens files that were dropped, or given on a command line: one scene, or the probe and the
+  /// fixed body.
   void open_files(const QStringList& files, std::optional<double> unit);
 
   std::function<void(DrawnSession)> ready;
-  /// Nothing was opened: the reason (empty if the user gave up) was reported already.
+  /// Nothing was opened. The reason (empty if the user cancelled) was already reported.
   std::function<void(const QString& reason)> failed;
 
  private:

@@ -16,18 +16,18 @@ enum class Leaving { save, discard, stay };
 enum class Recovering { open, discard, later };
 enum class Role { probe, fixed };
 
-/// Every question the window asks and every complaint it makes, so that tests and command lines can
-/// answer in a person's place.
+/// Every question and every error message of the window, so that tests and command lines can answer
+/// in the user's place.
 struct Prompts {
   std::function<void(const QString& reason)> report_error;
-  /// What two mesh files do not say, beginning with a guess; none: given up.
+  /// Asks for what two mesh files do not state, beginning with a guess; none: cancelled.
   std::function<std::optional<PairSetup>(const MeshPair& pair, const PairSetup& guess)> ask_bodies;
   std::function<Leaving(const QString& name)> ask_leaving;  ///< of a scene that is not saved
   std::function<QString(const QString& first)> ask_save;    ///< a scene to write; empty: given up
-  /// Whether to read a file again that has changed, and to lose what is not saved.
+  /// Asks whether to read a changed file again, and to lose unsaved changes.
   std::function<bool(const QString& file)> ask_reload;
   std::function<Recovering(const QString& what)> ask_recover;
-  /// What one mesh alone is to be; none: given up.
+  /// Asks what to use a single mesh for; none: cancelled.
   std::function<std::optional<Role>(const QString& file)> ask_role;
   std::function<QString()> ask_scene;  ///< empty: given up
   /// Probe and fixed body, of which one may be known.

@@ -22,8 +22,8 @@ class Session;
 class ViewPick;
 class Viewport;
 
-/// All that is done to see inside: how the bodies are drawn, the cut, what is measured, the list of
-/// contacts, the colours of the gap, and where from one looks.
+/// Everything about seeing inside: the look of the bodies, the cut, measuring, the list of
+/// contacts, the colours of the gap, and the view directions.
 class SeeingControl : public QObject {
  public:
   /// Its docks are added to the window, in the place of that one.

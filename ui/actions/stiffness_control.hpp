@@ -19,8 +19,8 @@ class CouplingPanel;
 class Session;
 class StiffnessPanel;
 
-/// All behind the stiffness dock: the tuning of the pair that is open, the two sets of gains, and
-/// what the last second was like.
+/// Everything behind the stiffness dock: the tuning of the open pair, the two sets of gains, and
+/// the figures of the last second.
 class StiffnessControl : public QObject {
  public:
   StiffnessControl(std::vector<std::filesystem::path> profile_folders, CouplingPanel& coupling,
@@ -29,7 +29,7 @@ class StiffnessControl : public QObject {
   StiffnessPanel& panel() { return *panel_; }
   const std::optional<Tuning>& tuning() const { return tuning_; }
   const GainSets& sets() const { return sets_; }
-  /// The newest one; none before a second of ticks, or while the dock is not to be seen.
+  /// The newest figures; none before a second of ticks, or while the dock is not visible.
   const std::optional<Buzz>& buzz() const { return buzz_; }
 
   /// Called with each tick of the session, in its order.

@@ -10,8 +10,8 @@
 
 namespace sonde::ui {
 
-/// Loads and computes tunings in a worker. On bad input, or when the user gives up, nothing comes
-/// of it but the reason.
+/// Loads and computes tunings in a worker. On bad input, or when the user cancels, it reports only
+/// the reason.
 class Tuner : public QObject {
  public:
   Tuner(QWidget& window, Prompts& prompts);

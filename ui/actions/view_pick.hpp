@@ -14,8 +14,8 @@ namespace sonde::ui {
 
 class Viewport;
 
-/// What the left button does in the view before it moves the probe: takes hold of the cut plane,
-/// picks points while they are measured, and chooses the contact that is clicked.
+/// The actions of the left button in the view before it moves the probe: it grabs the cut plane,
+/// picks points while measuring, and chooses a clicked contact.
 class ViewPick : public QObject {
  public:
   /// To be made after what moves the probe: it sees the mouse first.

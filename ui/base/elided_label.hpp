@@ -5,13 +5,13 @@
 
 namespace sonde::ui {
 
-/// One line that takes whatever room there is: where that is too little, it ends in "…". text() is
-/// all of it, and so is the tooltip.
+/// One line of text that uses the available room. Text that does not fit ends in "…"; text() and
+/// the tooltip are the whole text.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
   void show_text(const QString& text);
-  /// What there is room for.
+  /// The part that fits.
   QString shown() const;
   QSize minimumSizeHint() const override;
 

@@ -9,8 +9,8 @@ struct Body;
 
 namespace sonde::ui {
 
-/// The length unit people read in a scene of this size: chosen once, so that numbers do not change
-/// unit while one looks at them.
+/// The length unit for a scene of this size. It is chosen once, so that numbers do not change unit
+/// while one looks at them.
 class LengthUnit {
  public:
   /// For bodies of this radius, m.
@@ -30,13 +30,13 @@ class LengthUnit {
 /// "12.3", "1230".
 QString number(double value);
 
-/// A body's name for people: the file's, with no folder and no extension.
+/// A body's name for users: the file's name, without folder and extension.
 QString short_name(const Body& body);
 
-/// A figure that is round already, with nothing added: "5", "0.2".
+/// A figure that is already round, unchanged: "5", "0.2".
 QString round_figure(double value);
 
-/// The next of 1, 2, 5 times a power of ten that is not above the value.
+/// The largest of 1, 2, 5 times a power of ten that is not above the value.
 double round_down_125(double value);
 
 }  // namespace sonde::ui

@@ -17,23 +17,23 @@ namespace sonde::ui {
 
 class ProgressDialog;
 
-/// What to tell the user of an error; empty of Cancelled.
+/// The message to the user about an error; empty for Cancelled.
 QString reason_of(const std::exception_ptr& error);
 
-/// Long work in a thread of its own, with a progress dialog that can cancel it once it takes longer
-/// than a moment. One piece of work at a time: starting another abandons the first, whose end is
-/// then not heard of.
+/// Long work in its own thread, with a progress dialog that can cancel it once it takes longer than
+/// a moment. One piece of work at a time: starting another abandons the first, and its end is not
+/// reported.
 class Job : public QObject {
  public:
   explicit Job(QWidget* window);
   ~Job() override;  ///< asks the work to stop and waits for it
 
-  /// `work` runs in the thread and reports its progress; `done` runs in the window's thread with
-  /// what the work threw (null if nothing; Cancelled if the user gave up).
+  /// `work` runs in the thread and reports its progress. `done` runs in the window's thread with
+  /// the exception of the work (null if none; Cancelled if the user cancelled).
   void start(const QString& what, std::function<void(const Progress&)> work,
              std::function<void(std::exception_ptr)> done);
   bool running() const { return current_ != nullptr; }
-  /// Nothing more is heard of the work.
+  /// Abandons the work: its end is not reported.
   void abandon();
 
  private:

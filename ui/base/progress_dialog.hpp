@@ -7,9 +7,10 @@ class QProgressBar;
 
 namespace sonde::ui {
 
-/// What is being done, how far it is, and a button to give it up: Esc and closing do the same, and
-/// end in rejected(). It is shown and hidden by its owner alone. QProgressDialog is not: a timer of
-/// its own shows it after four seconds, done or not, and it takes Esc before anybody else sees it.
+/// Shows the present work, its progress, and a button to cancel it. Esc and closing also cancel,
+/// and emit rejected(). Only its owner shows and hides it. QProgressDialog does not do that: its
+/// own timer shows it after four seconds, finished or not, and it takes Esc before anybody else
+/// sees it.
 class ProgressDialog : public QDialog {
  public:
   ProgressDialog(const QString& what, QWidget* parent);

@@ -19,23 +19,24 @@ namespace sonde::ui {
 
 class Session;
 
-/// How what holds the probe is doing, for people to read.
+/// The state of what holds the probe, for the user.
 struct SourceReport {
   DeviceStatus device;       ///< of a connected one
   double reports_per_s = 0;  ///< measured, over about a second
   bool clutch_open = false;
 };
 
-/// What holds the probe of whatever session is open: the choice of a device, its connection, and
-/// its settings, which are kept in a file for each device.
+/// What holds the probe of the open session: the choice of a device, its connection, and its
+/// settings, which are stored in a file for each device.
 class DeviceControl : public QObject {
  public:
-  /// Profiles that cannot be read are left out; asked for by name, they say why.
+  /// Profiles that cannot be read are left out; choosing one by name gives the error.
   DeviceControl(std::filesystem::path settings_folder,
                 std::span<const std::filesystem::path> profile_folders);
   ~DeviceControl() override;  ///< keeps what is not kept yet
 
-  /// From now on, whatever scene is opened. Before any choice, a scene's own device or the mouse.
+  /// Applies from now on, to every scene. Before any choice, a scene's own device or the mouse
+  /// holds the probe.
   void choose(const InputSource& source);
   const InputSource& source() const { return source_; }
   bool mouse_leads() const;  ///< the mouse moves the probe, or the hand on a simulated device
@@ -44,20 +45,20 @@ class DeviceControl : public QObject {
   void attach(Session* session);
 
   const DeviceSettings& settings() const { return settings_; }
-  /// The scene brings them: they and all changes to them last until another is opened, and what is
-  /// kept for the device stays as it is.
+  /// The settings come from the scene: they and all changes to them last until another scene is
+  /// opened, and the stored settings stay as they are.
   bool settings_from_scene() const { return from_scene_; }
-  /// Acts at once; kept for the device a moment later, unless the scene brings its own.
+  /// Acts at once. Stored for the device a moment later, unless the settings come from the scene.
   void set_settings(const DeviceSettings& settings);
   void set_led(bool on);
-  /// What runs now: the device's wish, else the scene's.
+  /// The present settings of the loop: the device's, else the scene's.
   ServoSettings servo() const;
 
   /// With each frame: the way the picture is seen goes to the device.
   void frame(const Quat& q_FV);
   SourceReport report();
-  /// What could hold the probe: the mouse, the scene's path, each device profile, whatever is
-  /// connected, and what holds it now.
+  /// Everything that could hold the probe: the mouse, the scene's path, each device profile, every
+  /// connected device, and what holds it now.
   std::vector<InputSource> choices() const;
 
   /// Another source, or other settings than those last shown.

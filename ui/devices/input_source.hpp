@@ -16,7 +16,7 @@
 
 namespace sonde::ui {
 
-/// The mouse itself, with nothing between.
+/// The mouse itself, without a device.
 struct MouseSource {};
 /// A recorded path: that of a file, or the scene's where the file is empty.
 struct PathSource {
@@ -37,14 +37,15 @@ struct ConnectedSource {
 /// What holds the probe.
 using InputSource = std::variant<MouseSource, PathSource, SimulatedSource, ConnectedSource>;
 
-/// For people: "Mouse", "sigma.7 (simulated)", "SpaceMouse Compact".
+/// Name for the user: "Mouse", "sigma.7 (simulated)", "SpaceMouse Compact".
 std::string name_of(const InputSource& source);
-/// The same for a list to choose from: two devices that are called the same are told apart by their
-/// nodes, which are another when they are plugged in again.
+/// The same for a list to choose from. Two devices of the same name are distinguished by their
+/// nodes, which change when they are plugged in again.
 std::vector<std::string> labels_of(std::span<const InputSource> sources);
-/// The file its settings are kept in; empty where it has none.
+/// The file of its settings; empty where it has none.
 std::string settings_name_of(const InputSource& source);
-/// The same device, by its ids and its serial number; where it tells none, by its node.
+/// Returns whether it is the same device, by its ids and its serial number; without one, by its
+/// node.
 bool same(const InputSource& a, const InputSource& b);
 
 ConnectedSource source_of(const HidInfo& info);
@@ -52,7 +53,7 @@ ConnectedSource source_of(const HidInfo& info);
 /// The path recorded in a CSV file. Throws InputError with the file, the line and the reason.
 PathSource path_source(const std::filesystem::path& file);
 
-/// A name that nothing has: wrong usage.
+/// A name that matches nothing: wrong usage.
 class UnknownDevice : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -19,21 +19,21 @@ namespace sonde::ui {
 class Viewport;
 
 /// All six degrees of freedom of the probe from mouse and keyboard, and the camera from the other
-/// buttons. HintView::keys() tells people how.
+/// buttons. HintView::keys() explains them to the user.
 ///
-/// The probe follows the cursor: a drag across the picture moves it as far as the cursor went, at
-/// its depth, times the gain. It turns about its centre of mass.
+/// The probe follows the cursor: a drag across the picture moves it as far as the cursor, at its
+/// depth, times the gain. It turns about its centre of mass.
 class MouseProbe : public QObject {
  public:
   MouseProbe(Viewport& viewport, QObject* parent);
 
-  /// Takes over a probe where it is.
+  /// Takes over a probe at its present pose.
   void take(const MassProperties& mass, const Pose& X_FM);
   void set_gain(double gain) { gain_ = gain; }
 
   /// Called with each new device pose X_FM.
   std::function<void(const Pose&)> moved;
-  /// A drag has ended that began at that pose, or a key or the wheel has moved the probe a step
+  /// A drag that began at that pose has ended, or a key or the wheel has moved the probe a step
   /// from there: many of those in quick succession are one motion.
   std::function<void(const Pose& before, bool one_of_many)> settled;
 

@@ -11,13 +11,13 @@
 
 namespace sonde::ui {
 
-/// Hears of files that others change. A file that is being written is left until it rests; one that
-/// is replaced by another of its name is followed.
+/// Reports files that others change. It waits until a file is no longer being written, and follows
+/// a file that is replaced by another of its name.
 class FileWatch : public QObject {
  public:
   FileWatch();
 
-  /// From now on these, as they are now.
+  /// Watches these files from now on, starting from their present state.
   void watch(const QStringList& files);
 
   std::function<void(const QString& file)> changed;
@@ -35,8 +35,8 @@ class FileWatch : public QObject {
 
   QFileSystemWatcher watcher_;
   QTimer timer_;
-  QMap<QString, Stamp> known_;   ///< as it was told last
-  QMap<QString, Stamp> newest_;  ///< as it was at the last look
+  QMap<QString, Stamp> known_;   ///< the last reported state
+  QMap<QString, Stamp> newest_;  ///< the state at the last look
 };
 
 }  // namespace sonde::ui

@@ -8,25 +8,25 @@
 
 namespace sonde::ui {
 
-/// One moment, as plain data: all that overlays, numbers and plots show of it, whether the servo
-/// computes it now or a recording holds it. The gains are the snapshot's own.
+/// One moment, as plain data: everything that overlays, numbers and plots show of it, whether the
+/// servo computes it now or a recording holds it. The gains are the snapshot's own.
 struct Instant {
   Snapshot snapshot;
   std::optional<BackgroundResult> searched;  ///< the newest search that had ended by then
-  bool live = true;                          ///< false: of a recording
+  bool live = true;                          ///< false: from a recording
 };
 
 inline bool same_pose(const Pose& a, const Pose& b) {
   return a.p == b.p && a.q.coeffs() == b.q.coeffs();
 }
 
-/// What the search says of this very device pose; null where it was about another.
+/// The search's result for this device pose; null where it was about another.
 inline const BackgroundResult* searched_here(const Instant& now) {
   const bool here = now.searched && same_pose(now.searched->device, now.snapshot.separation.device);
   return here ? &*now.searched : nullptr;
 }
 
-/// Would the picture of b look like that of a?
+/// Returns whether the picture of b would look like that of a.
 inline bool same_picture(const Instant& a, const Instant& b) {
   const Snapshot &x = a.snapshot, &y = b.snapshot;
   return a.live == b.live && x.separation.status == y.separation.status &&

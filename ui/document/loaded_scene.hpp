@@ -13,26 +13,26 @@
 
 namespace sonde::ui {
 
-/// Where a scene wants to be looked at from, in the fixed body's mesh frame, metres.
+/// The camera that a scene asks for, in the fixed body's mesh frame, metres.
 struct CameraPlace {
   Vec3 position;
   Vec3 target;
   Vec3 up;
 };
 
-/// What a session starts from: two bodies in place, and the settings that go with them. Made in a
-/// worker thread, so nothing here touches a widget.
+/// The input of a session: two bodies in place, and their settings. A worker thread makes it, so
+/// nothing here touches a widget.
 struct LoadedScene {
   Pair pair;
-  Scene scene = {};               ///< all that follows, as a file would hold it
-  std::optional<Pose> here = {};  ///< X_FM, where the probe begins; none: at the start
+  Scene scene = {};               ///< everything below, as a file would hold it
+  std::optional<Pose> here = {};  ///< X_FM, the probe's first pose; none: the start pose
   std::string name = {};
   std::filesystem::path probe_file = {}, fixed_file = {};  ///< the meshes they are made of
   Pose start = {};  ///< X_FM, the probe's mesh frame in the fixed body's
   Coupling coupling = {};
   ServoSettings servo = {};
   std::vector<TimedPose> trajectory = {};    ///< empty where the scene has none
-  std::optional<DeviceProfile> device = {};  ///< what the scene wants simulated
+  std::optional<DeviceProfile> device = {};  ///< the device that the scene simulates
   std::optional<DeviceSettings> device_settings =
       {};                                  ///< the scene's, before those kept for a device
   std::optional<CameraPlace> camera = {};  ///< the scene's `view`; none: the window chooses
@@ -41,15 +41,15 @@ struct LoadedScene {
 /// Reads a scene, its meshes, its trajectory and the profile of its device. Throws InputError or
 /// Cancelled.
 LoadedScene open_scene(const std::filesystem::path& file, const Progress& progress = {});
-/// The same of a scene that is in memory.
+/// The same from a scene in memory.
 LoadedScene open_scene(const Scene& scene, const Progress& progress = {});
-/// The same of bodies that are in memory too: nothing but the device's profile is read.
+/// The same from bodies in memory: reads nothing but the device's profile.
 LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory);
 
-/// Where a mesh file's up lies.
+/// The axis of a mesh file that points up.
 enum class UpAxis { x, y, z };
 
-/// What a mesh file does not say of a body, and a person does.
+/// The facts about a body that its mesh file does not state, and the user does.
 struct BodySetup {
   double unit = 1;  ///< metres per unit of the file
   double scale = 1;
@@ -60,7 +60,7 @@ struct PairSetup {
   BodySetup probe, fixed;
 };
 
-/// Two meshes as their files give them, before anybody has said what their unit is.
+/// Two meshes as their files hold them, before the user has set their units.
 struct MeshPair {
   std::filesystem::path probe_file;
   std::filesystem::path fixed_file;
@@ -68,27 +68,27 @@ struct MeshPair {
   PolygonSoup fixed;
   Vec3 probe_size = Vec3::Zero();  ///< sides of the bounding box, in file units
   Vec3 fixed_size = Vec3::Zero();
-  Topology probe_edges, fixed_edges;  ///< what was found that keeps an inside from counting
+  Topology probe_edges, fixed_edges;  ///< edges that keep the inside from counting
 };
 MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,
                    const Progress& progress = {});
 
-/// The unit two meshes are probably in, by their larger side: "mm" from 20 up, "cm" from 2, else
-/// "m". Objects that a hand explores are centimetres to a metre across.
+/// The probable unit of two meshes, by their larger side: "mm" from 20 up, "cm" from 2, else "m".
+/// Objects that a hand explores are centimetres to a metre across.
 const char* guess_unit(const MeshPair& pair);
 
-/// The likely unit for both, and all else as the files have it.
+/// The probable unit for both, and everything else as in the files.
 PairSetup guess_setup(const MeshPair& pair);
 PairSetup same_unit(double metres);
-/// The scale with which the probe is as large as the fixed body, by their larger sides.
+/// The scale that makes the probe as large as the fixed body, by their larger sides.
 double same_size_scale(const MeshPair& pair, const PairSetup& setup);
 
-/// The scene that two meshes make, with nothing said of the probe's place: its unit is the fixed
-/// body's, what the probe's differs goes into its scale, and what is up into both poses.
+/// The scene of two meshes, with no pose for the probe. Its unit is the fixed body's; the ratio of
+/// the probe's unit goes into its scale, and the up axes into both poses.
 Scene scene_of(const MeshPair& pair, const PairSetup& setup);
-/// What a scene says of its two mesh files, for the question to begin with.
+/// The user's answers that correspond to a scene, as first values of the dialog.
 PairSetup setup_of(const Scene& scene);
-/// The scene with what a person says now in place of that: poses keep their place for the size.
+/// The scene with the user's new answers; poses keep their place relative to the size.
 Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now);
 
 /// Builds both bodies; the probe starts just outside the fixed body, on the side of the default

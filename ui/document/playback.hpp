@@ -9,12 +9,13 @@
 
 namespace sonde::ui {
 
-/// Where somebody is who looks back over ticks that were kept: at one of them, or moving on.
+/// The position of a user who looks back over kept ticks: at one of them, or playing.
 class Playback {
  public:
   static constexpr double slowest = 0.01, fastest = 4;
 
-  /// Looks at these ticks, at the last one; they must outlive this, or another call. Null: at none.
+  /// Looks at these ticks, at the last one. They must outlive this object, or the next call. Null:
+  /// none.
   void look_at(const TickLog* ticks);
   bool looking() const { return ticks_ != nullptr && !ticks_->empty(); }
   const TickLog* ticks() const { return ticks_; }
@@ -25,17 +26,17 @@ class Playback {
   std::uint64_t index() const { return index_; }
   double time() const { return time_; }
 
-  /// At the end it begins anew.
+  /// At the end it starts again.
   void play(bool on);
   bool playing() const { return playing_; }
-  void set_speed(double speed);  ///< brought into the range; NaN changes nothing
+  void set_speed(double speed);  ///< clamped to the range; NaN changes nothing
   double speed() const { return speed_; }
   void set_loop(bool on) { loop_ = on; }
   bool loop() const { return loop_; }
-  /// So many seconds have passed. False where nothing moves.
+  /// Advances by that many seconds. False where nothing moves.
   bool advance(double seconds);
 
-  /// Of the tick it is at. Throws InputError where a file holds it no more.
+  /// The present tick. Throws InputError where the file no longer holds it.
   Instant instant() const;
 
  private:

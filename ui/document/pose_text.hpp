@@ -8,12 +8,11 @@
 
 namespace sonde::ui {
 
-/// A pose as a file of poses has it: the header px,py,pz,qw,qx,qy,qz and a row of 17 digits,
-/// metres.
+/// A pose as in a file of poses: the header px,py,pz,qw,qx,qy,qz and a row with 17 digits, metres.
 std::string pose_text(const Pose& pose);
 
-/// The pose of a text: seven numbers, apart by commas or spaces, with or without that header or
-/// brackets round them. Throws std::invalid_argument saying what is wrong.
+/// Parses a pose: seven numbers, separated by commas or spaces, with or without that header or
+/// brackets around them. Throws std::invalid_argument with the reason.
 Pose pose_in(std::string_view text);
 
 /// The rotation as roll, pitch and yaw (rad): about the fixed x, then y, then z. Pitch is within a

@@ -6,8 +6,8 @@
 
 namespace sonde::ui {
 
-/// What was opened last, the newest first: one scene, or the probe and the fixed body. Kept with
-/// the settings of the window.
+/// Recent files, the newest first: one scene, or the probe and the fixed body. Stored with the
+/// settings of the window.
 std::vector<QStringList> recent_files();
 void remember_recent(const QStringList& files);
 void forget_recent(const QStringList& files);

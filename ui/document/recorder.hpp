@@ -11,28 +11,30 @@
 
 namespace sonde::ui {
 
-/// Keeps the last ten minutes of a session, always, in at most 200 MB, and writes them to a file
-/// with all that follows while it is asked to. On the window's thread; the file has one of its own.
+/// Always keeps the last ten minutes of a session, in at most 200 MB. On request it writes them and
+/// everything that follows to a file. It runs on the window's thread; the file has its own thread.
 class Recorder {
  public:
   static constexpr double seconds = 600;
   static constexpr std::size_t most_bytes = 200'000'000;
 
-  /// Begins anew, for another probe. A recording ends.
+  /// Starts over for another probe. A recording ends.
   void begin(double probe_radius, double rate_hz);
   void add(const Snapshot& tick);
   void add(const BackgroundResult& search);
 
-  /// Records what is kept and what comes. Throws InputError where the file cannot be made.
+  /// Records the kept ticks and those that follow. Throws InputError where the file cannot be
+  /// created.
   void record(const std::filesystem::path& file, const Scene& scene);
-  /// Ends the recording: waits until the last is written. Why it failed; empty where it did not.
+  /// Ends the recording: waits until the last block is written. Returns why it failed; empty where
+  /// it did not.
   QString stop();
-  /// What is kept is in blocks up to now.
+  /// Puts the kept ticks up to now into blocks.
   void seal() {
     if (ticks_) ticks_->seal();
   }
   bool recording() const { return writer_ != nullptr; }
-  /// Of the recording under way. Empty: all went well so far.
+  /// The failure of the present recording. Empty: no failure so far.
   QString failure() const;
   const RecordingWriter* writer() const { return writer_.get(); }
 

@@ -16,7 +16,7 @@
 
 namespace sonde::ui {
 
-/// What is kept of a document while it is open, in case the program does not come to save it.
+/// The copy of an open document that is kept in case the program does not come to save it.
 struct Recovered {
   Scene scene;
   std::string saved_text;  ///< Document::saved_text
@@ -28,8 +28,8 @@ std::string recovery_text(const Recovered& recovered);
 /// Throws InputError.
 Recovered recovered_from(const std::filesystem::path& file);
 
-/// A file of what is open, in a folder where all running programs have theirs, gone when the
-/// program ends as it should. Who is killed leaves it to the next.
+/// A file with the open document, in a folder that all running programs share. A program that ends
+/// normally removes it; a program that is killed leaves it for the next.
 class Recovery {
  public:
   explicit Recovery(std::filesystem::path folder);
@@ -37,17 +37,18 @@ class Recovery {
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// Writes in a thread; false while it still writes the last one, or cannot write at all.
+  /// Writes in a thread. False while it still writes the last copy, or if it cannot write.
   bool keep(const Recovered& recovered);
-  /// The same, to its end; false where that failed.
+  /// The same, but waits for the end; false where it failed.
   bool keep_now(const Recovered& recovered);
-  /// There is nothing to be kept any more.
+  /// Removes the copy: there is nothing to keep.
   void clear();
-  /// Files of programs that have died, the newest first.
+  /// The files of programs that have died, the newest first.
   std::vector<std::filesystem::path> left_over() const;
-  /// One that was taken over, or is not wanted.
+  /// Removes a file that was recovered, or is not wanted.
   static void remove(const std::filesystem::path& file);
-  /// One that cannot be read, perhaps by this version: it gets the ending .bad, and stays.
+  /// Renames a file that cannot be read, perhaps only by this version: it gets the ending .bad, and
+  /// stays.
   static void set_aside(const std::filesystem::path& file);
 
  private:
@@ -56,7 +57,7 @@ class Recovery {
   std::future<bool> writing_;
 };
 
-/// Where the program keeps them.
+/// The folder of these files.
 std::filesystem::path recovery_folder();
 
 }  // namespace sonde::ui

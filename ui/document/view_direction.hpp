@@ -5,8 +5,8 @@
 
 namespace sonde::ui {
 
-/// Where a scene is looked at from that says nothing about it: towards the eye, with z up, a little
-/// above, from the front left.
+/// The default view direction of a scene: towards the eye, with z up, a little above, from the
+/// front left.
 inline Vec3 default_view_direction() { return Vec3(-0.45, -1, 0.55).normalized(); }
 
 }  // namespace sonde::ui

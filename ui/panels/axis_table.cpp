@@ -42,7 +42,7 @@ AxisTable::AxisTable(QWidget* parent) : QWidget(parent) {
     Row& row = rows_[i];
     row.from = new QComboBox(this);
     row.from->setObjectName(name + QStringLiteral("from"));
-    row.from->setToolTip(QStringLiteral("The device's axis it is taken from."));
+    row.from->setToolTip(QStringLiteral("The device axis that drives it."));
     for (const Choice& source : device_axes()) row.from->addItem(text(source.key));
     row.from->setFixedWidth(58);
     row.inverted = new QCheckBox(this);

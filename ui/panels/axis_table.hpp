@@ -14,8 +14,8 @@ namespace sonde::ui {
 
 class TypedValue;
 
-/// The six axes of a device, a row each: which of its axes it is taken from, whether the other way
-/// round, gain and dead zone. Object names: axis_KEY_from, _inverted, _gain, _dead_zone.
+/// The six axes of a device, a row each: the device axis that drives it, whether it is inverted,
+/// gain and dead zone. Object names: axis_KEY_from, _inverted, _gain, _dead_zone.
 class AxisTable : public QWidget {
  public:
   explicit AxisTable(QWidget* parent);

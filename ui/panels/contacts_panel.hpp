@@ -13,8 +13,8 @@ class QTreeWidget;
 
 namespace sonde::ui {
 
-/// The dock of contacts: the clusters that carry the separation, what carries more above. A row
-/// that is chosen is marked in the view, and the other way round.
+/// The dock of contacts: the clusters that carry the separation, the largest share first. The
+/// chosen row is marked in the view, and a contact chosen in the view chooses its row.
 class ContactsPanel : public QDockWidget {
  public:
   explicit ContactsPanel(QWidget* parent = nullptr);

@@ -16,21 +16,21 @@ namespace sonde::ui {
 class SliderRow;
 
 /// The dock of gains: the mode of the coupling and a slider with a typed value for each setting of
-/// the table. Rows that the mode does not use are left out. Every change can be undone.
+/// the table. It hides rows that the mode does not use. Every change can be undone.
 class CouplingPanel : public QDockWidget {
  public:
   explicit CouplingPanel(QUndoStack& undo, QWidget* parent = nullptr);
 
-  /// Shows the gains of a newly opened pair, which become what "defaults" goes back to.
+  /// Shows the gains of a newly opened pair; "defaults" goes back to these.
   void take(const Coupling& coupling);
   const Coupling& coupling() const { return coupling_; }
 
   /// Changes the gains as a slider does; `what` names the change for whoever undoes it.
   void request(const Coupling& wanted, const char* what);
-  /// The same with nothing to undo: for what undoes it itself.
+  /// The same without an undo step, for callers that have their own.
   void apply(const Coupling& coupling);
 
-  /// Called at once with every change.
+  /// Called immediately with every change.
   std::function<void(const Coupling&)> changed;
   std::function<void(double)> mouse_gain_changed;
 

@@ -42,7 +42,7 @@ QString capabilities(const DeviceCapabilities& can) {
   else if (can.max_torque > 0)
     parts << force + QStringLiteral(" and ") + with_unit(can.max_torque, "N·m");
   else
-    parts << force << QStringLiteral("no torque: what the coupling asks for is shown, not felt");
+    parts << force << QStringLiteral("no torque: the coupling's torque is shown, not felt");
   if (can.buttons > 0) parts << QStringLiteral("%1 buttons").arg(can.buttons);
   return parts.join(QStringLiteral(", "));
 }
@@ -126,8 +126,9 @@ void DevicePanel::build_state(QVBoxLayout& layout) {
   form->setContentsMargins(0, 4, 0, 0);
   form->setVerticalSpacing(3);
   rate_ = number(*form, "reports", "device_rate", "Reports a second, measured.");
-  lost_ = number(*form, "lost", "device_lost", "Missing by the device's own count, this time.");
-  refused_ = number(*form, "refused", "device_refused", "Reports that could not be true.");
+  lost_ = number(*form, "lost", "device_lost",
+                 "Reports missing by the device's own count, since it was opened.");
+  refused_ = number(*form, "refused", "device_refused", "Reports that were impossible.");
   connections_ = number(*form, "opened", "device_connections", "How often it was opened.");
   clutch_ = number(*form, "clutch", "device_clutch", "Open: the probe stays where it is.");
   layout.addWidget(numbers_);
@@ -196,7 +197,7 @@ void DevicePanel::build_loop(QVBoxLayout& layout) {
   passivity_ = new QCheckBox(text(control.label), group);
   passivity_->setObjectName(text(control.key));
   passivity_->setToolTip(QStringLiteral(
-      "Damps away the energy that the loop has put into the hand; off, it is only observed."));
+      "Damps away the energy that the loop gives to the hand; off, it only observes it."));
   connect(passivity_, &QCheckBox::toggled, this,
           [this](bool on) { change([&](DeviceSettings& s) { s.passivity_control = on; }); });
   box->addWidget(passivity_);
@@ -206,9 +207,9 @@ void DevicePanel::build_loop(QVBoxLayout& layout) {
   form->setVerticalSpacing(3);
   form->addRow(new QLabel(QStringLiteral("Energy, observed always"), numbers));
   given_ = number(*form, "given to the hand", "energy_given",
-                  "Net work on the hand since the start; below zero the hand gave it.");
+                  "Net work on the hand since the start; below zero, the hand gave energy.");
   excess_ = number(*form, "in excess", "energy_excess",
-                   "What contacts gave beyond what the device takes out; above zero they are not "
+                   "Energy of contacts beyond what the device takes out; above zero they are not "
                    "passive.");
   dissipated_ =
       number(*form, "taken out", "energy_dissipated", "By the passivity control, since the start.");

@@ -21,13 +21,13 @@ namespace sonde::ui {
 class AxisTable;
 class SliderRow;
 
-/// The dock of the device: what holds the probe and what else could, how a connected device is
-/// doing, and how it moves the probe. Settings that mean nothing to the device are left out.
+/// The dock of the device: what holds the probe, what else could hold it, the state of a connected
+/// device, and how it moves the probe. It hides settings that do not apply to the device.
 class DevicePanel : public QDockWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
-  /// What the probe can be held by; the list is built anew only where it is another.
+  /// What the probe can be held by. Rebuilds the list only where it differs.
   void show_choices(const std::vector<InputSource>& choices, const InputSource& current);
   /// `from_scene`: the scene brings them, and no change is kept.
   void show_settings(const InputSource& source, const DeviceSettings& settings,
@@ -39,7 +39,7 @@ class DevicePanel : public QDockWidget {
 
   std::function<void(const InputSource&)> chosen;
   std::function<void()> path_wanted;  ///< one from a file
-  /// Called at once with every change.
+  /// Called immediately with every change.
   std::function<void(const DeviceSettings&)> settings_changed;
   std::function<void(bool)> led_switched;
 
@@ -58,7 +58,7 @@ class DevicePanel : public QDockWidget {
   DeviceSettings settings_;
   bool adjustable_ = false;  ///< a connected device or a simulated one
   bool connected_ = false;
-  bool deflections_ = true;  ///< a connected device that tells no positions
+  bool deflections_ = true;  ///< a connected device that reports deflections, not positions
   QComboBox *sources_, *controls_, *frames_;
   QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *from_scene_;
   QGroupBox *motion_box_, *axes_box_;

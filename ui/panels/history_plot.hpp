@@ -11,10 +11,10 @@ namespace sonde::ui {
 class HistoryPlot : public QWidget {
  public:
   HistoryPlot(const QString& title, const QColor& colour, QWidget* parent);
-  /// `time` in s, not falling; a fall starts the strip afresh.
+  /// `time` in s, not falling; if it falls, the strip starts over.
   void add(double time, double value);
   void clear();
-  /// What the value is multiplied by to be shown, and the unit's name.
+  /// The factor and the unit's name for display.
   void set_unit(double scale, const QString& name);
   QSize sizeHint() const override { return {200, 74}; }
 

@@ -7,8 +7,8 @@ class QPlainTextEdit;
 
 namespace sonde::ui {
 
-/// The dock of messages: all that the status line said or had no room for, with the time of day, to
-/// be read again and copied.
+/// The dock of messages: everything that the status line showed or had no room for, with the time
+/// of day, to read again and copy.
 class LogPanel : public QDockWidget {
  public:
   explicit LogPanel(QWidget* parent = nullptr);

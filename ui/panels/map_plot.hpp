@@ -16,10 +16,10 @@ struct MapPoint {
   double damping = 0;
 };
 
-/// A stability map: coloured cells of stiffness by damping, the limits that were measured and those
-/// of theory as lines, the gains of now and the recommended ones as points. Where rows are
-/// situations the points are lines across: gains are the same in each. A point that is off the map
-/// is at its edge.
+/// A stability map: coloured cells of stiffness by damping, the measured and the theoretical limits
+/// as lines, the present and the recommended gains as points. Where rows are situations, the points
+/// are lines across, because the gains are the same in each. A point outside the map is drawn at
+/// its edge.
 class MapPlot : public QWidget {
  public:
   explicit MapPlot(QWidget* parent);
@@ -33,7 +33,7 @@ class MapPlot : public QWidget {
 
   /// Where a point is drawn, px; on a map of situations in the lowest row.
   QPointF place(const MapPoint& point) const;
-  /// What the map says there, on a map of situations the worst; none off the map.
+  /// The map's class at that place; on a map of situations the worst; none outside the map.
   std::optional<MapClass> map_class(const MapPoint& point) const;
 
   QSize sizeHint() const override { return {330, 310}; }

@@ -35,7 +35,7 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QDockWidget(QStringLiteral("Plots"), p
   row->addWidget(curves);
   follow_ = new QCheckBox(QStringLiteral("Follow"), content);
   follow_->setObjectName(QStringLiteral("follow"));
-  follow_->setToolTip(QStringLiteral("Keeps what is on show in the picture"));
+  follow_->setToolTip(QStringLiteral("Keeps the shown tick in the picture"));
   follow_->setChecked(true);
   row->addWidget(follow_);
   hold_ = new QCheckBox(QStringLiteral("Hold"), content);

@@ -19,11 +19,11 @@ namespace sonde::ui {
 struct PlotState {
   const Curves* kept = nullptr;    ///< null: nothing yet
   const Curves* replay = nullptr;  ///< the same path with other gains; null: none
-  double time = 0;                 ///< s, of what is on show
+  double time = 0;                 ///< s, the shown time
 };
 
-/// The dock of curves over time: which ones, how far back, and their values where the cursor is. It
-/// draws only while it is to be seen, and a few times a second.
+/// The dock of curves over time: which ones, over how long a time, and their values at the cursor.
+/// It draws only while it is visible, and a few times a second.
 class PlotsPanel : public QDockWidget {
  public:
   static constexpr double first_span = 10;  ///< s
@@ -31,7 +31,7 @@ class PlotsPanel : public QDockWidget {
 
   explicit PlotsPanel(QWidget* parent = nullptr);
 
-  /// Other ticks, of a probe that is told in this unit.
+  /// Shows other ticks, of a probe whose lengths have this unit.
   void take(const LengthUnit& unit);
   /// With each frame, at so many ms.
   void show_state(const PlotState& state, qint64 now);
@@ -40,7 +40,7 @@ class PlotsPanel : public QDockWidget {
   bool shown(Curve curve) const;
   double from() const { return from_; }
   double to() const { return to_; }
-  /// The newest tick stays at the right, as long as nobody moves the picture.
+  /// The newest tick stays at the right until the user moves the picture.
   bool follows() const;
   TimeCharts& charts() { return *charts_; }
   std::size_t drawn() const { return drawn_; }  ///< pictures so far

@@ -13,14 +13,14 @@ class QLineEdit;
 
 namespace sonde::ui {
 
-/// The dock of numbers for where the probe is: its mesh frame in the fixed body's, to be read,
-/// typed, copied and pasted. A field that is being typed in is left alone.
+/// The dock of the probe's pose: its mesh frame in the fixed body's, to read, type, copy and paste.
+/// It does not touch a field while the user types in it.
 class PosePanel : public QDockWidget {
  public:
   explicit PosePanel(QWidget* parent = nullptr);
 
   void show_pose(const Pose& X_FM);
-  /// The unit that people read in a scene of this size: "mm".
+  /// The length unit for a scene of this size: "mm".
   void suggest_unit(const QString& name);
 
   std::function<void(const Pose&)> placed;

@@ -79,9 +79,10 @@ void ReadoutPanel::build_held(QVBoxLayout& layout) {
   depth_ = new QLabel(QStringLiteral("–"), group);
   depth_->setObjectName(QStringLiteral("depth_value"));
   depth_->setToolTip(QStringLiteral(
-      "How far the separated pose that holds the probe is from the pose of the hand: √σ, what the "
-      "probe's points move in the mean. The force pulls there. It was followed along a free path "
-      "from where the probe came, so it need not be the nearest way out."));
+      "How far the separated pose that holds the probe is from the pose of the hand: √σ, how far "
+      "the probe's points move in the mean. The force pulls there. The loop followed it along a "
+      "free "
+      "path from where the probe came, so it need not be the nearest way out."));
   form->addRow(depth_);
   split_ = new Bar(group);
   form->addRow(split_);
@@ -89,12 +90,12 @@ void ReadoutPanel::build_held(QVBoxLayout& layout) {
       value(*form, in_colour(colour::ghost, QStringLiteral("moves")), "translation_value",
             QStringLiteral("How far the centre of mass moves, and its share of σ."));
   rotation_ = value(*form, in_colour(colour::turn, QStringLiteral("turns")), "rotation_value",
-                    QStringLiteral("How far it turns about its centre of mass; how far that moves "
-                                   "the points, and its share of σ."));
+                    QStringLiteral("How far it turns about its centre of mass, how far the turn "
+                                   "moves the points, and its share of σ."));
   screw_ = value(*form, QStringLiteral("as one screw"), "screw_value",
                  QStringLiteral("The same motion as one turn about an axis and one slide along it. "
                                 "The axis is not through the centre of mass, which goes round it: "
-                                "the slide is less than what the centre of mass moves."));
+                                "the slide is shorter than the way of the centre of mass."));
   contacts_ = value(*form, QStringLiteral("contacts"), "contacts_value",
                     QStringLiteral("Places of contact that carry the separation."));
   depth_plot_ = new HistoryPlot(QStringLiteral("held"), colour::ghost, group);
@@ -106,11 +107,11 @@ void ReadoutPanel::build_ways(QVBoxLayout& layout) {
   auto* form = form_in(layout, group);
   nearest_ =
       value(*form, in_colour(colour::nearest, QStringLiteral("nearest way out")), "nearest_value",
-            QStringLiteral("Root of PD_g: the least that was found, by a search in all directions "
-                           "or by following, whether or not the probe can come there from where "
-                           "it was. Grey while computed for the newest pose. Key 5 draws it."));
+            QStringLiteral("Root of PD_g: the least depth found, by a search in all directions or "
+                           "by following, whether or not a free path leads there from where the "
+                           "probe was. Grey while computed for the newest pose. Key 5 draws it."));
   pdt_ = value(*form, in_colour(colour::straight, QStringLiteral("without a turn")), "pdt_value",
-               QStringLiteral("PD_t: the least that was found if the probe may not turn, and its "
+               QStringLiteral("PD_t: the least depth found if the probe may not turn, and its "
                               "ratio to the nearest way out. Key 6 draws it."));
   bound_ = value(*form, QStringLiteral("at least"), "bound_value",
                  QStringLiteral("A lower bound: no shorter motion separates the two. And its ratio "
@@ -145,9 +146,9 @@ void ReadoutPanel::build_loop(QVBoxLayout& layout) {
   auto* group = new QGroupBox(QStringLiteral("Servo"), this);
   auto* form = form_in(layout, group);
   tick_ = value(*form, QStringLiteral("tick time"), "tick_value",
-                QStringLiteral("What one turn of the haptic loop takes to compute."));
+                QStringLiteral("Time to compute one tick of the haptic loop."));
   rate_ = value(*form, QStringLiteral("rate"), "rate_value",
-                QStringLiteral("Ticks a second, measured."));
+                QStringLiteral("Ticks per second, measured."));
   steps_ = value(*form, QStringLiteral("solver steps"), "steps_value",
                  QStringLiteral("Linearise, solve, advance: times in this tick."));
   late_ = value(*form, QStringLiteral("late ticks"), "late_value",

@@ -16,18 +16,18 @@ namespace sonde::ui {
 class Bar;
 class HistoryPlot;
 
-/// The dock of numbers: how far from the hand the probe is held, by what motion; beside it the
-/// nearest ways out that were searched for; force and torque against the device's limits; and how
-/// the servo keeps time.
+/// The dock of numbers: how far from the hand the probe is held and by what motion, the nearest
+/// ways out that a search found, force and torque against the device's limits, and the timing of
+/// the servo.
 class ReadoutPanel : public QDockWidget {
  public:
   explicit ReadoutPanel(QWidget* parent = nullptr);
 
-  /// A new pair was opened: the probe, and whether there can be a lower bound.
+  /// A new pair was opened. `any_solid`: there can be a lower bound.
   void take(const MassProperties& probe, bool any_solid);
   /// Adds to the curves: called with every frame.
   void sample(const Instant& now);
-  /// Writes the numbers: a few times a second, so that they can be read.
+  /// Writes the numbers: a few times a second, so that they are legible.
   void show_numbers(const Instant& now);
 
  private:

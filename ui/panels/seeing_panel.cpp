@@ -98,7 +98,7 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
                          }),
                   2, 1);
   grid->addWidget(button(group, "Contact", "cut_snap",
-                         "Through the contact that carries most, or the one that is marked",
+                         "Through the marked contact, or the one with the largest share",
                          [this] {
                            if (snap_wanted) snap_wanted();
                          }),

@@ -15,8 +15,8 @@ class QVBoxLayout;
 
 namespace sonde::ui {
 
-/// The dock for seeing inside: how the bodies are drawn, the plane they are cut at, and the views
-/// that were saved. It shows what it is told and says what is wanted.
+/// The dock for seeing inside: how the bodies are drawn, the plane that cuts them, and the saved
+/// views. It shows the given state and reports the user's wishes.
 class SeeingPanel : public QDockWidget {
  public:
   explicit SeeingPanel(QWidget* parent = nullptr);

@@ -12,8 +12,8 @@ namespace sonde::ui {
 
 class TypedValue;
 
-/// One setting as people change it: its name, a slider, and a box for the exact value, all made
-/// from its line in the table of settings. Object names: KEY_row, KEY_slider, KEY_value.
+/// One setting for the user: its name, a slider, and a box for the exact value, all made from its
+/// line in the table of settings. Object names: KEY_row, KEY_slider, KEY_value.
 class SliderRow : public QWidget {
  public:
   SliderRow(const Setting& setting, QWidget* parent);

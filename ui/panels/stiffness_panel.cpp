@@ -179,9 +179,9 @@ void StiffnessPanel::build_source(QVBoxLayout& layout, const std::vector<std::st
   row->addWidget(kinds_);
   box->addLayout(row);
   auto* buttons = new QHBoxLayout;
-  auto* compute =
-      button(QStringLiteral("Compute…"), "compute_tuning",
-             QStringLiteral("As sonde tune does, into a folder; what is finished there is kept."));
+  auto* compute = button(
+      QStringLiteral("Compute…"), "compute_tuning",
+      QStringLiteral("Computes as sonde tune does, into a folder; finished parts are kept."));
   compute->setEnabled(!device_ids.empty());
   auto* load = button(QStringLiteral("Load…"), "load_tuning",
                       QStringLiteral("A folder that sonde tune has written."));

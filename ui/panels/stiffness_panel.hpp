@@ -21,13 +21,14 @@ namespace sonde::ui {
 class HistoryPlot;
 class MapPlot;
 
-/// The dock of stiffness: the map that `sonde tune` measured with the gains of now on it, the
-/// recommended gains and why, what the last second was like, and two sets of gains to compare.
+/// The dock of stiffness: the map that `sonde tune` measured with the present gains on it, the
+/// recommended gains and the reason, the figures of the last second, and two sets of gains to
+/// compare.
 class StiffnessPanel : public QDockWidget {
  public:
   explicit StiffnessPanel(const std::vector<std::string>& device_ids, QWidget* parent = nullptr);
 
-  /// A pair was opened: the curve begins afresh.
+  /// A pair was opened: the curve starts over.
   void clear_history();
   /// None: there is nothing to show yet.
   void show_tuning(const std::optional<Tuning>& tuning);
@@ -38,7 +39,7 @@ class StiffnessPanel : public QDockWidget {
   /// At the time (s) of the newest tick; none: nothing has run for a second.
   void show_buzz(const std::optional<Buzz>& buzz, double time);
 
-  /// What to compute for, as chosen in the panel.
+  /// The user's choice of what to compute.
   std::string device_id() const;
   std::string kind() const;  ///< empty: all
 

@@ -12,7 +12,7 @@
 
 namespace sonde::ui {
 
-/// How a curve is called and drawn.
+/// The name and the style of a curve.
 struct CurveStyle {
   Curve curve;
   QString name;
@@ -23,7 +23,7 @@ struct CurveStyle {
 /// In the order of Curve.
 std::vector<CurveStyle> curve_styles(const LengthUnit& unit);
 
-/// A curve to draw, as it is or dashed.
+/// A curve to draw, solid or dashed.
 struct ChartLine {
   const Curves* of;
   Curve curve;
@@ -38,8 +38,8 @@ struct ChartView {
   LengthUnit unit;
 };
 
-/// Curves over one time, a chart for each unit, drawn by VTK. Of any number of ticks it draws as
-/// many points as there are pixels: the lowest and the highest of each column.
+/// Curves over one time axis, a chart for each unit, drawn by VTK. However many ticks there are, it
+/// draws as many points as there are pixels: the lowest and the highest of each column.
 class TimeCharts : public QWidget {
  public:
   explicit TimeCharts(QWidget* parent);

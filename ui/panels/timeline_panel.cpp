@@ -43,13 +43,13 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   track_ = new QSlider(Qt::Horizontal, content);
   track_->setObjectName(QStringLiteral("timeline"));
   track_->setRange(0, places);
-  track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers are of that moment"));
+  track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers show that moment"));
   connect(track_, &QSlider::valueChanged, this, [this](int place) { seek_to(place); });
   layout->addWidget(track_);
   auto* row = new QHBoxLayout;
   layout->addLayout(row);
   record_ = button(*row, "record_button", QStringLiteral("● Record"),
-                   QStringLiteral("Writes the minutes that are kept, and all that follows"));
+                   QStringLiteral("Writes the kept minutes and everything that follows"));
   record_->setCheckable(true);
   connect(record_, &QToolButton::clicked, this, [this](bool on) { recorded(on); });
   back_ = button(*row, "step_back", QStringLiteral("◀|"), QStringLiteral("One tick back"));
@@ -77,7 +77,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   row->addWidget(loop_);
   replay_ = new QCheckBox(QStringLiteral("Run again"), content);
   replay_->setObjectName(QStringLiteral("show_replay"));
-  replay_->setToolTip(QStringLiteral("Shows the run with other gains instead of what was kept"));
+  replay_->setToolTip(QStringLiteral("Shows the run with other gains instead of the recorded one"));
   connect(replay_, &QCheckBox::toggled, this, [this](bool on) { replay_shown(on); });
   row->addWidget(replay_);
   text_ = new QLabel(content);

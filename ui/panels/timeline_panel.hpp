@@ -16,9 +16,9 @@ namespace sonde::ui {
 
 /// What the timeline shows.
 struct TimelineState {
-  double from = 0, to = 0;  ///< s, what there is to look back on
-  double time = 0;          ///< s, what is on show; live: the end
-  std::uint64_t tick = 0;   ///< of those there are, from 0
+  double from = 0, to = 0;  ///< s, the range of kept ticks
+  double time = 0;          ///< s, the shown time; live: the end
+  std::uint64_t tick = 0;   ///< index among the kept ticks, from 0
   bool any = false;         ///< there is something
   bool looking = false;     ///< false: live
   bool playing = false;

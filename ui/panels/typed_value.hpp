@@ -7,9 +7,10 @@
 
 namespace sonde::ui {
 
-/// A box to type the value of a setting into: unit shown, '.' or ',' taken as the decimal point,
-/// steps of a tenth (of the value where the setting is logarithmic, else of the range's tenth).
-/// Keys that are no part of a number stay the window's, and Enter gives the keyboard back to it.
+/// A box to type the value of a setting: it shows the unit, accepts '.' or ',' as the decimal
+/// point, and steps by a tenth (of the value where the setting is logarithmic, else of the range's
+/// tenth). Keys that are not part of a number go to the window, and Enter returns the keyboard to
+/// it.
 class TypedValue : public QDoubleSpinBox {
  public:
   TypedValue(const Setting& setting, QWidget* parent);

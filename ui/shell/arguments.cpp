@@ -33,7 +33,7 @@ void declare_command_line(CLI::App& app, Arguments& arguments) {
                  "Play the scene's trajectory, write a picture of its deepest pose, then end")
       ->type_name("PICTURE")
       ->excludes(picture);
-  app.footer("With no files: a page to begin from; for a picture, the scene spoon-in-cup.");
+  app.footer("Without files: the start page; for a picture, the scene spoon-in-cup.");
 }
 
 Parsed parse_arguments(int argc, char** argv) {

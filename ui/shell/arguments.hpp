@@ -15,7 +15,7 @@ namespace sonde::ui {
 struct Arguments {
   std::vector<std::string> files;  ///< none: the start page; one: a scene; two: probe and fixed
   std::optional<double> unit;      ///< metres
-  std::string device;              ///< what is to hold the probe; empty: the scene or the mouse
+  std::string device;              ///< what holds the probe; empty: the scene's device or the mouse
   std::string screenshot;          ///< a picture to write, then end; empty for none
   std::string demo;                ///< a picture to write after playing the scene's trajectory
 };
@@ -23,8 +23,8 @@ struct Arguments {
 /// Declares the whole command line of sonde-view, to be parsed into `arguments`.
 void declare_command_line(CLI::App& app, Arguments& arguments);
 
-/// Either arguments, or an exit code where there is nothing left to do (help, version: 0; wrong
-/// usage: 2), after saying so.
+/// Either arguments, or an exit code where nothing remains to do (help, version: 0; wrong usage:
+/// 2), after printing it.
 struct Parsed {
   Arguments arguments;
   std::optional<int> exit_code;

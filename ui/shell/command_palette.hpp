@@ -10,11 +10,11 @@ class QMenuBar;
 
 namespace sonde::ui {
 
-/// All that the menus can do, searched by words: Enter does it.
+/// A search through all commands of the menus by their words; Enter runs the chosen one.
 class CommandPalette : public QDialog {
  public:
   CommandPalette(QMenuBar& menus, QWidget* parent);
-  /// What was chosen; null where nothing was. To be triggered once the palette is gone.
+  /// The chosen command; null where there is none. Trigger it once the palette is closed.
   QAction* chosen() const { return chosen_; }
 
  protected:
@@ -29,7 +29,7 @@ class CommandPalette : public QDialog {
   QAction* chosen_ = nullptr;
 };
 
-/// Asks, and does what is chosen.
+/// Asks for a command and runs it.
 void find_command(QMenuBar& menus, QWidget& window);
 
 }  // namespace sonde::ui

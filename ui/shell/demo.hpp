@@ -14,13 +14,13 @@ namespace sonde::ui {
 
 class MainWindow;
 
-/// Moves the probe of an opened scene along the scene's own trajectory, goes back to where it was
-/// deepest, waits until that shows, and saves a picture.
+/// Moves the probe of an opened scene along the scene's trajectory, goes back to its deepest pose,
+/// waits until the view shows it, and saves a picture.
 class Demo : public QObject {
  public:
   Demo(MainWindow& window, std::string picture);
 
-  /// Plays; then calls `ended` with an exit code, having written one line about what it saw.
+  /// Plays; then prints one line of figures and calls `ended` with an exit code.
   void play();
   std::function<void(int exit_code)> ended;
 

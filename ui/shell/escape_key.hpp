@@ -7,8 +7,8 @@
 
 namespace sonde::ui {
 
-/// Hears of Esc before anybody else in the program does, whatever is open and whatever has the
-/// focus. It takes nothing away: the press goes on to where it was meant for.
+/// Reports Esc before any other part of the program gets it, whatever window is open and whatever
+/// has the focus. It does not consume the key: the key press still reaches its target.
 class EscapeKey : public QObject, private QAbstractNativeEventFilter {
  public:
   explicit EscapeKey(std::function<void()> pressed);

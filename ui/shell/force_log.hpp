@@ -7,15 +7,16 @@
 
 namespace sonde::ui {
 
-/// Why the hand got no force: a line in the program's log for each time, and the last fault for the
-/// screen, where it would be gone before anybody could read it.
+/// Reports why the hand got no force: a line in the program's log each time, and the last fault for
+/// the screen, where it would otherwise vanish before anybody could read it.
 class ForceLog {
  public:
-  /// Each tick, in its order. One that is earlier than the last is the first of another run. What
-  /// there is to say of it, empty where nothing has changed. A pose that is not settled is worth a
-  /// word only where that lasts: the force fades, it is not cut.
+  /// Takes each tick, in order. A tick that is earlier than the last is the first of another run.
+  /// Returns the message, empty where nothing has changed. A pose that is not settled gets a
+  /// message only where that lasts, because the force then fades and is not cut.
   QString add(const Snapshot& tick);
-  /// The loop has ended, with its program or for another scene; the next tick is of another run.
+  /// The loop has ended, with the program or for another scene; the next tick belongs to another
+  /// run.
   void end();
   /// The fault of the last seconds before `time` (s since the start); empty where there was none.
   QString recent(double time) const;

@@ -37,8 +37,8 @@ class StartPage;
 class StiffnessControl;
 class Viewport;
 
-/// The window: a view, docks, and sixty times a second the newest instant. What it is made of, and
-/// what of it is told what, is in main_window_parts.cpp.
+/// The window: a view and docks, which show the newest instant sixty times a second. Its parts, and
+/// which events each of them receives, are in main_window_parts.cpp.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -65,14 +65,14 @@ class MainWindow : public QMainWindow {
   void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
   void set_paused(bool paused);
-  /// False at once with Esc, from anywhere in the window; true lets the force come back.
+  /// False immediately on Esc, from anywhere in the window; true lets the force come back.
   void set_force(bool on);
   void reset();
-  /// Nothing is open: the page to begin from.
+  /// Closes the document and shows the start page.
   void show_start_page();
-  /// The separated probe goes to and fro between the hand and where it is held.
+  /// Lets the separated probe swing between the hand and the pose where it is held.
   void set_swing(bool on) { swing_ = on; }
-  /// Docks and overlays included. False, and a message, where the file cannot be written.
+  /// Includes docks and overlays. False, with a message, where the file cannot be written.
   bool save_picture(const QString& file);
   void ask_picture();
 

@@ -86,7 +86,7 @@ Manual::Manual(const QString& folder, QWidget* parent)
   if (const qsizetype index = pages_.indexOf(QStringLiteral("index.md")); index > 0)
     pages_.move(static_cast<int>(index), 0);
   search_->setObjectName(QStringLiteral("manual_search"));
-  search_->setPlaceholderText(QStringLiteral("Search all pages: Enter goes on"));
+  search_->setPlaceholderText(QStringLiteral("Search all pages: Enter finds the next"));
   search_->setClearButtonEnabled(true);
   browser_->setObjectName(QStringLiteral("manual_page"));
   browser_->setSearchPaths({folder});

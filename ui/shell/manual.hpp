@@ -11,16 +11,17 @@ class QUrl;
 
 namespace sonde::ui {
 
-/// The manual, rendered, in a window of its own: its pages lead to each other, and a search goes on
-/// from page to page.
+/// The rendered manual in a window of its own, with links between its pages and a search through
+/// all of them.
 class Manual : public QDialog {
  public:
-  /// The folder that its pages (*.md) lie below; index.md is the first.
+  /// The folder of its pages (*.md); index.md is the first.
   Manual(const QString& folder, QWidget* parent);
-  /// A page, by its path from the folder; of that, the heading a link names (empty: the beginning).
+  /// Opens a page by its path from the folder, at the heading that a link names (empty: the
+  /// beginning).
   void open_page(const QString& name, const QString& heading = {});
-  /// The next place with this text, after the one found last: on this page, then on those after it.
-  /// False where no page has it.
+  /// Goes to the next place with this text, after the last one found: on this page, then on those
+  /// after it. False where no page has it.
   bool find_next(const QString& text);
   QTextBrowser& browser() { return *browser_; }
 

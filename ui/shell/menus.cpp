@@ -193,7 +193,7 @@ void add_history_menu(MainWindow& window) {
   add(window, menu, "record", QStringLiteral("&Record or stop"), key("Ctrl+Shift+R"),
       [history](bool) { history->set_recording(!history->recorder().recording()); });
   menu.addSeparator();
-  add(window, menu, "play_back", QStringLiteral("&Play or hold what was kept"), key("P"),
+  add(window, menu, "play_back", QStringLiteral("&Play or hold the kept ticks"), key("P"),
       [history](bool) { history->play(!history->playback().playing()); });
   add(window, menu, "step_back", QStringLiteral("One tick &back"), key(","),
       [history](bool) { history->step(-1); });

@@ -10,18 +10,18 @@
 
 namespace sonde::ui {
 
-/// When the background search is asked about the probe's place. PD_t and the lower bound take
-/// longer than a tick; as long as the probe moves they are asked for a hundredth of the time, since
-/// the servo and the picture need the machine. Times are in ms of one clock that never goes back.
+/// Decides when to request a background search for the probe's pose. PD_t and the lower bound take
+/// longer than a tick. While the probe moves they get a hundredth of the time, because the servo
+/// and the picture need the machine. Times are in ms of one monotonic clock.
 class SearchSchedule {
  public:
-  /// Nothing is known of what is on show now.
+  /// Forgets everything about the shown pose.
   void forget() { newest_.reset(); }
   void answered(const BackgroundResult& result) {
     newest_ = result;
     due_ = asked_ + std::max(pause, static_cast<qint64>(1e-2 * result.time_us));
   }
-  /// Is it to be asked about this pose now? It counts as asked then.
+  /// Returns whether to request a search for this pose now; if so, counts it as requested.
   bool asks(const Pose& device, qint64 now) {
     if (!same_pose(device, seen_at_)) {
       seen_at_ = device;

@@ -9,13 +9,13 @@ class QVBoxLayout;
 
 namespace sonde::ui {
 
-/// What is shown over the view while nothing is open: the bundled scenes with their pictures, what
-/// was opened last, and the ways to open something else. It covers its parent.
+/// The page over the view while nothing is open: the bundled scenes with their pictures, recent
+/// files, and the ways to open something else. It covers its parent.
 class StartPage : public QWidget {
  public:
   explicit StartPage(QWidget* parent);
 
-  /// Shows itself with what was opened last by now.
+  /// Shows itself with the present list of recent files.
   void present();
 
   std::function<void()> scene_wanted, meshes_wanted;

@@ -7,10 +7,10 @@
 
 namespace sonde::ui {
 
-/// What both bodies are taken for, and why.
+/// The model of both bodies, and the reason.
 QString natures(const Body& probe, const Body& fixed);
 
-/// What the probe does now, and what keeps the force away, if anything.
+/// The state of the probe, and the reason why there is no force, if any.
 QString happening(const Instant& now);
 
 }  // namespace sonde::ui

@@ -10,20 +10,20 @@
 
 namespace sonde::ui {
 
-/// What the hand got in the last second of the servo.
+/// Figures of the last second of the servo in the hand.
 struct Buzz {
   double chatter = 0;  ///< chatter_index, 0 to 1
   double energy = 0;   ///< J, net work on the hand; below zero where the hand gave it
 };
 
-/// The ticks of the last second of one probe, in their order, and what they were like.
+/// Collects the ticks of the last second of one probe, in order, for these figures.
 class LastSecond {
  public:
-  /// A new probe: its ticks begin afresh.
+  /// A new probe: its ticks start over.
   void take(const MassProperties& probe);
   /// A tick earlier than the last one, or long after it, is the first of another second.
   void add(const Snapshot& tick);
-  /// None before a second, or nearly, is there. Takes some milliseconds.
+  /// None before there is about a second of ticks. Takes some milliseconds.
   std::optional<Buzz> buzz() const;
 
  private:

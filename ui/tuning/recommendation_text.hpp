@@ -7,13 +7,13 @@
 
 namespace sonde::ui {
 
-/// The recommended gains of one axis for people: the values, their margin, what limits them, and
-/// which assumed values of the profile they rest on, with what half and twice each would make of
-/// them. Plain text, lines separated by '\n'; no value: says so.
+/// The recommended gains of one axis for the user: the values, their margin, what limits them, and
+/// the assumed values of the profile that they depend on, with the effect of half and twice each.
+/// Plain text, lines separated by '\n'; states where there is no recommendation.
 QString recommendation_text(const TuningResults& results, GainAxis axis);
 
-/// Gains of one axis beside what was measured: "0.68 of the boundary, 1210 N/m". Empty where the
-/// study found no boundary.
+/// Gains of one axis relative to the measurements: "0.68 of the boundary, 1210 N/m". Empty where
+/// the study found no boundary.
 QString margin_text(const AxisGains& recommended, double stiffness);
 
 }  // namespace sonde::ui

@@ -23,8 +23,8 @@ struct MapRow {
   double theory_stable = 0, theory_passive = 0;  ///< infinite where theory sees no end
 };
 
-/// What a study found over the gains of one axis: over damping and stiffness where it varied both,
-/// else a row for each situation and hand.
+/// The result of a study over the gains of one axis: over damping and stiffness where it varied
+/// both, else a row for each situation and hand.
 struct StabilityMap {
   GainAxis axis = GainAxis::object;
   bool over_damping = false;
@@ -32,7 +32,7 @@ struct StabilityMap {
   double low = 1, high = 1e5;  ///< stiffness at the ends
 };
 
-/// Of the profile as it is, in situations of one kind or (empty) of every one. A row that stands
+/// For the unchanged profile, in situations of one kind or (empty) of every kind. A row that stands
 /// for several situations and hands shows the worst of them, and the least of each limit.
 StabilityMap stability_map(const TuningResults& results, GainAxis axis, const std::string& kind);
 

@@ -11,7 +11,7 @@ class vtkCamera;
 
 namespace sonde::ui {
 
-/// What the window looks along: unit vectors of the picture in the fixed body's mesh frame.
+/// The axes of the picture: unit vectors in the fixed body's mesh frame.
 struct ViewAxes {
   Vec3 right;
   Vec3 up;
@@ -31,14 +31,15 @@ class Camera {
   double metres_per_pixel(const Vec3& at, int height) const;
 
   void look_at(const Vec3& target, const Vec3& direction, const Vec3& up, double distance);
-  /// Keeps its direction and shows all points in a part of a picture of that size (pixels, from the
-  /// upper left), as large as they fit. Returns how far the eye is from what it looks at.
+  /// Keeps its direction and shows all points, as large as they fit, in a part of a picture of that
+  /// size (pixels, from the upper left). Returns the distance of the eye from the point it looks
+  /// at.
   double frame(const std::vector<Vec3>& points, const QSize& picture, const QRectF& part);
   /// The scene turns with the cursor: about the picture's up and right axes.
   void orbit(double about_up, double about_right);
   void pan(const Vec3& shift);
   void zoom(double factor);
-  /// Sets the clipping planes round a ball.
+  /// Sets the clipping planes around a ball.
   void clip_to(const Vec3& centre, double radius);
 
  private:

@@ -10,12 +10,12 @@
 
 namespace sonde::ui {
 
-/// The clusters of contact that carry the separation: the point on either body, and the normal,
-/// longer where the contact carries more.
+/// The clusters of contact that carry the separation: the point on each body, and the normal, which
+/// is longer for a larger share.
 class ContactView : public Overlay {
  public:
   ContactView(vtkRenderer& renderer, GlyphShapes& shapes);
-  /// The cluster that is marked: by a ring round it and its number; 0: none.
+  /// The marked cluster, with a ring and its number; 0: none.
   void choose(std::uint64_t id) { chosen_ = id; }
 
  private:

@@ -21,19 +21,19 @@ namespace sonde::ui {
 /// Unit, normal to each other: two in the plane, and the plane's normal.
 Mat3 axes_of_plane(const Vec3& normal);
 
-/// Where the bodies are cut: the outline of a square in the plane, an arrow to drag it along its
-/// normal by, and two rings to tilt it by.
+/// The plane that cuts the bodies: the outline of a square in it, an arrow to drag it along its
+/// normal, and two rings to tilt it.
 class CutView : public Overlay {
  public:
   CutView(vtkRenderer& renderer, GlyphShapes& shapes);
   ~CutView() override;
 
   void set(const CutPlane& cut, double size);
-  /// For mappers: the half that is drawn lies on its normal's side. It follows set().
+  /// For mappers: they draw the half on its normal's side. It follows set().
   vtkPlane& plane();
-  /// What is drawn to be taken hold of, arrows of that length.
+  /// The handles, with arrows of that length.
   Handles handles(double length) const;
-  /// Of those, the ones that are drawn: the arrow along the normal and the rings about the others.
+  /// The handles that are drawn: the arrow along the normal and the rings about the other axes.
   static bool draws(const Grip& grip) { return grip.turns == (grip.axis != 2); }
 
  private:

@@ -14,13 +14,13 @@ class vtkRenderer;
 
 namespace sonde::ui {
 
-/// Where the meshes are not closed, hidden by what lies before it: the edges of holes as thin
-/// lines, those between flipped faces as thick ones.
+/// The edges where the meshes are not closed, hidden by bodies in front of them: edges of holes as
+/// thin lines, edges between flipped faces as thick lines.
 class DefectView : public Overlay {
  public:
   DefectView(vtkRenderer& renderer, const DrawnSession& drawn);
   ~DefectView() override;
-  /// The bodies are cut there; null: not cut.
+  /// The plane that cuts the bodies; null: no cut.
   void set_cut(vtkPlane* probe, vtkPlane* fixed);
 
  private:

@@ -16,7 +16,7 @@ struct DefectLines {
   vtkSmartPointer<vtkPolyData> holes, flipped;
 };
 
-/// A session with its bodies as they are drawn: all that takes long to make, made in a worker.
+/// A session with its bodies as they are drawn. A worker makes it, because that takes long.
 struct DrawnSession {
   std::unique_ptr<Session> session;
   vtkSmartPointer<vtkPolyData> probe_surface;

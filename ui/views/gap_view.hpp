@@ -15,8 +15,8 @@ class vtkRenderer;
 
 namespace sonde::ui {
 
-/// The colour of a gap that is this part of the largest one shown: yellow at a touch, over green,
-/// to dark blue. Lightness falls all the way, so that it can be told without the hue.
+/// The colour of a gap that is this part of the largest one shown: from yellow at a touch, over
+/// green, to dark blue. Lightness falls monotonically, so it can be read without the hue.
 QColor gap_colour(double part);
 
 /// The gaps to the other body, painted on a body where it is near.
@@ -25,7 +25,7 @@ class GapView : public Overlay {
   explicit GapView(vtkRenderer& renderer);
   ~GapView() override;
 
-  /// On a body that is there, X_FB; up to that gap, m. An empty field paints nothing.
+  /// On a body at X_FB, for gaps up to that one, m. An empty field paints nothing.
   void set(const GapField& field, const Pose& X_FB, double reach);
   void clear() { set({}, {}, 0); }
   /// The body is cut there.

@@ -15,10 +15,10 @@ class vtkRenderer;
 
 namespace sonde::ui {
 
-/// Puts an actor where the pose says.
+/// Moves an actor to the pose.
 void place(vtkActor& actor, const Pose& pose);
 
-/// The shapes of small things, of unit size, each with one mapper that all actors share.
+/// The shapes of glyphs, of unit size. Each has one mapper that all actors share.
 class GlyphShapes {
  public:
   GlyphShapes();

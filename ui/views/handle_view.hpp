@@ -9,7 +9,8 @@
 
 namespace sonde::ui {
 
-/// The handles round the probe, of one size on screen; named, so that nobody has to go by colour.
+/// The handles around the probe, of one size on screen. They have names, so that colour is not
+/// needed to tell them apart.
 class HandleView : public Overlay {
  public:
   HandleView(vtkRenderer& renderer, GlyphShapes& shapes);

@@ -11,7 +11,7 @@
 
 namespace sonde::ui {
 
-/// How a thing is drawn, besides its colour.
+/// The style of an item, besides its colour.
 enum class LegendMark { filled, clear, mesh, wires, ring };
 
 /// One line of the legend: a colour and a mark, and what they stand for.
@@ -21,7 +21,7 @@ struct LegendLine {
   LegendMark mark = LegendMark::filled;
 };
 
-/// A label, the point on screen it is about, and the line there that it may not cover.
+/// A label, its point on screen, and the line there that it must not cover.
 struct PlacedLabel {
   QPointF at;
   QString text;
@@ -29,15 +29,15 @@ struct PlacedLabel {
   QPolygonF stroke{};
 };
 
-/// What colours mean that run over a range: the first at the first tick, the last at the last.
+/// The meaning of colours over a range: the first at the first tick, the last at the last.
 struct ColourScale {
   QString title;
   std::vector<QColor> colours;
   QStringList ticks;  ///< at even distances
 };
 
-/// All text in the view, drawn by Qt on a clear sheet above the picture: legend (what the colours
-/// are, what the lengths mean), labels beside arrows, a ruler, and how the mouse moves the probe.
+/// All text in the view, drawn by Qt on a transparent sheet above the picture: the legend (colours
+/// and lengths), labels beside arrows, a ruler, and how the mouse moves the probe.
 class HintView : public QWidget {
  public:
   explicit HintView(QWidget* parent);
@@ -52,13 +52,13 @@ class HintView : public QWidget {
   /// A column of colours at the right; none where there are no colours.
   void set_scale(ColourScale scale);
 
-  /// Parts of the view with no legend, ruler, banner or hint in them: below the legend, and beside
-  /// it. The banner's place counts, banner or not.
+  /// The parts of the view without legend, ruler, banner or hint: below the legend, and beside it.
+  /// The banner's place counts, whether or not there is a banner.
   std::vector<QRectF> clear_areas() const;
 
   static QString pause_banner();
 
-  /// What no menu lists, as "keys" and "what it does".
+  /// The keys that no menu lists, as "keys" and "what it does".
   static const std::vector<std::pair<QString, QString>>& keys();
 
  protected:

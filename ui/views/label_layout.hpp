@@ -8,15 +8,15 @@
 
 namespace sonde::ui {
 
-/// A label to be placed: beside the point it is about, and off the line it belongs to.
+/// A label to place beside its point, and off its line.
 struct LabelToPlace {
   QPointF at;
   QSizeF size;
   QPolygonF stroke{};  ///< an arrow or an arc on screen; no label may lie on it
 };
 
-/// A box for each label, inside the view: beside its point, clear of what is taken, of all strokes,
-/// and of the labels before it. Where there is no such place near, the one that covers least.
+/// A box for each label, inside the view: beside its point, clear of taken parts, of all strokes,
+/// and of the labels before it. Where there is no such place nearby, the one that covers least.
 std::vector<QRectF> place_labels(const std::vector<LabelToPlace>& labels,
                                  const std::vector<QRectF>& taken, const QSizeF& view);
 

@@ -10,20 +10,20 @@
 
 namespace sonde::ui {
 
-/// A point that was picked on a body, with which it moves.
+/// A picked point on a body; it moves with the body.
 struct MeasuredPoint {
   bool on_probe = false;
   Vec3 x = Vec3::Zero();  ///< in that body's mesh frame, m
   double gap = 0;         ///< to the other body when it was picked, m
 };
 
-/// Points that were picked: of one, where it is and how far from the other body; of two, how far
-/// apart they are.
+/// The picked points. For one: where it is and how far from the other body. For two: their
+/// distance.
 class MeasureView : public Overlay {
  public:
   static constexpr std::size_t most = 2;
   MeasureView(vtkRenderer& renderer, GlyphShapes& shapes);
-  /// Beyond two, it begins anew.
+  /// After two points it starts over.
   void add(const MeasuredPoint& point);
   void clear() { points_.clear(); }
   const std::vector<MeasuredPoint>& points() const { return points_; }

@@ -12,7 +12,7 @@
 
 namespace sonde::ui {
 
-/// What one picture shows. Everything is in the fixed body's mesh frame, metres.
+/// The content of one picture. Everything is in the fixed body's mesh frame, metres.
 struct Frame {
   const Snapshot& snapshot;
   const MassProperties& mass;  ///< the probe's
@@ -22,8 +22,8 @@ struct Frame {
   const BackgroundResult* searched = nullptr;  ///< of this device pose; null: not yet
 };
 
-/// Text that belongs to a point of the scene, and the line that leads there: an arrow, an arc. With
-/// no text, the line alone: no other label may lie on it.
+/// Text at a point of the scene, and the line that leads there: an arrow, an arc. Without text, the
+/// line alone: no other label may lie on it.
 struct Label {
   Vec3 at;
   QString text;
@@ -31,8 +31,8 @@ struct Label {
   std::vector<Vec3> stroke{};
 };
 
-/// Something drawn from a snapshot. Its actors are made once and hidden while there is nothing to
-/// show.
+/// Draws something from a snapshot. It makes its actors once and hides them while there is nothing
+/// to show.
 class Overlay {
  public:
   Overlay() = default;

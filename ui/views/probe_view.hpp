@@ -25,7 +25,7 @@ class ProbeView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// The separated probe, a translucent ghost; it may swing from the device pose to there.
+/// The separated probe as a translucent ghost; it may swing between the device pose and its own.
 class GhostView : public Overlay {
  public:
   GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
@@ -38,8 +38,8 @@ class GhostView : public Overlay {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// A way out that was searched for: the probe there, with its depth beside it, in a shape of its
-/// own besides its colour.
+/// A way out that a search found: the probe there, with its depth beside it. It differs by shape,
+/// besides its colour.
 class FoundView : public Overlay {
  public:
   enum class Shape {
@@ -62,8 +62,8 @@ class FoundView : public Overlay {
   QColor colour_;
 };
 
-/// An actor for a body of that colour. Of a solid the back faces are left out: they are never seen,
-/// cost half of the drawing on software GL, and would be a second layer of a ghost.
+/// An actor for a body of that colour. For a solid it leaves out the back faces: they are never
+/// seen, cost half of the drawing on software GL, and would be a second layer of a ghost.
 vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface,
                                      const QColor& colour, bool solid);
 

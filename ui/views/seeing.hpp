@@ -8,7 +8,7 @@ namespace sonde::ui {
 /// How a body is drawn.
 enum class Look { opaque, xray, wireframe, hidden };
 
-/// A plane beyond which bodies are not drawn: on the side that its normal points to.
+/// A plane that cuts bodies: the side that its normal points to is not drawn.
 struct CutPlane {
   bool on = false;
   bool fixed = true;  ///< cuts the fixed body
@@ -18,7 +18,7 @@ struct CutPlane {
   bool cuts_away(const Vec3& x) const { return on && (x - point).dot(normal) > 0; }
 };
 
-/// What is done to the picture to see inside.
+/// The settings for seeing inside.
 struct Seeing {
   Look probe = Look::opaque, fixed = Look::opaque;
   CutPlane cut;

@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace sonde::ui {
 
-/// A soup as VTK draws it: smooth where it is smooth, sharp at edges above 35°. Takes a while for a
-/// large mesh: call it in a worker.
+/// A soup as VTK draws it: smooth, with sharp edges above 35°. Slow for a large mesh: call it in a
+/// worker.
 vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup);
 
 }  // namespace sonde::ui

@@ -13,7 +13,7 @@ class vtkRenderer;
 
 namespace sonde::ui {
 
-/// Where the probe's centre of mass has been in the last seconds: at the hand, and as held.
+/// The path of the probe's centre of mass in the last seconds: at the hand, and as held.
 class TrailView : public Overlay {
  public:
   explicit TrailView(vtkRenderer& renderer);

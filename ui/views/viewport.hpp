@@ -21,7 +21,7 @@
 
 namespace sonde::ui {
 
-/// What can be shown or hidden in the view.
+/// The layers of the view that can be shown or hidden.
 enum class Layer {
   ghost,
   screw,
@@ -39,20 +39,20 @@ enum class Layer {
   measures,  ///< points that were picked
 };
 
-/// A point of a body that is seen in the picture.
+/// A point of a body that is visible in the picture.
 struct Pick {
   bool on_probe = false;
   Vec3 x;  ///< in that body's mesh frame, m
 };
 
-/// How near the bodies are to each other, to be painted on them.
+/// The gaps between the bodies, to paint on them.
 struct Gaps {
   GapField probe, fixed;
   Pose separated;    ///< X_FM of the probe whose gaps they are
   double reach = 0;  ///< m, of the last colour
 };
 
-/// What a picture is to be like that goes to a file.
+/// The settings of a picture for a file.
 struct PictureOptions {
   QSize size{1920, 1080};    ///< pixels
   bool transparent = false;  ///< no background
@@ -67,11 +67,11 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Takes the bodies of a new session and turns the camera to them, unless that is to stay.
+  /// Takes the bodies of a new session and turns the camera to them, unless the camera should stay.
   void show_session(const DrawnSession& drawn, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
-  /// Draws one picture. `swing`: where the ghost is on its way, 1 where it has arrived.
+  /// Draws one picture. `swing`: position of the ghost on its way, 1 at its end.
   void draw(const Instant& now, double swing);
 
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
@@ -92,8 +92,8 @@ class Viewport : public QWidget {
   std::optional<Handles> cut_handles() const;
   /// Marks the contact of that cluster; 0: none.
   void choose_contact(std::uint64_t id);
-  /// The nearest point of a body at a place in the view, in Qt's pixels: not of what is hidden or
-  /// cut away.
+  /// The nearest point of a body at a place in the view, in Qt's pixels; not on hidden or cut-away
+  /// parts.
   std::optional<Pick> pick(QPointF at) const;
   void add_measured(const MeasuredPoint& point);
   void clear_measured();
@@ -105,20 +105,20 @@ class Viewport : public QWidget {
   void look(const CameraPlace& place);
   void fit();
   double metres_per_pixel(const Vec3& at) const;
-  /// Where a point of the scene is in the view, in Qt's pixels from the upper left.
+  /// The place of a point of the scene in the view, in Qt's pixels from the upper left.
   QPointF on_screen(const Vec3& point) const;
 
   /// The widget that receives mouse and keyboard.
   QWidget* canvas() const;
   /// The picture as drawn by OpenGL, with no text.
   QImage picture() const;
-  /// One of any size, of which no side may be larger than that; null where there is nothing to
-  /// draw, or no room for it. The window's own picture stays as it is.
+  /// A picture of any size, with a limit for each side; null where there is nothing to draw, or no
+  /// room for it. The window's own picture stays as it is.
   QImage picture(const Instant& now, const PictureOptions& options);
   static constexpr int largest_picture = 16'384;  ///< pixels: OpenGL's limit where Mesa draws
-  /// What OpenGL has to offer: to be made the default before there is an application.
+  /// The required format of OpenGL; make it the default before there is an application.
   static QSurfaceFormat surface_format();
-  /// The class of window VTK makes on this machine, for the test that it can draw at all.
+  /// The class of window that VTK makes on this machine, for the test that it can draw at all.
   static const char* window_class();
 
  protected:

@@ -8,8 +8,8 @@
 
 namespace sonde::ui {
 
-/// What shows the lower bound: a point deep in the two bodies together, and a ball about it, as
-/// three rings. Whatever the motion that separates them, the probe's point comes out of that ball.
+/// The witness of the lower bound: a point deep in both bodies together, and a ball about it, drawn
+/// as three rings. Whatever motion separates the bodies, the probe's point leaves that ball.
 class WitnessView : public Overlay {
  public:
   WitnessView(vtkRenderer& renderer, GlyphShapes& shapes);

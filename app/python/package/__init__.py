@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How deep two polygon soups are in each other: generalized penetration depth over NumPy arrays.
+"""Generalized penetration depth of two polygon soups, over NumPy arrays.
 
 >>> probe, fixed = sonde.Body.read("spoon.ply"), sonde.Body.read("cup.ply")
 >>> sonde.depth(probe, fixed, [0, 0, 0.03, 1, 0, 0, 0]).depth

@@ -7,9 +7,10 @@
 
 namespace sonde {
 
-/// The coupling from tick to tick: it remembers the separation before for the rates of the classic
-/// mode. They are backward differences of the separation, which is zero out of contact. There are
-/// none after a reset, a failed tick or a jump: the separation before belongs to another contact.
+/// The coupling from tick to tick. It remembers the previous separation for the rates of the
+/// classic mode. The rates are backward differences of the separation, which is zero out of
+/// contact. There are none after a reset, a failed tick or a jump: the previous separation then
+/// belongs to another contact.
 class Coupler {
  public:
   Coupler(const MassProperties& mass, const Coupling& coupling)
@@ -18,13 +19,13 @@ class Coupler {
   void set_coupling(const Coupling& coupling) noexcept {
     blend_ = {.now = coupling, .before = coupling};
   }
-  /// On the way from one mode to another.
+  /// For a change from one mode to another.
   void set_coupling(const GainGlide::Blend& blend) noexcept { blend_ = blend; }
   const Coupling& coupling() const noexcept { return blend_.now; }
-  /// The next separation has nothing to do with the one before.
+  /// The next separation has nothing to do with the previous one.
   void forget() noexcept { has_motion_ = false; }
-  /// The wrench of the next separation, within the limits of the coupling; zero where it failed.
-  /// dt in s since the last one; 0 where that is not known, and then nothing is damped.
+  /// The wrench of the next separation, within the limits of the coupling; zero where it failed. dt
+  /// is the time since the last one, s; 0 where it is not known, and then there is no damping.
   Wrench wrench(const Separation& separation, double dt) noexcept;
 
  private:

@@ -29,7 +29,7 @@ struct Wrench {
 
 // Not of the public face from here on (engine/sonde.hpp).
 
-/// The separation from O to Q in the terms of the coupling.
+/// The separation from O to Q as the classic coupling uses it.
 struct SeparationMotion {
   Vec3 t = Vec3::Zero();      ///< displacement of the centre of mass, fixed frame, m
   Vec3 theta = Vec3::Zero();  ///< rotation vector from O to Q, fixed frame, rad
@@ -43,7 +43,7 @@ Wrench object_norm_wrench(const MassProperties& mass, const Pose& X_FO, const Po
 Wrench classic_wrench(const SeparationMotion& now, const Vec3& t_rate, const Vec3& theta_rate,
                       const Coupling& coupling);
 
-/// Scales force and torque, each on its own and keeping its direction, down to the device's limits.
+/// Scales force and torque separately down to the device's limits, and keeps their directions.
 Wrench limit(const Wrench& wrench, double max_force, double max_torque);
 
 }  // namespace sonde

@@ -7,17 +7,17 @@
 
 namespace sonde {
 
-/// Gains on their way to those that were asked for: at one contact the force is a multiple of the
-/// gains, so gains that jump would knock at the hand. Stiffness, damping, and limits that rise go
-/// in a straight line over `time`; limits that fall do so at once. The gains of another mode mean
-/// something else: there the wrench is to go, in the same time, from that of the mode before to
-/// that of the new one. What is asked for on that way waits for its end, all but limits that fall.
+/// Moves the gains smoothly to their new values. In a contact the force is a multiple of the gains,
+/// so gains that jump would knock at the hand. Stiffness, damping, and limits that rise move in a
+/// straight line over `time`; limits that fall act at once. The gains of another mode have another
+/// meaning: there the wrench moves, in the same time, from the wrench of the old mode to that of
+/// the new one. Changes during that time wait for its end, except limits that fall.
 class GainGlide {
  public:
   struct Blend {
     Coupling now;      ///< limits included
-    Coupling before;   ///< of the mode before; to be had where share < 1
-    double share = 1;  ///< of `now` in the wrench
+    Coupling before;   ///< gains of the old mode; valid where share < 1
+    double share = 1;  ///< share of `now` in the wrench
   };
 
   /// `time` in s; zero: no glide.
@@ -26,7 +26,7 @@ class GainGlide {
 
   /// Without a glide.
   void restart(const Coupling& coupling) noexcept;
-  /// From the gains of now on; the newest wins.
+  /// Starts a glide from the present gains; the newest call wins.
   void set(const Coupling& wanted) noexcept;
   /// The gains dt (s) later.
   const Blend& next(double dt) noexcept;
@@ -35,10 +35,10 @@ class GainGlide {
   void blend(double share) noexcept;
 
   double time_;
-  double since_ = 0;  ///< s, of the glide
+  double since_ = 0;  ///< s since the glide began
   bool there_ = true;
   Coupling from_, to_;
-  std::optional<Coupling> next_;  ///< the newest asked for on the way to another mode
+  std::optional<Coupling> next_;  ///< the newest change that waits for the end of a change of mode
   Blend blend_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace sonde {
 
-/// Holds the probe exactly where it is told, and feels nothing: the mouse with no device between.
+/// Holds the probe exactly at its target, and feels nothing: the mouse without a device.
 class DirectHand {
  public:
   explicit DirectHand(const Pose& X_FM) : targets_(X_FM) {}

@@ -9,25 +9,25 @@
 
 namespace sonde {
 
-/// What is known of the device in the hand, as felt at the probe.
+/// Known properties of the device in the hand, as felt at the probe.
 struct DeviceTraits {
   double damping = 0;  ///< N·s/m, of the mechanism
   double delay = 0;    ///< s, from command to motors
-  /// Of the probe's way to the hand's, at most; 0: no hand that can be thrown.
+  /// Largest ratio of the probe's displacement to the hand's; 0: there is no hand to throw.
   double ratio = 1;
-  double turn_ratio = 1;  ///< the same of its turn
-  // The most virtual damping that its driver bears; 0: not known.
+  double turn_ratio = 1;  ///< the same for rotation
+  // The largest virtual damping that its driver allows; 0: not known.
   double max_damping = 0;             ///< N·s/m
   double max_rotational_damping = 0;  ///< N·m·s/rad
 };
 
-/// What a hand wants of the probe at one tick.
+/// What a hand asks of the probe at one tick.
 struct HandSample {
   Pose X_FM;             ///< the probe's mesh frame in the fixed body's
   bool held = true;      ///< false: the clutch is open; the probe stays, and there is no force
-  bool trusted = true;   ///< false: the pose is old or cannot be true; there is no force
-  bool changed = false;  ///< another hand, or other axes of it: no force in this tick
-  std::optional<DeviceTraits> device = {};  ///< none: nothing is known of it
+  bool trusted = true;   ///< false: the pose is old or impossible; there is no force
+  bool changed = false;  ///< another hand, or other axes of the same: no force in this tick
+  std::optional<DeviceTraits> device = {};  ///< none: unknown device
 };
 
 /// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.

@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// Changes the hand under a running servo. The servo never frees one: a hand that was replaced is
-/// kept until it has let go of it.
+/// Changes the hand of a running servo. The servo never frees a hand: the switch keeps a replaced
+/// hand until the servo no longer uses it.
 class HandSwitch {
  public:
   /// The pointers own whatever the hand's functions need.
@@ -18,15 +18,15 @@ class HandSwitch {
   HandSwitch(const HandSwitch&) = delete;
   HandSwitch& operator=(const HandSwitch&) = delete;
 
-  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, and is `changed`
-  /// where another held before; its last wrench is zero. This object must outlive the servo.
+  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, and is `changed` if
+  /// another hand held before; its last wrench is zero. This object must outlive the servo.
   Hand hand();
 
   // From one other thread.
-  /// A paused hand is not asked: its pose stays. Resumed, it gets dt = 0.
+  /// A paused hand is not sampled: its pose stays. After the pause it gets dt = 0.
   void set_paused(bool paused) { paused_.store(paused, std::memory_order_relaxed); }
   void set(std::shared_ptr<const Hand> next);
-  /// Frees the hands that the servo has let go of. To be called now and then.
+  /// Frees the hands that the servo no longer uses. Call it now and then.
   void sweep();
   std::size_t kept() const { return kept_.size(); }
 

@@ -9,74 +9,74 @@
 
 namespace sonde {
 
-/// What the handle and the hand are in one kind of motion, the same along every axis: its three
-/// translations (units on the left) or its three rotations (on the right).
+/// Parameters of the handle and the hand in one kind of motion, the same along every axis: its
+/// three translations (units on the left) or its three rotations (on the right).
 struct HandleMotion {
-  double inertia = 0.1;       ///< kg | kg·m²: what the hand has to move; above zero
+  double inertia = 0.1;       ///< kg | kg·m²: what the hand moves; above zero
   double damping = 0;         ///< N·s/m | N·m·s/rad, of the mechanism
   double friction = 0;        ///< N | N·m, Coulomb's, of the mechanism
   double resolution = 0;      ///< m | rad, one step of the encoders; 0: exact
-  double limit = 10;          ///< N | N·m, the most the motors give
-  double hand_stiffness = 0;  ///< N/m | N·m/rad, from the handle to where the hand wants it
+  double limit = 10;          ///< N | N·m, largest output of the motors
+  double hand_stiffness = 0;  ///< N/m | N·m/rad, from the handle to the hand's target
   double hand_damping = 0;    ///< N·s/m | N·m·s/rad, against the hand's own motion
-  /// N·s/m | N·m·s/rad, virtual, that the driver bears; 0: not known. For those who choose gains:
-  /// the motion does not depend on it.
+  /// N·s/m | N·m·s/rad, the largest virtual damping that the driver allows; 0: not known. It helps
+  /// to choose gains; the motion does not depend on it.
   double most_virtual_damping = 0;
 };
 
 struct SimulatedDeviceParameters {
   HandleMotion translation{.hand_stiffness = 300, .hand_damping = 5};
   HandleMotion rotation{.inertia = 5e-5, .limit = 0.5, .hand_stiffness = 0.5, .hand_damping = 0.01};
-  double delay = 0;  ///< s from command to motors, also between samples; up to 64 samples
+  double delay = 0;  ///< s from command to motors, also fractions of a sample; up to 64 samples
 };
 
-/// The handle as it is, not as the encoders see it.
+/// The true state of the handle, not the encoders' reading.
 struct HandleState {
   Pose X_WD;                     ///< m
   Vec3 velocity = Vec3::Zero();  ///< of the handle's origin, m/s
   Vec3 spin = Vec3::Zero();      ///< rad/s, in W
 };
 
-/// A haptic device with a hand on it, to run the loop without either: a rigid handle, driven by
-/// motors that hold the last command between samples, and by a hand that is a spring and a damper
-/// from the handle to a target. No gravity (devices compensate it).
+/// Simulates a haptic device with a hand on it, to run the loop without either: a rigid handle,
+/// driven by motors that hold the last command between samples, and by a hand that is a spring and
+/// a damper from the handle to a target. There is no gravity (devices compensate it).
 ///
 ///     m ẍ + b ẋ = f + k_h (x_h − x) + b_h (ẋ_h − ẋ) − friction
 ///
-/// and the same for rotations, whose spring acts on the rotation vector from handle to target. f is
-/// constant between samples, x_h moves in a straight line (and turns about one axis). Between
-/// samples this is solved exactly by the matrix exponential, so no gain, the hand's included, is
-/// too high for the *simulation*: what buzzes here would buzz in the hand. Two things are not exact
-/// but get better with the rate: Coulomb friction, constant over a step and never more than what
-/// stops the handle by its end (a handle at rest stays, exactly, below the limit of friction); and
-/// a rotation whose axis changes, which loses a little energy.
+/// Rotations follow the same equation; their spring acts on the rotation vector from handle to
+/// target. f is constant between samples, and x_h moves in a straight line (and turns about one
+/// axis). The matrix exponential solves this exactly between samples. So no gain, the hand's
+/// included, is too high for the *simulation*: what buzzes here would buzz in the hand. Two things
+/// are not exact but become more accurate with the rate. Coulomb friction is constant over a step
+/// and never more than the force that stops the handle by its end (a handle at rest stays, exactly,
+/// below the limit of friction). A rotation whose axis changes loses a little energy.
 ///
 /// Same input, same bits.
 class SimulatedDevice {
  public:
   static constexpr std::size_t most_samples_late = 64;
 
-  /// `sample_time` in s. At rest at X_WD, the hand with it. Allocates. Throws std::invalid_argument
-  /// for what no device has: an inertia or a sample time that is not above zero, another number
-  /// below zero or not finite, a delay of more than 64 samples, a hand so stiff that it swings more
-  /// than a hundred times in one sample.
+  /// `sample_time` in s. The handle starts at rest at X_WD, with the hand there. Allocates. Throws
+  /// std::invalid_argument for parameters that no device has: an inertia or a sample time that is
+  /// not above zero, another number below zero or not finite, a delay of more than 64 samples, a
+  /// hand so stiff that it swings more than a hundred times in one sample.
   SimulatedDevice(const SimulatedDeviceParameters& parameters, double sample_time,
                   const Pose& X_WD = {});
 
-  /// At rest at X_WD, the hand with it, no command on its way.
+  /// At rest at X_WD, with the hand there and no pending command.
   void reset(const Pose& X_WD) noexcept { reset(X_WD, X_WD); }
   /// The same with the hand at X_WH.
   void reset(const Pose& X_WD, const Pose& X_WH) noexcept;
-  /// From this sample to the next: `command` is the wrench on the hand, in W, about the handle's
-  /// origin, cut to the motors' limits; X_WH is where the hand wants the handle by the next sample.
-  /// `push` is a wrench that the hand gives beside its spring, constant until then, at once.
-  /// No allocation, lock, log, throw.
+  /// Advances from this sample to the next. `command` is the wrench on the hand, in W, about the
+  /// handle's origin, cut to the motors' limits. X_WH is where the hand wants the handle by the
+  /// next sample. `push` is a wrench that the hand gives beside its spring, constant until then, at
+  /// once. No allocation, lock, log, throw.
   void step(const Wrench& command, const Pose& X_WH, const Wrench& push = {}) noexcept;
 
-  /// What the encoders say: coordinates, and those of the rotation vector, rounded to their step.
+  /// The encoders' reading: coordinates, and those of the rotation vector, rounded to their step.
   Pose measured() const noexcept;
   const HandleState& state() const noexcept { return state_; }
-  /// What the motors give at the end of the last step: late and cut to their limits.
+  /// Output of the motors at the end of the last step: delayed and cut to their limits.
   const Wrench& motors() const noexcept { return motors_; }
 
  private:

@@ -8,12 +8,12 @@
 namespace sonde {
 
 /// A simulated device that holds the probe, in a hand that follows a target (the mouse). Its handle
-/// is the probe's centre of mass, in a workspace that is `scaling` times smaller than the scene: as
-/// with a device, the handle gets `scaling` times the force, so that the hand does the work that is
-/// done on the probe.
+/// is the probe's centre of mass, in a workspace that is `scaling` times smaller than the scene. As
+/// with a real device, the handle gets `scaling` times the force, so that the hand does the work
+/// that is done on the probe.
 ///
-/// Its time is counted in ticks, each as long as the servo's period should be: one that comes late
-/// slows the simulation down, it does not shake it.
+/// Its time is counted in ticks, each as long as the nominal period of the servo. A late tick slows
+/// the simulation down; it does not make it shake.
 class SimulatedHand {
  public:
   /// `period` of the servo in s; the probe at X_FM, com its centre of mass in its mesh frame.
@@ -27,9 +27,9 @@ class SimulatedHand {
   Hand hand();
 
   // From one other thread; they act on the next tick.
-  /// Where the mouse wants the probe.
+  /// The probe pose that the mouse asks for.
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
-  /// The handle and the hand are at rest there.
+  /// Puts the handle and the hand at rest there.
   void place(const Pose& X_FM) { places_.write(X_FM); }
   void set_scaling(double scaling) { scalings_.write(scaling); }
 
@@ -42,7 +42,7 @@ class SimulatedHand {
   double scaling_;
   DeviceTraits traits_;  ///< at the handle
   Vec3 com_;
-  double share_;  ///< of the way to the target that the hand goes in a tick
+  double share_;  ///< share of the way to the target that the hand goes in a tick
   SimulatedDevice device_;
   Pose hand_;  ///< X_FM where the hand is
   Wrench command_;

@@ -16,29 +16,31 @@ struct FoundWay {
   Pose separated;
 };
 
-/// What is too slow for a tick, computed for the newest pose in a thread of its own, only while
-/// wanted.
+/// The result of computations that are too slow for a tick. A separate thread does them for the
+/// newest pose, only while someone asks.
 struct BackgroundResult {
-  Pose device;                        ///< the pose it is about
-  std::optional<FoundWay> nearest;    ///< the nearest that either search found: PD_g's upper bound
-  std::optional<FoundWay> pdt;        ///< without a turn; none where the search failed
-  std::optional<double> lower_bound;  ///< of √PD_g, m
+  Pose device;  ///< the pose that was searched
+  std::optional<FoundWay>
+      nearest;                  ///< the nearest that either search found: an upper bound of PD_g
+  std::optional<FoundWay> pdt;  ///< without a turn; none where the search failed
+  std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   double time_us = 0;
 };
 
-/// What the global search says of a separated pose that was followed to, from the same device pose.
+/// How a separated pose that the loop followed compares with the global search from the same device
+/// pose.
 enum class WayOut {
-  unknown,         ///< it answered for another pose, or not at all
-  nearest,         ///< it knows of no nearer one
-  nearer_blocked,  ///< there is a nearer one, but not from where the probe came
-  free_blocked,    ///< the device pose itself is free, and the way to it is blocked
+  unknown,         ///< the search answered for another pose, or not at all
+  nearest,         ///< the search knows no nearer pose
+  nearer_blocked,  ///< there is a nearer pose, but no free path to it from where the probe came
+  free_blocked,    ///< the device pose itself is free, but the path to it is blocked
 };
 WayOut way_out(const Separation& followed, const BackgroundResult& search);
-/// In a sentence, for the window; "" where there is nothing to say.
+/// A sentence for the window; "" where there is nothing to say.
 const char* words(WayOut way);
 
-/// A thread that searches for the ways out of the newest pose asked about.
+/// A thread that searches for the ways out of the newest requested pose.
 class BackgroundSearch {
  public:
   explicit BackgroundSearch(const Pair& pair);

@@ -9,18 +9,18 @@
 
 namespace sonde {
 
-/// The geometry's part of the decoupled loop, with no thread and no clock: follows the device with
-/// the coherent solver, and gathers the rows of all that is near the separated pose, whether the
-/// probe touches it or not. How near follows from the room for rows: as far as the pairs of
-/// triangles are not too many. Where there is no room for all, those are kept first that would hold
-/// the probe at other device poses round about; a flat contact has more rows than any number that
-/// is kept, and what is nearest may be one corner of it.
+/// The geometry's part of the decoupled loop, with no thread and no clock. It follows the device
+/// with the coherent solver, and gathers rows for everything near the separated pose, touched or
+/// not. The room for rows decides how near: as far as the pairs of triangles are not too many.
+/// Where there is no room for all rows, it first keeps those that would hold the probe at other
+/// device poses nearby. A flat contact has more rows than any limit, and the nearest may all belong
+/// to one corner of it.
 class ContactFeed {
  public:
   ContactFeed(const Pair& pair, Method method);
 
-  /// First pose: free, or a static search (by this feed's method), whose answer is remembered for
-  /// the next time that the loop begins there. Allocates.
+  /// The first pose: free, or a static search (by this feed's method). It remembers the result for
+  /// the next start at this pose. Allocates.
   const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
   /// The next device pose, taken in a tick of the servo at a time of its clock, s. No allocation,
   /// lock, log, throw.
@@ -31,8 +31,8 @@ class ContactFeed {
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather() noexcept;
-  /// Marks the rows that would hold the probe if the device went elsewhere: on as it goes, or by
-  /// `far` (m, for a point at the probe's radius) any of twelve ways.
+  /// Marks the rows that would hold the probe if the device moved elsewhere: further along its
+  /// motion, or by `far` (m, for a point at the probe's radius) in any of twelve directions.
   void mark_support(double far) noexcept;
   void mark_holding(const Pose& device) noexcept;
 
@@ -43,7 +43,7 @@ class ContactFeed {
   LocalContacts contacts_;
   Pose last_device_;
   std::vector<bool> marked_;  ///< of the rows near by
-  /// What was found by the last search that was needed.
+  /// The result of the last search.
   std::optional<Separation> searched_;
 };
 

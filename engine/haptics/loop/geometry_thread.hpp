@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// Refreshes the contact rows for the newest device pose as fast as it can, in a thread of its own.
-/// Poses asked about while it is busy are passed over, but for the newest.
+/// Refreshes the contact rows for the newest device pose as fast as it can, in its own thread. Of
+/// the poses that arrive while it is busy, it takes only the newest.
 class GeometryThread {
  public:
   GeometryThread(const Pair& pair, Method method, const Budget& budget, bool real_time = false);
@@ -19,12 +19,11 @@ class GeometryThread {
   GeometryThread(const GeometryThread&) = delete;
   GeometryThread& operator=(const GeometryThread&) = delete;
 
-  /// Begins at X_FM (searches where the probe overlaps there: can take a while).
+  /// Begins at X_FM. Where the probe overlaps there, it searches, which can take a while.
   void start(const Pose& X_FM);
-  void stop();  ///< when the refresh it is at has ended
+  void stop();  ///< after the present refresh has ended
 
-  // One other thread's, the servo's: neither allocates, locks or waits.
-  /// The device pose of a tick of the servo, at a time of its clock, s.
+  // For one other thread, the servo: neither allocates, locks or waits.
   void ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept;
   /// The newest rows, valid until the next call.
   const LocalContacts& newest() noexcept;

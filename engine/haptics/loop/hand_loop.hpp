@@ -11,22 +11,22 @@
 
 namespace sonde {
 
-/// Of the contact rows that a tick used.
+/// The contact rows that a tick used.
 struct RowsUsed {
   std::uint64_t age_ticks = 0;  ///< since the tick whose device pose they are about
   double age = 0;               ///< the same, s
-  bool in_step = false;         ///< of the tick before or younger: the geometry keeps up
+  bool in_step = false;         ///< of the previous tick or younger: the geometry keeps up
   bool held_back = false;       ///< they did not reach to the device pose (see LocalAnswer)
   double reach = 0;             ///< m
   double refresh_us = 0;        ///< time the geometry took to make them
-  Pose separated;               ///< the geometry's last separated pose: reached swept free
+  Pose separated;  ///< the geometry's last separated pose, reached along a path swept free
 };
 
-/// What a tick did besides the separation and the wrench.
+/// What a tick computed besides the separation and the wrench.
 struct HandState {
-  Wrench asked;  ///< what the coupling asks for, within its limits; the hand may get less
+  Wrench asked;  ///< the coupling's wrench, within its limits; the hand may get less
   Withheld withheld = Withheld::nothing;
-  double share = 0;     ///< of the force that the ramp lets by
+  double share = 0;     ///< share of the force that the ramp lets through
   bool slewed = false;  ///< a slew limit acted
   bool held = true;     ///< false: the clutch is open
   HandEnergy energy;
@@ -45,14 +45,14 @@ struct HandLoopSettings {
   PassivitySettings passivity;
 };
 
-/// The servo's part of the decoupled loop, with no thread and no clock: the newest rows of the
-/// geometry, moved to the newest device pose; the coupling; what keeps the hand safe.
+/// The servo's part of the decoupled loop, with no thread and no clock: it moves the geometry's
+/// newest rows to the newest device pose, applies the coupling, and keeps the hand safe.
 class HandLoop {
  public:
   HandLoop(const MassProperties& mass, Method method, const Coupling& coupling,
            const HandLoopSettings& settings);
 
-  /// Begins at X_FM: the force comes in from zero.
+  /// Begins at X_FM; the force rises from zero.
   void restart(const Pose& X_FM) noexcept;
   void set_coupling(const Coupling& coupling) noexcept { coupler_.set_coupling(coupling); }
   void set_coupling(const GainGlide::Blend& blend) noexcept { coupler_.set_coupling(blend); }
@@ -65,23 +65,24 @@ class HandLoop {
     double now = 0;  ///< s, on the clock of the rows
     double dt = 0;   ///< s since the last tick; 0 where that is not known
   };
-  /// `why`: what withholds the force from outside. No allocation, lock, log, throw.
+  /// `why`: an outside reason to withhold the force. No allocation, lock, log, throw.
   const HandTick& tick(const HandSample& sample, const LocalContacts& contacts, const Clock& clock,
                        Withheld why) noexcept;
-  /// A tick in which nothing is computed: the hand gets nothing, and the next force comes in from
-  /// zero. The rows have aged meanwhile, which is no fault of the geometry: until it has answered
-  /// since, within its time, the reason stays.
+  /// A tick without computation: the hand gets nothing, and the next force rises from zero. The
+  /// rows age meanwhile, which is no fault of the geometry. So the reason stays until the geometry
+  /// has answered since, within its time.
   const HandTick& rest(Withheld why) noexcept;
 
   const HandTick& last() const noexcept { return out_; }
-  /// The newest trusted device pose: what the geometry is to be asked about.
+  /// The newest trusted device pose, to be passed to the geometry.
   const Pose& device() const noexcept { return X_FM_; }
 
  private:
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
                  const Clock& clock) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
-  /// Has the geometry's answer not converged, and may its force be off by more than is allowed?
+  /// True if the geometry's answer has not converged and its force may be off by more than is
+  /// allowed.
   bool unsettled(const Separation& found) const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
@@ -99,7 +100,7 @@ class HandLoop {
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the rows before
   bool resting_ = false;               ///< the last tick was one of rest
-  Withheld rest_ = Withheld::nothing;  ///< why it rested last
+  Withheld rest_ = Withheld::nothing;  ///< reason of the last rest
   double resumed_ = 0;                 ///< s, the first tick after that
   HandTick out_;
 };

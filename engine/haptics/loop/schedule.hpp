@@ -10,9 +10,10 @@ struct Schedule {
   std::int64_t period = 1'000'000;
   std::int64_t due = 0;  ///< of the tick now running, or of the next one
 
-  /// The tick that was due has ended: was it past its deadline, which is the next one's start?
-  /// Moves on to the next. One lost period is made up for; after a longer delay the schedule starts
-  /// again from now, for a burst of ticks would feed the hand a stale motion in fast forward.
+  /// Ends the tick that was due and moves on to the next. Returns whether the tick was past its
+  /// deadline, which is the next one's start. One lost period is made up for. After a longer delay
+  /// the schedule starts again from now, because a burst of ticks would feed the hand an old motion
+  /// in fast forward.
   bool finish(std::int64_t now) {
     due += period;
     const bool late = now > due;
@@ -24,7 +25,7 @@ struct Schedule {
 /// Ticks per second, over windows of 100 ms.
 class RateMeter {
  public:
-  /// A tick began. Until the first window is full, the rate is of what there is of it.
+  /// A tick began. Until the first window is full, the rate is that of the ticks so far.
   void tick(std::int64_t now) {
     if (ticks_++ == 0) {
       begin_ = now;

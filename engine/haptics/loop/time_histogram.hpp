@@ -9,14 +9,15 @@
 
 namespace sonde {
 
-/// How often times of each length came: bins of equal ratio, from 0.1 µs to 1 s, forty in a decade
-/// (6 % wide). Plain data, no allocation.
+/// Counts of times by length, in bins of equal ratio, from 0.1 µs to 1 s, forty in a decade (6 %
+/// wide). Plain data, no allocation.
 struct TimeHistogram {
   static constexpr int per_decade = 40;
   static constexpr int bins = 7 * per_decade;
   static constexpr double shortest = 0.1;  ///< µs
 
-  std::array<std::uint32_t, bins> counts{};  ///< in the first and the last, all beyond
+  std::array<std::uint32_t, bins>
+      counts{};  ///< the first and the last bin also count what lies beyond
   std::uint64_t total = 0;
   double largest = 0;  ///< µs
 
@@ -29,7 +30,8 @@ struct TimeHistogram {
   /// µs: the upper edge of bin i.
   static double edge(int i) noexcept { return shortest * std::pow(10, (i + 1.0) / per_decade); }
   /// µs that the given share (0 to 1) of the times did not exceed: the edge of its bin, so never
-  /// too low, and at most 6 % too high; the largest itself where that is lower. 0: none yet.
+  /// too low, and at most 6 % too high; the largest time where that is lower. 0 where there are no
+  /// times yet.
   double quantile(double share) const noexcept {
     if (total == 0) return 0;
     const double wanted = std::ceil(share * static_cast<double>(total));

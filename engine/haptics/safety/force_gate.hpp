@@ -7,12 +7,12 @@ namespace sonde {
 
 /// Why there is no force on the hand.
 enum class Withheld {
-  nothing,     ///< there is, where the probe is in contact
-  stopped,     ///< asked for, by Esc
+  nothing,     ///< there is a force where the probe is in contact
+  stopped,     ///< the user pressed Esc
   paused,      ///< the loop computes nothing
   let_go,      ///< the clutch is open
-  changed,     ///< what holds the probe, or how, is another than before
-  untrusted,   ///< the device is gone, or says what cannot be true
+  changed,     ///< another hand holds the probe, or in another way
+  untrusted,   ///< the device is gone, or reports something impossible
   not_finite,  ///< the device pose, or a force, is no number
   failed,      ///< no separated pose was found
   stalled,     ///< the geometry has not answered for too long
@@ -20,7 +20,7 @@ enum class Withheld {
   diverged,    ///< the force threw the hand, which is still in contact or fast
   shut_down,   ///< the loop has ended
 };
-/// In a few words, for the window and the log.
+/// A few words for the window and the log.
 const char* words(Withheld why);
 
 struct SafetySettings {
@@ -28,33 +28,36 @@ struct SafetySettings {
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
   double stalled_after = 0.02;  ///< s, age of the rows
-  /// N, that the force of an answer which has not converged may be off by; 0: any. About a tenth of
-  /// what a small device gives at most; chosen, not measured.
+  /// N; the force of an answer that has not converged may be off by this much; 0: any. About a
+  /// tenth of the largest force of a small device; chosen, not measured.
   double force_error = 0.3;
-  double fade_time = 0.05;   ///< s, for the whole force to go where it may be off by more
+  double fade_time = 0.05;   ///< s, for the whole force to fade where it may be off by more
   double runaway_speed = 2;  ///< m/s of the hand under a force, see Runaway; 0: no limit
   /// rad/s of the hand under a wrench; 0: no limit. Chosen, not measured: five turns a second.
   double runaway_turn = 30;
 };
 
-/// The last that a wrench passes on its way to the hand. It comes in from zero after a start, and
-/// after anything that withheld it; changes no faster than its slew limits; stays below the limits
-/// of the device; and is zero, at once, while it is withheld, but where the answer has not
-/// converged: one tick of that is no reason to let go of a wall, so the force fades. The ramp runs
-/// only while there is a force to give: a contact made long after a fault comes in slowly too.
+/// The last check of a wrench on its way to the hand. The force rises from zero after a start, and
+/// after anything that withheld it. It changes no faster than its slew limits, and stays below the
+/// limits of the device. It is zero at once while it is withheld. One exception: where the answer
+/// has not converged, the force fades, because one such tick is no reason to let go of a wall. The
+/// ramp runs only while there is a force to give: a contact made long after a fault also rises
+/// slowly.
 class ForceGate {
  public:
   explicit ForceGate(const SafetySettings& settings = {}) : settings_(settings) {}
 
-  /// The wrench that may be rendered, of the one that is wanted; dt in s since the last one. A
-  /// wanted wrench that is not finite is withheld.
+  /// The wrench to render, given the wanted one; dt in s since the last one. A wanted wrench that
+  /// is not finite is withheld.
   Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
               double dt) noexcept;
-  void restart() noexcept;  ///< the next force comes in from zero
+  void restart() noexcept;  ///< the next force rises from zero
 
   Withheld withheld() const noexcept { return withheld_; }  ///< of the last wrench
-  double share() const noexcept { return share_; }          ///< of the force that the ramp lets by
-  bool slewed() const noexcept { return slewed_; }          ///< a slew limit acted
+  double share() const noexcept {
+    return share_;
+  }  ///< share of the force that the ramp lets through
+  bool slewed() const noexcept { return slewed_; }  ///< a slew limit acted
 
  private:
   SafetySettings settings_;

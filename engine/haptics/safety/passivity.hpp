@@ -13,13 +13,14 @@
 namespace sonde {
 
 struct PassivitySettings {
-  bool control = false;       ///< take out of the hand's motion what the loop has put in
-  double max_damping = 5;     ///< N·s/m, the most the controller may damp with
-  double device_damping = 0;  ///< N·s/m, of the mechanism: what it takes out by itself, at least
+  bool control = false;       ///< take the energy that the loop has added out of the hand's motion
+  double max_damping = 5;     ///< N·s/m, the largest damping of the controller
+  double device_damping = 0;  ///< N·s/m, of the mechanism: at least this much leaves by itself
   double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most
 };
 
-/// What the loop has done to the hand, by the wrenches rendered and the poses sampled.
+/// The energy that the loop has given to the hand, from the rendered wrenches and the sampled
+/// poses.
 struct HandEnergy {
   double given = 0;  ///< J, net work on the hand since the start; a passive wall gives none
   double excess =
@@ -28,28 +29,30 @@ struct HandEnergy {
   double damping = 0;     ///< N·s/m, of the controller in this tick
 };
 
-/// Observes the energy that passes to the hand, always, and can hold it down: time-domain passivity
-/// by Hannaford and Ryu (2002). The force is held between two samples, so its work is exact,
+/// Observes the energy that passes to the hand, always, and can limit it: time-domain passivity by
+/// Hannaford and Ryu (2002). The force is held between two samples, so its work is exact,
 ///
 ///     W_k = W_{k−1} + F_{k−1}·(x_k − x_{k−1}) + τ_{k−1}·θ_k,
 ///
-/// with x the probe's centre of mass and θ the rotation vector of its turn; a device's delay is
-/// known, and the wrench that acted is taken. A virtual wall stores no energy when the hand has
-/// left it, so W ≤ 0 then, whoever holds the device. What a contact gave in excess of that is
-/// damped away in the object norm: F −= α v, τ −= α Î ω, with α as large as it takes, and not above
-/// what the device bears. What one contact took does not allow the next one to give.
+/// with x the probe's centre of mass and θ the rotation vector of its turn. Where a device's delay
+/// is known, the wrench is the one that acted. A virtual wall stores no energy after the hand has
+/// left it, so then W ≤ 0 if the wall is passive, whoever holds the device. The controller damps
+/// away what a contact gave in excess, in the object norm: F −= α v, τ −= α Î ω, with α as large as
+/// necessary and not above what the device bears. The energy that one contact took does not allow
+/// the next one to give.
 class Passivity {
  public:
   Passivity(const MassProperties& mass, const PassivitySettings& settings, double period);
 
-  /// What is known of the device, from the next pose on: instead of the settings'. None: those.
+  /// The device's properties from the next pose on; they replace the settings'. None: the
+  /// settings'.
   void set_device(const std::optional<DeviceTraits>& device) noexcept;
   void set_control(bool on) noexcept { settings_.control = on; }
   void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
   void restart(const Pose& X_FM) noexcept;
-  /// The pose of this tick: what the last wrench did. dt in s since the last one.
+  /// The pose of this tick, which shows the effect of the last wrench. dt in s since the last one.
   void observe(const Pose& X_FM, double dt) noexcept;
-  /// The wrench wanted, damped where the controller is on. To be followed by rendered().
+  /// The wanted wrench, damped where the controller is on. Call rendered() afterwards.
   Wrench control(const Wrench& wanted) noexcept;
   /// The wrench that went to the hand in this tick.
   void rendered(const Wrench& wrench) noexcept;

@@ -5,18 +5,18 @@
 
 namespace sonde {
 
-/// Sees a loop that diverges, by what it does: it throws the hand. A force is limited to what the
-/// device can, so a loop that is unstable in the small only buzzes, which is felt and shown, and is
-/// not this; but one whose force feeds the motion (a device that tells its pose wrong, a gain far
-/// beyond the stable) takes the handle faster than a hand goes that feels something. The makers'
-/// own drivers end the force in the same case.
+/// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to what
+/// the device can. So a loop that is slightly unstable only buzzes, which one feels and sees; this
+/// class does not react to it. But a loop whose force feeds the motion (a device that reports its
+/// pose wrong, a gain far beyond the stable one) moves the handle faster than a hand that feels
+/// something moves. The makers' own drivers end the force in the same case.
 ///
-/// A torque throws it as a force does: the way and the turn are watched each with its own limit.
-/// The velocities are averaged over some 20 ms, as vectors: swings, the grid of an encoder and a
+/// A torque throws the handle as a force does, so displacement and turn each have a limit. The
+/// velocities are averaged over some 20 ms, as vectors: oscillations, the grid of an encoder and a
 /// device slower than the servo do not add up.
 class Runaway {
  public:
-  /// Of the hand: m/s, and rad/s. 0: nothing is too fast.
+  /// Limits of the hand: m/s, and rad/s. 0: no limit.
   explicit Runaway(double fastest, double fastest_turn = 0)
       : fastest_(fastest), fastest_turn_(fastest_turn) {
     restart();
@@ -24,15 +24,15 @@ class Runaway {
 
   /// Another hand, or another scene.
   void restart() noexcept;
-  /// What comes next is no neighbour of what was. What has been seen is not forgotten: a handle
-  /// that is thrown is soon where its device is not to be trusted.
+  /// The next sample is not continuous with the last. What has been seen is not forgotten: a handle
+  /// that is thrown is soon where its device is not trusted.
   void lose_track() noexcept;
-  /// The way (m) and the turn (rad, a rotation vector) of the hand in the dt (s) since the last
-  /// call; did a wrench act on it?
+  /// The displacement (m) and the turn (rad, a rotation vector) of the hand in the dt (s) since the
+  /// last call, and whether a wrench acted on it.
   void observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept;
-  /// Out of contact: a hand that is slow again is held.
+  /// The probe is out of contact: a hand that is slow again counts as held.
   void release() noexcept;
-  /// Too fast under a force, or just after it, and not held since.
+  /// True if the hand was too fast under a force, or just after it, and not held since.
   bool seen() const noexcept { return seen_; }
 
  private:

@@ -8,9 +8,9 @@
 
 namespace sonde {
 
-/// A few points, apart from each other, that lie deep in both bodies at the device pose: from where
-/// triangles meet, from corners, and between two solids from a cover of where they overlap. Some
-/// 250 evaluations. Empty where none of positive depth was found. Allocates.
+/// A few points, apart from each other, that lie deep in both bodies at the device pose. They come
+/// from where triangles meet, from corners, and, between two solids, from a cover of their overlap.
+/// Takes some 250 evaluations. Empty where no point has a positive depth. Allocates.
 std::vector<CommonPoint> deep_points(const CommonDepth& depth, const Deadline& deadline);
 
 }  // namespace sonde

@@ -9,31 +9,31 @@
 namespace sonde {
 
 struct BoundOptions {
-  /// Counted work, the same bits for the same work: a cell of rotations is 1, a point's depth in
-  /// both bodies is 10. It ends before that where half as much again raised the bound by less
-  /// than 2 %. The more, the nearer to what can be shown by one point at a time
+  /// Counted work; the same work gives the same bits. A cell of rotations counts 1, a point's depth
+  /// in both bodies 10. The search ends earlier where half as much again raised the bound by less
+  /// than 2 %. More work brings the bound nearer to what one point at a time can prove
   /// (resources/docs/understand/penetration.md has the trade).
   int work = 20'000;
 };
 
-/// A certified lower bound of the depth √PD_g of probe A at X_FM against B, metres, rounded down;
-/// no value where both bodies are surfaces. A point that lies a deep in A and b deep in B (negative
-/// outside) must be displaced by a + b, whatever the motion. Rotations are covered by cells, and in
-/// each the point that helps most says how far the centre of mass must go besides. 0 where no point
-/// is found in both (or not before the deadline).
+/// A certified lower bound of the depth √PD_g of probe A at X_FM against B, metres, rounded down.
+/// No value where both bodies are surfaces. A point that lies a deep in A and b deep in B (negative
+/// outside) must be displaced by a + b, whatever the motion. Cells cover the rotations. In each
+/// cell, the most useful point says how far the centre of mass must go besides. 0 where no point
+/// lies in both bodies (or none was found before the deadline).
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
                                         const Deadline& deadline = {},
                                         const BoundOptions& options = {});
 
-/// What shows most of a bound by itself: a point that lies deep in the two bodies together, at the
-/// pose asked about; it may lie outside the one, so much deeper in the other. The probe's point
-/// there must be moved by `depth`, whatever the motion that separates them.
+/// The point that proves most of a bound by itself, at the given pose. Its depths in the two bodies
+/// are added; it may lie outside one and so much deeper in the other. Whatever motion separates the
+/// bodies, it must displace the probe's point there by `depth`.
 struct BoundWitness {
   Vec3 at = Vec3::Zero();  ///< in the fixed body's mesh frame, m
-  double depth = 0;        ///< how deep it lies in the two bodies together, m
+  double depth = 0;        ///< sum of its depths in the two bodies, m
 };
 struct LowerBound {
-  double depth = 0;                          ///< as of depth_lower_bound, m
+  double depth = 0;                          ///< as from depth_lower_bound, m
   std::optional<BoundWitness> witness = {};  ///< none where no such point was found
 };
 /// The same bound with its witness.

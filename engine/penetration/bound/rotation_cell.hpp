@@ -7,12 +7,12 @@
 
 namespace sonde {
 
-/// A box of rotations. Every unit quaternion, up to its sign, has a largest component (w, x, y, z)
-/// that is positive; divided by it the other three lie within ±1 (the face of a cube in four
-/// dimensions). Turns by 180° are as regular there as any, and what a box of them can do to a point
-/// is bounded exactly.
+/// A box of rotations. Every unit quaternion, up to its sign, has a positive largest component (w,
+/// x, y, z). Divided by it, the other three lie within ±1 (the face of a cube in four dimensions).
+/// Turns by 180° are as regular there as any other, and the effect of a box of them on a point has
+/// an exact bound.
 struct RotationCell {
-  /// A lower bound, and a quaternion of the cell (not of unit length) that comes near to it.
+  /// A lower bound, and a quaternion of the cell (not of unit length) whose value is near it.
   struct Least {
     double bound;
     Eigen::Vector4d at;
@@ -26,9 +26,9 @@ struct RotationCell {
   /// The least 4 vᵀÎv of the cell, v the vector part of its unit quaternions; m², for an inertia Î
   /// (principal, ascending) in m².
   double least_cost(const Vec3& inertia) const;
-  /// A lower bound of qᵀSq / qᵀq over the cell's quaternions q, for a symmetric S; what it gives
-  /// away falls with the square of the cell's size. `guess`, a quaternion near the least, makes it
-  /// tighter. Rounded down.
+  /// A lower bound of qᵀSq / qᵀq over the cell's quaternions q, for a symmetric S. Its slack falls
+  /// with the square of the cell's size. `guess`, a quaternion near the least, makes it tighter.
+  /// Rounded down.
   Least least_quotient(const Eigen::Matrix4d& S, const Eigen::Vector4d& guess) const;
   /// About how much 4 vᵀÎv changes from the middle to the side across one component.
   double cost_along(int component, const Vec3& inertia) const;

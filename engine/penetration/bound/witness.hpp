@@ -5,40 +5,42 @@
 
 namespace sonde {
 
-/// What shows that two bodies overlap, and by how much: a point r of the probe with a ball about it
-/// that belongs to the probe, and a point p with a ball about it that belongs to the fixed body. As
-/// long as the motion of the probe leaves r nearer to p than the sum of the radii, they overlap. A
-/// radius may be negative: then a point of the body is no further away than that. The frame is that
-/// of the probe's principal axes at its device pose, the origin its centre of mass there.
+/// Proof that two bodies overlap, and by how much: a point r of the probe with a ball about it that
+/// belongs to the probe, and a point p with a ball about it that belongs to the fixed body. While
+/// the motion of the probe leaves r nearer to p than the sum of the radii, the bodies overlap. A
+/// radius may be negative: then a point of the body is at most that far away. The frame has the
+/// axes of the probe's principal axes at its device pose, and its origin at the centre of mass
+/// there.
 struct Witness {
   Vec3 r;
   Vec3 p;
   double depth;  ///< sum of the radii, rounded down, m
 };
 
-/// A point of both bodies, the probe being turned by R about its centre of mass.
+/// A point of both bodies, with the probe turned by R about its centre of mass.
 struct CommonPoint {
   Vec3 x;           ///< in the frame of Witness, m
   Vec3 r;           ///< Rᵀ x, the point of the probe
-  double a, b;      ///< how deep it lies in the probe and in the fixed body, rounded down, m
-  Vec3 up_a, up_b;  ///< unit: where these grow
+  double a, b;      ///< its depths in the probe and in the fixed body, rounded down, m
+  Vec3 up_a, up_b;  ///< unit; the directions in which these depths grow
   double depth() const { return a + b; }
   Vec3 up() const { return up_a + up_b; }
   Witness witness() const { return {r, x, a + b}; }
 };
 
-/// How deep points lie in a probe and in a fixed body: their distance from its triangles, negative
-/// outside, and everywhere where the body is a surface. Each changes by no more than the point is
-/// moved by, so what is deep in both must be moved by the sum, wherever the probe goes.
+/// The depths of points in a probe and in a fixed body: the distance from the body's triangles,
+/// negative outside, and negative everywhere where the body is a surface. Each depth changes by no
+/// more than the point moves. So a point that is deep in both must be moved by the sum, wherever
+/// the probe goes.
 class CommonDepth {
  public:
   CommonDepth(const Body& probe, const Body& fixed, const Pose& X_FM);
 
   CommonPoint at(const Mat3& R, const Vec3& x) const;
-  /// The same from a point near by (at the same R), which may tell the side.
+  /// The same, given a result at a point near by (at the same R), which may decide the side.
   CommonPoint at(const Mat3& R, const Vec3& x, const CommonPoint& known) const;
-  /// A deeper point, uphill from one with strides of about so much (m), by so many evaluations;
-  /// three times as many as long as none of positive depth is found.
+  /// A deeper point, uphill from `start` with strides of about `stride` (m), by `evaluations`
+  /// evaluations; three times as many as long as no depth is positive.
   CommonPoint ascend(const Mat3& R, const CommonPoint& start, double stride, int evaluations) const;
 
   const Body& probe() const { return probe_; }

@@ -8,7 +8,7 @@
 
 namespace sonde {
 
-/// The corners of the part of two triangles that lies over one another, seen along a direction.
+/// The corners of the overlap of two triangles, seen along a direction.
 struct FaceOverlap {
   std::array<Contact, 9> corners;
   int size = 0;
@@ -17,9 +17,9 @@ struct FaceOverlap {
 };
 
 /// Where two triangles lie nearly flat on each other, their closest points are one pair of many,
-/// and a turn brings others together: the gap along `normal` (from B to A) is linear over the
-/// face_overlap, so its corners say all of it. Empty where B is seen edge on, or where nothing
-/// overlaps.
+/// and a turn brings other pairs together. The gap along `normal` (from B to A) is linear over the
+/// overlap, so the corners of the overlap describe all of it. Empty where B is seen edge on, or
+/// where nothing overlaps.
 FaceOverlap face_overlap(const Corners& a, const Corners& b, const Vec3& normal);
 
 }  // namespace sonde

@@ -24,14 +24,14 @@ struct LeastDistance {
   bool feasible = true;  ///< false: the half-spaces have no common point (y is of no use)
 };
 
-/// min |y|² subject to the rows, by the dual active-set method of Goldfarb and Idnani (1983), which
-/// for the identity as Hessian starts at the origin and adds the row most violated. At most six
-/// rows are active. Violations below `tolerance` (in the unit of bound) are let stand. Never
-/// allocates.
+/// min |y|² subject to the rows, by the dual active-set method of Goldfarb and Idnani (1983). With
+/// the identity as Hessian it starts at the origin and adds the most violated row, until no row is
+/// violated. At most six rows are active. It accepts violations below `tolerance` (in the unit of
+/// bound). Never allocates.
 ///
-/// `start`: rows that are thought to hold the answer, as they did that of a problem much like this
-/// one. Where they are independent and all push, the search begins there instead of at the origin;
-/// the answer is the same to rounding, and the sooner found the fewer of them were wrong.
+/// `start`: rows that probably hold the answer, because they held that of a similar problem. Where
+/// they are independent and all push, the search begins there instead of at the origin. The answer
+/// is the same to rounding, and comes sooner the fewer of them were wrong.
 LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
                              std::span<const int> start = {});
 

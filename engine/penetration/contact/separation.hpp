@@ -21,7 +21,7 @@ struct Contact {
   double multiplier = 0;         ///< λ ≥ 0 in metres: y = Jᵀλ at the optimum
 };
 
-/// The contacts that carry the separation (positive multiplier): at most six independent rows.
+/// The contacts that hold the separated pose (positive multiplier): at most six independent rows.
 struct ContactSet {
   static constexpr int capacity = 8;
   std::array<Contact, capacity> items;
@@ -36,16 +36,16 @@ struct ContactSet {
   }
 };
 
-/// Contacts at one place, as the one wrench that they add up to (contact_clusters.hpp).
+/// Contacts at one place, with the one wrench that they add up to (contact_clusters.hpp).
 struct ContactCluster {
-  /// The representative: its normal is that of the resultant force, its multiplier λ the force's
-  /// size, m, its points the centre of pressure.
+  /// The representative contact. Its normal is that of the resultant force, its multiplier λ the
+  /// size of that force in metres, its points the centre of pressure.
   Contact contact;
   /// The couple about the normal per force, m: 0 where the normals are parallel. The cluster's row
-  /// is J = (r × n + pitch n, n) in the weights of y, and y = Jᵀλ over the clusters as well.
+  /// is J = (r × n + pitch n, n) in the weights of y, and y = Jᵀλ also holds over the clusters.
   double pitch = 0;
-  int rows = 0;          ///< contacts it is made of
-  std::uint64_t id = 0;  ///< the same from tick to tick; 0 where nothing is followed
+  int rows = 0;          ///< number of contacts in it
+  std::uint64_t id = 0;  ///< the same from tick to tick; 0 in a static result
 };
 
 /// At most as many as there are contacts.
@@ -64,12 +64,12 @@ struct ContactClusters {
 struct Separation {
   Status status = Status::failed;
   const char* reason = "";  ///< why it failed; static text
-  Pose device;              ///< O, the pose asked about
+  Pose device;              ///< O, the given pose
   Pose separated;           ///< Q, verified free; equals O where the status is separated
   double sigma = 0;         ///< σ(O, Q), m²: mean squared displacement of the probe's points
   double depth = 0;         ///< √σ, m
-  double translation = 0;  ///< |t|, the part of √σ that is displacement of the centre of mass, m
-  double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ that is rotation, m
+  double translation = 0;  ///< |t|, the part of √σ from the displacement of the centre of mass, m
+  double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ from the rotation, m
   ContactSet contacts;
   ContactClusters clusters;  ///< of the contacts
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
@@ -78,18 +78,19 @@ struct Separation {
   /// Steps that were cut short by a limit on rows, on looks at them or on fruitless steps: of a
   /// tick, or of all descents of a search. What it ends with is verified all the same.
   int limited = 0;
-  /// Coherent only. After a reset: Q came from a search, not along a path. In a tick: the way swept
-  /// free led over an edge to another place, the depth fell by more than the device moved (by
-  /// translation only: than any point of it did); force is not continuous there.
+  /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
+  /// In a tick, the path swept free led over an edge to another place, and the depth fell by more
+  /// than the device moved (with translation only: by more than any point of the device moved).
   bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
-  /// Static only: the translational depth found on the way, m; none where the time ran out before.
+  /// Static only: the translational depth that the search found on the way, m. None if the time ran
+  /// out before that.
   std::optional<double> pdt;
 };
 
-/// Work allowed to one query: 0 means no limit of that kind. `steps` counts iterations of the local
-/// optimiser and `work` the units of Effort that a tick may spend (the same bits on every machine);
-/// `microseconds` is wall-clock.
+/// The work that one query may do; 0 means no limit of that kind. `steps` counts iterations of the
+/// local optimiser, and `work` the units of Effort of a tick (both give the same bits on every
+/// machine). `microseconds` is wall-clock time.
 struct Budget {
   int steps = 0;
   double microseconds = 0;

@@ -9,9 +9,9 @@
 
 namespace sonde {
 
-/// Follows the separated pose of a moving probe: each tick's Q is reached from the last along a
-/// path swept free, on which σ to the new device pose never rises, and ends at a KKT point (or at
-/// the end of the budget, and says so).
+/// Follows the separated pose of a moving probe. Each tick reaches its Q from the last one along a
+/// path swept free, on which σ to the new device pose never rises. The path ends at a KKT point, or
+/// where the budget ends; the result says which.
 class CoherentSolver {
  public:
   explicit CoherentSolver(const Pair& pair, Method method = Method::pdg);
@@ -19,12 +19,12 @@ class CoherentSolver {
   CoherentSolver(CoherentSolver&&) noexcept;
   CoherentSolver& operator=(CoherentSolver&&) noexcept;
 
-  /// Starts at X_FM: free there, or a static search where the probe overlaps. Allocates; not for
-  /// the servo thread. The result is marked as jumped where a search was needed.
+  /// Starts at X_FM: there if the probe is free, otherwise where a static search ends; then the
+  /// result is marked as jumped. Allocates; not for the servo thread.
   const Separation& reset(const Pose& X_FM, const StaticOptions& options = {});
 
-  /// The next device pose. Never allocates, locks, logs or throws. Before the first reset the
-  /// result is failed; a pose that is not finite is refused (failed) and changes nothing.
+  /// Follows to the next device pose. Never allocates, locks, logs or throws. Before the first
+  /// reset the result is failed. A pose that is not finite is refused (failed) and changes nothing.
   const Separation& tick(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
   const Separation& last() const;

@@ -8,23 +8,23 @@ namespace sonde {
 struct Body;
 struct Sketches;
 
-/// The two bodies of a search, a probe A that moves and a fixed body B, with what searches know of
-/// them both: their sketches (proximity/sketch/sketch.hpp). Immutable; copies share it, and any
-/// number of threads may use it at once.
+/// The two bodies of a search, a moving probe A and a fixed body B, with their sketches, which
+/// guide searches (proximity/sketch/sketch.hpp). Immutable. Copies share the bodies and sketches,
+/// and any number of threads may use a pair at once.
 class Pair {
  public:
   /// Makes the sketches, on two threads: 10 to 50 ms on meshes of up to 30 k triangles, 0.2 s on
-  /// two of 4 M. So it belongs where the bodies are loaded. Throws std::invalid_argument where a
+  /// two of 4 M. So make a pair where you load the bodies. Throws std::invalid_argument where a
   /// body is missing.
   Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed);
-  // Nothing moves from a pair: there is none without bodies.
+  // There is no move: a moved-from pair would have no bodies.
   Pair(const Pair&) noexcept = default;
   Pair& operator=(const Pair&) noexcept = default;
   ~Pair() = default;
 
   const Body& probe() const noexcept { return *probe_; }
   const Body& fixed() const noexcept { return *fixed_; }
-  /// None where both bodies are surfaces, or one is too small or too large for them.
+  /// Empty where both bodies are surfaces, or where one is too small or too large for a sketch.
   const Sketches& sketches() const noexcept { return *sketches_; }
 
  private:

@@ -19,10 +19,10 @@ namespace sonde {
 struct SketchEnd {
   Vec6 y;
   double depth = 0;  ///< |y|, m
-  int starts = 1;    ///< how many came there
-  double from = 0;   ///< |y| of where the first began, m
-  /// m, for who asks for the ends: what a descent of the bodies from there came to. Negative: none
-  /// was made.
+  int starts = 1;    ///< number of starts that ended there
+  double from = 0;   ///< |y| where the first of them began, m
+  /// The depth that a descent of the bodies from here reached, m; the caller sets it. Negative:
+  /// there was none.
   double came_to = -1;
 };
 
@@ -31,10 +31,10 @@ struct SketchGoal {
   Method method = Method::pdg;
   std::uint64_t seed = 1;
   Deadline deadline = {};
-  /// Along which random displacements are drawn: those of the fixed body, where the search is not
-  /// to depend on how the world is turned.
+  /// Axes of the random displacements: those of the fixed body make the search independent of how
+  /// the world is turned.
   Mat3 axes = Mat3::Identity();
-  /// m: what ends above is given up.
+  /// m: the search gives up descents that would end above this.
   double beat = std::numeric_limits<double>::infinity();
 };
 

@@ -20,41 +20,41 @@ struct Aim {
   const LocalOptima* known = nullptr;  ///< where it is not worth while to come down again
 };
 
-/// The kinds of starts of a search, each made and descended in one of two lanes. A place says by
-/// its `starts` whether it was come to independently of what had been found before.
+/// The kinds of starts of a search, each made and descended in one of two lanes. The `starts` of a
+/// result says whether the descent was independent of earlier results.
 class Starts {
  public:
   Starts(const Pair& pair, const Chart& chart, const Deadline& before,
          const SearchTuning& tuning = search_tuning);
 
   SearchWorker& lane(std::size_t k) { return lanes_[k]; }
-  /// One for each lane; or none, where the pair has no sketches.
+  /// One for each lane; empty where the pair has no sketches.
   std::vector<SketchDescent>& sketched() { return sketched_; }
   const std::vector<SketchDescent>& sketched() const { return sketched_; }
   int limited() const;
 
-  /// From the nearest free pose of ever larger balls, with so many tries in each: where there is a
-  /// way out close by, it is in it, also in a tangle that nothing from outside finds its way into.
+  /// From the nearest free pose: random poses of ever larger balls, `tries` in each. This finds a
+  /// way out close by, even in a tangle that no start from outside gets into.
   LocalOptimum near(Random random, int tries, const Aim& aim, std::size_t lane);
-  /// From where the sketches are apart, or near by.
+  /// From a pose where the sketches are apart, or near it.
   LocalOptimum sketched(const SketchEnd& end, const Aim& aim, std::size_t lane);
-  /// Out of the overlap at y by the triangles that meet there, and down.
+  /// Out of the overlap at y, pushed apart by the triangles that meet there, and then down.
   LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
-  /// From a random overlap within so much, m.
+  /// From a random overlap within `radius`, m.
   LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
-  /// From a random free pose of a ball of so much of the best depth, or a larger one.
+  /// From a random free pose of a ball of `width` times the best depth, or of a larger one.
   LocalOptimum far(double width, Random random, const Aim& aim, std::size_t lane);
-  /// From a random free pose about an end: where there are many the better ones lie together.
+  /// From a random free pose about an end: where there are many ends, the better ones lie together.
   LocalOptimum about(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
-  /// The k-th of a round of random starts: from a random free pose of a ball somewhat larger than
-  /// the best depth so far, or every other turn, where there is an inside to come out of, from an
-  /// overlap; and most from near the best ends, since where there are many the better ones lie
-  /// together.
+  /// The k-th start of a round of random starts. Most start near the best ends, because where there
+  /// are many, the better ones lie together. Others start from a random free pose of a ball
+  /// somewhat larger than the best depth so far; every other turn, where there is an inside to come
+  /// out of, they start from an overlap instead.
   static constexpr std::size_t per_round = 8;
   LocalOptimum random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends, Random random,
                       const Aim& aim, std::size_t lane);
-  /// From outside to contact along the line of the middles (k 0 and 1), and along the fixed body's
-  /// axes (up to 7), by translation: there is always a free pose.
+  /// From outside to contact by translation, along the line of the middles (k 0 and 1) and along
+  /// the fixed body's axes (up to 7). This always finds a free pose.
   LocalOptimum outside(std::size_t k, const Aim& aim, std::size_t lane);
 
  private:

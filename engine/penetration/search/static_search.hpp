@@ -8,20 +8,21 @@
 
 namespace sonde {
 
-/// What a static search is asked for.
+/// The options of a static search.
 struct StaticOptions {
   Method method = Method::pdg;
-  Budget budget;           ///< its steps and microseconds; none: until it has converged
-  std::uint64_t seed = 1;  ///< of the random starts; any number
-  int starts = 384;  ///< random free starts at most; fewer where the same depth is found repeatedly
-  int agreement = 12;  ///< so many starts that ended at the best depth (to 2 %) are enough
-  /// Also enough: sketches of the bodies that leave no doubt, or starts from all that they show.
-  /// False: as many starts as above, or the agreement, whatever sketches say.
+  Budget budget;           ///< `steps` and `microseconds` apply; none: until converged
+  std::uint64_t seed = 1;  ///< seed of the random starts; any number
+  int starts = 384;    ///< at most; fewer random free starts where the same depth is found again
+  int agreement = 12;  ///< this many starts that end at the best depth (to 2 %) are enough
+  /// Also stop where the sketches of the bodies leave no doubt, or where the search has descended
+  /// from all places that they show. False: only the two limits above end the search.
   bool by_evidence = true;
-  bool want_lower_bound = true;  ///< also; there is none where both bodies are surfaces
-  /// Of a budget of time: kept for the bound. 0: it gets what the search leaves.
+  bool want_lower_bound = true;  ///< compute the lower bound too; two surfaces have none
+  /// The share of a budget of time that is kept for the bound. 0: the bound gets what the search
+  /// leaves.
   double share_for_bound = 0;
-  bool two_threads = false;  ///< the same bits; where a budget of time is short, one works alone
+  bool two_threads = false;  ///< the same bits; one works alone where a budget of time is short
 };
 
 // Not of the public face from here on (engine/sonde.hpp).

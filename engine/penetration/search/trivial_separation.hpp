@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The answer at poses that need no search: one that is not finite, or so far away that rounding
-/// makes nonsense of it, is refused; one at which the probe is clear of the fixed body, however far
-/// away, or free by the exact test is separated as it is. Nothing where they overlap. The pose is
-/// to have a unit quaternion where it is finite.
+/// The answer at poses that need no search; no value where the bodies overlap. A pose that is not
+/// finite, or so far away that rounding makes it meaningless, is refused. Where the probe is clear
+/// of the fixed body, however far away, or free by the exact test, it is separated as it is.
+/// @pre A finite pose has a unit quaternion.
 std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
                                              const Pose& X_FM);
 

@@ -10,16 +10,16 @@
 
 namespace sonde {
 
-/// What a search may return: the nearest of the poses that were taken to the last digit and stand
-/// the exact test, whatever ends the search.
+/// Keeps the answer that a search may return, whatever ends the search: the nearest of the refined
+/// poses that pass the exact test.
 class Verified {
  public:
   Verified(const Pair& pair, const Chart& chart);
 
-  /// The free pose at y to the last digit, by so many steps at most.
+  /// The free pose at y, refined to the last digit by at most `steps` steps.
   Separation refined(Method method, const Vec6& y, LeapDescent& leaps, int steps,
                      const Deadline& deadline);
-  /// Takes an answer over where it is nearer than the best so far, and free by the exact test.
+  /// Keeps the answer if it is nearer than the best so far and free by the exact test.
   void add(const Separation& answer);
   bool is_free(const Separation& answer) const;
   const std::optional<Separation>& best() const { return best_; }

@@ -18,19 +18,19 @@ struct Distance {
   bool overlapping = false;  ///< triangles meet, or a component lies inside a solid
 };
 
-/// A pair of triangles to begin with: that of the last pose makes the search short.
+/// A first pair of triangles. The pair from the last pose makes the search short.
 struct DistanceHint {
   std::uint32_t triangle_a = 0;
   std::uint32_t triangle_b = 0;
 };
 
-/// Distance of A, placed at X_BA, from B, triangles only: never allocates. Right to about 1e-14 of
-/// the largest coordinate.
+/// Distance of A, placed at X_BA, from B, of triangles only. Accurate to about 1e-14 of the largest
+/// coordinate. Never allocates.
 Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
                            std::optional<DistanceHint> hint = {});
 
-/// As triangle_distance; a component inside a solid counts as overlapping, at distance 0 (the
-/// closest points are those of the triangles all the same).
+/// As triangle_distance, but a component inside a solid counts as overlapping, at distance 0. The
+/// closest points are still those of the triangles.
 Distance distance(const Body& a, const Body& b, const Transform& X_BA,
                   std::optional<DistanceHint> hint = {});
 

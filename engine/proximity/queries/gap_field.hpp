@@ -8,19 +8,21 @@
 
 namespace sonde {
 
-/// The part of a body that another is near to, cut finely enough to be coloured by how near.
+/// The part of a body that is near another body, cut finely enough to colour it by the gap.
 struct GapField {
-  Soup patch;                ///< in the body's mesh frame
-  std::vector<double> gaps;  ///< of the patch's vertices, m from the other's triangles
+  Soup patch;  ///< in the body's mesh frame
+  std::vector<double>
+      gaps;  ///< gap at each vertex of the patch: distance from the other's triangles, m
 };
 
 struct GapOptions {
-  double reach = 0;           ///< m; what is further from the other body is left out
-  double cell = 0;            ///< m; edges of the patch are no longer, while there is room
-  std::size_t most = 60'000;  ///< triangles of the patch: beyond, it is cut no finer
+  double reach = 0;           ///< m; parts further from the other body are left out
+  double cell = 0;            ///< m; largest edge of the patch, while there is room
+  std::size_t most = 60'000;  ///< limit of the patch's triangles; at the limit it is cut no finer
 };
 
-/// X_OM is the pose of the body's mesh frame in the other's. Empty where `stop` says so meanwhile.
+/// X_OM is the pose of the body's mesh frame in the other's. Empty if `stop` returns true
+/// meanwhile.
 GapField gap_field(const Body& body, const Body& other, const Pose& X_OM, const GapOptions& options,
                    const std::function<bool()>& stop = {});
 

@@ -5,11 +5,12 @@
 
 namespace sonde {
 
-/// What a pair of triangles in doubt counts as: decided by exact predicates (may allocate), or
-/// taken as contact (never allocates; errs on the side of contact).
+/// How to treat a pair of triangles in doubt: decide by exact predicates (may allocate), or take it
+/// as contact (never allocates; errs on the side of contact).
 enum class Doubt { exact, contact };
 
-/// Does any triangle of A, placed at X_BA, meet or touch one of B? First hit.
+/// Returns whether any triangle of A, placed at X_BA, meets or touches one of B. Stops at the
+/// first.
 bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt);
 
 /// triangles_meet, or a connected component of either lies inside the other where that is a solid.

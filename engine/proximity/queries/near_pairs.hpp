@@ -22,13 +22,13 @@ struct NearPair {
 
 struct NearPairs {
   std::size_t count = 0;  ///< pairs written
-  double reach = 0;       ///< every pair nearer than this was written; negative: no statement
+  double reach = 0;       ///< every pair nearer than this was written; negative: unknown
 };
 
-/// All pairs at a distance of at most `reach`, in the order of the walk, written to `out`; where
-/// they do not fit, the farther ones are dropped and the reach returned is the smaller one that
-/// holds. Pairs that meet are left out: they have no normal. `out` must hold at least two. Never
-/// allocates. Where the effort runs out nothing is found and nothing stated.
+/// Writes all pairs at a distance of at most `reach` to `out`, in the order of the walk. If they do
+/// not fit, it drops the farther ones and returns the smaller reach for which all pairs are there.
+/// It leaves out pairs that meet, because they have no normal. `out` must hold at least two. Never
+/// allocates. If the effort runs out, it returns no pairs and an unknown reach.
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                      std::span<NearPair> out, Effort& effort);
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,

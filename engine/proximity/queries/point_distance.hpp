@@ -12,14 +12,14 @@ struct PointFrame {
   PlacedPoint point;
   double per_unit;  ///< units per metre
   float scale;      ///< the same
-  float guard;      ///< what rounding may have taken off a distance, or added to it, units
+  float guard;      ///< rounding error of a distance, in units
 };
 
 /// Distance of the point x from the triangles of a body, m; both in its mesh frame. Stops early,
-/// with any value below `enough`, once that is certain. Never allocates.
+/// with any value below `enough`, once it is certainly below. Never allocates.
 double point_distance(const Body& body, const Vec3& x, double enough = 0);
 
-/// The same, with the point of the triangles that is nearest.
+/// The same, with the nearest point of the triangles.
 struct NearestPoint {
   double distance;  ///< m
   Vec3 point;       ///< mesh frame

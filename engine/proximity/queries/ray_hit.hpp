@@ -14,9 +14,9 @@ struct RayHit {
   std::uint32_t triangle = 0;
 };
 
-/// Where a ray first meets the triangles of a soup, from either side, of the places that count (all
-/// where nothing is given). Everything is in the soup's frame; the direction is unit. It looks at
-/// every triangle: for a person's click, not for a tick.
+/// The first place where a ray meets the triangles of a soup, from either side, among the accepted
+/// places (all where no filter is given). Everything is in the soup's frame; the direction is a
+/// unit vector. It tests every triangle, so it is for a user's click, not for a tick.
 std::optional<RayHit> ray_hit(const Soup& soup, const Vec3& from, const Vec3& direction,
                               const std::function<bool(const Vec3&)>& counts = {});
 

@@ -10,14 +10,14 @@
 
 namespace sonde {
 
-/// A pair of triangles that is too near, or meets, at a pose that is thought of.
+/// A pair of triangles that is too near, or meets, at a tried pose.
 struct Violation {
   std::uint32_t triangle_a, triangle_b;
   double gap;  ///< m; at most 0 where they meet
 };
 
-/// Pairs nearer than `least` (m) at X, or meeting, as they are found: as many as `out` holds, in
-/// which case there may be more. Returns how many. Never allocates.
+/// Writes pairs that are nearer than `least` (m) at X, or meet, in the order in which it finds
+/// them. If `out` is full, there may be more. Returns their number. Never allocates.
 std::size_t find_violations(const Body& a, const Body& b, const Transform& X_BA, double least,
                             std::span<Violation> out, Effort& effort);
 

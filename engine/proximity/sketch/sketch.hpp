@@ -15,9 +15,9 @@ struct PointGroup {
   std::vector<Quad> points;
 };
 
-/// What a quick search knows of a body: some points of its surface, few or more of them, and where
-/// it is solid how far any point is from it (from a surface, which has no inside, all are far).
-/// Both in its principal axes, the origin at its centre of mass.
+/// A body for quick searches: some points of its surface (a few, or more of them) and, for a solid,
+/// a field with the distance of any point. (A surface has no inside, so every point is far from
+/// it.) Both are in its principal axes, with the origin at its centre of mass.
 struct Sketch {
   std::vector<PointGroup> few, more;
   DistanceField field;
@@ -26,17 +26,17 @@ struct Sketch {
 /// Takes some tens of milliseconds.
 std::shared_ptr<const Sketch> make_sketch(const Body& body);
 
-/// Of a pair of bodies; of use where both are there.
+/// The sketches of a pair of bodies; useful where both are there.
 struct Sketches {
   std::shared_ptr<const Sketch> probe, fixed;
   explicit operator bool() const { return probe && fixed; }
 };
-/// Made once for a pair, on two threads. None where both are surfaces, or either is not between
-/// 1e-12 m and 1e12 m in size.
+/// Makes the sketches of a pair, on two threads. Empty where both bodies are surfaces, or where the
+/// size of one is not between 1e-12 m and 1e12 m.
 Sketches make_sketches(const Body& probe, const Body& fixed);
 
-/// So many points spread over the surface of a body, the corners before what is between, in its
-/// mesh frame; the first few are spread as well as all are.
+/// `count` points spread over the surface of a body, in its mesh frame, corners first. The first
+/// few are spread as well as all of them.
 std::vector<Vec3> spread_points(const Body& body, std::size_t count);
 
 }  // namespace sonde

@@ -29,15 +29,15 @@ struct AnalyticWrenches {
   std::vector<AnalyticTick> ticks;  ///< half-space only: some of the path's, evenly over it
 };
 
-/// At so many ticks of the path at most, where it is known.
+/// At no more than `most_ticks` ticks of the path, where it is known.
 AnalyticWrenches analytic_wrenches(const RenderSetup& setup, std::span<const TimedPose> path,
                                    std::uint64_t seed, std::size_t most_ticks, const Stop& stop);
 
 std::string to_json(const AnalyticWrenches& wrenches);
-/// Throws InputError, naming `source`, where the text is none.
+/// Throws InputError, naming `source`, where the text is not one.
 AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string& source);
 
-/// How far a rendering is from it.
+/// The difference of a rendering from it.
 struct TorqueRealism {
   AnalyticKind kind = AnalyticKind::none;
   std::size_t ticks = 0;  ///< that were compared

@@ -13,23 +13,23 @@
 
 namespace sonde {
 
-/// What `sonde compare` computes: one device path rendered with PD_t (clustered contacts) and with
+/// The input of `sonde compare`: one device path rendered with PD_t (clustered contacts) and with
 /// PD_g, by the same loop and the same coupling.
 struct CompareSetup {
   RenderSetup render;
   std::vector<TimedPose> path = {};
   std::string scene = {};  ///< its name, for titles
-  /// With a device the largest stable stiffness of both is computed too.
+  /// With a device, the study also computes the largest stable stiffness of both.
   std::optional<SimulatedDeviceParameters> device = {};
   double sample_time = 1e-3;  ///< of the device's loop, s
-  std::string inputs = "{}";  ///< JSON object: what tells the input files and the program apart
+  std::string inputs = "{}";  ///< JSON object that identifies the input files and the program
 };
 
 /// The study: a part for each rendering, one for the analytic wrenches, and with a device one for
 /// the largest stable stiffness of each.
 Study compare_study(const CompareSetup& setup);
 
-/// One rendering, measured.
+/// The measures of one rendering.
 struct MethodMeasures {
   double peak_force = 0, peak_torque = 0;            ///< N, N·m
   double force_variation = 0, torque_variation = 0;  ///< total_variation, N and N·m
@@ -44,8 +44,8 @@ struct MethodMeasures {
   int failed_ticks = 0;
   int unconverged_ticks = 0;  ///< blocked, or out of budget
   int saturated_ticks = 0;    ///< beyond a limit of the device
-  /// Total variation over the peak: what is left of it when the force is only larger. 0 where there
-  /// is no force.
+  /// Total variation over the peak, which removes the effect of a larger force. 0 where there is no
+  /// force.
   double force_restlessness() const { return peak_force > 0 ? force_variation / peak_force : 0; }
   double torque_restlessness() const {
     return peak_torque > 0 ? torque_variation / peak_torque : 0;
@@ -61,13 +61,13 @@ struct Comparison {
   MethodMeasures of_pdt, of_pdg;
 };
 
-/// Whether a claim about PD_g is borne out. `same`: within 2 %; `mixed`: one measure says so, the
-/// other the contrary; `none`: there is nothing to tell it by.
+/// Whether a claim about PD_g holds. `same`: within 2 %; `mixed`: one measure confirms it, the
+/// other contradicts it; `none`: there is no measure.
 enum class Verdict { holds, fails, same, mixed, none };
 const char* name_of(Verdict verdict);
 
 /// "PD_g is smoother": by the share of the force's spectrum above 50 Hz and by its total variation;
-/// of the torque likewise. The first does not depend on how large the force is, the second does.
+/// the same for the torque. The first does not depend on the size of the force, the second does.
 Verdict smoother_force(const Comparison& comparison);
 Verdict smoother_torque(const Comparison& comparison);
 /// "PD_g has fewer steps": force steps and torque steps together.
@@ -77,8 +77,8 @@ Verdict better_torque(const Comparison& comparison);
 /// "PD_g pops through less": by the count.
 Verdict fewer_pop_throughs(const Comparison& comparison);
 
-/// What a complete folder of the study comes to; `folder` is for complaints. Throws InputError
-/// where a part is missing or is not what the study writes.
+/// The result of a complete folder of the study; `folder` is for error messages. Throws InputError
+/// where a part is missing or was not written by the study.
 Comparison comparison_of(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -18,8 +18,8 @@ namespace sonde {
 /// The same comparison gives the same bytes.
 std::vector<StudyFile> compare_files(const Comparison& comparison);
 
-/// The same of a complete folder of the study; `folder` is for complaints. Throws InputError where
-/// a part is missing or is not what a study writes.
+/// The same from a complete folder of the study; `folder` is for error messages. Throws InputError
+/// where a part is missing or was not written by a study.
 std::vector<StudyFile> compare_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -17,21 +17,21 @@ using Stop = std::function<bool()>;
 /// A piece of a study that needs nothing of any other piece.
 struct StudyPart {
   std::string name;  ///< of its file: letters, digits, '-', '_' and '.'
-  /// Its result as JSON text: the same bits wherever and whenever it is computed, but for members
-  /// named time_us.
+  /// Its result as JSON text: the same bits wherever and whenever it is computed, except for
+  /// members named time_us.
   std::function<std::string(const Stop& stop)> compute;
 };
 
-/// A long computation as a list of independent parts and what is needed to join their results. In a
-/// folder it is `study.json`, which says what study it is, and `parts/NAME.json` for each part that
-/// is finished. So a study can be stopped and taken up again, and split over machines.
+/// A long computation as a list of independent parts and the data that joins their results. Its
+/// folder holds `study.json`, which identifies the study, and `parts/NAME.json` for each finished
+/// part. So a study can be stopped and continued, and split over machines.
 struct Study {
   std::string kind;   ///< "tune", "compare", "trade"
   std::string about;  ///< JSON text, on which all else depends: inputs, settings
   std::vector<StudyPart> parts;
 };
 
-/// What `study.json` says, and the parts' results that lie beside it.
+/// The content of `study.json`, and the parts' results beside it.
 struct StudyFolder {
   std::string kind;
   std::string about;
@@ -40,7 +40,7 @@ struct StudyFolder {
   bool complete() const;
 };
 
-/// A file of a study's end: its name in the folder, and its text.
+/// A final file of a study: its name in the folder, and its text.
 struct StudyFile {
   std::string name;
   std::string text;
@@ -57,19 +57,19 @@ std::optional<Shard> shard_of(std::string_view text);
 /// `done` parts of `total` in the shard are finished.
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Computes the parts of a shard that are not yet in the folder, on so many threads, and writes
-/// each as soon as it is finished, whole. Makes the folder where there is none. One that holds
-/// other parts of the same study (the same kind and `about`) becomes the study asked for and keeps
-/// what is finished; where it is finished and has all of them, it stays as it is. Throws InputError
-/// where it holds another study or cannot be written, Cancelled where `stop` says so (what is
-/// finished stays), else what a part throws.
+/// Computes the parts of a shard that are not yet in the folder, on `threads` threads, and writes
+/// each, whole, as soon as it is finished. Makes the folder if necessary. A folder with other parts
+/// of the same study (the same kind and `about`) becomes the requested study and keeps its finished
+/// parts; where it is finished and has all of them, it stays as it is. Throws InputError where the
+/// folder holds another study or cannot be written, Cancelled where `stop` returns true (finished
+/// parts stay), and whatever a part throws.
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,
                    unsigned threads, const Stop& stop, const PartsProgress& progress = {});
 
-/// Reads a folder. Throws InputError where it holds no study, or a file that is none of its own.
+/// Reads a folder. Throws InputError where it holds no study, or a file that is not the study's.
 StudyFolder read_study(const std::filesystem::path& folder);
 
-/// 64-bit FNV-1a of the text in 16 hexadecimal digits: tells inputs apart, no more.
+/// 64-bit FNV-1a of the text in 16 hexadecimal digits: only to tell inputs apart.
 std::string fingerprint(std::string_view text);
 
 }  // namespace sonde

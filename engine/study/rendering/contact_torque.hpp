@@ -7,14 +7,14 @@
 
 namespace sonde {
 
-/// The torque of a translational separation, PD_t, as its contacts make it. The motion t itself has
-/// none; but the separated pose turns with the device, and turning it against its contacts changes
-/// the depth: U = ½k|t|² gives F = kt = kΣλᵢnᵢ and τ = kΣλᵢ rᵢ×nᵢ.
+/// The torque of a translational separation, PD_t, from its contacts. The motion t itself has none.
+/// But the separated pose turns with the device, and a turn against its contacts changes the depth:
+/// U = ½k|t|² gives F = kt = kΣλᵢnᵢ and τ = kΣλᵢ rᵢ×nᵢ.
 ///
-/// Where the contacts are more than t needs (a face on a face), many λ add up to t. Of these, those
-/// with the least torque are taken: the most steady choice there is, so that PD_t is compared at
-/// its best. It is the least-distance problem of all contacts within the solver's clearance, in
-/// which turning counts a ten-thousandth: enough to choose, too little to change t.
+/// Where there are more contacts than t needs (a face on a face), many λ add up to t. Of these, the
+/// multipliers with the least torque are taken: the steadiest choice, so that the comparison shows
+/// PD_t at its best. It is the least-distance problem of all contacts within the solver's
+/// clearance, with turns weighted by a ten-thousandth: enough to choose, too little to change t.
 class ContactTorque {
  public:
   ContactTorque(const Body& probe, const Body& fixed);

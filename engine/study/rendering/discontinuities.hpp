@@ -5,20 +5,19 @@
 
 namespace sonde {
 
-/// Where a rendering was not continuous. With s the distance √σ that the device went in a tick, k
-/// the stiffness and R the probe's radius:
+/// Where a rendering was not continuous. Let s be the distance √σ that the device moved in a tick,
+/// k the stiffness and R the probe's radius:
 ///
-/// - A *jump* is what the engine reports: the depth fell by more than s, so the contact was left
-/// for
+/// - A *jump* is reported by the engine: the depth fell by more than s, so the contact moved to
 ///   another place.
 /// - A *force step* is a change of force above k (2s + c): from one tick to the next the separated
-///   pose went further than the device. c is what the solver leaves open of two poses, twice the
-///   clearance it may keep.
+///   pose moved further than the device. c is the slack of the solver in two poses, twice its
+///   clearance.
 /// - A *torque step* is a change of torque above R times that.
-/// - A *pop-through* is a jump, told by the depths alone, after which the force is gone or points
-///   away from where it pointed (F·F′ ≤ 0): the probe came out on another side.
+/// - A *pop-through* is a jump by the depths alone, after which the force is gone or points the
+///   other way (F·F′ ≤ 0): the probe came out on another side.
 ///
-/// The first tick, and those after or without an answer, are not counted.
+/// The first tick, and ticks without an answer or after one, are not counted.
 struct Discontinuities {
   int jumps = 0;
   int force_steps = 0;

@@ -12,7 +12,7 @@
 
 namespace sonde {
 
-/// What the haptic loop made of one pose of a device path.
+/// The haptic loop's result at one pose of a device path.
 struct RenderedTick {
   double t = 0;                ///< s
   double moved = 0;            ///< √σ from the device pose before to this one, m; 0 at the first
@@ -29,7 +29,7 @@ struct RenderedTick {
 /// A device path as one method renders it, tick by tick.
 using Rendering = std::vector<RenderedTick>;
 
-/// Whom it renders, and how.
+/// The input of a rendering.
 struct RenderSetup {
   Pair pair;
   Coupling coupling = {};     ///< its limits do not act: they would hide what is compared
@@ -40,9 +40,9 @@ struct RenderSetup {
 /// The stiffness against translation of a coupling, N/m: k, or k_t in the classic mode.
 double stiffness_of(const Coupling& coupling);
 
-/// The haptic loop over the path. PD_t gets the torque of its clustered contacts (ContactTorque),
-/// times the stiffness against translation: its motion does not turn. Throws Cancelled where `stop`
-/// says so.
+/// Runs the haptic loop over the path. PD_t gets the torque of its clustered contacts
+/// (ContactTorque), times the stiffness against translation, because its motion does not turn.
+/// Throws Cancelled where `stop` returns true.
 Rendering render(const RenderSetup& setup, Method method, std::span<const TimedPose> path,
                  const Stop& stop);
 

@@ -6,7 +6,7 @@
 
 namespace sonde {
 
-/// All that a closed loop is made of.
+/// The input of a closed loop.
 struct ClosedLoopSetup {
   Pair pair;
   Method method = Method::pdg;
@@ -16,9 +16,10 @@ struct ClosedLoopSetup {
   Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
 };
 
-/// A simulated device with a hand on it, and the haptic loop on two real bodies: what `sonde tune`
-/// studies. The handle's origin is the probe's centre of mass, so that the loop's torque is about
-/// it; scene and device are of one scale. No thread and no clock: same input, same bits.
+/// A simulated device with a hand on it, and the haptic loop on two real bodies: the object that
+/// `sonde tune` studies. The handle's origin is the probe's centre of mass, so that the loop's
+/// torque is about it; scene and device have the same scale. No thread and no clock: same input,
+/// same bits.
 class ClosedLoop {
  public:
   /// Throws std::invalid_argument as SimulatedDevice. Allocates.
@@ -28,13 +29,13 @@ class ClosedLoop {
   /// what a static search finds. Allocates.
   void reset(const Pose& X_FM, const StaticOptions& options = {});
 
-  /// One sample: the pose as the encoders say it, the tick, the wrench to the motors, and the
-  /// handle until the next sample. X_FH is where the hand wants the probe's mesh frame by then;
-  /// `push` is what it gives beside its spring, about the centre of mass. No allocation, lock, log,
-  /// throw.
+  /// Runs one sample: the pose from the encoders, the tick, the wrench to the motors, and the
+  /// handle until the next sample. X_FH is the hand's target for the probe's mesh frame by then;
+  /// `push` is the hand's wrench beside its spring, about the centre of mass. No allocation, lock,
+  /// log, throw.
   void step(const Pose& X_FH, const Wrench& push = {}) noexcept;
 
-  /// The mesh frame as it is, not as the encoders say it.
+  /// The true pose of the mesh frame, not the encoders' reading.
   Pose X_FM() const noexcept { return device_.state().X_WD * X_DM_; }
   const SimulatedDevice& device() const noexcept { return device_; }
   const HapticLoop& haptic_loop() const noexcept { return loop_; }
@@ -47,8 +48,8 @@ class ClosedLoop {
   SimulatedDevice device_;
 };
 
-/// What Hooke's law asks for at a separation: the spring's part of the coupling, before limits and
-/// without damping. Zero out of contact.
+/// Hooke's law at a separation: the spring's part of the coupling, before limits and without
+/// damping. Zero out of contact.
 Wrench spring_wrench(const MassProperties& mass, const Separation& separation,
                      const Coupling& coupling);
 

@@ -12,7 +12,7 @@
 
 namespace sonde {
 
-/// How contacts hold a probe, by their clusters (contact_clusters.hpp) and rows.
+/// The kinds of contact that hold a probe, by their clusters (contact_clusters.hpp) and rows.
 enum class ContactKind {
   flat,        ///< one cluster of one row: a point on a surface
   edge,        ///< one cluster of two rows: along a line
@@ -41,19 +41,19 @@ struct SituationOptions {
   double depth = 0.02;  ///< at which a walk has arrived, of the probe's radius
   /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness.
   std::function<double(const FeltStiffness&)> hardness = {};
-  /// Told, now and then, how much of the looking is done, 0 to 1.
+  /// Gets the fraction of the search that is done, 0 to 1, now and then.
   std::function<void(double)> progress = {};
 };
 
 /// Contacts of the two bodies, at most `most` of each kind, in the order of the kinds and the
-/// hardest first. They are found by walks: the probe comes from outside in a straight line, half of
-/// the time turned at random and else near X_FM, towards a random point of the fixed body's box,
-/// until it is as deep as asked. Empty where no walk meets a contact. Throws Cancelled.
+/// hardest first. Walks find them: the probe comes from outside in a straight line, half of the
+/// time at a random rotation and else near X_FM, towards a random point of the fixed body's box,
+/// until it has the wanted depth. Empty where no walk meets a contact. Throws Cancelled.
 std::vector<ContactSituation> find_situations(const Pair& pair, const Pose& X_FM, int most,
                                               const SituationOptions& options, const Stop& stop);
 
-/// The same of the contacts along a recorded path: of some 200 poses, evenly chosen among those in
-/// contact.
+/// The same for the contacts along a recorded path: from some 200 poses, evenly chosen among those
+/// in contact.
 std::vector<ContactSituation> situations_along(const Pair& pair, std::span<const TimedPose> path,
                                                int most, const SituationOptions& options,
                                                const Stop& stop);

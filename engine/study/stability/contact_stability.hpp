@@ -19,10 +19,10 @@ struct SampledContact {
   Mat6 damping = Mat6::Zero();         ///< B
 };
 
-/// The factor by which what buzzes grows with each sample, as of a SampledAxis: the largest
-/// absolute value of the eigenvalues of the loop over one sample. Those on the positive real axis
-/// are left out: they are the probe sliding away from an edge or a corner it is pressed against,
-/// which no gain prevents and a hand does.
+/// The factor by which an oscillation grows with each sample, as of a SampledAxis: the largest
+/// absolute value of the eigenvalues of the loop over one sample. Eigenvalues on the positive real
+/// axis are left out: there the probe slides away from an edge or a corner that it is pressed
+/// against, which no gain prevents and a hand does.
 double buzz_radius(const SampledContact& contact);
 
 /// The factor up to which K may be multiplied (B and what is held stay) and the loop is stable,

@@ -13,9 +13,9 @@ namespace sonde {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// How the spring of a coupling changes with the device's pose, at one contact. A small motion of
-/// the device is (δx, δφ): displacement of the probe's centre of mass (m) and rotation vector
-/// (rad), both in the fixed frame; wrenches are (F, τ) about the centre of mass.
+/// The change of a coupling's spring with the device's pose, at one contact. A small motion of the
+/// device is (δx, δφ): displacement of the probe's centre of mass (m) and rotation vector (rad),
+/// both in the fixed frame; wrenches are (F, τ) about the centre of mass.
 struct FeltStiffness {
   /// Object norm: −∂(F, τ)/∂(δx, δφ) at k = 1.
   Mat6 object = Mat6::Zero();
@@ -27,23 +27,23 @@ struct FeltStiffness {
   Mat6 damping(const Coupling& coupling) const;
 };
 
-/// By central differences of the solver's own answers: from Q, a free pose, to O and to either side
-/// of it, `step` (m, in the object norm) away. No value where an answer fails, is free of contact
-/// or jumps on the way.
+/// Computed by central differences of the solver's own answers: from Q, a free pose, to O and to
+/// either side of it, `step` (m, in the object norm) away. No value where an answer fails, is free
+/// of contact or jumps on the way.
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
                                             const Pose& X_FQ, double step);
 
-/// What is felt beside what was asked for, for any k: in translation the most that a displacement
-/// in one direction is resisted with, over k; in rotation the most of a turn, over kÎ about the
-/// same axis. (Where Î is zero a turn moves nothing and is left out.)
+/// The felt stiffness relative to the nominal one, for any k. In translation: the largest
+/// resistance to a displacement in one direction, over k. In rotation: the largest resistance to a
+/// turn, over kÎ about the same axis. (Where Î is zero a turn moves nothing and is left out.)
 struct StiffnessRatio {
   double translation = 0;
   double rotation = 0;
 };
 StiffnessRatio stiffness_ratio(const MassProperties& mass, const Pose& X_FO, const Mat6& object);
 
-/// The same of summed penalties, one spring of stiffness k at each contact of a separation: what
-/// the classic way of rendering many contacts feels like.
+/// The same for summed penalties, one spring of stiffness k at each contact of a separation: the
+/// classic way of rendering many contacts.
 StiffnessRatio summed_penalty_ratio(const MassProperties& mass, const Separation& separation);
 
 }  // namespace sonde

@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// A hand presses the probe into a contact, holds it there, knocks once, and holds on. What the
-/// loop then does by itself, over two windows of the same length, is what it is judged by.
+/// A hand presses the probe into a contact, holds it there, knocks once, and holds on. The
+/// behaviour of the loop over two windows of the same length afterwards decides the result.
 struct Press {
   Pose X_FM;                  ///< free: where it begins at rest, and where the hand's spring stays
   Wrench push;                ///< of the hand, at the hold
@@ -23,7 +23,7 @@ struct Press {
                               ///< speed stands still
 };
 
-/// What a hold was like. "At the hold" is over the two windows.
+/// The figures of a hold. "At the hold" is over the two windows.
 struct HoldReport {
   /// Kinetic energy of the handle, mean of the second window over that of the first; 0 where it
   /// stands still. At 1 or above what swings does not die down.

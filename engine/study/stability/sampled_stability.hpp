@@ -19,9 +19,9 @@ struct SampledAxis {
 };
 
 /// Largest absolute value of the eigenvalues of the loop over one sample, at the stiffness K (N/m |
-/// N·m/rad): the factor by which what buzzes grows with each sample. At most 1: stable. Exact for
-/// any delay: a sample is split where the motors change. Throws std::invalid_argument for an axis
-/// out of the ranges above or a number that is not finite.
+/// N·m/rad): the factor by which an oscillation grows with each sample. At most 1: stable. Exact
+/// for any delay: a sample is split where the motors change. Throws std::invalid_argument for an
+/// axis out of the ranges above or a number that is not finite.
 double spectral_radius(const SampledAxis& axis, double stiffness);
 
 /// The stiffness up to which the loop is stable, N/m | N·m/rad, within 1e-6 of itself: at every K

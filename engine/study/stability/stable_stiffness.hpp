@@ -10,7 +10,7 @@
 
 namespace sonde {
 
-/// How stiff a coupling may be on a device, in the contacts along a path.
+/// The largest stiffness of a coupling on a device, in the contacts along a path.
 struct StableStiffness {
   /// Largest stiffness against translation (stiffness_of; in the classic mode all gains of the
   /// springs grow together), N/m, at which the sampled loop is stable in every contact: by the
@@ -20,15 +20,15 @@ struct StableStiffness {
   std::optional<double> passive;  ///< the same of taking energy out of whatever holds the handle
 };
 
-/// At some 200 contacts of the path. Of PD_t the translation alone is looked at, without the torque
-/// of its contacts. Throws Cancelled.
+/// Computes it at some 200 contacts of the path. For PD_t only the translation counts, without the
+/// torque of its contacts. Throws Cancelled.
 StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
                                  std::span<const TimedPose> path,
                                  const SimulatedDeviceParameters& device, double sample_time,
                                  const Stop& stop);
 
 std::string to_json(const StableStiffness& stiffness);
-/// Throws InputError, naming `source`, where the text is none.
+/// Throws InputError, naming `source`, where the text is not one.
 StableStiffness stable_stiffness_of(const std::string& json, const std::string& source);
 
 }  // namespace sonde

@@ -14,7 +14,7 @@ namespace sonde {
 enum class GainAxis { object, together, translation, rotation };
 const char* name_of(GainAxis axis);
 
-/// What ends the range of useful stiffness in a hold.
+/// The faults that end the range of useful stiffness in a hold.
 enum class HoldFault { none, unstable, saturated, chattering, unfaithful };
 const char* name_of(HoldFault fault);
 /// Unfaithful: motors further than fidelity_limit from Hooke's law, in the torque where rotation is
@@ -47,15 +47,16 @@ struct SweepOptions {
   double start = 500;  ///< a stiffness that is likely to hold; in [low, high]
   double low = 1;      ///< allowed range, both above zero
   double high = 1e5;
-  double ratio = 1.02;  ///< a limit is known when what fails is at most so many times as stiff
-  bool beyond = true;   ///< points above the limits too, for the map
+  double ratio =
+      1.02;  ///< search until the failing stiffness is at most this many times the holding one
+  bool beyond = true;  ///< points above the limits too, for the map
 };
 
-/// Looks for the limits of one gain by walking upwards, from a quarter of the start (from further
-/// below, where that fails) to the first that is unstable: in steps of ratio¹⁶ (1.1 to 2), in a
-/// quarter of them where the last hold was slow to die down; then by bisection. A limit lies below
-/// every fault that was seen, whatever holds above it. `run` is called once for each stiffness.
-/// Throws Cancelled.
+/// Searches the limits of one gain. It walks upwards, from a quarter of the start (from further
+/// below, where that fails) to the first unstable stiffness: in steps of ratio¹⁶ (1.1 to 2), in a
+/// quarter of them where the last hold was slow to die down. Then it bisects. A limit lies below
+/// every observed fault, whatever holds above it. `run` is called once for each stiffness. Throws
+/// Cancelled.
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
 

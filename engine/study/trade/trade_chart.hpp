@@ -8,9 +8,9 @@
 
 namespace sonde {
 
-/// SVG: the error of searches, bounds and ticks against the time they take, typical and bad, with
-/// what the reference repeats to; and what the budget of a tick does to its time. `all` are the
-/// figures of the results.
+/// SVG: the error of searches, bounds and ticks against their time, median and 90th percentile,
+/// with the repeatability of the reference; and the time of a tick against its budget. `all` are
+/// the figures of the results.
 std::string trade_picture(const TradeResults& results, const std::vector<TradeFigures>& all);
 
 }  // namespace sonde

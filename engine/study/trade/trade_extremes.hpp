@@ -11,10 +11,10 @@
 
 namespace sonde {
 
-/// What of the answers changes where the same two bodies are 2^-20 or 2^20 times as large, or both
-/// meshes lie 10⁴ radii of the probe away from their origins: nothing should, but for rounding. At
-/// each pose the static search of both methods and the lower bound, without a budget and with one
-/// seed. Throws Cancelled.
+/// How the answers change where the same two bodies are 2^-20 or 2^20 times as large, or where both
+/// meshes lie 10⁴ radii of the probe away from their origins. Nothing should change except by
+/// rounding. At each pose, runs the static search of both methods and the lower bound, without a
+/// budget and with one seed. Throws Cancelled.
 std::vector<TradeExtreme> measure_extremes(const Pair& pair, std::span<const Pose> poses,
                                            std::uint64_t seed, const Stop& stop);
 

@@ -19,7 +19,7 @@ namespace sonde {
 /// The same results give the same bytes; of two runs, all but the times are the same.
 std::vector<StudyFile> trade_files(const TradeResults& results);
 
-/// The same of a complete folder of the study; errors as read_trade.
+/// The same from a complete folder of the study; errors as read_trade.
 std::vector<StudyFile> trade_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -13,8 +13,8 @@
 
 namespace sonde {
 
-/// What of the engine is given less or more time: the static search, the lower bound of the depth,
-/// or a tick of the coherent solver.
+/// The parts of the engine that the study gives less or more time: the static search, the lower
+/// bound of the depth, or a tick of the coherent solver.
 enum class TradeKind { search, bound, tick };
 const char* name_of(TradeKind kind);  ///< "static", "bound", "coherent"
 const char* name_of(Method method);   ///< "pdg", "pdt"
@@ -37,7 +37,7 @@ struct TradeRun {
   double time_us = 0;  ///< processor time
 };
 
-/// A pose: how deep it is, as far as anything could tell, and what each setting says.
+/// A pose with its best known depth and the result of each setting.
 struct TradePose {
   std::array<double, 7> pose{};  ///< px, py, pz, qw, qx, qy, qz, of X_FM
   /// The depth that each of the long searches found, m; those that failed are left out.
@@ -47,8 +47,8 @@ struct TradePose {
   /// The least depth that any search found, long or not, m; a translation is also one of all rigid
   /// motions. Infinite where none found any.
   double reference(Method method) const;
-  /// How well the long searches repeat: the largest of them over the least, less 1. NaN where there
-  /// is none.
+  /// Repeatability of the long searches: the largest of them over the least, less 1. NaN where
+  /// there is none.
   double spread(Method method) const;
 };
 
@@ -60,7 +60,7 @@ struct TradePath {
   std::vector<double> time_us;  ///< processor time
 };
 
-/// What becomes of the answers without a budget where the bodies are tiny, huge or far away.
+/// The answers without a budget where the bodies are tiny, huge or far away.
 struct TradeExtreme {
   std::string world;  ///< "tiny", "huge", "far"
   TradeKind kind = TradeKind::search;
@@ -85,8 +85,8 @@ std::string to_json(const TradePose& pose);
 std::string to_json(const TradePath& path);
 std::string to_json(std::span<const TradeExtreme> extremes);
 
-/// What the parts of a complete folder hold; `folder` is for complaints. Throws InputError where a
-/// part is missing or is not what the study writes.
+/// The results in the parts of a complete folder; `folder` is for error messages. Throws InputError
+/// where a part is missing or was not written by the study.
 TradeResults read_trade(const std::string& folder, const StudyFolder& study);
 
 /// What one setting costs and is worth, over all poses or ticks. The error of
@@ -104,20 +104,20 @@ struct TradeFigures {
   double unconverged = 0;                               ///< share of the ticks; else 0
   double time_median = 0, time_p99 = 0, time_p999 = 0;  ///< µs
 };
-/// Of every setting, in their order. Where nothing is to be counted, numbers are NaN.
+/// The figures of every setting, in order. Without data the numbers are NaN.
 std::vector<TradeFigures> trade_figures(const TradeResults& results);
 
-/// Those of one kind and method.
+/// The figures of one kind and method.
 std::vector<TradeFigures> figures_of(const std::vector<TradeFigures>& all, TradeKind kind,
                                      Method method);
 
-/// How well the long searches repeat, over the poses that are not left out.
+/// Repeatability of the long searches, over the poses that are not left out.
 struct TradeReference {
   double median = 0, p90 = 0, worst = 0;  ///< of TradePose::spread; NaN where there is none
 };
 TradeReference trade_reference(const TradeResults& results, Method method);
 
-/// What one line of the extremes comes to.
+/// The figures of one line of the extremes.
 struct ExtremeFigures {
   std::size_t failed = 0;
   double median = 0, worst = 0;  ///< |change| of those that did not fail; NaN where all did

@@ -9,10 +9,10 @@
 
 namespace sonde {
 
-/// The stiffness recommended is this much below the least at which a hold is not stable.
+/// The recommended stiffness is this much below the least at which a hold is not stable.
 constexpr double stability_margin = 1.5;
 
-/// What a stiffness should not exceed, and why.
+/// A limit of the stiffness, and its reason.
 struct GainLimit {
   /// "stability", "saturation", "chatter", "fidelity" (measured), "driver" (the profile's largest
   /// stiffness), "resolution" (a step of the encoder), "range" (nothing within the range studied).
@@ -41,18 +41,18 @@ struct AxisGains {
 /// alone, which are of one situation; no value where there is none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
-/// The same from the situation and hand alone that the assumed values are varied in, at the damping
-/// that they are: what those are to be compared with.
+/// The same from only the situation and hand in which the assumed values are varied, at their
+/// damping: the reference for these.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);
 
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);
-/// Of them those whose gains are recommended: all gains together, where they were swept so.
+/// Those of them whose gains are recommended: all gains together, where the study swept them so.
 std::vector<GainAxis> recommended_axes(const TuningResults& results);
 
 /// True where some stiffness is good on each axis that is recommended.
 bool has_recommendation(const TuningResults& results);
-/// The gains as a coupling of a scene, within what its settings allow.
+/// The gains as a coupling of a scene, within the range of its settings.
 Coupling recommended_coupling(const TuningResults& results);
 
 }  // namespace sonde

@@ -17,8 +17,8 @@ struct TuningSituation {
   double theory = 0;  ///< stiffness up to which the linear contact is stable in a light hand, N/m
 };
 
-/// What the classic coupling's rotational gains are to its translational ones where all are swept
-/// together: k_r/k_t and b_r/b_t, m².
+/// The ratios of the classic coupling's rotational gains to its translational ones where all are
+/// swept together: k_r/k_t and b_r/b_t, m².
 struct JointGains {
   double stiffness = 0;
   double damping = 0;
@@ -43,22 +43,22 @@ struct TuningSetup {
 
 /// The push alone, with its knock.
 Press press_of(const TuningSituation& situation);
-/// As the stiffness of an axis is swept: where rotations are, the knock turns the probe too, about
-/// the axis that resists most.
+/// The push of a sweep over the stiffness of an axis. Where rotations are swept, the knock also
+/// turns the probe, about the axis that resists most.
 Press press_of(const TuningSetup& setup, GainAxis axis);
 
-/// Gains well within what theory allows: half of it, without damping. What a sweep does not change
-/// stays there.
+/// Gains well within what theory allows: half of it, without damping. Gains that a sweep does not
+/// change stay there.
 void set_base_gains(TuningSetup& setup);
 
-/// Up to where theory has the linear contact stable and passive as the stiffness of one axis grows
-/// at `share` of the largest damping: N/m | N·m/rad.
+/// The stiffness of one axis up to which theory has the linear contact stable and passive, at
+/// `share` of the largest damping: N/m | N·m/rad.
 struct TheoryLimits {
   double stable = 0, passive = 0;  ///< infinite where theory sees no end
 };
 TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share);
 
-/// The shares of the largest damping at which an axis is swept; nothing but none where it has none.
+/// The shares of the largest damping at which an axis is swept; only zero where it has none.
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);
 
 /// Sweeps the stiffness of one axis at each share of the largest damping; with `beyond` a little

@@ -12,7 +12,7 @@
 
 namespace sonde {
 
-/// What a study of a coupling's gains is asked for.
+/// The input of a study of a coupling's gains.
 struct TuningRequest {
   Pair pair;
   Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
@@ -29,18 +29,18 @@ struct TuningRequest {
   std::string inputs = "{}";   ///< JSON that tells the files apart: names, fingerprints
 };
 
-/// How a hand holds the device: a spring and a damper, of rotations the same times inertia over
+/// How a hand holds the device: a spring and a damper; for rotations, the same times inertia over
 /// mass.
 struct HandGrip {
   const char* name;
   double stiffness;  ///< N/m
   double damping;    ///< N·s/m
 };
-/// A hand that hardly holds and one that holds fast: the order of what is measured of hands
-/// (Hogan, 1989; Hajian and Howe, 1997), without their mass, which would help.
+/// A loose and a firm hand, of the order of measured hands (Hogan, 1989; Hajian and Howe, 1997),
+/// without their mass, which would help.
 constexpr HandGrip hand_grips[] = {{"light", 200, 1}, {"firm", 1000, 10}};
 
-/// A contact, or a kind of them, that is not studied.
+/// A contact, or a kind of contact, that the study leaves out.
 struct SkippedContact {
   ContactKind kind;
   std::string reason;  ///< in words
@@ -51,8 +51,8 @@ struct TuningContacts {
 };
 
 /// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
-/// Takes seconds; `progress` is told how much of them is over, 0 to 1. Throws InputError where
-/// there is none, Cancelled.
+/// Takes seconds; `progress` gets the fraction done, 0 to 1. Throws InputError where there is none,
+/// Cancelled.
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
                                const std::function<void(double)>& progress = {});
 
@@ -60,9 +60,9 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
                          const HandGrip& grip);
 
-/// Looks for the situations and makes the study: a part for each of them, hand and axis, and in the
-/// situation that theory calls the hardest one for half and twice each assumed value of the
-/// profile. Errors as tuning_contacts.
+/// Looks for the situations and makes the study. Each situation, hand and axis is a part. In the
+/// situation that theory calls the hardest, so is half and twice each assumed value of the profile.
+/// Errors as tuning_contacts.
 Study plan_tuning(const TuningRequest& request, const Stop& stop,
                   const std::function<void(double)>& progress = {});
 

@@ -8,15 +8,15 @@
 
 namespace sonde {
 
-/// The files that a study of gains is of.
+/// The input files of a study of gains.
 struct TuningFiles {
   std::filesystem::path probe, fixed;
   std::filesystem::path trajectory;  ///< empty: none
 };
 
-/// TuningRequest::inputs: JSON that tells files and programs apart. Whoever asks for the same study
-/// says the same, so that one goes on with what another began; all else that a study depends on is
-/// in its request. Throws InputError where a file cannot be read.
+/// TuningRequest::inputs: JSON that identifies files and programs. Two callers that request the
+/// same study give the same text, so that one continues what the other began; the request holds
+/// everything else that a study depends on. Throws InputError where a file cannot be read.
 std::string tuning_inputs(const std::string& version, const TuningFiles& files, const Body& probe,
                           const Body& fixed);
 

@@ -8,10 +8,11 @@
 
 namespace sonde {
 
-/// What `sonde tune` ends with: `map.csv`, `map.svg`, `coupling.json`, which a scene can include
-/// (not where no stiffness is good), and `recommendation.json`, which says why. A function of the
-/// study's folder alone, so the same bits wherever its parts were computed. Throws InputError where
-/// a part is missing or is not what a study writes; `folder` is for the complaint.
+/// The final files of `sonde tune`: `map.csv`, `map.svg`, `coupling.json`, which a scene can
+/// include (not where no stiffness is good), and `recommendation.json`, which gives the reasons.
+/// Depends on the study's folder alone, so the bits are the same wherever its parts were computed.
+/// Throws InputError where a part is missing or was not written by a study; `folder` is for the
+/// message.
 std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -20,7 +20,7 @@ struct TuningColumn {
   std::vector<SweepPoint> runs;
 };
 
-/// A finished part: one situation, hand and axis, and what was assumed of the device.
+/// A finished part: one situation, hand and axis, and the assumed value that it varies.
 struct TuningLine {
   std::size_t situation = 0;
   std::string kind;
@@ -31,7 +31,7 @@ struct TuningLine {
   std::vector<TuningColumn> columns;  ///< by damping
 };
 
-/// All that is known at the end of a study.
+/// All results at the end of a study.
 struct TuningResults {
   std::string about;  ///< JSON, as Study
   Coupling::Mode mode = Coupling::Mode::object;
@@ -49,8 +49,8 @@ struct TuningResults {
   std::vector<TuningLine> lines;  ///< those of the profile as it is come first
 };
 
-/// Reads a complete study of kind "tune". Throws InputError where a part is missing or is not what
-/// a study writes; `folder` is for the complaint.
+/// Reads a complete study of kind "tune". Throws InputError where a part is missing or was not
+/// written by a study; `folder` is for the message.
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde
