@@ -268,7 +268,8 @@ class Search {
   /// themselves from there.
   void more_sketches() {
     if (!sketched() || optima_.empty()) return;
-    for (int made = std::max(1, 2 * sketches_.made()); made <= tuned_.most_sketches && goes_on(); made *= 2) {
+    for (int made = std::max(1, 2 * sketches_.made()); made <= tuned_.most_sketches && goes_on();
+         made *= 2) {
       sketches_.make_starts(made, made, 0);
       from_ends(sketches_, options_.method, tuned_.most_ends);
     }
