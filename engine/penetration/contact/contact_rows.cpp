@@ -93,7 +93,7 @@ bool ContactRows::is_news(const Contact& contact) const noexcept {
   return true;
 }
 
-void ContactRows::add_rows_of(const NearPair& pair, const Transform& X, double flat) noexcept {
+void ContactRows::take(const NearPair& pair, const Transform& X, double flat) noexcept {
   const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
   const Corners tb = corners(surface(fixed_), pair.triangle_b);
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
@@ -110,13 +110,13 @@ void ContactRows::add_rows_of(const NearPair& pair, const Transform& X, double f
     if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
-NeighbourList::Displacement ContactRows::recent_path(const Transform& X,
-                                                     const Vec3& centre) const noexcept {
+NeighbourList::Displacement ContactRows::usual(const Transform& X,
+                                               const Vec3& centre) const noexcept {
   const Vec3 arm = X.R * (centre - probe_.mass.com);
   return {(sliding_ + turning_.cross(arm)).norm(), turning_.norm()};
 }
 
-void ContactRows::record_path(const Motion& motion) noexcept {
+void ContactRows::remember(const Motion& motion) noexcept {
   const double radius = probe_.mass.radius;
   const Motion::Velocity v = motion.velocity(0);
   const double last = sliding_.norm() + radius * turning_.norm();
@@ -126,7 +126,7 @@ void ContactRows::record_path(const Motion& motion) noexcept {
     sliding_ *= tuned.path_kept, turning_ *= tuned.path_kept;
 }
 
-Vec3 ContactRows::pivot(const Transform& X) const noexcept {
+Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   const Vec3& com = probe_.mass.com;
   if (count_ == 0) return com;
   const auto local = [&](std::size_t i) {
@@ -135,8 +135,7 @@ Vec3 ContactRows::pivot(const Transform& X) const noexcept {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < count_; ++i) sum += local(i);
   const Vec3 middle = sum / static_cast<double>(count_);
-  const NeighbourList::Displacement about_com = recent_path(X, com),
-                                    about_middle = recent_path(X, middle);
+  const NeighbourList::Displacement about_com = usual(X, com), about_middle = usual(X, middle);
   double by_com = 0, by_middle = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     by_com += about_com.of((local(i) - com).norm());
@@ -154,7 +153,7 @@ void ContactRows::list_pairs(const Transform& X, double reach, const Vec3& centr
     effort.within(tuned.share_for_list, [&](Effort& part) { return list_.go_on(part); });
     return;
   }
-  const NeighbourList::Displacement often = recent_path(X, centre);
+  const NeighbourList::Displacement often = usual(X, centre);
   const double share = often.linear > 0 ? often.linear / often.of(radius) : 0.5;
   const double near = std::max(reach, 2 * least_asked_);
   const auto affordable = static_cast<std::int64_t>(
@@ -182,8 +181,8 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
   if (listed >= std::max(least, tuned.least_share_of_reach * reach))
     reach = std::min(reach, listed);
   if (listed < reach) {
-    const Vec3 centre = pivot(X);
-    list_pairs(X, reach, centre, recent_path(X, centre), effort);
+    const Vec3 centre = stillest(X);
+    list_pairs(X, reach, centre, usual(X, centre), effort);
     // Where there is no room for so much, less is expected the next time.
     if (list_.reach_at(X) < reach)
       sliding_ *= tuned.path_without_room, turning_ *= tuned.path_without_room;
@@ -218,7 +217,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
   for (const NearPair& p : pairs) {
     effort.spend(tuned.work_of_pair);
-    add_rows_of(p, X, flat);
+    take(p, X, flat);
   }
   linearise(chart, y);
   return true;
@@ -250,9 +249,9 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
                                    double margin, Effort& effort) noexcept {
   const double least = tuned.kept_share * margin;
   const Transform end = motion.at(1);
-  record_path(motion);
+  remember(motion);
   if (list_.reach_at(end) <= least) {
-    const Vec3 centre = pivot(X_);
+    const Vec3 centre = stillest(X_);
     list_pairs(X_, least, centre, NeighbourList::along(motion, centre), effort);
   }
   std::size_t found = 0;
@@ -273,7 +272,7 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
     keep({a, b});
-    add_rows_of({p.a, p.b, p.normal, p.gap, a, b}, X_, std::numeric_limits<double>::infinity());
+    take({p.a, p.b, p.normal, p.gap, a, b}, X_, std::numeric_limits<double>::infinity());
   }
   linearise(chart, y, before);
   out.news = count_ > before;
@@ -300,7 +299,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!list_.covers(motion, clearance)) {
-    const Vec3 centre = pivot(X_);
+    const Vec3 centre = stillest(X_);
     list_pairs(motion.at(0), clearance, centre, NeighbourList::along(motion, centre), effort);
   }
   if (list_.covers(motion, clearance)) return list_.sweep_along(motion, clearance, effort);

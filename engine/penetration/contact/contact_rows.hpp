@@ -104,11 +104,11 @@ class ContactRows {
     bool operator==(const TrianglePair&) const = default;
   };
   /// How far the probe goes of late from a place, seen from a point of it (its mesh frame).
-  NeighbourList::Displacement recent_path(const Transform& X, const Vec3& centre) const noexcept;
-  void record_path(const Motion& motion) noexcept;
+  NeighbourList::Displacement usual(const Transform& X, const Vec3& centre) const noexcept;
+  void remember(const Motion& motion) noexcept;
   /// The point of the probe about which its contacts move least: the middle of the last ones, where
   /// it rolls on them, or its centre of mass, where it turns within them.
-  Vec3 pivot(const Transform& X) const noexcept;
+  Vec3 stillest(const Transform& X) const noexcept;
   /// Makes the list anew, about `centre`, for paths such as the next one; not where that is long
   /// and the list would not pay.
   void list_pairs(const Transform& X, double reach, const Vec3& centre,
@@ -120,7 +120,7 @@ class ContactRows {
   /// Puts the kept pairs that are within reach at X behind so many others; returns how many it are.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
-  void add_rows_of(const NearPair& pair, const Transform& X, double flat) noexcept;
+  void take(const NearPair& pair, const Transform& X, double flat) noexcept;
   /// Makes the rows of the contacts, at y.
   void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0) noexcept;
 
