@@ -6,6 +6,7 @@
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/phases.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "app/timed.hpp"
@@ -19,6 +20,7 @@ struct QueryOptions {
   BodyOptions bodies;
   SolverOptions solver;
   AccuracyOptions accuracy;
+  PhaseOptions phases;
   OutputOptions output;
   std::string poses;
 };
@@ -39,18 +41,6 @@ constexpr std::array<Column, 16> columns{{{"index", ""},
                                           {"residual", ""},
                                           {"iterations", ""},
                                           {"time_us", "us"}}};
-
-const char* name_of(Status status) {
-  switch (status) {
-    case Status::separated:
-      return "separated";
-    case Status::penetrating:
-      return "penetrating";
-    case Status::failed:
-      break;
-  }
-  return "failed";
-}
 
 Row row_of(const TimedSeparation& result, std::size_t index) {
   const Separation& s = result.separation;
@@ -111,12 +101,14 @@ void run(const QueryOptions& options) {
   const SolverOptions solver = accuracy.applied(options.solver, pair);
   const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
                                          : search_all(pair, poses, solver, progress);
-  const std::vector<Column> all_columns = accuracy.with_claims(columns);
+  const std::vector<Column> all_columns =
+      with_phases(options.phases, accuracy.with_claims(columns));
   ResultTable table{all_columns, {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);
     table.rows.push_back(row_of(results[i], i));
     accuracy.append_claim(table.rows.back(), results[i].separation);
+    append_phases(options.phases, table.rows.back(), results[i].separation);
   }
   if (!options.output.quiet) note_unfinished(results);
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
@@ -135,6 +127,7 @@ Command add_query_command(CLI::App& program) {
       ->required();
   add_flags(*parser, options->solver, "static");
   add_flags(*parser, options->accuracy);
+  add_flags(*parser, options->phases);
   add_flags(*parser, options->output);
   return {parser, [options] { run(*options); }};
 }

@@ -7,6 +7,7 @@
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/phases.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "engine/recording/loop_run.hpp"
@@ -21,6 +22,7 @@ struct ReplayOptions {
   BodyOptions bodies;
   SolverOptions solver;
   AccuracyOptions accuracy;
+  PhaseOptions phases{.with_converged = false};
   OutputOptions output;
   std::string trajectory;
   std::string record;
@@ -83,7 +85,7 @@ class Results {
       : options_(options),
         scene_(scene),
         accuracy_(accuracy),
-        columns_(accuracy.with_claims(columns)),
+        columns_(with_phases(options.phases, accuracy.with_claims(columns))),
         log_(pair.probe().mass.radius, scene.servo.rate_hz) {}
 
   void add(const Snapshot& tick) {
@@ -91,6 +93,7 @@ class Results {
       failures_.emplace_back(table_.rows.size(), tick.separation);
     table_.rows.push_back(row_of(tick, scene_.servo.rate_hz));
     accuracy_.append_claim(table_.rows.back(), tick.separation);
+    append_phases(options_.phases, table_.rows.back(), tick.separation);
     if (!options_.record.empty()) log_.add(tick);
   }
 
@@ -228,6 +231,7 @@ Command add_replay_command(CLI::App& program) {
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");
   add_flags(*parser, options->accuracy);
+  add_flags(*parser, options->phases);
   add_flags(*parser, options->output);
   parser->add_option("--coupling", options->coupling_mode, "object: one stiffness k; classic")
       ->check(CLI::IsMember({"object", "classic"}))

@@ -14,11 +14,6 @@ namespace py = pybind11;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-const char* name_of(Status status) {
-  if (status == Status::separated) return "separated";
-  return status == Status::penetrating ? "penetrating" : "failed";
-}
-
 template <class Value>
 py::array_t<Value> column(std::span<const Separation> rows, const auto& value_of) {
   py::array_t<Value> out(static_cast<py::ssize_t>(rows.size()));

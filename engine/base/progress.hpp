@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 
 #include "engine/base/error.hpp"
 
 namespace sonde {
+
+/// Asked now and then by long work that knows no fraction: true where it is to stop (most of it
+/// then throws Cancelled).
+using Stop = std::function<bool()>;
 
 /// Tells progress, where there is any; throws Cancelled where it says so.
 void report(const Progress& progress, double fraction);

@@ -14,15 +14,15 @@ void ThreadPair::each(std::size_t count, const Work& work) {
   work_ = &work;
   count_ = count;
   if (!two_threads_ || count < 2) {
-    take_part(0);
-    return take_part(1);
+    run_lane(0);
+    return run_lane(1);
   }
   if (!other_.joinable()) other_ = std::thread([this] { help(); });
   other_lane_ = Lane::offered;
   other_lane_.notify_one();
-  take_part(0);
+  run_lane(0);
   Lane lane = Lane::offered;
-  if (other_lane_.compare_exchange_strong(lane, Lane::idle)) return take_part(1);
+  if (other_lane_.compare_exchange_strong(lane, Lane::idle)) return run_lane(1);
   other_lane_.wait(Lane::taken);
 }
 
@@ -30,7 +30,7 @@ void ThreadPair::help() {
   for (;;) {
     Lane seen = Lane::offered;
     if (other_lane_.compare_exchange_strong(seen, Lane::taken)) {
-      take_part(1);
+      run_lane(1);
       other_lane_ = Lane::done;
       other_lane_.notify_one();
     } else if (seen == Lane::over) {
@@ -41,7 +41,7 @@ void ThreadPair::help() {
   }
 }
 
-void ThreadPair::take_part(std::size_t lane) {
+void ThreadPair::run_lane(std::size_t lane) {
   for (std::size_t k = lane; k < count_; k += 2) (*work_)(k, lane);
 }
 

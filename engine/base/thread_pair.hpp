@@ -28,7 +28,7 @@ class ThreadPair {
 
  private:
   void help();
-  void take_part(std::size_t lane);
+  void run_lane(std::size_t lane);
 
   bool two_threads_;
   std::thread other_;  // started when first needed

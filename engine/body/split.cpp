@@ -5,23 +5,22 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/simd/vectors.hpp"
+
 namespace sonde {
 namespace {
 
 constexpr int bins = 16;
 constexpr std::size_t small_range = 512;
 
-/// Four floats at once; the fourth lane idles.
-typedef float Float4 __attribute__((vector_size(16)));
-
-Float4 load(const float* p) { return Float4{p[0], p[1], p[2], 0}; }
-Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
-Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
+FloatX4 load(const float* p) { return FloatX4{p[0], p[1], p[2], 0}; }
+FloatX4 smaller(FloatX4 a, FloatX4 b) { return a < b ? a : b; }
+FloatX4 larger(FloatX4 a, FloatX4 b) { return a > b ? a : b; }
 
 struct Box {
   static constexpr float big = std::numeric_limits<float>::max();
-  Float4 low{big, big, big, 0};
-  Float4 high{-big, -big, -big, 0};
+  FloatX4 low{big, big, big, 0};
+  FloatX4 high{-big, -big, -big, 0};
   void add(const SplitItem& item) {
     low = smaller(low, load(item.low));
     high = larger(high, load(item.high));
@@ -30,20 +29,20 @@ struct Box {
     low = smaller(low, o.low);
     high = larger(high, o.high);
   }
-  void add(Float4 x) {
+  void add(FloatX4 x) {
     low = smaller(low, x);
     high = larger(high, x);
   }
   bool empty() const { return low[0] > high[0]; }
   double half_area() const {
     if (empty()) return 0;
-    const Float4 s = high - low;
+    const FloatX4 s = high - low;
     return static_cast<double>(s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
   }
 };
 
 /// Twice the middle of the item's box.
-Float4 middle(const SplitItem& item) { return load(item.low) + load(item.high); }
+FloatX4 middle(const SplitItem& item) { return load(item.low) + load(item.high); }
 
 float middle(const SplitItem& item, int axis) { return item.low[axis] + item.high[axis]; }
 
@@ -62,7 +61,7 @@ struct Cut {
 
 /// Maps middles to bins along the three axes.
 struct Bins {
-  Float4 low, per_length;
+  FloatX4 low, per_length;
   explicit Bins(const Box& middles) : low(middles.low), per_length{} {
     for (int axis = 0; axis < 3; ++axis) {
       const float length = middles.high[axis] - middles.low[axis];
@@ -102,7 +101,7 @@ void try_axis(const Bin* bin, int axis, Cut& best) {
 Cut cheapest_cut(std::span<const SplitItem> items, const Bins& bin_of) {
   Bin bin[3][bins];
   for (const SplitItem& item : items) {
-    const Float4 x = middle(item);
+    const FloatX4 x = middle(item);
     for (int axis = 0; axis < 3; ++axis) {
       Bin& b = bin[axis][bin_of(x[axis], axis)];
       b.box.add(item);
@@ -133,7 +132,7 @@ std::size_t to_whole(std::size_t count, std::size_t all, std::size_t whole) {
 }
 
 int longest(const Box& box) {
-  const Float4 s = box.high - box.low;
+  const FloatX4 s = box.high - box.low;
   if (s[0] >= s[1] && s[0] >= s[2]) return 0;
   return s[1] >= s[2] ? 1 : 2;
 }

@@ -15,11 +15,13 @@
 #include <immintrin.h>
 #endif
 
+#include "engine/simd/instruction_set.hpp"
+
 // FMA is left out on purpose: the same operations, rounded alike, give the same bits everywhere.
 #if SONDE_LANES == 8
-#define SONDE_LANES_TARGET "avx512f,avx512vl,avx512dq"
+#define SONDE_LANES_TARGET SONDE_TARGET_AVX512
 #else
-#define SONDE_LANES_TARGET "avx2"
+#define SONDE_LANES_TARGET SONDE_TARGET_AVX2
 #endif
 #define SONDE_LANES_PRAGMA(text) _Pragma(#text)
 #if !defined(__x86_64__) || SONDE_LANES == 2

@@ -199,6 +199,17 @@ TEST_F(Query, one_knob_gives_two_columns_more) {
   EXPECT_EQ(query("--no-bound " + scene).text(0, "lower_bound"), "");
 }
 
+// Reference: the depth of the first pose by hand, 0.01, which no turn makes less.
+TEST_F(Query, phases_are_columns_of_their_own_and_change_no_answer) {
+  const Csv plain = query(scene), phases = query("--phases " + scene);
+  EXPECT_EQ(phases.header, std::string(header) + ",pdt,converged,limited");
+  for (const char* column : {"depth", "px", "qx", "lower_bound", "iterations"})
+    EXPECT_EQ(phases.text(0, column), plain.text(0, column)) << column;
+  EXPECT_NEAR(phases.number(0, "pdt"), 0.01, 5e-4);
+  EXPECT_EQ(phases.text(0, "converged"), "1");
+  EXPECT_EQ(phases.text(1, "limited"), "0") << "a free probe is not searched for";
+}
+
 TEST_F(Query, a_calibration_of_its_own_is_measured_and_used) {
   const Outcome made = sonde("calibrate boxes.sonde.json --count 2 --out c.json");
   ASSERT_EQ(made.exit_code, 0) << made.err;

@@ -93,6 +93,15 @@ TEST_F(Replay, static_mode_searches_every_row) {
   EXPECT_EQ(replay(arguments + "--threads 1").without(time_columns), csv.without(time_columns));
 }
 
+TEST_F(Replay, phases_are_columns_of_their_own_and_change_no_answer) {
+  const Csv plain = replay("boxes.sonde.json"), phases = replay("--phases boxes.sonde.json");
+  EXPECT_EQ(phases.header, std::string(header) + ",pdt,limited");
+  EXPECT_EQ(phases.text(last, "depth"), plain.text(last, "depth"));
+  EXPECT_EQ(phases.text(last, "fx"), plain.text(last, "fx"));
+  EXPECT_EQ(phases.text(last, "pdt"), "") << "a tick looks for no translation";
+  EXPECT_EQ(phases.text(last, "limited"), "0");
+}
+
 TEST_F(Replay, json_has_units) {
   const json result = json::parse(sonde("replay --json boxes.sonde.json").out);
   EXPECT_EQ(result.at("units").at("fx"), "N");

@@ -115,7 +115,6 @@ std::vector<Figure> figures() {
       {"distance, warm", "distance-warm", {"trajectory"}, "Sonde cold", 15, 0},
       {"distance, warm", "distance-warm", {"trajectory"}, "FCL", 0, 0},
       {"near pairs within 2 % of R", "near-pairs", {"near-1%", "trajectory"}, "", 0, 0},
-      {"the same, thinned", "near-pairs-thinned", {"near-1%", "trajectory"}, "", 60, 0},
       {"sweep, long, with a turn", "sweep", {"trip"}, "FCL", 100, 1000},
       {"sweep, long, with a turn", "sweep", {"trip"}, "FCL oriented", 0, 0},
   };

@@ -10,7 +10,6 @@
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
-#include "engine/proximity/queries/thinned_pairs.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/result.hpp"
 #include "tests/bench/sweeps.hpp"
@@ -135,16 +134,6 @@ std::vector<Contender> near_rows(const Stage& stage, Place place) {
                  });
 }
 
-/// A row may stand for others within 1 % of R and 10°.
-std::vector<Contender> thinned_rows(const Stage& stage, Place place) {
-  const Thinning thinning{0.01 * mesh_radius, std::cos(10 * std::numbers::pi / 180)};
-  return rows_by(
-      stage, place,
-      [thinning](const Body& a, const Body& b, const Transform& X_BA, std::span<NearPair> out) {
-        return thinned_pairs(a, b, X_BA, reach, thinning, out).count;
-      });
-}
-
 /// What is in use of the heap, bytes.
 double heap_bytes() {
   const struct mallinfo2 info = ::mallinfo2();
@@ -198,7 +187,6 @@ std::vector<Query> queries() {
       {"distance", {P::far, P::near_5, P::near_1, P::touching}, {"FCL"}, distance_cold, ""},
       {"distance-warm", {P::trajectory}, {ours_cold, "FCL"}, distance_warm, ""},
       {"near-pairs", {P::near_1, P::touching, P::trajectory}, {}, near_rows, "rows"},
-      {"near-pairs-thinned", {P::near_1, P::touching, P::trajectory}, {}, thinned_rows, "rows"},
       {"sweep", {P::trip}, {"FCL", "FCL oriented"}, sweep_contenders, "", judge_sweep},
       {"build", {P::none}, {"FCL", "Bullet"}, building, "bytes per triangle"},
   };

@@ -198,7 +198,6 @@ std::map<std::string, Plot> plots(const std::vector<Result>& results) {
       {curve("touch", "touch", "trajectory", ours, Value::median_us),
        curve("distance, warm", "distance-warm", "trajectory", ours, Value::median_us),
        curve("near pairs", "near-pairs", "trajectory", ours, Value::median_us),
-       curve("near pairs, thinned", "near-pairs-thinned", "trajectory", ours, Value::median_us),
        curve("touch, FCL", "touch", "trajectory", "FCL", Value::median_us),
        curve("touch, Bullet", "touch", "trajectory", "Bullet", Value::median_us),
        curve("distance, FCL", "distance-warm", "trajectory", "FCL", Value::median_us)}};

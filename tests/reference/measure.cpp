@@ -15,7 +15,8 @@ double Measured::excess() const {
   return got.depth / reference - 1;
 }
 
-Measured measure(const Row& row, const Pair& pair, const StaticOptions& options) {
+Measured measure(const Row& row, const Pair& pair, const StaticOptions& options,
+                 const SearchTuning& tuning) {
   Measured out;
   out.row = row;
   out.reference = options.method == Method::pdg ? row.best : row.pdt;
@@ -25,7 +26,7 @@ Measured measure(const Row& row, const Pair& pair, const StaticOptions& options)
   const bool wall = search.budget.microseconds > 0 || search.two_threads;
   const auto now = [&] { return wall ? now_us() : processor_time_us(); };
   const double started = now();
-  out.got = separate_static(pair, row.pose, search);
+  out.got = separate_static(pair, row.pose, search, tuning);
   const double searched = now();
   out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), row.pose);
   out.bound_us = now() - searched;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/penetration/search/search_tuning.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "tests/reference/depths_file.hpp"
 
@@ -23,7 +24,8 @@ struct Measured {
   double excess() const;
 };
 
-Measured measure(const Row& row, const Pair& pair, const StaticOptions& options);
+Measured measure(const Row& row, const Pair& pair, const StaticOptions& options,
+                 const SearchTuning& tuning = search_tuning);
 
 /// The row with what is better than its reference taken over; false where nothing is.
 bool mend(Row& row, const Measured& by, Method method);

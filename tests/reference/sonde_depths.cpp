@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/calibration/calibration_file.hpp"
+#include "engine/penetration/search/search_variation.hpp"
 #include "engine/text/output_file.hpp"
 #include "tests/reference/calibrate_rows.hpp"
 #include "tests/reference/cases.hpp"
@@ -18,6 +19,7 @@ struct Options {
   std::string in = "tests/reference/depths.csv";
   std::string only, csv, json, calibration;
   StaticOptions search;
+  SearchTuning tuning;
   int every = 1;
   std::size_t worst = 20;
   bool mend = false;
@@ -39,6 +41,12 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--json", o.json, "write the table to this file");
   app.add_option("--calibrate", o.calibration,
                  "measure what limits of time cost instead, and write that to this file");
+  app.add_option_function<std::vector<std::string>>(
+      "--vary",
+      [&o](const std::vector<std::string>& all) {
+        for (const std::string& each : all) vary(o.tuning, each);
+      },
+      "NAME=VALUE: another value for a number of SearchTuning; may be given again");
   app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
@@ -76,7 +84,7 @@ std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options
     Row& row = rows[i];
     if (!options.only.empty() && options.only != row.pair) continue;
     if (!bodies.load(row.pair)) continue;
-    out.push_back(measure(row, *bodies.bodies, options.search));
+    out.push_back(measure(row, *bodies.bodies, options.search, options.tuning));
     if (options.mend) mend(row, out.back(), options.search.method);
   }
   return out;
@@ -132,6 +140,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "sonde-depths: --vary %s\n", error.what());
+    return 2;
   }
   try {
     return run(options);

@@ -20,18 +20,6 @@ void add(std::string& line, const Pose& pose) {
   for (const double value : {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()}) add(line, value);
 }
 
-const char* name_of(Status status) {
-  switch (status) {
-    case Status::separated:
-      return "separated";
-    case Status::penetrating:
-      return "penetrating";
-    case Status::failed:
-      return "failed";
-  }
-  return "";
-}
-
 }  // namespace
 
 double share_of_force(const Contact& contact, const ContactClusters& all) {

@@ -12,6 +12,20 @@ namespace sonde {
 enum class Method { pdg, pdt };  ///< all six degrees, or translation only
 enum class Status { separated, penetrating, failed };
 
+/// As files and the command line have it.
+constexpr const char* name_of(Method method) { return method == Method::pdt ? "pdt" : "pdg"; }
+constexpr const char* name_of(Status status) {
+  switch (status) {
+    case Status::separated:
+      return "separated";
+    case Status::penetrating:
+      return "penetrating";
+    case Status::failed:
+      break;
+  }
+  return "failed";
+}
+
 /// One contact of a separated pose, in the fixed body's mesh frame, metres.
 struct Contact {
   Vec3 on_probe = Vec3::Zero();  ///< a, the point on A at the separated pose
@@ -75,8 +89,9 @@ struct Separation {
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
   bool converged = false;    ///< false: the budget ran out first
-  /// Steps that were cut short by a limit on rows, on looks at them or on fruitless steps: of a
-  /// tick, or of all descents of a search. What it ends with is verified all the same.
+  /// Limits that acted: steps that were cut short by one on rows, on looks at them or on fruitless
+  /// steps, of a tick or of all descents of a search; and one more where a search ended by its most
+  /// starts, with no evidence that it was done. What it ends with is verified all the same.
   int limited = 0;
   /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
   /// In a tick, the path swept free led over an edge to another place, and the depth fell by more

@@ -64,7 +64,7 @@ Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
   return free * y;
 }
 
-std::optional<Vec6> LeapDescent::around(const Chart& chart, const Vec6& first, double margin,
+std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, double margin,
                                         ContactRows& rows, double trust, const Vec6& y) {
   Vec6 step = first;
   Effort unlimited;
@@ -105,7 +105,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
   if (-y.dot(lifted) > leaps.worth * -y.dot(step) && take(lifted)) return true;
   // The rows may lack what is in the way: the nearest pairs are a guess of it.
   if (const auto round =
-          pace.complete ? around(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
+          pace.complete ? detour(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
     y += *round;
     pace.moved = round->norm();
     pace.trust = leaps.trust_after_part * std::max(pace.moved, leaps.trust_kept * pace.trust);

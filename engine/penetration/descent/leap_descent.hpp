@@ -53,7 +53,7 @@ class LeapDescent {
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
             Pace& pace, Vec6& y);
   /// A free leap round what is in the way of the first, by rows of all that is (ContactRows::cut).
-  std::optional<Vec6> around(const Chart& chart, const Vec6& first, double margin,
+  std::optional<Vec6> detour(const Chart& chart, const Vec6& first, double margin,
                              ContactRows& rows, double trust, const Vec6& y);
 
   const Body& probe_;

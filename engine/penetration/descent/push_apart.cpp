@@ -69,7 +69,7 @@ PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
   rows_.reserve(tuned.most_pairs);
 }
 
-void PushApart::look(const Chart& chart, const Vec6& y, double margin) {
+void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
   const Transform X(chart.pose(y));
   Effort unlimited;
   const std::size_t count = find_violations(probe_, fixed_, X, margin, found_, unlimited);
@@ -106,7 +106,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
   Vec6 y = start;
   for (int looks = 0; looks < tuned.most_looks && !deadline.passed(); ++looks) {
     if (!overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact)) return y;
-    look(chart, y, margin);
+    gather(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one is inside the other
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));

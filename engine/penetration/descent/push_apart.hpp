@@ -32,7 +32,7 @@ class PushApart {
     double push;           ///< its multiplier
   };
   /// Rows of the pairs that meet at y, or nearly do.
-  void look(const Chart& chart, const Vec6& y, double margin);
+  void gather(const Chart& chart, const Vec6& y, double margin);
   /// A step that satisfies the rows about evenly.
   Vec6 compromise();
 

@@ -69,8 +69,8 @@ bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
 
 /// The least gap of a group, or more than the reach; add(point, what is there) for all within.
 template <class Place, class Add>
-double SketchDescent::look_at(const PointGroup& group, const DistanceField& field, Known& known,
-                              double reach, const Place& place, const Add& add) {
+double SketchDescent::find_near_in(const PointGroup& group, const DistanceField& field,
+                                   Known& known, double reach, const Place& place, const Add& add) {
   if (known.gap - (travelled_ - known.seen) > reach) return reach;
   const Quad center = place(group.center);
   known = {static_cast<double>(field.at_least(center)) - group.radius, travelled_};
@@ -88,13 +88,13 @@ double SketchDescent::look_at(const PointGroup& group, const DistanceField& fiel
   return known.gap;
 }
 
-double SketchDescent::look(const Frame& frame, double reach, bool rough) {
+double SketchDescent::find_near(const Frame& frame, double reach, bool rough) {
   const std::vector<PointGroup>& of_probe = rough ? probe_.few : probe_.more;
   const std::vector<PointGroup>& of_fixed = rough ? fixed_.few : fixed_.more;
   near_.clear();
   double least = reach;
   for (std::size_t i = 0; i < of_probe.size(); ++i) {
-    const double gap = look_at(
+    const double gap = find_near_in(
         of_probe[i], fixed_.field, of_probe_[i], reach,
         [&](const Quad& x) { return frame.to_fixed(x); },
         [&](const Quad& x, const Quad&, const Quad& d) {
@@ -103,7 +103,7 @@ double SketchDescent::look(const Frame& frame, double reach, bool rough) {
     least = std::min(least, gap);
   }
   for (std::size_t i = 0; i < of_fixed.size(); ++i) {
-    const double gap = look_at(
+    const double gap = find_near_in(
         of_fixed[i], probe_.field, of_fixed_[i], reach,
         [&](const Quad& x) { return frame.to_probe(x); },
         [&](const Quad&, const Quad& x, const Quad& d) {
@@ -163,7 +163,7 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
   for (;;) {
     const double reach = tuned.reach * trust + margin;
     const Frame frame(chart, out.y, R_FB_, com_B_);
-    out.gap = look(frame, reach, goal.rough);
+    out.gap = find_near(frame, reach, goal.rough);
     const double too_deep = margin - out.gap;
     const double least = tuned.too_deep_at_least * spacing_;
     if (moved > least && too_deep > std::max(tuned.too_deep * moved, least) &&

@@ -52,10 +52,10 @@ class SketchDescent {
     float gap;      // m
     bool of_probe;  // whose point it is
   };
-  double look(const Frame& frame, double reach, bool rough);
+  double find_near(const Frame& frame, double reach, bool rough);
   template <class Place, class Add>
-  double look_at(const PointGroup& group, const DistanceField& field, Known& known, double reach,
-                 const Place& place, const Add& add);
+  double find_near_in(const PointGroup& group, const DistanceField& field, Known& known,
+                      double reach, const Place& place, const Add& add);
   void make_rows(const Chart& chart, const Vec6& y, const Frame& frame, Method method);
   LeastDistance solve(double margin, bool open);
 

@@ -6,7 +6,7 @@
 
 namespace sonde {
 
-void LocalOptima::note(const LocalOptimum& place) {
+void LocalOptima::add(const LocalOptimum& place) {
   if (!std::isfinite(place.depth)) return;
   best_ = std::min(best_, place.depth);
   const auto later = std::ranges::upper_bound(optima_, place.depth, {}, &LocalOptimum::depth);

@@ -25,7 +25,7 @@ class LocalOptima {
   /// are one place.
   explicit LocalOptima(double same = search_tuning.same) : same_(same) {}
 
-  void note(const LocalOptimum& place);
+  void add(const LocalOptimum& place);
 
   bool empty() const { return optima_.empty(); }
   double best() const { return best_; }  ///< m; infinite where there is none

@@ -15,7 +15,7 @@ SearchBudget::SearchBudget(const Budget& budget, const Deadline& deadline,
       refining_(deadline.part(tuning.share_for_refining)) {}
 
 int SearchBudget::steps_left() const {
-  return counts_steps() ? std::max(0, budget_.steps - taken_) : std::numeric_limits<int>::max();
+  return counts_steps() ? std::max(0, budget_.steps - spent_) : std::numeric_limits<int>::max();
 }
 
 }  // namespace sonde

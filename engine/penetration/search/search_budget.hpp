@@ -18,10 +18,10 @@ class SearchBudget {
   bool is_short() const { return short_; }
   bool counts_steps() const { return budget_.steps > 0; }
   int steps_left() const;  ///< 0 at least; where none are counted, as many as there are numbers
-  int steps_taken() const { return taken_; }
-  void take(int steps) { taken_ += steps; }
+  int steps_spent() const { return spent_; }
+  void spend(int steps) { spent_ += steps; }
   /// A start was cut short by the steps: what it took counts for nothing, and none are left.
-  void take_all() { taken_ = budget_.steps; }
+  void spend_all() { spent_ = budget_.steps; }
 
   const Deadline& sketching() const { return sketching_; }
   const Deadline& searching() const { return searching_; }
@@ -35,7 +35,7 @@ class SearchBudget {
   Budget budget_;
   bool short_;
   Deadline sketching_, searching_, refining_;
-  int taken_ = 0;
+  int spent_ = 0;
 };
 
 }  // namespace sonde

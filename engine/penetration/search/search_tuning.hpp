@@ -42,7 +42,8 @@ struct SearchTuning {
   /// For the first translation, which is only a start.
   int sketches_of_translations = 8;
   /// Starts on sketches that agree on which end is the best, each by itself; or so many, where no
-  /// other end is within `alone` of the best depth. More of them cost time at every pose.
+  /// other end is within `alone` of the best depth. With 4, two poses more of 244 end over 1 % too
+  /// deep, in 12.2 ms instead of 14.7 in the median.
   int clear = 8;
   int clear_alone = 4;
   double alone = 1.08;
@@ -97,7 +98,7 @@ struct SearchTuning {
   // Starts from overlaps, which are pushed apart (PushApart)
   /// Near the device pose: sketches that agree say nothing of a hole that they do not show (a
   /// cylinder in a hole, conforming_test.cpp). Without them its answer is out at the end of the
-  /// hole.
+  /// hole; no pose of depths.csv needs them, and they cost it 4 ms of 14.7 in the median.
   std::size_t pushes = 8;
   double nearest_push = 0.1;   ///< of the best depth, or of R where that is less
   double farthest_push = 0.8;  ///< the same

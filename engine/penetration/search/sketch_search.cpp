@@ -21,7 +21,7 @@ SketchSearch::SketchSearch(const Chart& chart, const SketchGoal& goal,
                            const SearchTuning& tuning)
     : chart_(chart), goal_(goal), lanes_(lanes), threads_(threads), tuned_(tuning) {}
 
-void SketchSearch::go_on(int fewest, int most, int agreeing) {
+void SketchSearch::make_starts(int fewest, int most, int agreeing) {
   while (made_ < most && !(made_ >= fewest && is_clear(agreeing)))
     if (made_ > 0 && goal_.deadline.passed())
       return;
@@ -49,7 +49,7 @@ void SketchSearch::round() {
     found[k] = start(made_ + static_cast<int>(k), lanes_[lane]);
   });
   for (const auto& end : found)
-    if (end) note(*end);
+    if (end) add(*end);
   std::ranges::stable_sort(ends_, {}, &SketchEnd::depth);
   made_ += int{per_round};
 }
@@ -115,7 +115,7 @@ Random SketchSearch::stream(std::uint64_t number) const {
   return Random(mixed.next());
 }
 
-void SketchSearch::note(const SketchEnd& end) {
+void SketchSearch::add(const SketchEnd& end) {
   nearest_free_ =
       std::clamp(end.from, tuned_.smallest_ball_of_sketches * chart_.mass().radius, nearest_free_);
   for (SketchEnd& known : ends_)

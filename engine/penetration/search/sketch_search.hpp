@@ -46,8 +46,8 @@ class SketchSearch {
   SketchSearch(const Chart& chart, const SketchGoal& goal, std::span<SketchDescent> lanes,
                ThreadPair& threads, const SearchTuning& tuning = search_tuning);
 
-  /// Goes on until `most` starts are made, or `fewest` and it is clear what is the least depth.
-  void go_on(int fewest, int most, int agreeing);
+  /// More of them, until `most` are made, or `fewest` and it is clear what is the least depth.
+  void make_starts(int fewest, int most, int agreeing);
 
   std::vector<SketchEnd>& ends() { return ends_; }  ///< the nearest first, each once
   /// As many starts as `agreeing` have ended at the least depth, to 2 %, each by itself; or some,
@@ -65,7 +65,7 @@ class SketchSearch {
   std::optional<SketchEnd> descend(const Vec6& y, SketchDescent& descent) const;
   Vec6 sample(Random& random, double ball) const;
   Random stream(std::uint64_t number) const;
-  void note(const SketchEnd& end);
+  void add(const SketchEnd& end);
 
   const Chart& chart_;
   SketchGoal goal_;

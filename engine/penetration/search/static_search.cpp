@@ -101,7 +101,7 @@ class Search {
             .known = own ? &optima_ : nullptr};
   }
 
-  /// Runs start(k, lane) for each of a round, and takes down what they found. Where steps are
+  /// Runs start(k, lane) for each of a round, and adds what they found. Where steps are
   /// counted, two at a time: what is done with the first so many steps does not depend on how many
   /// there are, so that more of them only add to what is found. A start that there are not enough
   /// for is not made; but the first of all goes as far as they do.
@@ -115,21 +115,21 @@ class Search {
       share_ = std::clamp(budget_.steps_left(), 1, most_steps_);
       threads_.each(count,
                     [&](std::size_t k, std::size_t lane) { found[k] = start(first + k, lane); });
-      for (std::size_t k = 0; k < count; ++k) take(found[k]);
+      for (std::size_t k = 0; k < count; ++k) accept(found[k]);
     }
   }
 
-  void take(const LocalOptimum& place) {
+  void accept(const LocalOptimum& place) {
     if (place.iterations >= budget_.steps_left() && !optima_.empty()) {
-      budget_.take_all();
+      budget_.spend_all();
       return;
     }
-    note(place);
+    add(place);
     if (budget_.counts_steps() && optima_.best() < settled_) settle();
   }
-  void note(const LocalOptimum& place) {
-    budget_.take(place.iterations);
-    optima_.note(place);
+  void add(const LocalOptimum& place) {
+    budget_.spend(place.iterations);
+    optima_.add(place);
     if (place.y.head<3>().isZero(0) && place.depth < translated_.depth) translated_ = place;
   }
 
@@ -142,7 +142,7 @@ class Search {
   /// From the sketches' ends and the device pose itself.
   void first_starts() {
     if (sketched()) {
-      sketches_.go_on(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
+      sketches_.make_starts(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
       from_ends(sketches_, options_.method,
                 rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.ends_where_clear
                                                               : tuned_.first_ends);
@@ -229,15 +229,15 @@ class Search {
       starts_outside(budget_.searching().passed() ? 2 : per_round);
     if (budget_.search_is_over() || !std::isfinite(translated_.depth)) return;
     share_ = budget_.steps_left();
-    take(starts_.lane(0).descend(chart_, translated_.y, Method::pdg,
-                                 {share_, optima_.best(), budget_.searching()}));
+    accept(starts_.lane(0).descend(chart_, translated_.y, Method::pdg,
+                                   {share_, optima_.best(), budget_.searching()}));
   }
 
   void first_translations() {
     push_device_pose(Method::pdt);
     if (!sketched()) return near_starts(Method::pdt);
     SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketched(), threads_, tuned_);
-    sketches.go_on(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
+    sketches.make_starts(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
     from_ends(sketches, Method::pdt, settled() ? 1 : 2);
   }
 
@@ -248,7 +248,7 @@ class Search {
     StaticOptions options = options_;
     options.method = Method::pdt;
     const Separation found = Search(pair_, chart_.device(), options, tuned_, {}).run();
-    budget_.take(found.iterations);
+    budget_.spend(found.iterations);
     limited_ += found.limited;
     if (found.status != Status::penetrating) return;
     translated_.y = chart_.coordinates(found.separated);
@@ -256,7 +256,7 @@ class Search {
     translated_.depth = found.depth;
     finished_ = found;
     share_ = budget_.steps_left();
-    note(starts_.lane(0).descend_exactly(chart_, translated_.y, Method::pdg, {share_, 0, {}}));
+    add(starts_.lane(0).descend_exactly(chart_, translated_.y, Method::pdg, {share_, 0, {}}));
   }
 
   Random stream(std::uint64_t number) const {
@@ -268,8 +268,9 @@ class Search {
   /// themselves from there.
   void more_sketches() {
     if (!sketched() || optima_.empty()) return;
-    for (int made = 2 * sketches_.made(); made <= tuned_.most_sketches && goes_on(); made *= 2) {
-      sketches_.go_on(made, made, 0);
+    for (int made = std::max(1, 2 * sketches_.made()); made <= tuned_.most_sketches && goes_on();
+         made *= 2) {
+      sketches_.make_starts(made, made, 0);
       from_ends(sketches_, options_.method, tuned_.most_ends);
     }
   }
@@ -277,7 +278,9 @@ class Search {
   void random_rounds() {
     const bool few = sketched() && options_.by_evidence;
     const int most = few ? std::min(tuned_.most_after_sketches, options_.starts) : options_.starts;
-    for (int start = 0; start < most && goes_on(); start += int{per_round}) random_starts(start);
+    int start = 0;
+    for (; start < most && goes_on(); start += int{per_round}) random_starts(start);
+    if (start >= most && goes_on()) ++limited_;
   }
   bool goes_on() { return !budget_.search_is_over() && !settled(); }
 
@@ -303,7 +306,7 @@ class Search {
       pdt = add_translation();
     if (!verified_.best()) return failed(chart_.device(), "no separated pose stood the exact test");
     Separation out = *verified_.best();
-    out.iterations = budget_.steps_taken();
+    out.iterations = budget_.steps_spent();
     out.limited = limited_ + starts_.limited();
     out.pdt = rotates() ? pdt : out.depth;
     return out;
@@ -317,7 +320,7 @@ class Search {
   Separation refined(Method method, const Vec6& from, int steps) {
     Separation out =
         verified_.refined(method, from, starts_.lane(0).leaps(method), steps, budget_.refining());
-    budget_.take(out.iterations);
+    budget_.spend(out.iterations);
     return out;
   }
 

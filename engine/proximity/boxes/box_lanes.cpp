@@ -215,8 +215,8 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
 // NOLINTEND(bugprone-macro-parentheses)
 SONDE_BOX_KERNELS(plain, )
 #if defined(__x86_64__)
-SONDE_BOX_KERNELS(avx2, __attribute__((target("avx2"))))
-SONDE_BOX_KERNELS(avx512, __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw"))))
+SONDE_BOX_KERNELS(avx2, __attribute__((target(SONDE_TARGET_AVX2))))
+SONDE_BOX_KERNELS(avx512, __attribute__((target(SONDE_TARGET_AVX512))))
 constexpr BoxKernels all[] = {plain::kernels, avx2::kernels, avx512::kernels};
 #else
 constexpr BoxKernels all[] = {plain::kernels};
@@ -225,11 +225,7 @@ constexpr BoxKernels all[] = {plain::kernels};
 }  // namespace
 
 std::span<const BoxKernels> all_box_kernels() {
-#if defined(__x86_64__)
-  return {all, supported_instruction_sets()};
-#else
-  return all;
-#endif
+  return {all, static_cast<std::size_t>(widest_instruction_set()) + 1};
 }
 
 const BoxKernels& box_kernels() { return all_box_kernels().back(); }

@@ -6,6 +6,8 @@
 
 #include "engine/body/tree.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
+#include "engine/simd/instruction_set.hpp"
+#include "engine/simd/vectors.hpp"
 
 // What kernels are made of must be inlined into each of them, to be compiled for its instruction
 // set; by reference, because vectors wider than the plain ones have no common way of being passed.
@@ -13,21 +15,9 @@
 
 namespace sonde {
 
-/// How many of the kernels (plain, AVX2, AVX-512) this processor can run.
-inline std::size_t supported_instruction_sets() {
-#if defined(__x86_64__)
-  if (!__builtin_cpu_supports("avx2")) return 1;
-  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-  return avx512 ? 3 : 2;
-#else
-  return 1;
-#endif
-}
-
-/// A number for each box of a node; the compiler splits it where the processor's are narrower.
-typedef float Floats __attribute__((vector_size(4 * Tree::width)));
-typedef std::int32_t Ints __attribute__((vector_size(4 * Tree::width)));
+static_assert(Tree::width == 16, "a lane for each box of a node");
+using Floats = FloatX16;
+using Ints = IntX16;
 
 struct Vectors {
   Floats x, y, z;

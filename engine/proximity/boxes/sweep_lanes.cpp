@@ -170,8 +170,8 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
 // NOLINTEND(bugprone-macro-parentheses)
 SONDE_SWEEP_KERNELS(plain, )
 #if defined(__x86_64__)
-SONDE_SWEEP_KERNELS(avx2, __attribute__((target("avx2"))))
-SONDE_SWEEP_KERNELS(avx512, __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw"))))
+SONDE_SWEEP_KERNELS(avx2, __attribute__((target(SONDE_TARGET_AVX2))))
+SONDE_SWEEP_KERNELS(avx512, __attribute__((target(SONDE_TARGET_AVX512))))
 constexpr SweepKernels all[] = {plain::kernels, avx2::kernels, avx512::kernels};
 #else
 constexpr SweepKernels all[] = {plain::kernels};
@@ -180,11 +180,7 @@ constexpr SweepKernels all[] = {plain::kernels};
 }  // namespace
 
 std::span<const SweepKernels> all_sweep_kernels() {
-#if defined(__x86_64__)
-  return {all, supported_instruction_sets()};
-#else
-  return all;
-#endif
+  return {all, static_cast<std::size_t>(widest_instruction_set()) + 1};
 }
 
 const SweepKernels& sweep_kernels() { return all_sweep_kernels().back(); }

@@ -19,7 +19,7 @@ constexpr std::size_t looks_between_stops = 256;
 class Patch {
  public:
   Patch(const Body& body, const Body& other, const Pose& X_OM, const GapOptions& options,
-        const std::function<bool()>& stop)
+        const Stop& stop)
       : body_(body), other_(other), X_OM_(X_OM), options_(options), stop_(stop) {
     box_ = {other.tree.low, other.tree.high};
   }
@@ -92,7 +92,7 @@ class Patch {
   const Body& other_;
   const Pose X_OM_;
   const GapOptions& options_;
-  const std::function<bool()>& stop_;
+  const Stop& stop_;
   Eigen::AlignedBox3d box_;
   GapField field_;
   std::vector<Triangle> waiting_;
@@ -105,7 +105,7 @@ class Patch {
 }  // namespace
 
 GapField gap_field(const Body& body, const Body& other, const Pose& X_OM, const GapOptions& options,
-                   const std::function<bool()>& stop) {
+                   const Stop& stop) {
   return Patch(body, other, X_OM, options, stop).made();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "engine/base/progress.hpp"
 #include "engine/body/body.hpp"
 
 namespace sonde {
@@ -24,6 +24,6 @@ struct GapOptions {
 /// X_OM is the pose of the body's mesh frame in the other's. Empty if `stop` returns true
 /// meanwhile.
 GapField gap_field(const Body& body, const Body& other, const Pose& X_OM, const GapOptions& options,
-                   const std::function<bool()>& stop = {});
+                   const Stop& stop = {});
 
 }  // namespace sonde

@@ -10,6 +10,7 @@
 #include "engine/body/body.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
+#include "engine/simd/vectors.hpp"
 
 namespace sonde {
 
@@ -35,8 +36,7 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
 /// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, from the origin `to`,
 /// all in the unit of which there are per_unit to a metre.
 struct FrameChange {
-  /// Three numbers and an idle fourth.
-  typedef float Column __attribute__((vector_size(16)));
+  using Column = FloatX4;
   Column R[3];
   Column from, p, to;
 };

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/simd/vectors.hpp"
 
 namespace sonde {
 
-/// Three numbers and a fourth, for the vector unit.
-typedef float Quad __attribute__((vector_size(16)));
+using Quad = FloatX4;
 inline Quad quad(const Vec3& x, float fourth = 0) {
   return Quad{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]), fourth};
 }
@@ -43,7 +43,7 @@ class DistanceField {
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Quad); }
 
  private:
-  typedef int Cell __attribute__((vector_size(16)));
+  using Cell = IntX4;
   void fill(const Body& solid);
   Quad beyond(const Quad& at_border, const Quad& way) const;
 

@@ -15,37 +15,30 @@ ArmMap arm_map(const Mat3& R, const Vec3& p) {
   return out;
 }
 
-LaneSet widest_lanes() {
-  if (is_supported(LaneSet::avx512)) return LaneSet::avx512;
-  return is_supported(LaneSet::avx2) ? LaneSet::avx2 : LaneSet::baseline;
-}
-
-void gaps_at_by(LaneSet set, const PairLanes& pairs, const ArmMap& at, double (&gap)[8]) {
+void gaps_at_by(InstructionSet set, const PairLanes& pairs, const ArmMap& at, double (&gap)[8]) {
 #ifdef __x86_64__
-  if (set == LaneSet::avx512) return gaps_at_in_lanes<8>(pairs, at, gap);
-  if (set == LaneSet::avx2) return gaps_at_in_lanes<4>(pairs, at, gap);
+  if (set == InstructionSet::avx512) return gaps_at_in_lanes<8>(pairs, at, gap);
+  if (set == InstructionSet::avx2) return gaps_at_in_lanes<4>(pairs, at, gap);
 #endif
   gaps_at_in_lanes<2>(pairs, at, gap);
 }
 
-void gaps_along_by(LaneSet set, const PairLanes& pairs, const ArmMap& from, const ArmMap& to,
+void gaps_along_by(InstructionSet set, const PairLanes& pairs, const ArmMap& from, const ArmMap& to,
                    const ArmMap& bend, PathLanes& out) {
 #ifdef __x86_64__
-  if (set == LaneSet::avx512) return gaps_along_in_lanes<8>(pairs, from, to, bend, out);
-  if (set == LaneSet::avx2) return gaps_along_in_lanes<4>(pairs, from, to, bend, out);
+  if (set == InstructionSet::avx512) return gaps_along_in_lanes<8>(pairs, from, to, bend, out);
+  if (set == InstructionSet::avx2) return gaps_along_in_lanes<4>(pairs, from, to, bend, out);
 #endif
   gaps_along_in_lanes<2>(pairs, from, to, bend, out);
 }
 
 void gaps_at(const PairLanes& pairs, const ArmMap& at, double (&gap)[8]) {
-  static const LaneSet chosen = widest_lanes();
-  gaps_at_by(chosen, pairs, at, gap);
+  gaps_at_by(widest_instruction_set(), pairs, at, gap);
 }
 
 void gaps_along(const PairLanes& pairs, const ArmMap& from, const ArmMap& to, const ArmMap& bend,
                 PathLanes& out) {
-  static const LaneSet chosen = widest_lanes();
-  gaps_along_by(chosen, pairs, from, to, bend, out);
+  gaps_along_by(widest_instruction_set(), pairs, from, to, bend, out);
 }
 
 }  // namespace sonde

@@ -33,11 +33,8 @@ void gaps_along(const PairLanes& pairs, const ArmMap& from, const ArmMap& to, co
                 PathLanes& out);
 
 /// By one of the instruction sets, which has to be supported. The same bits by all.
-void gaps_at_by(LaneSet set, const PairLanes& pairs, const ArmMap& at, double (&gap)[8]);
-void gaps_along_by(LaneSet set, const PairLanes& pairs, const ArmMap& from, const ArmMap& to,
+void gaps_at_by(InstructionSet set, const PairLanes& pairs, const ArmMap& at, double (&gap)[8]);
+void gaps_along_by(InstructionSet set, const PairLanes& pairs, const ArmMap& from, const ArmMap& to,
                    const ArmMap& bend, PathLanes& out);
-
-/// The widest that this processor has.
-LaneSet widest_lanes();
 
 }  // namespace sonde

@@ -9,38 +9,23 @@ namespace {
 
 using Kernel = void (*)(const TrianglePairs8&, int, double, ClosestPoints8&);
 
-Kernel kernel(LaneSet set) {
+Kernel kernel(InstructionSet set) {
 #ifdef __x86_64__
-  if (set == LaneSet::avx512) return closest_points_in_lanes<8>;
-  if (set == LaneSet::avx2) return closest_points_in_lanes<4>;
+  if (set == InstructionSet::avx512) return closest_points_in_lanes<8>;
+  if (set == InstructionSet::avx2) return closest_points_in_lanes<4>;
 #endif
-  return set == LaneSet::baseline ? closest_points_in_lanes<2> : nullptr;
-}
-
-Kernel widest() {
-  if (is_supported(LaneSet::avx512)) return kernel(LaneSet::avx512);
-  return kernel(is_supported(LaneSet::avx2) ? LaneSet::avx2 : LaneSet::baseline);
+  return set == InstructionSet::baseline ? closest_points_in_lanes<2> : nullptr;
 }
 
 }  // namespace
 
-bool is_supported(LaneSet set) {
-#ifdef __x86_64__
-  if (set == LaneSet::avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512dq");
-  if (set == LaneSet::avx2) return __builtin_cpu_supports("avx2");
-#endif
-  return set == LaneSet::baseline;
-}
-
-void closest_points_by(LaneSet set, const TrianglePairs8& pairs, int count, double limit,
+void closest_points_by(InstructionSet set, const TrianglePairs8& pairs, int count, double limit,
                        ClosestPoints8& out) {
   kernel(set)(pairs, count, limit, out);
 }
 
 void closest_points(const TrianglePairs8& pairs, int count, double limit, ClosestPoints8& out) {
-  static const Kernel chosen = widest();
+  static const Kernel chosen = kernel(widest_instruction_set());
   chosen(pairs, count, limit, out);
 }
 

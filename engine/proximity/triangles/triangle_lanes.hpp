@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "engine/proximity/triangles/triangle_pair.hpp"
+#include "engine/simd/instruction_set.hpp"
 
 namespace sonde {
 
@@ -52,11 +53,8 @@ inline void set_lane(TrianglePairs8& pairs, int lane, const Corners& a, const Co
 /// whatever the other lanes hold. Never allocates.
 void closest_points(const TrianglePairs8& pairs, int count, double limit, ClosestPoints8& out);
 
-/// The instruction sets that closest_points chooses from when it is first called.
-enum class LaneSet { baseline, avx2, avx512, count };
-bool is_supported(LaneSet set);
-/// closest_points by one of them, which has to be supported.
-void closest_points_by(LaneSet set, const TrianglePairs8& pairs, int count, double limit,
+/// closest_points by one instruction set, which has to be supported.
+void closest_points_by(InstructionSet set, const TrianglePairs8& pairs, int count, double limit,
                        ClosestPoints8& out);
 
 }  // namespace sonde

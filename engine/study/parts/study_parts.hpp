@@ -9,10 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace sonde {
+#include "engine/base/progress.hpp"
 
-/// Asked now and then by long work: true where it is to stop (it then throws Cancelled).
-using Stop = std::function<bool()>;
+namespace sonde {
 
 /// A piece of a study that needs nothing of any other piece.
 struct StudyPart {

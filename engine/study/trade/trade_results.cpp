@@ -156,7 +156,6 @@ const char* name_of(TradeKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-const char* name_of(Method method) { return method == Method::pdg ? "pdg" : "pdt"; }
 const char* title_of(Method method) { return method == Method::pdg ? "PD_g" : "PD_t"; }
 
 double TradePose::reference(Method method) const {

@@ -17,7 +17,6 @@ namespace sonde {
 /// bound of the depth, or a tick of the coherent solver.
 enum class TradeKind { search, bound, tick };
 const char* name_of(TradeKind kind);  ///< "static", "bound", "coherent"
-const char* name_of(Method method);   ///< "pdg", "pdt"
 const char* title_of(Method method);  ///< "PD_g", "PD_t"
 
 /// One point of the trade. The budget is counted: steps of a search (Budget::steps), work of a

@@ -224,7 +224,7 @@ Json about(const Plan& plan) {
     skipped.push_back({{"kind", name_of(each.kind)}, {"reason", each.reason}});
   return {{"inputs", Json::parse(r.inputs)},
           {"mode", name_of(r.coupling.mode)},
-          {"method", r.method == Method::pdt ? "pdt" : "pdg"},
+          {"method", name_of(r.method)},
           {"max_force", std::min(r.coupling.max_force, r.device.max_force.value)},
           {"max_torque", r.device.max_torque.value > 0
                              ? std::min(r.coupling.max_torque, r.device.max_torque.value)

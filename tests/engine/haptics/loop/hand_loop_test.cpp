@@ -8,58 +8,14 @@
 #include <limits>
 
 #include "engine/haptics/hand/simulated_hand.hpp"
-#include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
+#include "tests/engine/haptics/loop/hand_loop_bench.hpp"
 #include "tests/support/allocation_counter.hpp"
-#include "tests/support/shapes.hpp"
 
-namespace sonde {
+namespace sonde::test {
 namespace {
 
-constexpr double dt = 1e-3;
-
-/// The probe's box upright, so deep in the block's top.
-Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
-
-HandLoopSettings at_once() {
-  HandLoopSettings s;
-  s.safety.ramp_time = s.safety.force_slew = s.safety.torque_slew = 0;
-  return s;
-}
-
-/// A loop whose geometry answers as late as the test wants.
-class Bench {
- public:
-  explicit Bench(const HandLoopSettings& settings = at_once(), const Coupling& coupling = {})
-      : loop(probe->mass, Method::pdg, coupling, settings) {
-    feed.reset(at_depth(-0.001), {});
-    loop.restart(at_depth(-0.001));
-  }
-  const HandTick& tick(const HandSample& sample, bool geometry = true,
-                       Withheld why = Withheld::nothing) {
-    const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
-    const HandTick& out = loop.tick(sample, feed.contacts(), clock, why);
-    if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
-    return out;
-  }
-  /// A tick's time in which nothing is computed.
-  void rest(Withheld why) {
-    ++ticks_;
-    loop.rest(why);
-  }
-  const HandTick& tick(double depth) { return tick({.X_FM = at_depth(depth)}); }
-  void settle(double depth, int ticks = 500) {
-    for (int i = 0; i < ticks; ++i) tick(depth);
-  }
-
-  std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
-  std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
-  ContactFeed feed{{probe, fixed}, Method::pdg};
-  HandLoop loop;
-
- private:
-  std::uint64_t ticks_ = 0;
-};
+using Bench = HandLoopBench;
 
 TEST(HandLoop, with_rows_of_the_tick_before_the_wrench_is_that_of_the_loop_in_step) {
   for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
@@ -245,79 +201,6 @@ TEST(HandLoop, a_geometry_that_does_not_answer_after_a_pause_has_stalled) {
   EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
 }
 
-/// A device that slides along the block's top at 3 m/s, pressed into it.
-const HandTick& throw_hand(Bench& bench, const DeviceTraits& traits) {
-  for (int i = -40; i < 40; ++i) {
-    Pose X = at_depth(0.002);
-    X.p.x() = 0.003 * i;
-    bench.tick({.X_FM = X, .changed = i == -40, .device = traits});
-  }
-  return bench.loop.last();
-}
-
-TEST(HandLoop, a_hand_that_is_thrown_gets_nothing_until_it_has_left_the_contact) {
-  Bench bench;
-  const DeviceTraits device{.damping = 1};
-  bench.tick({.X_FM = at_depth(0.002), .device = device});
-  const HandTick& thrown = throw_hand(bench, device);
-  EXPECT_EQ(thrown.hand.withheld, Withheld::diverged);
-  EXPECT_EQ(thrown.wrench.force, Vec3::Zero());
-  Pose rest = at_depth(0.002);
-  rest.p.x() = 0.117;
-  for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
-  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << "still in contact";
-  for (int i = 0; i < 50; ++i) bench.tick({.X_FM = at_depth(-0.001), .device = device});
-  for (int i = 0; i < 3; ++i) bench.tick({.X_FM = at_depth(0.002), .device = device});
-  EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::nothing);
-  EXPECT_GT(bench.loop.last().wrench.force.z(), 0.9);
-}
-
-TEST(HandLoop, a_thrown_hand_that_is_not_to_be_trusted_for_a_tick_still_gets_nothing) {
-  const DeviceTraits device{.damping = 1};
-  Pose rest = at_depth(0.002);
-  rest.p.x() = 0.117;
-  for (const bool changed : {false, true}) {
-    Bench bench;
-    bench.tick({.X_FM = at_depth(0.002), .device = device});
-    throw_hand(bench, device);
-    bench.tick({.X_FM = rest, .trusted = changed, .changed = changed, .device = device});
-    for (int i = 0; i < 200; ++i) bench.tick({.X_FM = rest, .device = device});
-    EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::diverged) << changed;
-  }
-}
-
-/// Pressed into the block, it spins about the block's normal through its own centre of mass, which
-/// so stands still.
-const HandTick& spin_hand(Bench& bench, const DeviceTraits& traits, double speed) {
-  const Vec3& com = bench.probe->mass.com;
-  const Vec3 there = at_depth(0.002) * com;
-  for (int i = 0; i < 60; ++i) {
-    Pose X = at_depth(0.002);
-    X.q = (Quat(Eigen::AngleAxisd(speed * dt * i, Vec3::UnitZ())) * X.q).normalized();
-    X.p = there - X.q * com;
-    bench.tick({.X_FM = X, .changed = i == 0, .device = traits});
-  }
-  return bench.loop.last();
-}
-
-TEST(HandLoop, a_hand_that_is_thrown_into_a_turn_gets_nothing) {
-  const DeviceTraits device{.damping = 1};
-  Bench slow;
-  slow.settle(0.002, 10);
-  EXPECT_NE(spin_hand(slow, device, 15).hand.withheld, Withheld::diverged);
-  Bench fast;
-  fast.settle(0.002, 10);
-  const HandTick& thrown = spin_hand(fast, device, 60);
-  EXPECT_EQ(thrown.hand.withheld, Withheld::diverged);
-  EXPECT_EQ(thrown.wrench.force, Vec3::Zero());
-  EXPECT_EQ(thrown.wrench.torque, Vec3::Zero());
-  DeviceTraits geared = device;
-  geared.turn_ratio = 5;  // the probe turns five times as far as the hand
-  Bench scaled;
-  scaled.settle(0.002, 10);
-  EXPECT_NE(spin_hand(scaled, geared, 60).hand.withheld, Withheld::diverged);
-}
-
 struct Pressed {
   int diverged = 0;   ///< ticks
   double swings = 0;  ///< m, the way of the probe in the last second
@@ -356,20 +239,6 @@ TEST(HandLoop, a_gain_too_high_buzzes_within_the_limits_of_a_device_and_diverges
   coupling.k = 1e5;
   coupling.max_force = 1e4;
   EXPECT_GT(press(coupling).diverged, 0);
-}
-
-TEST(HandLoop, the_speed_is_that_of_the_hand_and_a_mouse_has_none) {
-  Bench scaled;
-  const DeviceTraits half{.ratio = 2};
-  scaled.tick({.X_FM = at_depth(0.002), .device = half});
-  EXPECT_EQ(throw_hand(scaled, half).hand.withheld, Withheld::nothing) << "1.5 m/s in the hand";
-  Bench mouse;
-  mouse.settle(0.002, 5);
-  for (int i = -40; i < 40; ++i) {
-    Pose X = at_depth(0.002);
-    X.p.x() = 0.003 * i;
-    EXPECT_EQ(mouse.tick({.X_FM = X}).hand.withheld, Withheld::nothing);
-  }
 }
 
 TEST(HandLoop, another_rate_is_another_delay_of_the_device_in_ticks) {
@@ -448,4 +317,4 @@ TEST(HandLoop, a_tick_neither_allocates_nor_frees) {
 }
 
 }  // namespace
-}  // namespace sonde
+}  // namespace sonde::test

@@ -10,7 +10,7 @@ namespace {
 
 TEST(SearchBudget, without_limits_never_ends) {
   SearchBudget budget({}, {}, search_tuning);
-  budget.take(1'000'000);
+  budget.spend(1'000'000);
   EXPECT_FALSE(budget.is_limited());
   EXPECT_FALSE(budget.is_short());
   EXPECT_EQ(budget.steps_left(), std::numeric_limits<int>::max());
@@ -21,19 +21,19 @@ TEST(SearchBudget, without_limits_never_ends) {
 TEST(SearchBudget, steps_are_used_up_and_never_owed) {
   SearchBudget budget({.steps = 10}, {}, search_tuning);
   EXPECT_TRUE(budget.is_limited() && budget.counts_steps());
-  budget.take(4);
+  budget.spend(4);
   EXPECT_EQ(budget.steps_left(), 6);
-  budget.take(9);
+  budget.spend(9);
   EXPECT_EQ(budget.steps_left(), 0);
-  EXPECT_EQ(budget.steps_taken(), 13);
+  EXPECT_EQ(budget.steps_spent(), 13);
   EXPECT_TRUE(budget.search_is_over() && budget.is_over());
 }
 
 TEST(SearchBudget, a_start_that_is_cut_short_leaves_no_steps) {
   SearchBudget budget({.steps = 10}, {}, search_tuning);
-  budget.take_all();
+  budget.spend_all();
   EXPECT_EQ(budget.steps_left(), 0);
-  EXPECT_EQ(budget.steps_taken(), 10);
+  EXPECT_EQ(budget.steps_spent(), 10);
 }
 
 TEST(SearchBudget, time_ends_first_for_sketches_then_for_the_search_then_for_refining) {

@@ -59,7 +59,7 @@ TEST_F(StartsTest, an_end_on_sketches_that_is_not_free_is_freed) {
 TEST_F(StartsTest, what_is_known_is_not_descended_again) {
   const LocalOptimum first = starts.pushed(Vec6::Zero(), aim(Method::pdg, nothing_found), 0);
   LocalOptima known;
-  known.note(first);
+  known.add(first);
   Aim again = aim(Method::pdg, first.depth);
   again.known = &known;
   EXPECT_FALSE(std::isfinite(starts.pushed(Vec6::Zero(), again, 0).depth));

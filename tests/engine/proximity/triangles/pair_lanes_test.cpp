@@ -67,10 +67,10 @@ void for_cases(std::uint64_t seed, const Check& check) {
       for (int i = 0; i < 200; ++i) check(Case(random, size, far * size));
 }
 
-std::vector<LaneSet> supported_sets() {
-  std::vector<LaneSet> out;
-  for (int i = 0; i < static_cast<int>(LaneSet::count); ++i)
-    if (is_supported(static_cast<LaneSet>(i))) out.push_back(static_cast<LaneSet>(i));
+std::vector<InstructionSet> supported_sets() {
+  std::vector<InstructionSet> out;
+  for (int i = 0; i < static_cast<int>(InstructionSet::count); ++i)
+    if (is_supported(static_cast<InstructionSet>(i))) out.push_back(static_cast<InstructionSet>(i));
   return out;
 }
 
@@ -97,22 +97,22 @@ TEST(PairLanes, gaps_are_those_of_plain_code) {
 }
 
 TEST(PairLanes, every_instruction_set_gives_the_same_bits) {
-  const std::vector<LaneSet> sets = supported_sets();
+  const std::vector<InstructionSet> sets = supported_sets();
   ASSERT_FALSE(sets.empty());
-  EXPECT_TRUE(is_supported(widest_lanes()));
+  EXPECT_TRUE(is_supported(widest_instruction_set()));
   for_cases(2, [&](const Case& c) {
     const ArmMap bend = arm_map(c.bend, Vec3::Zero());
     alignas(64) double first[8], other[8];
     PathLanes first_path, other_path;
-    gaps_at_by(LaneSet::baseline, c.lanes, c.at(0), first);
-    gaps_along_by(LaneSet::baseline, c.lanes, c.at(0), c.at(1), bend, first_path);
+    gaps_at_by(InstructionSet::baseline, c.lanes, c.at(0), first);
+    gaps_along_by(InstructionSet::baseline, c.lanes, c.at(0), c.at(1), bend, first_path);
     const auto compare = [&] {
       EXPECT_TRUE(same(first, other));
       EXPECT_TRUE(same(first_path.from, other_path.from));
       EXPECT_TRUE(same(first_path.to, other_path.to));
       EXPECT_TRUE(same(first_path.bend, other_path.bend));
     };
-    for (const LaneSet set : sets) {
+    for (const InstructionSet set : sets) {
       gaps_at_by(set, c.lanes, c.at(0), other);
       gaps_along_by(set, c.lanes, c.at(0), c.at(1), bend, other_path);
       compare();

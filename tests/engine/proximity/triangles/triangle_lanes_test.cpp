@@ -49,10 +49,10 @@ void for_all_batches(std::uint64_t seed, int batches_each, const Check& check) {
       }
 }
 
-std::vector<LaneSet> supported_sets() {
-  std::vector<LaneSet> out;
-  for (int i = 0; i < static_cast<int>(LaneSet::count); ++i)
-    if (is_supported(static_cast<LaneSet>(i))) out.push_back(static_cast<LaneSet>(i));
+std::vector<InstructionSet> supported_sets() {
+  std::vector<InstructionSet> out;
+  for (int i = 0; i < static_cast<int>(InstructionSet::count); ++i)
+    if (is_supported(static_cast<InstructionSet>(i))) out.push_back(static_cast<InstructionSet>(i));
   return out;
 }
 
@@ -127,13 +127,13 @@ TEST(TriangleLanes, Full_distance_and_points_agree_with_quadruple_precision) {
 }
 
 TEST(TriangleLanes, every_instruction_set_gives_the_same_bits) {
-  const std::vector<LaneSet> sets = supported_sets();
+  const std::vector<InstructionSet> sets = supported_sets();
   std::mt19937_64 random(3);
   for_all_batches(4, 200, [&](const Batch& batch) {
     const double limit = random() % 2 ? infinity : test::uniform(random, 0, 2);
     ClosestPoints8 first, other;
     closest_points_by(sets[0], batch.lanes, 8, limit, first);
-    for (const LaneSet set : sets) {
+    for (const InstructionSet set : sets) {
       closest_points_by(set, batch.lanes, 8, limit, other);
       for (int lane = 0; lane < 8; ++lane)
         ASSERT_TRUE(same(result(first, lane), result(other, lane)))
@@ -154,7 +154,7 @@ TEST(TriangleLanes, a_lane_does_not_depend_on_the_others) {
     pairs.insert(pairs.end(), batch.pair.begin(), batch.pair.end());
   });
   const double bad[] = {infinity, std::numeric_limits<double>::quiet_NaN(), 5e-324, 1e300, 0};
-  for (const LaneSet set : supported_sets())
+  for (const InstructionSet set : supported_sets())
     for (const TrianglePair& p : pairs) {
       TrianglePairs8 lanes;
       ClosestPoints8 alone, among;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/haptics/loop/contact_feed.hpp"
+#include "engine/haptics/loop/hand_loop.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde::test {
+
+inline constexpr double dt = 1e-3;
+
+/// The probe's box upright, so deep in the block's top.
+inline Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
+
+inline HandLoopSettings at_once() {
+  HandLoopSettings s;
+  s.safety.ramp_time = s.safety.force_slew = s.safety.torque_slew = 0;
+  return s;
+}
+
+/// A loop whose geometry answers as late as the test wants.
+class HandLoopBench {
+ public:
+  explicit HandLoopBench(const HandLoopSettings& settings = at_once(),
+                         const Coupling& coupling = {})
+      : loop(probe->mass, Method::pdg, coupling, settings) {
+    feed.reset(at_depth(-0.001), {});
+    loop.restart(at_depth(-0.001));
+  }
+  const HandTick& tick(const HandSample& sample, bool geometry = true,
+                       Withheld why = Withheld::nothing) {
+    const HandLoop::Clock clock{.tick = ++ticks_, .now = double(ticks_) * dt, .dt = dt};
+    const HandTick& out = loop.tick(sample, feed.contacts(), clock, why);
+    if (geometry) feed.refresh(loop.device(), clock.tick, clock.now, {});
+    return out;
+  }
+  /// A tick's time in which nothing is computed.
+  void rest(Withheld why) {
+    ++ticks_;
+    loop.rest(why);
+  }
+  const HandTick& tick(double depth) { return tick({.X_FM = at_depth(depth)}); }
+  void settle(double depth, int ticks = 500) {
+    for (int i = 0; i < ticks; ++i) tick(depth);
+  }
+
+  std::shared_ptr<const Body> probe = body(box({0.02, 0.03, 0.05}));
+  std::shared_ptr<const Body> fixed = body(box({0.3, 0.3, 0.1}));
+  ContactFeed feed{{probe, fixed}, Method::pdg};
+  HandLoop loop;
+
+ private:
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace sonde::test

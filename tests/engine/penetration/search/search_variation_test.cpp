@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/search_variation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace sonde {
+namespace {
+
+TEST(SearchVariation, a_number_of_each_kind_is_set_by_its_name) {
+  SearchTuning tuning;
+  vary(tuning, "blind=1.5");
+  vary(tuning, "most_sketches=64");
+  vary(tuning, "most_ends=4");
+  EXPECT_EQ(tuning.blind, 1.5);
+  EXPECT_EQ(tuning.most_sketches, 64);
+  EXPECT_EQ(tuning.most_ends, 4u);
+  EXPECT_EQ(tuning.first_ends, search_tuning.first_ends) << "the others stay";
+}
+
+TEST(SearchVariation, every_name_can_be_set) {
+  for (const std::string& name : names_of_search_tuning()) {
+    SearchTuning tuning;
+    EXPECT_NO_THROW(vary(tuning, name + "=1")) << name;
+  }
+}
+
+TEST(SearchVariation, what_is_no_number_of_the_search_is_refused) {
+  SearchTuning tuning;
+  for (const char* wrong : {"", "blind", "blind=", "blind=x", "blind=-1", "blind=inf", "blind=nan",
+                            "most_sketches=1.5", "most_ends=-1", "nothing=1", "=1", "blind=1 "})
+    EXPECT_THROW(vary(tuning, wrong), std::invalid_argument) << wrong;
+  EXPECT_EQ(tuning.blind, search_tuning.blind);
+}
+
+}  // namespace
+}  // namespace sonde
