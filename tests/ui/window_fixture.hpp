@@ -24,6 +24,21 @@ namespace sonde::ui::test {
 
 inline constexpr int patience_ms = 30'000;  // on a machine that does much else
 
+/// Tells when a window paints itself and hands its picture to the display.
+class TestApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* to, QEvent* event) override {
+    const bool paints = event->type() == QEvent::UpdateRequest || event->type() == QEvent::Expose;
+    if (!paints || !painting) return QApplication::notify(to, event);
+    painting(true);
+    const bool handled = QApplication::notify(to, event);
+    if (painting) painting(false);
+    return handled;
+  }
+  std::function<void(bool begins)> painting;
+};
+
 /// The one application of the test program. It lives until the end: Qt wants no second one.
 inline void need_application() {
   static int count = 1;
@@ -31,7 +46,7 @@ inline void need_application() {
   static char* arguments[] = {name, nullptr};
   if (QApplication::instance()) return;
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
-  new QApplication(count, arguments);
+  new TestApplication(count, arguments);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName("sonde-test");
 }
