@@ -24,6 +24,7 @@ void set_background(vtkRenderer& renderer) {
   const QColor top = colour::background_top, bottom = colour::background_bottom;
   renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
   renderer.SetBackground2(top.redF(), top.greenF(), top.blueF());
+  renderer.SetBackgroundAlpha(1);  // VTK's own is none: a picture for a file would be transparent
   renderer.GradientBackgroundOn();
 }
 
@@ -35,8 +36,10 @@ QString describe(const char* role, const Body& body) {
 }
 
 /// What the picture is of, where that is not what happens now.
-QString banner_of(const Instant& now) {
-  if (!now.live) return QStringLiteral("At %1 s – Space: live").arg(now.snapshot.time, 0, 'f', 3);
+QString banner_of(const Instant& now, bool for_file) {
+  const QString time = QStringLiteral("At %1 s").arg(now.snapshot.time, 0, 'f', 3);
+  if (for_file && !now.live) return time;
+  if (!now.live) return time + QStringLiteral(" – Space: live");
   return now.snapshot.paused ? HintView::pause_banner() : QString();
 }
 
@@ -223,7 +226,7 @@ void Viewport::update_text(const Instant& now) {
     for (const Label& label : overlay->labels())
       labels.push_back(
           {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
-  s.hints->set_banner(banner_of(now));
+  s.hints->set_banner(banner_of(now, s.picture_size.has_value()));
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());

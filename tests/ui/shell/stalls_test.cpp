@@ -69,6 +69,7 @@ class Stalls : public WindowTest {
       PictureWanted wanted;
       wanted.options.size = {640, 480};
       wanted.frames = 3;
+      wanted.span = {0, 1, 3};
       return std::optional(wanted);
     };
   }
@@ -133,7 +134,8 @@ TEST_F(Stalls, Full_no_event_waits_for_more_than_50_ms) {
     history.plots().hide();
   });
   for (const char* name : {"export_picture", "export_tables", "export_vtk", "export_series",
-                           "export_gltf", "export_animation"})
+                           "export_gltf", "export_animation", "export_recording_pictures",
+                           "export_recording_tables", "export_recording_series"})
     run(dog, name, [&] {
       target = path(name);
       act(name);
