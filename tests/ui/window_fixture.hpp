@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QMouseEvent>
+#include <QPalette>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <clocale>
@@ -39,6 +40,9 @@ class TestApplication : public QApplication {
   std::function<void(bool begins)> painting;
 };
 
+/// As the program is unless another theme is chosen: dark.
+inline void darken() { QApplication::setPalette(QPalette(QColor(50, 57, 66), QColor(36, 41, 48))); }
+
 /// The one application of the test program. It lives until the end: Qt wants no second one.
 inline void need_application() {
   static int count = 1;
@@ -49,6 +53,7 @@ inline void need_application() {
   new TestApplication(count, arguments);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName("sonde-test");
+  darken();
 }
 
 /// Runs the event loop until something holds; false if it never does.

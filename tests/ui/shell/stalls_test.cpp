@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <QTest>
 #include <cstdio>
-#include <numbers>
 
+#include "tests/ui/torus_text.hpp"
 #include "tests/ui/watchdog.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
@@ -21,25 +21,6 @@ namespace sonde::ui::test {
 namespace {
 
 constexpr double most_ms = 50;
-
-/// A torus as OFF text, of 2·n² triangles, m.
-std::string torus(int n) {
-  std::string text = "OFF\n" + std::to_string(n * n) + ' ' + std::to_string(2 * n * n) + " 0\n";
-  const auto turn = [n](int i) { return 2 * std::numbers::pi * i / n; };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double r = 0.1 + 0.035 * std::cos(turn(j));
-      text += std::to_string(r * std::cos(turn(i))) + ' ' + std::to_string(r * std::sin(turn(i))) +
-              ' ' + std::to_string(0.035 * std::sin(turn(j))) + '\n';
-    }
-  const auto at = [n](int i, int j) { return std::to_string((i % n) * n + j % n) + ' '; };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      text += "3 " + at(i, j) + at(i + 1, j) + at(i + 1, j + 1) + '\n';
-      text += "3 " + at(i, j) + at(i + 1, j + 1) + at(i, j + 1) + '\n';
-    }
-  return text;
-}
 
 class Stalls : public WindowTest {
  protected:
