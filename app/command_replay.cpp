@@ -26,6 +26,7 @@ struct ReplayOptions {
   OutputOptions output;
   std::string trajectory;
   std::string record;
+  bool as_recorded = false;
   std::string coupling_mode;
   SettingValues coupling;
   SettingValues servo;
@@ -157,11 +158,29 @@ void search_rows(const Pair& pair, const Job& job, const SolverOptions& options,
   }
 }
 
-Job job_of_recording(const ReplayOptions& options) {
-  const std::unique_ptr<Recording> recording = read_recording(options.bodies.scene);
+std::unique_ptr<Recording> read(const ReplayOptions& options) {
+  std::unique_ptr<Recording> recording = read_recording(options.bodies.scene);
   if (!recording->cut.empty() && !options.output.quiet)
     std::cerr << "sonde: " << recording->file.string() << ": " << recording->cut
               << "; what is before it is replayed\n";
+  return recording;
+}
+
+/// The ticks as they were: nothing is computed, so neither mesh is read.
+void write_as_recorded(const ReplayOptions& options) {
+  if (!is_recording(options.bodies.scene))
+    throw UsageError("--as-recorded is for a recording: " + options.bodies.scene + " is none");
+  check_output(options.output, {options.bodies.scene});
+  const std::unique_ptr<Recording> recording = read(options);
+  const TickLog& ticks = recording->ticks;
+  ResultTable table{columns, {}};
+  for (std::uint64_t i = ticks.begin(); i < ticks.end(); ++i)
+    table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz));
+  write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
+}
+
+Job job_of_recording(const ReplayOptions& options) {
+  const std::unique_ptr<Recording> recording = read(options);
   check_meshes(recording->header, recording->file);
   return {
       recording->header.scene,
@@ -192,6 +211,7 @@ Job job_for(const ReplayOptions& options) {
 }
 
 void run(const ReplayOptions& options) {
+  if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
   const Scene& scene = job.scene;
   Accuracy accuracy(options.accuracy, options.solver);
@@ -225,8 +245,12 @@ Command add_replay_command(CLI::App& program) {
   add_scene(*parser, options->bodies);
   parser->get_option("SCENE")->description(
       "scene file, NAME.sonde.json; or a recording, whose path and gains are run again");
-  parser->add_option("--record", options->record,
-                     "recording to write, whole or not at all: NAME.sonderec");
+  auto* record = parser->add_option("--record", options->record,
+                                    "recording to write, whole or not at all: NAME.sonderec");
+  parser
+      ->add_flag("--as-recorded", options->as_recorded,
+                 "the ticks of a recording as they were: nothing is run again, no mesh is read")
+      ->excludes(record);
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");

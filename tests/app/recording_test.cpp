@@ -46,6 +46,20 @@ TEST_F(Recordings, keep_the_gains_they_were_made_with) {
   EXPECT_EQ(replay("again.sonderec").without(time_columns), again.without(time_columns));
 }
 
+TEST_F(Recordings, are_a_table_as_they_were_without_their_meshes) {
+  std::filesystem::remove(folder / "small.off");
+  const Csv kept = replay("boxes.sonderec --as-recorded");
+  for (const int row : {0, 20, 39}) {
+    for (const char* column : {"t", "px", "qw", "depth"})
+      EXPECT_EQ(kept.number(std::size_t(row), column), original.number(std::size_t(row), column));
+    for (const char* column : {"fx", "tick_us"})  // kept to seven digits
+      EXPECT_FLOAT_EQ(float(kept.number(std::size_t(row), column)),
+                      float(original.number(std::size_t(row), column)));
+  }
+  EXPECT_EQ(sonde("replay boxes.sonde.json --as-recorded").exit_code, 2);
+  EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --record x.sonderec").exit_code, 2);
+}
+
 TEST_F(Recordings, are_described_by_info) {
   const Outcome text = sonde("info boxes.sonderec");
   EXPECT_EQ(text.exit_code, 0) << text.err;

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QMouseEvent>
+#include <QPalette>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <clocale>
@@ -24,6 +25,24 @@ namespace sonde::ui::test {
 
 inline constexpr int patience_ms = 30'000;  // on a machine that does much else
 
+/// Tells when a window paints itself and hands its picture to the display.
+class TestApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* to, QEvent* event) override {
+    const bool paints = event->type() == QEvent::UpdateRequest || event->type() == QEvent::Expose;
+    if (!paints || !painting) return QApplication::notify(to, event);
+    painting(true);
+    const bool handled = QApplication::notify(to, event);
+    if (painting) painting(false);
+    return handled;
+  }
+  std::function<void(bool begins)> painting;
+};
+
+/// As the program is unless another theme is chosen: dark.
+inline void darken() { QApplication::setPalette(QPalette(QColor(50, 57, 66), QColor(36, 41, 48))); }
+
 /// The one application of the test program. It lives until the end: Qt wants no second one.
 inline void need_application() {
   static int count = 1;
@@ -31,9 +50,10 @@ inline void need_application() {
   static char* arguments[] = {name, nullptr};
   if (QApplication::instance()) return;
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
-  new QApplication(count, arguments);
+  new TestApplication(count, arguments);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName("sonde-test");
+  darken();
 }
 
 /// Runs the event loop until something holds; false if it never does.

@@ -6,44 +6,36 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QProcess>
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "engine/base/error.hpp"
 #include "engine/text/output_file.hpp"
+#include "ui/actions/animation.hpp"
 #include "ui/actions/meshes_dialog.hpp"
+#include "ui/base/progress_dialog.hpp"
 #include "ui/export/image_file.hpp"
-#include "ui/export/new_folder.hpp"
 #include "ui/export/tables.hpp"
 #include "ui/views/drawn_session.hpp"
 
 namespace sonde::ui {
 namespace {
 
+constexpr int patient_pictures = 5;  // before a dialog appears
 constexpr int steps_of_series = 25;  // frames a second of the separation's one second
-constexpr int film_rate = 25;
 
 std::filesystem::path path_of(const QString& file) { return file.toStdString(); }
 
 }  // namespace
 
-/// The separation, picture by picture, between which the window stays alive.
-struct ExportControl::Animation {
-  Animation(const QString& name, const PictureWanted& what, const Snapshot& of)
-      : folder_name(name), folder(path_of(name)), wanted(what), snapshot(of) {}
-  QString folder_name;
-  NewFolder folder;
-  PictureWanted wanted;
-  Snapshot snapshot;
-  int next = 0;
-  std::unique_ptr<QProcess> film;
-};
-
 ExportControl::ExportControl(Viewport& viewport, QWidget& window)
     : QObject(&window), viewport_(viewport), job_(&window) {
   QWidget* parent = &window;
   ask_picture = [parent, this](ExportDialog::Of of) -> std::optional<PictureWanted> {
-    ExportDialog dialog(of, viewport_.size(), parent);
+    Span all;
+    if (const auto kept = ticks ? ticks() : std::nullopt) all = {kept->first, kept->last};
+    ExportDialog dialog(of, viewport_.size(), all, parent);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.wanted();
   };
@@ -84,6 +76,12 @@ void ExportControl::write(const QString& file, const std::function<void()>& writ
   }
 }
 
+void ExportControl::ended(const QString& file, const std::exception_ptr& error) {
+  const QString reason = error ? reason_of(error) : QString();
+  if (!error) say(QStringLiteral("Saved %1").arg(file));
+  if (!reason.isEmpty()) fail(reason);
+}
+
 void ExportControl::export_picture() {
   if (!drawn_ || !instant()) return;
   const auto wanted = ask_picture(ExportDialog::Of::picture);
@@ -119,9 +117,7 @@ void ExportControl::export_gltf() {
       [file, what = surfaces(), moment = moment_of(instant()->snapshot)](const Progress&) {
         write_gltf(path_of(file), what, moment);
       },
-      [this, file](const std::exception_ptr& error) {
-        error ? fail(reason_of(error)) : say(QStringLiteral("Saved %1").arg(file));
-      });
+      [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
 void ExportControl::export_vtk(bool series) {
@@ -139,9 +135,7 @@ void ExportControl::export_vtk(bool series) {
       [folder, what = surfaces(), moments = std::move(moments)](const Progress& progress) {
         write_vtk(path_of(folder), what, moments, progress);
       },
-      [this, folder](const std::exception_ptr& error) {
-        error ? fail(reason_of(error)) : say(QStringLiteral("Saved %1").arg(folder));
-      });
+      [this, folder](const std::exception_ptr& error) { ended(folder, error); });
 }
 
 void ExportControl::export_animation() {
@@ -152,27 +146,47 @@ void ExportControl::export_animation() {
                                   QStringLiteral("sonde-separation"), QString());
   if (folder.isEmpty() || !drawn_ || !instant()) return;
   try {
-    animation_ = std::make_unique<Animation>(folder, *wanted, instant()->snapshot);
+    auto animation = std::make_unique<Animation>(folder, *wanted);
+    animation->count = wanted->frames;
+    animation->picture = [shown = instant()->snapshot, last = wanted->frames - 1](int i) {
+      return Animation::Picture{{.snapshot = shown, .searched = {}, .live = false},
+                                double(i) / std::max(last, 1)};
+    };
+    animation->film_name = QStringLiteral("separation.mp4");
+    animate(std::move(animation));
   } catch (const InputError& bad) {
-    return fail(QString::fromUtf8(bad.what()));
+    fail(QString::fromUtf8(bad.what()));
   }
+}
+
+void ExportControl::animate(std::unique_ptr<Animation> animation) {
+  animation_ = std::move(animation);
+  progress_ = new ProgressDialog(QStringLiteral("Drawing %1 pictures").arg(animation_->count),
+                                 static_cast<QWidget*>(parent()));
+  connect(progress_, &QDialog::rejected, this, [this] {
+    timer_.stop();
+    animation_.reset();
+    finish({});
+  });
   timer_.start(0);
 }
 
 /// One a turn of the event loop: Esc and the window work meanwhile.
 void ExportControl::draw_next() {
   Animation& a = *animation_;
-  PictureOptions options = a.wanted.options;
-  options.swing = double(a.next) / (a.wanted.frames - 1);
   try {
+    const Animation::Picture picture = a.picture(a.next);
+    PictureOptions options = a.wanted.options;
+    options.swing = picture.swing;
     const QString name = QStringLiteral("frame_%1.png").arg(a.next, 4, 10, QLatin1Char('0'));
-    write_image(
-        a.folder.path() / name.toStdString(),
-        viewport_.picture({.snapshot = a.snapshot, .searched = {}, .live = false}, options));
+    write_image(a.folder.path() / name.toStdString(), viewport_.picture(picture.instant, options));
   } catch (const std::exception& bad) {
     return finish(QString::fromUtf8(bad.what()));
   }
-  if (++a.next < a.wanted.frames) return;
+  ++a.next;
+  if (a.next > patient_pictures && !progress_->isVisible()) progress_->show();
+  progress_->set_fraction(double(a.next) / a.count);
+  if (a.next < a.count) return;
   timer_.stop();
   if (a.wanted.film) return make_film();
   finish({});
@@ -192,16 +206,23 @@ void ExportControl::make_film() {
   // An even number of pixels each way: most players want no other.
   film.start(film_maker(),
              {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
-              QStringLiteral("-framerate"), QString::number(film_rate), QStringLiteral("-i"),
-              QStringLiteral("frame_%04d.png"), QStringLiteral("-vf"),
+              QStringLiteral("-framerate"), QString::number(animation_->film_rate),
+              QStringLiteral("-i"), QStringLiteral("frame_%04d.png"), QStringLiteral("-vf"),
               QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"), QStringLiteral("-pix_fmt"),
-              QStringLiteral("yuv420p"), QStringLiteral("separation.mp4")});
+              QStringLiteral("yuv420p"), animation_->film_name});
 }
 
 void ExportControl::finish(const QString& reason) {
   timer_.stop();
+  if (progress_) {
+    progress_->disconnect(this);
+    progress_->hide();
+    progress_->deleteLater();
+    progress_ = nullptr;
+  }
   const std::unique_ptr<Animation> done = std::move(animation_);
   viewport_.invalidate();
+  if (!done) return;  // given up: there is no folder
   if (!reason.isEmpty()) return fail(reason);
   write(done->folder_name, [&] { done->folder.keep(); });
 }

@@ -10,11 +10,13 @@
 #include "ui/actions/export_dialog.hpp"
 #include "ui/base/job.hpp"
 #include "ui/document/instant.hpp"
+#include "ui/document/tick_blocks.hpp"
 #include "ui/export/vtk_scene.hpp"
 
 namespace sonde::ui {
 
 struct DrawnSession;
+class ProgressDialog;
 
 /// Writes what the window shows to files for other programs: pictures, tables, ParaView's, glTF.
 /// Each appears whole or not at all.
@@ -31,6 +33,10 @@ class ExportControl : public QObject {
   void export_vtk(bool series);
   void export_gltf();
   void export_animation();
+  // Of the ticks that the timeline leads over (export_recording.cpp).
+  void export_recording_pictures();
+  void export_recording_tables();
+  void export_recording_vtk();
   bool busy() const { return job_.running() || animation_ != nullptr; }
 
   // What is asked; tests answer themselves. An empty name: do nothing.
@@ -39,11 +45,15 @@ class ExportControl : public QObject {
 
   /// What is on show; none before the first.
   std::function<const Instant*()> instant;
+  /// What the timeline leads over; none where that is nothing.
+  std::function<std::optional<TickBlocks>()> ticks;
   std::function<void(const QString&)> say, fail;
 
  private:
   struct Animation;
   void write(const QString& file, const std::function<void()>& write);
+  void ended(const QString& file, const std::exception_ptr& error);
+  void animate(std::unique_ptr<Animation> animation);
   void draw_next();
   void make_film();
   void finish(const QString& reason);
@@ -54,6 +64,7 @@ class ExportControl : public QObject {
   const DrawnSession* drawn_ = nullptr;
   QTimer timer_;
   std::unique_ptr<Animation> animation_;
+  ProgressDialog* progress_ = nullptr;  ///< of the animation
 };
 
 }  // namespace sonde::ui

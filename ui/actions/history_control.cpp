@@ -22,20 +22,10 @@ std::filesystem::path path_of(const QString& file) {
   return std::filesystem::absolute(file.toStdString());
 }
 
-/// The ticks of blocks, which another thread may go on adding to.
-TickLog log_of(const std::vector<BlockBytes>& blocks, double probe_radius, double rate_hz) {
-  TickLog log(probe_radius, rate_hz);
-  for (const BlockBytes& block : blocks)
-    if (const BlockHead head = head_of(block()); head.kind == BlockKind::ticks)
-      log.add(head, block);
-  return log;
-}
-
 /// What a run with other gains is made of.
 struct Order {
   Pair pair;
-  std::vector<BlockBytes> blocks;
-  double rate_hz = 0;
+  TickBlocks ticks;
   Budget budget;
   Method method = Method::pdg;
   std::optional<Coupling> gains;
@@ -44,12 +34,11 @@ struct Order {
 void run(const Order& order, KeptTicks& into, const Progress& progress) {
   constexpr double reading = 0.05;
   const double radius = order.pair.probe().mass.radius;
-  std::vector<LoopStep> steps =
-      steps_of(log_of(order.blocks, radius, order.rate_hz), part_of(progress, 0, reading));
+  std::vector<LoopStep> steps = steps_of(order.ticks.log(), part_of(progress, 0, reading));
   if (order.gains)
     for (LoopStep& step : steps) step.coupling = *order.gains;
-  into.ticks = std::make_unique<TickLog>(radius, order.rate_hz);
-  LoopRun loop{.budget = order.budget, .search = {}, .rate_hz = order.rate_hz};
+  into.ticks = std::make_unique<TickLog>(radius, order.ticks.rate_hz);
+  LoopRun loop{.budget = order.budget, .search = {}, .rate_hz = order.ticks.rate_hz};
   loop.search.method = order.method;
   std::size_t done = 0;
   run_loop(order.pair, steps, loop, [&](const Snapshot& tick) {
@@ -239,14 +228,20 @@ void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>
                   .arg(opened_->name, QString::fromStdString(cut)));
 }
 
+std::optional<TickBlocks> HistoryControl::ticks_on_show() {
+  recorder_.seal();
+  const TickLog* log = looking_back() ? playback_.ticks() : kept();
+  if (!log || log->empty()) return {};
+  return TickBlocks::of(*log);
+}
+
 void HistoryControl::run_again(Method method, const std::optional<Coupling>& gains) {
   Session* session = view_.session();
   if (!session || !kept() || kept()->empty()) return;
   recorder_.seal();
   const auto into = std::make_shared<KeptTicks>();
   const auto order = std::make_shared<Order>(Order{.pair = session->loaded().pair,
-                                                   .blocks = kept()->all(),
-                                                   .rate_hz = kept()->rate_hz(),
+                                                   .ticks = TickBlocks::of(*kept()),
                                                    .budget = {},
                                                    .method = method,
                                                    .gains = gains});

@@ -12,6 +12,7 @@
 #include "ui/base/job.hpp"
 #include "ui/document/playback.hpp"
 #include "ui/document/recorder.hpp"
+#include "ui/document/tick_blocks.hpp"
 #include "ui/panels/plots_panel.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/views/drawn_session.hpp"
@@ -81,6 +82,8 @@ class HistoryControl : public QObject {
   /// The path of what is kept or was opened, with these gains; the method is Method::pdt for a run
   /// by translation alone. In a worker; ends in replayed().
   void run_again(Method method, const std::optional<Coupling>& gains);
+  /// All that the timeline leads over now; none where that is nothing.
+  std::optional<TickBlocks> ticks_on_show();
   const KeptTicks* replay() const { return replay_.get(); }
   std::function<void()> replayed;
 

@@ -46,7 +46,11 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
       panel_(new SeeingPanel(&window)),
       contacts_(new ContactsPanel(&window)),
       pick_(new ViewPick(viewport, this)),
-      gaps_(viewport) {
+      gaps_(viewport),
+      crossings_(viewport, window) {
+  crossings_.say = [this](const QString& what) {
+    if (say) say(what);
+  };
   window.tabifyDockWidget(&beside, panel_);
   window.tabifyDockWidget(&beside, contacts_);
   panel_->changed = [this](const Seeing& seeing) { set_seeing(seeing); };
@@ -77,6 +81,7 @@ void SeeingControl::attach(Session* session) {
   const bool first = session && !session_;
   session_ = session;
   gaps_.attach(session);
+  crossings_.attach(session);
   viewport_.choose_contact(0);
   contacts_->choose(0);
   if (!session) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/haptics/loop/servo.hpp"
+#include "ui/actions/crossing_finder.hpp"
 #include "ui/actions/gap_painter.hpp"
 #include "ui/views/seeing.hpp"
 
@@ -44,6 +45,7 @@ class SeeingControl : public QObject {
   void set_cut(bool on);
   void set_measuring(bool on);
   void set_gaps(bool on) { gaps_.set_on(on); }
+  CrossingFinder& crossings() { return crossings_; }
   void set_follow(bool on) { follow_ = on; }
   void snap_cut();
   void face_cut();
@@ -73,6 +75,7 @@ class SeeingControl : public QObject {
   ContactsPanel* contacts_;
   ViewPick* pick_;
   GapPainter gaps_;
+  CrossingFinder crossings_;
   Seeing seeing_;
   Separation shown_;
   std::vector<std::function<void()>> heard_;

@@ -104,9 +104,18 @@ const QString theme_key = QStringLiteral("theme");
 
 }  // namespace
 
+bool is_light(const QPalette& palette) {
+  constexpr double half_way = 0.4;
+  return luminance(palette.color(QPalette::Window)) >= half_way;
+}
+
+QColor plot_background(const QPalette& palette) {
+  return is_light(palette) ? palette.color(QPalette::Base) : colour::background_bottom;
+}
+
 QColor readable(const QColor& colour, const QPalette& palette) {
   const double window = luminance(palette.color(QPalette::Window));
-  if (window < 0.4) return colour;
+  if (!is_light(palette)) return colour;
   QColor darker = colour;
   while (darker.value() > 0 && (window + 0.05) / (luminance(darker) + 0.05) < least_contrast)
     darker.setHsv(darker.hsvHue(), darker.hsvSaturation(), std::max(darker.value() - 4, 0));

@@ -23,6 +23,7 @@ inline const QColor straight{226, 250, 250};  ///< the way out without a turn, P
 inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
 inline const QColor hole{255, 235, 160};      ///< where a mesh is not closed
 inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree which side is out
+inline const QColor crossing{255, 120, 150};  ///< triangles that go through others of their mesh
 inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut at
 inline const QColor bound{170, 160, 255};     ///< what shows the lower bound
 inline const QColor measure{255, 255, 255};   ///< what was measured
@@ -32,7 +33,15 @@ inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};
 inline const QColor background_top{46, 53, 62};
 inline const QColor background_bottom{22, 26, 31};
+inline const QColor light_background_top{250, 251, 252};
+inline const QColor light_background_bottom{226, 230, 236};
 }  // namespace colour
+
+/// Are the windows of this palette light?
+bool is_light(const QPalette& palette);
+
+/// Behind curves: dark, or light where the windows are.
+QColor plot_background(const QPalette& palette);
 
 /// Text that stands back, on a window of this palette, light or dark.
 QColor faint_text(const QPalette& palette);
@@ -49,8 +58,8 @@ enum class Theme { dark, light, system };
 /// Is what the system had for windows, before any theme was applied, dark?
 bool system_is_dark();
 
-/// A palette on Qt's Fusion style, dark or light; also while windows are open. The view's own
-/// picture stays dark: its colours are made for that.
+/// A palette on Qt's Fusion style, dark or light; also while windows are open. View and plots
+/// follow it: their colours are made for a dark background, and darkened for a light one.
 void apply_theme(QApplication& application, Theme theme = Theme::dark);
 
 /// The theme that was chosen, kept between runs.

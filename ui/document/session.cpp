@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.hpp"
 
+#include <chrono>
 #include <utility>
 #include <variant>
 
@@ -136,7 +137,7 @@ void Session::set_device_pose(const Pose& X_FM) {
 
 void Session::set_coupling(const Coupling& coupling) {
   coupling_ = coupling;
-  servo_.set_coupling(coupling);
+  if (!placing()) servo_.set_coupling(coupling);
 }
 
 void Session::set_force(bool on) {
@@ -151,15 +152,41 @@ void Session::set_paused(bool paused) {
 }
 
 void Session::place(const Pose& X_FM) {
-  servo_.stop();
   set_device_pose(X_FM);
+  set_paused(false);
+  if (placing())
+    wanted_ = X_FM;
+  else
+    begin(X_FM);
+}
+
+void Session::begin(const Pose& X_FM) {
+  servo_.stop();
   if (SimulatedHand* simulated = holding_->simulated()) simulated->place(X_FM);
   if (DeviceHand* device = holding_->device()) device->place(X_FM);
   if (std::holds_alternative<PathHand>(holding_->by))
     hold(std::make_shared<Holding>(std::in_place_type<PathHand>, path_, X_FM));
-  servo_.start(X_FM, hands_.hand());
+  beginning_ = std::async(std::launch::async,
+                          [this, X_FM, hand = hands_.hand()] { servo_.start(X_FM, hand); });
+}
+
+bool Session::placing() {
+  if (!beginning_.valid()) return false;
+  if (beginning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return true;
+  beginning_.get();
+  if (const auto next = std::exchange(wanted_, std::nullopt)) {
+    begin(*next);
+    return true;
+  }
   servo_.set_coupling(coupling_);
-  set_paused(false);
+  return false;
+}
+
+void Session::let_go() {
+  wanted_.reset();
+  set_force(false);
+  if (!placing()) servo_.stop();
+  hold_by_mouse();
 }
 
 }  // namespace sonde::ui

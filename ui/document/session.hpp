@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -28,13 +29,13 @@ class Session {
   const Body& fixed() const { return loaded_.pair.fixed(); }
 
   /// The newest snapshot, valid until the next call; null before the first tick.
-  const Snapshot* latest() { return servo_.latest(); }
+  const Snapshot* latest() { return placing() ? nullptr : servo_.latest(); }
 
   /// The deadlines so far, valid until the next call.
-  const ServoTiming& timing() { return servo_.timing(); }
+  const ServoTiming& timing() { return placing() ? no_timing_ : servo_.timing(); }
 
   /// Every tick in its order; false where there is none left. See Servo::next_tick.
-  bool next_tick(Snapshot& out) { return servo_.next_tick(out); }
+  bool next_tick(Snapshot& out) { return !placing() && servo_.next_tick(out); }
 
   /// Of those, how many were dropped because they were fetched too late.
   std::uint64_t ticks_dropped() const { return servo_.ticks_dropped(); }
@@ -81,8 +82,15 @@ class Session {
   /// searched again.
   void reset() { place(loaded_.start); }
   /// The probe goes to that pose at once, and the servo starts afresh there: following it on a path
-  /// swept free could leave the separated pose behind an obstacle.
+  /// swept free could leave the separated pose behind an obstacle. Where it overlaps there, a
+  /// search comes first, in a thread of its own: until it has ended there is no snapshot, and the
+  /// hand gets nothing. Of several places the newest counts.
   void place(const Pose& X_FM);
+  /// Is it on its way there?
+  bool placing();
+  /// No force any more, and what holds the probe is let go; what is left to do can take a while,
+  /// and may be done in another thread: ending the session.
+  void let_go();
   /// Where reset() leads from now on.
   void set_start(const Pose& X_FM) { loaded_.start = X_FM; }
 
@@ -92,6 +100,7 @@ class Session {
 
  private:
   struct Holding;
+  void begin(const Pose& X_FM);
   void hold(std::shared_ptr<Holding> holding);
   Pose probe_pose();
 
@@ -106,6 +115,9 @@ class Session {
   std::shared_ptr<Holding> holding_;
   HandSwitch hands_;
   Servo servo_;
+  const ServoTiming no_timing_{};
+  std::optional<Pose> wanted_;   ///< X_FM, where to begin once what is searched now has ended
+  std::future<void> beginning_;  ///< the servo is no other thread's meanwhile
 };
 
 }  // namespace sonde::ui

@@ -46,7 +46,7 @@ void HistoryPlot::set_unit(double scale, const QString& name) {
 
 void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  painter.fillRect(rect(), colour::background_bottom);  // the curves' colours are made for it
+  painter.fillRect(rect(), plot_background(palette()));
   QFont small = font();
   small.setPointSizeF(8.5);
   painter.setFont(small);
@@ -56,9 +56,9 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
   const double top = largest > 1e-9 ? round_up(largest) : 1;
   const double head = metrics.height() + 4.0;
   const double tall = height() - head - 3;
-  painter.setPen(QColor(60, 68, 78));
+  painter.setPen(palette().color(QPalette::Mid));
   painter.drawLine(QPointF(0, head), QPointF(width(), head));
-  painter.setPen(colour::faint);
+  painter.setPen(faint_text(palette()));
   painter.drawText(QPointF(5, metrics.ascent() + 2),
                    QStringLiteral("%1, %2 %3").arg(title_, round_figure(top), unit_));
   const QString seconds = QStringLiteral("%1 s").arg(span);
@@ -76,7 +76,7 @@ void HistoryPlot::paintEvent(QPaintEvent* /*event*/) {
       curve.lineTo(at);
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colour_, 1.5));
+  painter.setPen(QPen(readable(colour_, palette()), 1.5));
   painter.drawPath(curve);
 }
 

@@ -7,8 +7,11 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -118,6 +121,9 @@ void PlotsPanel::follow() {
 
 void PlotsPanel::show_state(const PlotState& state, qint64 now) {
   if (!isVisible() || hold_->isChecked() || now < due_) return;
+  // Another theme wants another picture, also of what rests.
+  const QVariant light = is_light(palette());
+  if (property("light") != light) setProperty("light", light), dirty_ = true;
   const bool changed = state.kept != state_.kept || state.replay != state_.replay ||
                        state.time != state_.time || dirty_;
   if (!changed) return;

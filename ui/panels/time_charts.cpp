@@ -20,9 +20,11 @@
 
 #include <QImage>
 #include <QMouseEvent>
+#include <QPalette>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/base/theme.hpp"
 
@@ -34,19 +36,26 @@ constexpr int least_drag = 4;                                                   
 constexpr double wheel_zoom = 1.25;
 constexpr int text_size = 11;
 
-void set_text(vtkTextProperty& text) {
-  text.SetColor(colour::faint.redF(), colour::faint.greenF(), colour::faint.blueF());
+void set_pen(vtkPen& pen, const QColor& c) {
+  pen.SetColor(static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
+               static_cast<unsigned char>(c.blue()));
+}
+
+void set_text(vtkTextProperty& text, const QPalette& palette) {
+  const QColor faint = faint_text(palette);
+  text.SetColor(faint.redF(), faint.greenF(), faint.blueF());
   text.SetFontSize(text_size);
   text.BoldOff();
   text.ShadowOff();
 }
 
-void set_axis(vtkAxis& axis) {
+void set_axis(vtkAxis& axis, const QPalette& palette) {
   axis.SetBehavior(vtkAxis::FIXED);
-  set_text(*axis.GetLabelProperties());
-  set_text(*axis.GetTitleProperties());
-  axis.GetPen()->SetColor(90, 100, 112);
-  axis.GetGridPen()->SetColor(60, 68, 78);
+  set_text(*axis.GetLabelProperties(), palette);
+  set_text(*axis.GetTitleProperties(), palette);
+  const bool light = is_light(palette);
+  set_pen(*axis.GetPen(), light ? QColor(140, 148, 158) : QColor(90, 100, 112));
+  set_pen(*axis.GetGridPen(), light ? QColor(222, 226, 232) : QColor(60, 68, 78));
 }
 
 /// Columns of a table of two: time and value.
@@ -81,15 +90,13 @@ struct DrawnLine {
   vtkPlot* plot;
 };
 
-DrawnLine line_in(vtkChartXY& chart, const ChartLine& line, const CurveStyle& style) {
+DrawnLine line_in(vtkChartXY& chart, const ChartLine& line, const CurveStyle& style,
+                  const QPalette& palette) {
   DrawnLine drawn{line, empty_table(), chart.AddPlot(vtkChart::LINE)};
   drawn.plot->SetInputData(drawn.table, 0, 1);
   drawn.plot->SetLabel(
       (style.name + (line.dashed ? QStringLiteral(", run again") : QString())).toStdString());
-  const QColor& c = style.colour;
-  drawn.plot->GetPen()->SetColor(static_cast<unsigned char>(c.red()),
-                                 static_cast<unsigned char>(c.green()),
-                                 static_cast<unsigned char>(c.blue()));
+  set_pen(*drawn.plot->GetPen(), readable(style.colour, palette));
   drawn.plot->GetPen()->SetLineType(line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
   drawn.plot->SetWidth(1.5F);
   return drawn;
@@ -134,39 +141,47 @@ struct TimeCharts::Scene {
   std::vector<Chart> charts;
   ChartView view;
   std::size_t points = 0;
+  std::optional<bool> light;  ///< what the charts were made for
 
   /// The charts are made anew where other lines are wanted.
   void build(const std::vector<CurveStyle>& styles) {
+    const QPalette palette = widget->palette();
+    const QColor back = plot_background(palette);
+    renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
     for (const Chart& chart : charts) actor->GetScene()->RemoveItem(chart.chart);
     charts.clear();
     for (const ChartLine& line : view.lines) {
       const CurveStyle& style = styles[static_cast<std::size_t>(line.curve)];
       auto at = std::ranges::find(charts, style.unit, &Chart::unit);
-      if (at == charts.end()) at = charts.insert(at, made(style.unit));
-      at->lines.push_back(line_in(*at->chart, line, style));
+      if (at == charts.end()) at = charts.insert(at, made(style.unit, palette));
+      at->lines.push_back(line_in(*at->chart, line, style, palette));
     }
   }
 
-  Chart made(const QString& unit) {
+  Chart made(const QString& unit, const QPalette& palette) {
     auto chart = vtkSmartPointer<vtkChartXY>::New();
     chart->SetAutoSize(false);
     chart->SetAutoAxes(false);
     chart->SetInteractive(false);
     chart->SetHiddenAxisBorder(0);
-    for (const int place : {vtkAxis::BOTTOM, vtkAxis::LEFT}) set_axis(*chart->GetAxis(place));
+    for (const int place : {vtkAxis::BOTTOM, vtkAxis::LEFT})
+      set_axis(*chart->GetAxis(place), palette);
     chart->GetAxis(vtkAxis::BOTTOM)->SetTitle("");
     chart->GetAxis(vtkAxis::LEFT)->SetTitle(unit.toStdString());
     actor->GetScene()->AddItem(chart);
-    const CurveStyle style{Curve::held, {}, unit, 1, colour::text};
-    DrawnLine cursor = line_in(*chart, {nullptr, Curve::held}, style);
+    const CurveStyle style{Curve::held, {}, unit, 1, palette.color(QPalette::WindowText)};
+    DrawnLine cursor = line_in(*chart, {nullptr, Curve::held}, style, palette);
     cursor.plot->SetLabel("");
     cursor.plot->LegendVisibilityOff();
     chart->SetShowLegend(true);
     vtkChartLegend* legend = chart->GetLegend();
     legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
     legend->SetVerticalAlignment(vtkChartLegend::TOP);
-    set_text(*legend->GetLabelProperties());
-    legend->GetBrush()->SetColor(22, 26, 31, 160);
+    set_text(*legend->GetLabelProperties(), palette);
+    const QColor back = plot_background(palette);
+    legend->GetBrush()->SetColor(static_cast<unsigned char>(back.red()),
+                                 static_cast<unsigned char>(back.green()),
+                                 static_cast<unsigned char>(back.blue()), 160);
     legend->GetPen()->SetLineType(vtkPen::NO_PEN);
     return {chart, unit, {}, cursor};
   }
@@ -202,13 +217,15 @@ struct TimeCharts::Scene {
     chart.chart->RecalculateBounds();
   }
 
-  void place(double width, double height) {
+  /// All in device pixels: so many to one of Qt's.
+  void place(double width, double height, double ratio) {
     const double each = height / std::max<double>(1, double(charts.size()));
     for (std::size_t i = 0; i < charts.size(); ++i) {
       vtkChartXY& chart = *charts[i].chart;
       const double bottom = height - each * double(i + 1);
       chart.SetSize(vtkRectf(0, float(bottom), float(width), float(each)));
-      chart.SetBorders(int(left_room), int(room_below), int(right_room), int(room_above));
+      chart.SetBorders(int(left_room * ratio), int(room_below * ratio), int(right_room * ratio),
+                       int(room_above * ratio));
     }
   }
 };
@@ -223,8 +240,6 @@ TimeCharts::TimeCharts(QWidget* parent) : QWidget(parent), scene_(std::make_uniq
   s.widget->setRenderWindow(s.window);
   s.widget->interactor()->SetInteractorStyle(nullptr);
   s.window->AddRenderer(s.renderer);
-  const QColor back = colour::background_bottom;
-  s.renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
   s.renderer->AddActor(s.actor);
   s.actor->GetScene()->SetRenderer(s.renderer);
   s.widget->installEventFilter(this);
@@ -235,13 +250,14 @@ TimeCharts::~TimeCharts() { scene_->widget->removeEventFilter(this); }
 void TimeCharts::draw(const ChartView& view) {
   Scene& s = *scene_;
   const std::vector<CurveStyle> styles = curve_styles(view.unit);
-  const bool same = s.same_lines(view);
+  const bool same = s.same_lines(view) && s.light == is_light(palette());
+  s.light = is_light(palette());
   s.view = view;
   if (!same) s.build(styles);
   const double ratio = devicePixelRatioF();
-  s.place(width() * ratio, height() * ratio);
+  s.place(width() * ratio, height() * ratio, ratio);
   const auto columns =
-      static_cast<std::size_t>(std::max(10.0, width() * ratio - left_room - right_room));
+      static_cast<std::size_t>(std::max(10.0, (width() - left_room - right_room) * ratio));
   s.points = 0;
   std::size_t next = 0;
   for (Chart& chart : s.charts) {
@@ -266,8 +282,8 @@ QImage TimeCharts::picture() const { return scene_->widget->grabFramebuffer(); }
 
 double TimeCharts::time_at(double x) const {
   const double ratio = devicePixelRatioF();
-  const double plot = width() * ratio - left_room - right_room;
-  const double part = plot > 0 ? (x * ratio - left_room) / plot : 0;
+  const double plot = (width() - left_room - right_room) * ratio;
+  const double part = plot > 0 ? (x - left_room) * ratio / plot : 0;
   return scene_->view.from + part * (scene_->view.to - scene_->view.from);
 }
 

@@ -25,6 +25,14 @@ void add_export_menu(MainWindow& window, QMenu& file, ExportControl& control) {
   add("export_tables", "&Numbers (CSV)…", "", [c] { c->export_tables(); });
   add("export_vtk", "Para&View…", "", [c] { c->export_vtk(false); });
   add("export_series", "ParaView, the separation in &time…", "", [c] { c->export_vtk(true); });
+  menu->addSeparator();
+  add("export_recording_pictures", "Pictures of the &recording…", "",
+      [c] { c->export_recording_pictures(); });
+  add("export_recording_tables", "N&umbers of the recording (CSV)…", "",
+      [c] { c->export_recording_tables(); });
+  add("export_recording_series", "ParaView, the re&cording in time…", "",
+      [c] { c->export_recording_vtk(); });
+  menu->addSeparator();
   add("export_gltf", "&glTF…", "", [c] { c->export_gltf(); });
 }
 

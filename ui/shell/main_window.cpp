@@ -110,6 +110,7 @@ void MainWindow::show_nothing() {
   force_log_.end();
   forget_shown();
   search_.forget();
+  endings_.add(std::move(drawn_.session));
   drawn_ = {};
   show_start_page();
 }
@@ -117,6 +118,7 @@ void MainWindow::show_nothing() {
 void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   statusBar()->clearMessage();
   start_page_->hide();
+  endings_.add(std::move(drawn_.session));
   drawn_ = std::move(drawn);
   force_log_.end();
   Session& now = *drawn_.session;
@@ -212,6 +214,8 @@ void MainWindow::on_frame() {
   devices_->frame(Quat(R_FV));
   if (clock_.elapsed() >= device_due_) show_device();
   if (!session()) return;
+  if (session()->placing())
+    status_.show_happening(QStringLiteral("Searching the way out at the new place …"));
   stiffness_->frame(clock_.elapsed());
   history_->frame(clock_.elapsed());
   draw_if_changed();

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/actions/prompts.hpp"
+#include "ui/document/endings.hpp"
 #include "ui/document/instant.hpp"
 #include "ui/shell/escape_key.hpp"
 #include "ui/shell/force_log.hpp"
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
   void restore_window();
 
   Prompts prompts_;
+  Endings endings_;  ///< of the sessions before
   DrawnSession drawn_;
   std::unique_ptr<Opener> opener_;
   std::unique_ptr<DocumentControl> documents_;

@@ -137,6 +137,7 @@ void MainWindow::add_history() {
 
 void MainWindow::connect_export() {
   exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
+  exporter_->ticks = [this] { return history_->ticks_on_show(); };
   exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   exporter_->fail = [this](const QString& reason) { complain(reason); };
 }

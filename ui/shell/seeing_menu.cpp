@@ -95,6 +95,12 @@ void add_seeing_menu(MainWindow& window, QMenuBar& bar, SeeingControl& seeing) {
              [control](bool on) { control->set_measuring(on); });
   add_toggle(window, menu, "gap_colours", "Colours of the &gap", "K",
              [control](bool on) { control->set_gaps(on); });
+  QAction* crossings = add_toggle(window, menu, "show_crossings", "Se&lf-intersections", "Shift+D",
+                                  [control](bool on) { control->crossings().set_on(on); });
+  seeing.crossings().given_up = [control, crossings] {
+    crossings->setChecked(false);
+    control->crossings().set_on(false);
+  };
   menu.addSeparator();
   add_toggle(window, menu, "follow_contact", "F&ollow the contact", "V",
              [control](bool on) { control->set_follow(on); });

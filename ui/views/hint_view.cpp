@@ -3,6 +3,7 @@
 
 #include <QLinearGradient>
 #include <QPainter>
+#include <QPalette>
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +14,12 @@ namespace sonde::ui {
 namespace {
 
 constexpr int margin = 14;
-const QColor plate(14, 17, 21, 165);
+const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 205);
+
+/// A body has its own colour on either background.
+QColor mark_colour(const QColor& colour, const QPalette& palette) {
+  return colour == colour::probe || colour == colour::fixed ? colour : readable(colour, palette);
+}
 
 QFont small_font(const QWidget& widget) {
   QFont font = widget.font();
@@ -28,20 +34,22 @@ QFont banner_font(const QWidget& widget) {
   return font;
 }
 
-void draw_plate(QPainter& painter, const QRectF& box) {
+void draw_plate(QPainter& painter, const QRectF& box, const QPalette& palette) {
   painter.setPen(Qt::NoPen);
-  painter.setBrush(plate);
+  painter.setBrush(is_light(palette) ? light_plate : plate);
   painter.drawRoundedRect(box, 5, 5);
 }
 
-void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry) {
+void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry,
+               const QPalette& palette) {
   const LegendMark mark = entry.mark;
-  QColor fill = entry.colour;
+  const QColor colour = mark_colour(entry.colour, palette);
+  QColor fill = colour;
   if (mark == LegendMark::clear || mark == LegendMark::mesh) fill.setAlphaF(0.4);
   const bool filled = mark != LegendMark::wires && mark != LegendMark::ring;
   painter.setBrush(filled ? QBrush(fill) : QBrush(Qt::NoBrush));
   painter.setPen(mark == LegendMark::filled || mark == LegendMark::clear ? QPen(Qt::NoPen)
-                                                                         : QPen(entry.colour, 1.2));
+                                                                         : QPen(colour, 1.2));
   if (mark == LegendMark::ring) return painter.drawEllipse(box);
   painter.drawRoundedRect(box, 2, 2);
   if (mark != LegendMark::mesh && mark != LegendMark::wires) return;
@@ -135,11 +143,11 @@ void HintView::draw_legend(QPainter& painter) const {
   if (legend_.empty()) return;
   const QFontMetricsF metrics(font());
   const double line = metrics.height() + 2;
-  draw_plate(painter, legend_box());
+  draw_plate(painter, legend_box(), palette());
   double y = margin + 5;
   for (const LegendLine& entry : legend_) {
-    draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry);
-    painter.setPen(colour::text);
+    draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry, palette());
+    painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QPointF(margin + 27, y + metrics.ascent() + 1), entry.text);
     y += line;
   }
@@ -168,8 +176,8 @@ HintView::Hint HintView::laid_out_hint() const {
       x = margin + 10;
       y += line;
     }
-    hint.pieces.push_back({{x, y}, &key, colour::text});
-    hint.pieces.push_back({{x + key_width, y}, &action, colour::faint});
+    hint.pieces.push_back({{x, y}, &key, palette().color(QPalette::WindowText)});
+    hint.pieces.push_back({{x + key_width, y}, &action, faint_text(palette())});
     x += wide + gap;
   }
   const double tall = y + metrics.descent() + 7;
@@ -179,7 +187,7 @@ HintView::Hint HintView::laid_out_hint() const {
 
 void HintView::draw_hint(QPainter& painter) const {
   const Hint hint = laid_out_hint();
-  draw_plate(painter, hint.plate);
+  draw_plate(painter, hint.plate, palette());
   for (const Hint::Piece& piece : hint.pieces) {
     painter.setPen(piece.colour);
     painter.drawText(piece.at + QPointF(0, hint.plate.top()), *piece.text);
@@ -221,8 +229,8 @@ void HintView::draw_labels(QPainter& painter) const {
   const std::vector<QRectF> boxes = label_boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (labels_[i].text.isEmpty()) continue;
-    draw_plate(painter, boxes[i]);
-    painter.setPen(labels_[i].colour);
+    draw_plate(painter, boxes[i], palette());
+    painter.setPen(readable(labels_[i].colour, palette()));
     painter.drawText(QPointF(boxes[i].left() + 6, boxes[i].top() + 2 + metrics.ascent()),
                      labels_[i].text);
   }
@@ -240,8 +248,8 @@ void HintView::draw_ruler(QPainter& painter) const {
   const double right = width() - margin - 4;
   const double left = right - ruler_pixels_;
   const double y = ruler_box().bottom() - 2;
-  draw_plate(painter, ruler_box().adjusted(-6, -4, 6, 4));
-  painter.setPen(QPen(colour::text, 2));
+  draw_plate(painter, ruler_box().adjusted(-6, -4, 6, 4), palette());
+  painter.setPen(QPen(palette().color(QPalette::WindowText), 2));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - 5), QPointF(left, y));
   painter.drawLine(QPointF(right, y - 5), QPointF(right, y));
@@ -262,9 +270,9 @@ QRectF HintView::banner_box(const QString& text) const {
 void HintView::draw_banner(QPainter& painter) const {
   if (banner_.isEmpty()) return;
   const QRectF box = banner_box(banner_);
-  draw_plate(painter, box);
+  draw_plate(painter, box, palette());
   painter.setFont(banner_font(*this));
-  painter.setPen(colour::contact);
+  painter.setPen(readable(colour::contact, palette()));
   painter.drawText(box, Qt::AlignCenter, banner_);
   painter.setFont(font());
 }
@@ -284,8 +292,8 @@ void HintView::draw_scale(QPainter& painter) const {
   if (scale_.colours.empty()) return;
   const QFontMetricsF metrics(font());
   const QRectF box = scale_box();
-  draw_plate(painter, box);
-  painter.setPen(colour::text);
+  draw_plate(painter, box, palette());
+  painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QPointF(box.left() + 9, box.top() + 5 + metrics.ascent()), scale_.title);
   const QRectF bar(box.left() + 9, box.top() + metrics.height() + 14, 14,
                    box.height() - metrics.height() - 26);

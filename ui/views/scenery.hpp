@@ -16,6 +16,7 @@
 
 #include "engine/penetration/search/pair.hpp"
 #include "ui/views/contact_view.hpp"
+#include "ui/views/crossing_view.hpp"
 #include "ui/views/cut_view.hpp"
 #include "ui/views/defect_view.hpp"
 #include "ui/views/gap_view.hpp"
@@ -24,6 +25,7 @@
 #include "ui/views/measure_view.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/tone.hpp"
 #include "ui/views/trail_view.hpp"
 #include "ui/views/viewport.hpp"
 #include "ui/views/witness_view.hpp"
@@ -45,7 +47,9 @@ struct Viewport::Scenery {
         measures(*top, shapes),
         witness(*top, shapes),
         probe_gaps(*bodies),
-        fixed_gaps(*bodies) {}
+        fixed_gaps(*bodies),
+        probe_crossings(*bodies, true),
+        fixed_crossings(*bodies, false) {}
 
   // The overlays have depth buffers of their own: no body hides an arrow, and neither a contact.
   vtkNew<vtkRenderer> bodies;
@@ -68,6 +72,8 @@ struct Viewport::Scenery {
   MeasureView measures;
   WitnessView witness;
   GapView probe_gaps, fixed_gaps;
+  CrossingView probe_crossings, fixed_crossings;
+  Tone tone;
   std::unique_ptr<DefectView> defects;
 
   // Of the session on show.
@@ -83,10 +89,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 14> shown{true, true,  true,  true,  false, false, false,
-                             true, false, false, false, true,  false, false};  ///< by Layer
+  std::array<bool, 15> shown{true,  true,  true,  true, false, false, false, true,
+                             false, false, false, true, false, false, false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 14> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 16> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -98,6 +104,8 @@ struct Viewport::Scenery {
              {Layer::defects, defects.get()},
              {Layer::gaps, &probe_gaps},
              {Layer::gaps, &fixed_gaps},
+             {Layer::crossings, &probe_crossings},
+             {Layer::crossings, &fixed_crossings},
              {Layer::cut, &cut},
              {Layer::bound, &witness},
              {Layer::measures, &measures}}};

@@ -4,6 +4,7 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 
+#include <QEvent>
 #include <QImage>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -20,11 +21,12 @@ namespace {
 
 constexpr double least_area = 120;  // pixels: in less there is nothing to be seen
 
-void set_background(vtkRenderer& renderer) {
-  const QColor top = colour::background_top, bottom = colour::background_bottom;
+void set_background(vtkRenderer& renderer, bool light) {
+  const QColor top = light ? colour::light_background_top : colour::background_top;
+  const QColor bottom = light ? colour::light_background_bottom : colour::background_bottom;
   renderer.SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
   renderer.SetBackground2(top.redF(), top.greenF(), top.blueF());
-  renderer.GradientBackgroundOn();
+  renderer.SetBackgroundAlpha(1);  // VTK's own is none: a picture for a file would be transparent
 }
 
 QString describe(const char* role, const Body& body) {
@@ -35,8 +37,10 @@ QString describe(const char* role, const Body& body) {
 }
 
 /// What the picture is of, where that is not what happens now.
-QString banner_of(const Instant& now) {
-  if (!now.live) return QStringLiteral("At %1 s – Space: live").arg(now.snapshot.time, 0, 'f', 3);
+QString banner_of(const Instant& now, bool for_file) {
+  const QString time = QStringLiteral("At %1 s").arg(now.snapshot.time, 0, 'f', 3);
+  if (for_file && !now.live) return time;
+  if (!now.live) return time + QStringLiteral(" – Space: live");
   return now.snapshot.paused ? HintView::pause_banner() : QString();
 }
 
@@ -86,7 +90,8 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
     renderer->SetActiveCamera(s.bodies->GetActiveCamera());
     renderer->InteractiveOff();
   }
-  set_background(*s.bodies);
+  s.bodies->GradientBackgroundOn();
+  apply_theme();
   s.hints->raise();
 }
 
@@ -125,6 +130,7 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
   s.pair = session.loaded().pair;
   s.trail.clear();
   s.measures.clear();
+  apply_theme();
   s.probe_gaps.clear();
   s.fixed_gaps.clear();
   apply_layers();
@@ -193,6 +199,9 @@ void Viewport::update_legend() {
     legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
     legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
+  if (shown(Layer::crossings))
+    legend.push_back(
+        {colour::crossing, QStringLiteral("triangles through others"), LegendMark::mesh});
   s.hints->set_legend(std::move(legend));
   update_scale();
 }
@@ -223,7 +232,7 @@ void Viewport::update_text(const Instant& now) {
     for (const Label& label : overlay->labels())
       labels.push_back(
           {on_screen(label.at), label.text, label.colour, polygon_on_screen(label.stroke)});
-  s.hints->set_banner(banner_of(now));
+  s.hints->set_banner(banner_of(now, s.picture_size.has_value()));
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
@@ -302,6 +311,22 @@ QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
 
 double Viewport::aspect() const {
   return double(view_size().width()) / std::max(view_size().height(), 1);
+}
+
+/// The bodies keep their colours, which both backgrounds let see.
+void Viewport::apply_theme() {
+  Scenery& s = *scenery_;
+  set_background(*s.bodies, is_light(palette()));
+  std::vector<const vtkActor*> bodies{s.fixed_actor};
+  if (s.probe) bodies.push_back(&s.probe->actor());
+  s.tone.apply(*s.bodies, palette(), bodies);
+  for (vtkRenderer* glyphs : {s.above.Get(), s.top.Get()}) s.tone.apply(*glyphs, palette());
+  invalidate();
+}
+
+void Viewport::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) apply_theme();
 }
 
 QWidget* Viewport::canvas() const { return scenery_->widget; }

@@ -33,10 +33,11 @@ enum class Layer {
   hint,
   handles,
   defects,
-  gaps,      ///< colours of the gap
-  cut,       ///< the cut plane's outline and handles, where there is a cut
-  bound,     ///< the witness of the lower bound
-  measures,  ///< points that were picked
+  gaps,       ///< colours of the gap
+  cut,        ///< the cut plane's outline and handles, where there is a cut
+  bound,      ///< the witness of the lower bound
+  measures,   ///< points that were picked
+  crossings,  ///< triangles that go through others of their mesh
 };
 
 /// A point of a body that is visible in the picture.
@@ -99,6 +100,9 @@ class Viewport : public QWidget {
   void clear_measured();
   const std::vector<MeasuredPoint>& measured() const;
   void set_gaps(const Gaps& gaps);
+  /// Triangles of the bodies' soups, in ascending order.
+  void set_crossings(const std::vector<std::uint32_t>& probe,
+                     const std::vector<std::uint32_t>& fixed);
 
   Camera camera() const;
   CameraPlace place() const;
@@ -123,6 +127,7 @@ class Viewport : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;  ///< another theme
 
  private:
   struct Scenery;
@@ -130,6 +135,7 @@ class Viewport : public QWidget {
   void update_legend();
   void update_scale();
   void apply_layers();
+  void apply_theme();
   void apply_seeing();
   void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;

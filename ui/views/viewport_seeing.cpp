@@ -38,6 +38,8 @@ void Viewport::apply_seeing() {
   s.probe->set_visible(s.seeing.probe != Look::hidden);
   s.defects->set_cut(through_probe, through_fixed);
   s.fixed_gaps.set_cut(through_fixed);
+  s.fixed_crossings.set_cut(through_fixed);
+  s.probe_crossings.set_cut(through_probe);
   s.probe_gaps.set_cut(through_probe);
 }
 
@@ -101,6 +103,16 @@ void Viewport::set_gaps(const Gaps& gaps) {
   s.fixed_gaps.set(gaps.fixed, Pose{}, gaps.reach);
   s.gap_reach = gaps.reach;
   update_scale();
+  invalidate();
+}
+
+void Viewport::set_crossings(const std::vector<std::uint32_t>& probe,
+                             const std::vector<std::uint32_t>& fixed) {
+  Scenery& s = *scenery_;
+  if (s.pair) {
+    s.probe_crossings.set(s.pair->probe().soup, probe);
+    s.fixed_crossings.set(s.pair->fixed().soup, fixed);
+  }
   invalidate();
 }
 

@@ -9,7 +9,9 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTest>
 #include <QTreeWidget>
@@ -314,6 +316,46 @@ TEST_F(SeeingTest, a_view_is_saved_with_the_scene_and_undone) {
   EXPECT_EQ(list->count(), 0);
   window->findChild<QAction*>("undo")->trigger();
   EXPECT_EQ(list->count(), 1);
+}
+
+/// Two cubes in one mesh, one through the other, and a cube that is sound.
+TEST_F(SeeingTest, self_intersections_are_looked_for_when_asked_and_shown) {
+  std::string twice = "OFF\n16 24 0\n";
+  const std::string one = cube(0.1);
+  const auto lines = QString::fromStdString(one).split('\n', Qt::SkipEmptyParts);
+  for (const double shift : {0.0, 0.05})
+    for (int i = 2; i < 10; ++i) {
+      for (const QString& x : lines[i].split(' ', Qt::SkipEmptyParts))
+        twice += std::to_string(x.toDouble() + shift) + ' ';
+      twice += '\n';
+    }
+  for (const int shift : {0, 8})
+    for (int i = 10; i < 22; ++i) {
+      const QStringList corner = lines[i].split(' ', Qt::SkipEmptyParts);
+      twice += '3';
+      for (int k = 1; k < 4; ++k) twice += ' ' + std::to_string(corner[k].toInt() + shift);
+      twice += '\n';
+    }
+  folder.write("twice.off", twice);
+  folder.write("twice.sonde.json",
+               R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "twice.off"}})");
+  open({path("twice.sonde.json")});
+  window->set_paused(true);
+  hide_overlays();
+  const QImage without = picture();
+  key(Qt::Key_D, Qt::ShiftModifier);
+  EXPECT_TRUE(action("show_crossings").isChecked());
+  auto* log = window->findChild<QPlainTextEdit*>("log_lines");
+  ASSERT_TRUE(wait_until([&] { return log->toPlainText().contains("Self-intersections"); }));
+  EXPECT_TRUE(log->toPlainText().contains("probe: none")) << log->toPlainText().toStdString();
+  // Of each cube the six triangles that meet at the corner in the other, at least.
+  EXPECT_TRUE(
+      log->toPlainText().contains(QRegularExpression("fixed body: (1[2-9]|2[0-4]) triangles")))
+      << log->toPlainText().toStdString();
+  EXPECT_GT(pixels_between(without, picture()), 1000);
+  key(Qt::Key_D, Qt::ShiftModifier);
+  EXPECT_LT(pixels_between(without, picture()), 50);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/history_control.hpp"
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui::test {
@@ -28,8 +29,7 @@ class DeskTest : public WindowTest {
     ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
   }
   void TearDown() override {
-    const QPalette plain;
-    QApplication::setPalette(plain);
+    darken();
     static_cast<QApplication*>(QApplication::instance())->setStyleSheet({});
     WindowTest::TearDown();
   }
@@ -55,6 +55,40 @@ TEST_F(DeskTest, a_theme_is_chosen_and_kept_and_labels_follow) {
   EXPECT_EQ(window_lightness() < 128, system_is_dark());
   window->findChild<QAction*>("theme_dark")->trigger();
   EXPECT_GT(coloured(), 0);
+}
+
+/// By the Web Content Accessibility Guidelines, 3:1 is enough for lines and marks.
+TEST_F(DeskTest, the_picture_and_the_plots_follow_the_theme) {
+  open_cubes();
+  window->set_paused(true);
+  window->history().plots().show();
+  window->history().plots().raise();
+  const auto corner = [](const QImage& image) { return image.pixelColor(3, image.height() - 4); };
+  const auto charts = [this](const char* theme) {
+    const std::size_t before = window->history().plots().drawn();
+    window->findChild<QAction*>(theme)->trigger();
+    wait_until([&] { return window->history().plots().drawn() > before; });
+    return window->history().plots().charts().picture();
+  };
+  const auto yellow = [this](const QColor& like) {
+    const QImage image = picture();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor at = image.pixelColor(x, y);
+        count += std::abs(at.hsvHue() - like.hsvHue()) < 8 && at.hsvSaturation() > 90 &&
+                 std::abs(at.value() - like.value()) < 60;
+      }
+    return count;
+  };
+  EXPECT_GT(corner(charts("theme_light")).lightness(), 200);
+  EXPECT_GT(corner(picture()).lightness(), 200);
+  const QColor light_contact = readable(colour::contact, QApplication::palette());
+  ASSERT_LT(light_contact.value(), colour::contact.value());
+  EXPECT_GT(yellow(light_contact), 20) << "the contacts are darker";
+  EXPECT_LT(corner(charts("theme_dark")).lightness(), 80);
+  EXPECT_LT(corner(picture()).lightness(), 80);
+  EXPECT_GT(yellow(colour::contact), 20) << "and have their own colour again";
 }
 
 TEST_F(DeskTest, the_keyboard_comes_to_every_dock_and_back_to_the_view) {

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the window is, and what it takes. Times are printed, not asserted: they are the
+// machine's, and others' work on it is in them.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <QProcess>
+#include <QScreen>
+#include <QThread>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include "tests/ui/torus_text.hpp"
+#include "tests/ui/window_fixture.hpp"
+#include "ui/base/progress_dialog.hpp"
+#include "ui/base/theme.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+double processor_seconds() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+/// Bytes of memory that the process has in use.
+double resident() {
+  std::ifstream in("/proc/self/statm");
+  double all = 0, here = 0;
+  in >> all >> here;
+  return here * double(sysconf(_SC_PAGESIZE));
+}
+
+class Figures : public WindowTest {
+ protected:
+  struct Rate {
+    double frames = 0, processor = 0;  ///< a second; s of processor a second
+  };
+  /// The camera turns, as it does while a person looks round, and the probe moves.
+  Rate rate_while_moving(double seconds) {
+    const Pose start = window->session()->device_pose();
+    const double radius = window->session()->probe().mass.radius;
+    const std::size_t before = window->frames();
+    const double processor = processor_seconds();
+    QElapsedTimer clock;
+    clock.start();
+    for (double now = 0; now < seconds; now = 1e-3 * double(clock.elapsed())) {
+      Pose pose = start;
+      pose.p.x() += 0.1 * radius * std::sin(5 * now);
+      window->set_device_pose(pose);
+      window->viewport().camera().orbit(0.01, 0);
+      window->viewport().invalidate();
+      QApplication::processEvents(QEventLoop::AllEvents, 4);
+      QThread::usleep(500);
+    }
+    const double passed = 1e-3 * double(clock.elapsed());
+    return {double(window->frames() - before) / passed, (processor_seconds() - processor) / passed};
+  }
+  void open_tori(int n) {
+    folder.write("torus.off", torus(n));
+    folder.write("tori.sonde.json", R"({"fixed": {"mesh": "torus.off"},
+        "probe": {"mesh": "torus.off", "pose": [0.1, 0, 0, 0.8, 0.6, 0, 0]}})");
+    const double before = resident(), processor = processor_seconds();
+    bool progress = false;
+    QElapsedTimer clock;
+    clock.start();
+    const int had = opened;
+    window->open({path("tori.sonde.json")});
+    ASSERT_TRUE(wait_until([&] {
+      const auto* dialog = window->findChild<ProgressDialog*>();
+      progress = progress || (dialog && dialog->isVisible());
+      return opened > had;
+    }));
+    const double seconds = 1e-3 * double(clock.elapsed());
+    picture();
+    const double triangles = 4.0 * n * n;
+    std::printf("%.0f triangles a side: open in %.2f s, %.2f s of processor, progress %s; ",
+                triangles / 2, seconds, processor_seconds() - processor,
+                progress ? "shown" : "none");
+    std::printf("%.0f bytes a triangle\n", (resident() - before) / triangles);
+    const Rate rate = rate_while_moving(4);
+    std::printf("    %.1f frames a second while moving, %.2f processors\n", rate.frames,
+                rate.processor);
+    std::fflush(stdout);
+  }
+};
+
+TEST_F(Figures, Full_a_million_triangles_a_side) { open_tori(707); }
+TEST_F(Figures, Full_three_hundred_thousand_a_side) { open_tori(387); }
+
+TEST_F(Figures, Full_frames_of_the_bundled_scenes) {
+  for (const char* name : {"crumpled-soup", "linked-tori", "nut-on-bolt", "peg-in-hole",
+                           "spoon-in-cup", "terrain", "torus-knots"}) {
+    open({QStringLiteral(SONDE_RESOURCES "/scenes/%1.sonde.json").arg(name)});
+    const Rate rate = rate_while_moving(3);
+    std::printf("%-14s %5.1f frames a second while moving, %.2f processors\n", name, rate.frames,
+                rate.processor);
+    std::fflush(stdout);
+  }
+}
+
+/// From the start of the program until the fixed body is seen on the screen.
+TEST_F(Figures, Full_start_to_the_first_picture) {
+  window->hide();
+  for (int run = 0; run < 5; ++run) {
+    QProcess program;
+    QElapsedTimer clock;
+    clock.start();
+    program.start(QStringLiteral(SONDE_VIEW_PROGRAM),
+                  {QStringLiteral(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json")});
+    const auto bodies_seen = [] {
+      const QImage screen = QApplication::primaryScreen()->grabWindow(0).toImage();
+      int count = 0;
+      for (int y = 0; y < screen.height(); y += 4)
+        for (int x = 0; x < screen.width(); x += 4) {
+          const QColor at = screen.pixelColor(x, y);
+          const bool orange = std::abs(at.hsvHue() - colour::probe.hsvHue()) < 8;
+          count += orange && at.hsvSaturation() > 150 && at.value() > 60;
+        }
+      return count > 200;
+    };
+    EXPECT_TRUE(wait_until(bodies_seen));
+    std::printf("first picture after %.2f s\n", 1e-3 * double(clock.elapsed()));
+    std::fflush(stdout);
+    program.terminate();
+    program.waitForFinished();
+  }
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept of time, to files: pictures, tables, ParaView's series.
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
+#include "engine/text/output_file.hpp"
+#include "ui/actions/animation.hpp"
+#include "ui/actions/export_control.hpp"
+#include "ui/base/progress_dialog.hpp"
+#include "ui/export/tables.hpp"
+#include "ui/views/drawn_session.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr std::size_t rows_at_once = 1000;
+
+/// Every tick, in pieces: a table of ten minutes is large, and what it is made of larger.
+void write_tables(const std::filesystem::path& file, const TickBlocks& ticks,
+                  const Progress& progress) {
+  const TickLog log = ticks.log();
+  std::filesystem::path contacts_file = file;
+  contacts_file.replace_extension(".contacts.csv");
+  check_writable(contacts_file);  // before the first of the two
+  std::string moments = moments_csv({}), contacts = contacts_csv({});
+  const std::size_t head = moments.size(), contacts_head = contacts.size();
+  std::vector<Moment> some;
+  const auto add = [&] {
+    moments += moments_csv(some).substr(head);
+    contacts += contacts_csv(some).substr(contacts_head);
+    some.clear();
+  };
+  const double all = double(log.end() - log.begin());
+  for (std::uint64_t i = log.begin(); i < log.end(); ++i) {
+    some.push_back(moment_of(log.at(i)));
+    if (some.size() < rows_at_once) continue;
+    add();
+    report(progress, double(i - log.begin()) / all);
+  }
+  add();
+  write_whole(file, moments);
+  write_whole(contacts_file, contacts);
+}
+
+std::vector<Moment> moments_at(const TickLog& log, const std::vector<double>& times) {
+  std::vector<Moment> moments;
+  for (const double time : times) {
+    const Snapshot tick = log.at(log.find(time));
+    // Of a tick that stands for two times, one: readers of series want times that rise.
+    if (moments.empty() || tick.time > moments.back().time) moments.push_back(moment_of(tick));
+  }
+  return moments;
+}
+
+}  // namespace
+
+void ExportControl::export_recording_tables() {
+  const auto kept = drawn_ ? ticks() : std::nullopt;
+  if (!kept) return;
+  const QString file = ask_file(QStringLiteral("Export the numbers of the recording"),
+                                QStringLiteral("recording.csv"), QStringLiteral("Tables (*.csv)"));
+  if (file.isEmpty()) return;
+  job_.start(
+      QStringLiteral("Exporting numbers"),
+      [file, kept = *kept](const Progress& progress) {
+        write_tables(file.toStdString(), kept, progress);
+      },
+      [this, file](const std::exception_ptr& error) { ended(file, error); });
+}
+
+void ExportControl::export_recording_vtk() {
+  const auto kept = drawn_ ? ticks() : std::nullopt;
+  const auto wanted = kept ? ask_picture(ExportDialog::Of::recording_steps) : std::nullopt;
+  if (!wanted) return;
+  const QString folder = ask_file(QStringLiteral("Export the recording for ParaView: a new folder"),
+                                  QStringLiteral("sonde-recording-vtk"), QString());
+  if (folder.isEmpty() || !drawn_) return;
+  job_.start(
+      QStringLiteral("Exporting for ParaView"),
+      [folder, what = surfaces(), kept = *kept,
+       times = wanted->span.times()](const Progress& progress) {
+        write_vtk(folder.toStdString(), what, moments_at(kept.log(), times), progress);
+      },
+      [this, folder](const std::exception_ptr& error) { ended(folder, error); });
+}
+
+void ExportControl::export_recording_pictures() {
+  const auto kept = drawn_ && !animation_ ? ticks() : std::nullopt;
+  const auto wanted = kept ? ask_picture(ExportDialog::Of::recording) : std::nullopt;
+  if (!wanted) return;
+  const QString folder = ask_file(QStringLiteral("Export the recording: a new folder of pictures"),
+                                  QStringLiteral("sonde-recording"), QString());
+  if (folder.isEmpty() || !drawn_ || animation_) return;
+  try {
+    auto animation = std::make_unique<Animation>(folder, *wanted);
+    const std::vector<double> times = wanted->span.times();
+    animation->count = static_cast<int>(times.size());
+    animation->picture = [log = std::make_shared<const TickLog>(kept->log()), times](int i) {
+      Instant then{.snapshot = log->at(log->find(times[static_cast<std::size_t>(i)])),
+                   .searched = {},
+                   .live = false};
+      if (const RecordedSearch* search = log->searched(then.snapshot.time))
+        then.searched = search->result;
+      return Animation::Picture{std::move(then), 1};
+    };
+    animation->film_name = QStringLiteral("recording.mp4");
+    animation->film_rate = wanted->span.rate;
+    animate(std::move(animation));
+  } catch (const InputError& bad) {
+    fail(QString::fromUtf8(bad.what()));
+  }
+}
+
+}  // namespace sonde::ui
