@@ -91,7 +91,8 @@ HdArm::~HdArm() {
   const hd::Api& api = library_->api();
   write({}, false);
   while (heard_.try_acquire()) continue;
-  heard_.try_acquire_for(longest_wait);  // until a frame without force has gone
+  // Until a frame without force has gone: the first one heard may have read the force before.
+  for (int frame = 0; frame < 2; ++frame) heard_.try_acquire_for(longest_wait);
   api.hdStopScheduler();
   api.hdUnschedule(scheduled_);
   api.hdDisable(hd::force_output);

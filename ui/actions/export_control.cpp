@@ -197,12 +197,16 @@ void ExportControl::make_film() {
   QProcess& film = *animation_->film;
   film.setWorkingDirectory(QString::fromStdString(animation_->folder.path().string()));
   const auto ended = [this, &film] {
+    if (!animation_ || animation_->film.get() != &film) return;  // given up meanwhile
+    if (film.error() == QProcess::FailedToStart)
+      return finish(QStringLiteral("%1: %2").arg(film.program(), film.errorString()));
     if (film.exitStatus() == QProcess::NormalExit && film.exitCode() == 0) return finish({});
     const QByteArray said = film.readAllStandardError().trimmed();
     finish(QStringLiteral("ffmpeg: %1").arg(QString::fromUtf8(said.split('\n').last())));
   };
   connect(&film, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this, ended,
           Qt::QueuedConnection);
+  connect(&film, &QProcess::errorOccurred, this, ended, Qt::QueuedConnection);
   // An even number of pixels each way: most players want no other.
   film.start(film_maker(),
              {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),

@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 #include <utility>
+#include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/base/progress.hpp"
@@ -77,6 +78,7 @@ void HistoryControl::attach(Session* session) {
   stop_recording();
   job_.abandon();
   leave();
+  plots_->forget();
   opened_.reset();
   replay_.reset();
   shows_replay_ = false;
@@ -100,7 +102,7 @@ const Curves* HistoryControl::curves() const {
 
 void HistoryControl::frame(qint64 now) {
   const double seconds = 1e-3 * static_cast<double>(now - std::exchange(last_frame_, now));
-  playback_.advance(seconds);
+  try_to([&] { playback_.advance(seconds); });
   if (!recorder_.failure().isEmpty()) stop_recording();
   const TickLog* log = kept();
   if (log)
@@ -114,13 +116,18 @@ void HistoryControl::frame(qint64 now) {
 }
 
 std::optional<Instant> HistoryControl::instant() {
-  if (!looking_back()) return {};
+  std::optional<Instant> now;
+  if (looking_back()) try_to([&] { now = playback_.instant(); });
+  return now;
+}
+
+/// A recording is read as it is looked at, and may have been changed since it was opened.
+void HistoryControl::try_to(const std::function<void()>& look) {
   try {
-    return playback_.instant();
+    look();
   } catch (const InputError& bad) {
     go_live();
     prompts_.report_error(QString::fromUtf8(bad.what()));
-    return {};
   }
 }
 
@@ -132,29 +139,37 @@ void HistoryControl::begin_looking() {
 }
 
 void HistoryControl::look_at(double time) {
-  begin_looking();
-  playback_.seek(time);
+  try_to([&] {
+    begin_looking();
+    playback_.seek(time);
+  });
   show_state();
 }
 
 void HistoryControl::step(int ticks) {
-  begin_looking();
-  playback_.step(ticks);
+  try_to([&] {
+    begin_looking();
+    playback_.step(ticks);
+  });
   show_state();
 }
 
 void HistoryControl::play(bool on) {
-  begin_looking();
-  playback_.play(on);
+  try_to([&] {
+    begin_looking();
+    playback_.play(on);
+  });
   show_state();
 }
 
 void HistoryControl::show_replay(bool on) {
   shows_replay_ = on && replay_;
-  begin_looking();
-  const double time = playback_.time();
-  playback_.look_at(shows_replay_ ? &replay_->log() : kept());
-  playback_.seek(time);
+  try_to([&] {
+    begin_looking();
+    const double time = playback_.time();
+    playback_.look_at(shows_replay_ ? &replay_->log() : kept());
+    playback_.seek(time);
+  });
   show_state();
 }
 
@@ -172,9 +187,22 @@ void HistoryControl::set_recording(bool on) {
   show_state();
 }
 
+/// Throws InputError where the file is looked at or shown now.
+void HistoryControl::check_not_in_use(const std::filesystem::path& file) const {
+  const Scene scene = view_.scene();
+  std::vector<std::filesystem::path> used{scene.file, scene.probe.mesh, scene.fixed.mesh};
+  if (opened_ && opened_->recording) used.push_back(opened_->recording->file);
+  for (const std::filesystem::path& each : used) {
+    std::error_code none;
+    if (std::filesystem::equivalent(file, each, none))
+      throw InputError(file.string() + ": the window shows this file; record to another one");
+  }
+}
+
 void HistoryControl::record(const QString& file) {
   if (!view_.session()) return;
   try {
+    check_not_in_use(path_of(file));
     remember_folder_of(file);
     recorder_.record(path_of(file), view_.scene());
     view_.say(QStringLiteral("Recording to %1").arg(file));
@@ -219,6 +247,7 @@ void HistoryControl::open_recording(const QString& file) {
 
 void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording) {
   view_.show(std::move(drawn));
+  plots_->forget();
   opened_ = recording;
   if (opened_->log().empty())
     prompts_.report_error(QStringLiteral("%1 holds no tick.").arg(opened_->name));
@@ -254,7 +283,9 @@ void HistoryControl::run_again(Method method, const std::optional<Coupling>& gai
           if (!reason.isEmpty()) prompts_.report_error(reason);
           return;
         }
-        replay_ = into;
+        plots_->forget();
+        // The one before may be on show until this one is.
+        const std::shared_ptr<KeptTicks> before = std::exchange(replay_, into);
         show_replay(true);
         if (replayed) replayed();
       });

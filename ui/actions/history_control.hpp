@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -89,6 +90,8 @@ class HistoryControl : public QObject {
 
  private:
   const TickLog* kept() const;  ///< that of the file, or of the session; null where there is none
+  void try_to(const std::function<void()>& look);
+  void check_not_in_use(const std::filesystem::path& file) const;
   void begin_looking();
   void stop_recording();
   const Curves* curves() const;

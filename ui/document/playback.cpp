@@ -24,7 +24,7 @@ void Playback::step(std::int64_t ticks) {
   const auto first = static_cast<std::int64_t>(ticks_->begin());
   const auto last = static_cast<std::int64_t>(ticks_->end()) - 1;
   index_ = static_cast<std::uint64_t>(
-      std::clamp(static_cast<std::int64_t>(index_) + ticks, first, last));
+      std::clamp(static_cast<std::int64_t>(index()) + ticks, first, last));
   time_ = ticks_->at(index_).time;
 }
 
@@ -50,7 +50,7 @@ bool Playback::advance(double seconds) {
 }
 
 Instant Playback::instant() const {
-  Instant now{.snapshot = ticks_->at(index_), .searched = {}, .live = false};
+  Instant now{.snapshot = ticks_->at(index()), .searched = {}, .live = false};
   if (const RecordedSearch* search = ticks_->searched(now.snapshot.time))
     now.searched = search->result;
   return now;

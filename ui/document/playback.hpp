@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -23,7 +24,8 @@ class Playback {
   /// s; to the nearest there is.
   void seek(double time);
   void step(std::int64_t ticks);
-  std::uint64_t index() const { return index_; }
+  /// Of the present tick: the oldest one kept, where the one looked at has been forgotten since.
+  std::uint64_t index() const { return looking() ? std::max(index_, ticks_->begin()) : 0; }
   double time() const { return time_; }
 
   /// At the end it starts again.

@@ -33,7 +33,9 @@ class PlotsPanel : public QDockWidget {
 
   /// Shows other ticks, of a probe whose lengths have this unit.
   void take(const LengthUnit& unit);
-  /// With each frame, at so many ms.
+  /// The curves of the last state are about to go.
+  void forget() { state_ = {}; }
+  /// With each frame, at so many ms. The curves must stay until the next state, or forget().
   void show_state(const PlotState& state, qint64 now);
 
   void set_shown(Curve curve, bool on);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/history_control.hpp"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
 #include <QTest>
@@ -195,6 +196,44 @@ TEST_F(HistoryTest, a_recording_that_cannot_be_written_is_told_of) {
   history().record(path("nowhere/x.sonderec"));
   ASSERT_EQ(complaints.size(), 1u);
   EXPECT_TRUE(complaints[0].contains("nowhere/x.sonderec"));
+}
+
+TEST_F(HistoryTest, what_the_window_shows_is_not_recorded_over) {
+  const std::filesystem::path mesh = window->session()->loaded().scene.probe.mesh;
+  const auto size = std::filesystem::file_size(mesh);
+  history().record(QString::fromStdString(mesh.string()));
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_TRUE(complaints[0].contains("the window shows this file")) << complaints[0].toStdString();
+  EXPECT_FALSE(history().recorder().recording());
+  EXPECT_EQ(std::filesystem::file_size(mesh), size);
+  complaints.clear();
+  const QString file = QString::fromStdString(record_some());
+  history().open_recording(file);
+  ASSERT_TRUE(wait_until([&] { return history().looking_back(); }));
+  history().record(file);
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_FALSE(history().recorder().recording());
+  EXPECT_TRUE(history().instant().has_value()) << "it can be read on";
+}
+
+// Under the address sanitizer: the plots hold no curves that are gone.
+TEST_F(HistoryTest, a_second_run_takes_the_place_of_the_first_while_plots_are_held) {
+  history().plots().show();
+  settle();
+  int runs = 0;
+  history().replayed = [&] { ++runs; };
+  const Coupling gains = window->session()->coupling();
+  for (const int run : {1, 2}) {
+    history().run_again(Method::pdg, gains);
+    ASSERT_TRUE(wait_until([&] { return runs == run; }));
+    settle();
+    find<QCheckBox>("hold_plots")->setChecked(true);
+  }
+  QWidget& charts = history().plots().charts();
+  QTest::mouseMove(&charts, charts.rect().center());
+  QTest::mouseMove(&charts, charts.rect().center() + QPoint(5, 0));
+  settle();
+  EXPECT_NE(history().replay(), nullptr);
 }
 
 TEST_F(HistoryTest, runs_again_with_other_gains_beside_the_first) {

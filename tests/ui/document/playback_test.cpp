@@ -43,6 +43,30 @@ TEST(Playback, an_instant_is_the_tick_and_what_was_known_then) {
   EXPECT_EQ(playback.instant().searched->lower_bound, 0.25);
 }
 
+TEST(Playback, a_tick_forgotten_while_it_is_on_show_gives_way_to_the_oldest_kept) {
+  TickLog log(0.05, 1000, {.ticks = 2 * TickLog::block_ticks, .bytes = 0});
+  Snapshot tick;
+  const auto add = [&](std::size_t count) {
+    for (; count > 0; --count) {
+      tick.separation.depth = static_cast<double>(tick.tick++);
+      tick.time = 1e-3 * static_cast<double>(tick.tick);
+      log.add(tick);
+    }
+    log.seal();
+  };
+  add(TickLog::block_ticks);
+  Playback playback;
+  playback.look_at(&log);
+  playback.seek(0);
+  ASSERT_EQ(playback.instant().snapshot.separation.depth, 0);
+  add(3 * TickLog::block_ticks);
+  ASSERT_GT(log.begin(), 0u);
+  EXPECT_EQ(playback.index(), log.begin());
+  EXPECT_EQ(playback.instant().snapshot.separation.depth, static_cast<double>(log.begin()));
+  playback.step(1);
+  EXPECT_EQ(playback.index(), log.begin() + 1);
+}
+
 TEST(Playback, steps_go_by_ticks_and_stay_within) {
   const TickLog log = two_seconds();
   Playback playback;
