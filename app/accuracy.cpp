@@ -36,15 +36,18 @@ Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
   if (!options.time.empty()) knob_.time = time_in(options.time, "--time");
   if (!options.accuracy.empty()) knob_.accuracy = share_in(options.accuracy, "--accuracy");
   options_.claim |= options.turned();
-  if (!options_.claim) return;
-  calibration_ =
-      options.calibration.empty() ? default_calibration() : read_calibration(options.calibration);
+  if (!options.calibration.empty())  // a bad file is told of whether it is needed or not
+    calibration_ = read_calibration(options.calibration);
+  else if (options_.claim)
+    calibration_ = default_calibration();
 }
 
 SolverOptions Accuracy::applied(const SolverOptions& solver, const Pair& pair) {
   SolverOptions out = solver;
   if (!options_.claim) return out;
-  curve_ = {AccuracyCurve(calibration_, solver.coherent() ? Answers::tick : Answers::search,
+  // What was measured is measured in time: of a budget of steps it says nothing.
+  const Calibration& known = out.budget.steps > 0 ? Calibration{} : calibration_;
+  curve_ = {AccuracyCurve(known, solver.coherent() ? Answers::tick : Answers::search,
                           solver.chosen_method(), bool(pair.sketches()))};
   if (options_.turned()) {
     out.budget.microseconds = budget_us(knob_, curve_[0]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
@@ -39,11 +40,23 @@ TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, Progres
   return setup;
 }
 
+/// The file that is written holds the name of each scene.
+void check_name(const Scene& scene) {
+  CalibrationSeries named;
+  named.pair = scene.name;
+  try {
+    to_json(Calibration{{named}});
+  } catch (const nlohmann::json::exception&) {
+    throw InputError::in(scene.file.string(), "the name is no UTF-8: no calibration can hold it");
+  }
+}
+
 void run(const CalibrateOptions& options) {
   std::vector<Scene> scenes;
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
     scenes.push_back(read_scene(file));
+    check_name(scenes.back());
     for (const auto& input : inputs_of(scenes.back())) inputs.push_back(input);
   }
   check_output(options.output, inputs);

@@ -7,6 +7,7 @@
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/phases.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
@@ -14,6 +15,7 @@
 #include "engine/recording/recording.hpp"
 #include "engine/recording/recording_writer.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::app {
 namespace {
@@ -76,18 +78,23 @@ struct Job {
   Scene scene;
   std::vector<LoopStep> steps;
   std::vector<std::filesystem::path> inputs;
+  bool along_path = true;  ///< the time between two steps is known, however long
 };
 
 /// What becomes of the ticks: rows of the table, and where it is asked for a recording.
 class Results {
  public:
-  Results(const ReplayOptions& options, const Pair& pair, const Scene& scene,
-          const Accuracy& accuracy)
+  Results(const ReplayOptions& options, const Scene& scene, const Accuracy& accuracy,
+          RecordingHeader header)
       : options_(options),
         scene_(scene),
         accuracy_(accuracy),
         columns_(with_phases(options.phases, accuracy.with_claims(columns))),
-        log_(pair.probe().mass.radius, scene.servo.rate_hz) {}
+        header_(std::move(header)),
+        log_(header_.probe_radius, header_.rate_hz) {
+    // A header that cannot be written is told of before the work.
+    if (!options.record.empty()) header_bytes(header_, options.record);
+  }
 
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
@@ -100,11 +107,14 @@ class Results {
 
   void write() {
     for (const auto& [index, separation] : failures_) report_failure(separation, index);
-    if (!options_.record.empty()) {
-      log_.seal();
-      write_recording(options_.record, header_of(scene_, log_.probe_radius()), log_);
-    }
-    write_result(options_.output, options_.output.json ? to_json(table_) : to_csv(table_));
+    const std::string table = options_.output.json ? to_json(table_) : to_csv(table_);
+    if (options_.record.empty()) return write_result(options_.output, table);
+    log_.seal();
+    finish_despite_interrupts();
+    // It takes its name once the table is written: both appear, or neither.
+    PendingFile recording(options_.record, recording_bytes(options_.record, header_, log_));
+    write_result(options_.output, table);
+    recording.commit();
   }
 
  private:
@@ -114,6 +124,7 @@ class Results {
   std::vector<Column> columns_;
   ResultTable table_{columns_, {}};
   std::vector<std::pair<std::size_t, Separation>> failures_;
+  RecordingHeader header_;
   TickLog log_;
 };
 
@@ -182,10 +193,10 @@ void write_as_recorded(const ReplayOptions& options) {
 Job job_of_recording(const ReplayOptions& options) {
   const std::unique_ptr<Recording> recording = read(options);
   check_meshes(recording->header, recording->file);
-  return {
-      recording->header.scene,
-      steps_of(recording->ticks),
-      {recording->file, recording->header.scene.probe.mesh, recording->header.scene.fixed.mesh}};
+  return {recording->header.scene,
+          steps_of(recording->ticks),
+          {recording->file, recording->header.scene.probe.mesh, recording->header.scene.fixed.mesh},
+          recording->ticks.along_path};
 }
 
 Job job_of_scene(const ReplayOptions& options) {
@@ -210,13 +221,23 @@ Job job_for(const ReplayOptions& options) {
   return job;
 }
 
+void check_record(const ReplayOptions& options, const Job& job) {
+  if (options.record.empty()) return;
+  check_output("--record", options.record, job.inputs);
+  const auto place = [](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (options.output.to_file() && place(options.record) == place(options.output.out))
+    throw UsageError("--record and --out name the same file: " + options.record);
+}
+
 void run(const ReplayOptions& options) {
   if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
   const Scene& scene = job.scene;
   Accuracy accuracy(options.accuracy, options.solver);
   check_output(options.output, job.inputs);
-  if (!options.record.empty()) check_output("--record", options.record, job.inputs);
+  check_record(options, job);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
@@ -225,9 +246,15 @@ void run(const ReplayOptions& options) {
     solver.budget.steps = scene.servo.budget.steps;
 
   ProgressLine progress(options.output.quiet);
+  RecordingHeader header;
+  // The marks are those of the meshes that are run, whatever becomes of the files meanwhile.
+  if (!options.record.empty()) header = header_of(scene, 0);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
+  header.rate_hz = scene.servo.rate_hz;
+  header.probe_radius = pair.probe().mass.radius;
+  header.along_path = job.along_path;
   solver = accuracy.applied(solver, pair);
-  Results results(options, pair, scene, accuracy);
+  Results results(options, scene, accuracy, std::move(header));
   if (solver.coherent())
     run_in_step(pair, job, solver, progress, results);
   else

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -56,6 +57,22 @@ std::string block(const BlockHead& head, std::string_view content) {
   return out + packed;
 }
 
+template <class Row>
+std::size_t row_width(std::span<const Column<Row>> columns) {
+  std::size_t sum = 0;
+  for (const Column<Row>& column : columns) sum += width(column.as);
+  return sum;
+}
+
+void check_rows(const BlockHead& head) {
+  const std::size_t row =
+      head.kind == BlockKind::ticks ? row_width(tick_columns()) : row_width(search_columns());
+  if (head.rows == 0 || head.rows > head.raw / row)
+    throw std::invalid_argument("a block has no rows, or more than it can hold");
+  if (!std::isfinite(head.first) || !std::isfinite(head.last) || head.last < head.first)
+    throw std::invalid_argument("the times of a block are not finite, or fall");
+}
+
 }  // namespace
 
 std::string tick_block(std::span<const Snapshot> ticks) {
@@ -98,6 +115,7 @@ BlockHead head_of(std::string_view bytes) {
   head.crc = take_count(bytes);
   if (head.packed > most_bytes || head.raw > most_bytes)
     throw std::invalid_argument("a block is larger than there can be one");
+  if (head.kind != BlockKind::end) check_rows(head);
   return head;
 }
 

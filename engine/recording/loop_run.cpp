@@ -69,7 +69,7 @@ std::vector<LoopStep> steps_of(const TickLog& ticks, const Progress& progress) {
     before = tick.tick;
     steps.push_back({.at = {tick.time, tick.separation.device},
                      .coupling = tick.coupling,
-                     .dt = since * ticks.rate_hz() <= long_gap ? since : 0,
+                     .dt = ticks.along_path || since * ticks.rate_hz() <= long_gap ? since : 0,
                      .begins = begins});
     if (progress && i % TickLog::block_ticks == 0 &&
         !progress(static_cast<double>(i) / static_cast<double>(count)))

@@ -19,8 +19,8 @@ struct LoopStep {
   bool begins = false;  ///< the probe is put here: nothing is followed from before
 };
 
-/// The device's path of a recording, with its gains. The time is unknown across a pause and across
-/// ticks that were lost.
+/// The device's path of a recording, with its gains. Unless they are along a path, the time is
+/// unknown across a pause and across ticks that were lost.
 std::vector<LoopStep> steps_of(const TickLog& ticks, const Progress& progress = {});
 /// A path with one set of gains.
 std::vector<LoopStep> steps_of(std::span<const TimedPose> path, const Coupling& coupling);

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -102,12 +104,30 @@ class BlockReader {
     if (!is_sound(head, bytes)) return stop("the checksum of a block is wrong");
     if (head.kind == BlockKind::end) return end(at + size);
     if (head.kind == BlockKind::searches)
-      for (const RecordedSearch& search : searches_in(content_of(head, bytes)))
-        into_.ticks.add(search);
+      add_searches(searches_in(content_of(head, bytes)));
     else
-      into_.ticks.add(head, [file = file_, at, size] { return file->read(at, size); });
+      add_ticks(head, at, size);
     into_.readable = at + size;
     return true;
+  }
+
+  void add_searches(const std::vector<RecordedSearch>& searches) {
+    const auto& all = into_.ticks.searches();
+    double before = all.empty() ? -std::numeric_limits<double>::infinity() : all.back().time;
+    for (const RecordedSearch& search : searches) {
+      if (!std::isfinite(search.time) || search.time < before)
+        throw std::invalid_argument("the time of a search is not finite, or falls");
+      before = search.time;
+    }
+    for (const RecordedSearch& search : searches) into_.ticks.add(search);
+  }
+
+  void add_ticks(const BlockHead& head, std::uint64_t at, std::size_t size) {
+    if (!into_.ticks.empty() && head.first < into_.ticks.last_time())
+      throw std::invalid_argument("a block begins before the one ahead of it ends");
+    into_.ticks.add(
+        head, [file = file_, at, size] { return file->read(at, size); },
+        into_.file.string() + ": byte " + std::to_string(at));
   }
 
   bool end(std::uint64_t at) {
@@ -131,6 +151,7 @@ std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& 
                                                          .ticks = TickLog(radius, rate),
                                                          .bytes = open->size(),
                                                          .readable = read.size});
+  recording->ticks.along_path = recording->header.along_path;
   for (BlockReader blocks(*recording, open); blocks.next();)
     if (progress &&
         !progress(static_cast<double>(recording->readable) / static_cast<double>(recording->bytes)))

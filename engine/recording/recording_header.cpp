@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -63,6 +64,14 @@ double number(const fs::path& file, const JsonNode& object, std::string_view key
   return member(file, object, key, JsonNode::Kind::number).number;
 }
 
+double positive(const fs::path& file, const JsonNode& object, std::string_view key) {
+  const double value = number(file, object, key);
+  if (!(value > 0 && std::isfinite(value)))
+    fail_at(file, need_key(file, object, key, "the header").line,
+            "\"" + std::string(key) + "\" must be above 0 and finite");
+  return value;
+}
+
 FileMark mark_in(const fs::path& file, const JsonNode& node) {
   constexpr double most_bytes = 1e15, most_crc = 4294967295.0;
   const double bytes = number(file, node, "bytes"), crc = number(file, node, "crc32");
@@ -81,8 +90,13 @@ RecordingHeader header_in(const std::string& text, const fs::path& file) {
   const JsonNode& meshes = member(file, root, "meshes", JsonNode::Kind::object);
   header.probe = mark_in(file, member(file, meshes, "probe", JsonNode::Kind::object));
   header.fixed = mark_in(file, member(file, meshes, "fixed", JsonNode::Kind::object));
-  header.probe_radius = number(file, root, "probe_radius");
-  header.rate_hz = number(file, root, "rate_hz");
+  header.probe_radius = positive(file, root, "probe_radius");
+  header.rate_hz = positive(file, root, "rate_hz");
+  for (const JsonNode& node : root.children)
+    if (node.key == "along_path") {
+      expect_kind(file, node, JsonNode::Kind::boolean);
+      header.along_path = node.boolean;
+    }
   header.started = member(file, root, "started", JsonNode::Kind::string).text;
   return header;
 }
@@ -137,12 +151,18 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
       {"started", header.started},
       {"rate_hz", header.rate_hz},
       {"probe_radius", header.probe_radius},
+      {"along_path", header.along_path},
       {"meshes", {{"probe", json_of(header.probe)}, {"fixed", json_of(header.fixed)}}},
       {"scene", scene_text(header.scene, fs::absolute(file).parent_path())},
       {"ticks", json_of(tick_columns())},
       {"contacts", json_of(contact_columns())},
       {"searches", json_of(search_columns())}};
-  const std::string text = json.dump(1);
+  std::string text;
+  try {
+    text = json.dump(1);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError::in(file.string(), "the scene's name is no UTF-8: no recording can hold it");
+  }
   std::string out(magic);
   append_count(out, recording_version);
   append_count(out, static_cast<std::uint32_t>(text.size()));
@@ -171,6 +191,9 @@ ReadHeader read_header(std::string_view bytes, const fs::path& file) {
 }
 
 bool is_recording(const fs::path& file) {
+  // To open a pipe would wait for its writer, and take from it what the next reader needs.
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
   std::array<char, magic.size()> first{};

@@ -26,6 +26,7 @@ struct RecordingHeader {
   double probe_radius = 0;  ///< m, which tells which contacts are together
   double rate_hz = 0;       ///< asked of the servo
   std::string started;      ///< UTC, ISO 8601
+  bool along_path = false;  ///< TickLog::along_path
 };
 
 /// The header of a recording that begins now. Reads the meshes to identify them.

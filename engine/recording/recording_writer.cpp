@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/recording/recording_writer.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,9 +24,7 @@ std::string system_reason(int error) {
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Scene& scene,
                                  double probe_radius)
     : file_(file) {
-  check_writable(file);
-  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw InputError::in(file.string(), system_reason(errno));
+  descriptor_ = create_anew(file);  // the ticks to come may be those of the recording it replaces
   thread_ = std::thread([this, scene, probe_radius] { run(scene, probe_radius); });
 }
 
@@ -98,12 +95,17 @@ void RecordingWriter::write(const std::string& bytes) {
   bytes_.fetch_add(bytes.size(), std::memory_order_relaxed);
 }
 
-void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
-                     const TickLog& ticks) {
+std::string recording_bytes(const std::filesystem::path& file, const RecordingHeader& header,
+                            const TickLog& ticks) {
   std::string bytes = header_bytes(header, file);
   for (const BlockBytes& block : ticks.all()) bytes += block();
   bytes += end_block(ticks.end() - ticks.begin());
-  write_whole(file, bytes);
+  return bytes;
+}
+
+void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
+                     const TickLog& ticks) {
+  write_whole(file, recording_bytes(file, header, ticks));
 }
 
 }  // namespace sonde

@@ -54,6 +54,9 @@ class RecordingWriter {
   std::thread thread_;
 };
 
+/// A whole recording as the file of that name holds it. Throws InputError.
+std::string recording_bytes(const std::filesystem::path& file, const RecordingHeader& header,
+                            const TickLog& ticks);
 /// Writes a whole recording at once, or nothing: from ticks that are all there. Throws InputError.
 void write_recording(const std::filesystem::path& file, const RecordingHeader& header,
                      const TickLog& ticks);

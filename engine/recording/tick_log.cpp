@@ -16,6 +16,19 @@ BlockBytes in_memory(std::shared_ptr<const std::string> bytes) {
   return [bytes = std::move(bytes)] { return *bytes; };
 }
 
+/// The head speaks for the ticks until they are decoded, so it must have told the truth.
+void check(const std::vector<Snapshot>& ticks, const BlockHead& head) {
+  if (ticks.size() != head.rows || ticks.empty())
+    throw std::invalid_argument("a block holds other ticks than its head says");
+  double before = head.first;
+  for (const Snapshot& tick : ticks) {
+    if (!(tick.time >= before)) throw std::invalid_argument("the times of a block fall");
+    before = tick.time;
+  }
+  if (ticks.front().time != head.first || before != head.last)
+    throw std::invalid_argument("a block holds other times than its head says");
+}
+
 }  // namespace
 
 TickLog::TickLog(double probe_radius, double rate_hz, Limits limits)
@@ -38,7 +51,9 @@ void TickLog::add(const BackgroundResult& search) {
   open_searches_.push_back(searches_.back());
 }
 
-void TickLog::add(const BlockHead& head, BlockBytes bytes) { store(head, 0, std::move(bytes)); }
+void TickLog::add(const BlockHead& head, BlockBytes bytes, std::string place) {
+  store(head, 0, std::move(bytes), std::move(place));
+}
 
 void TickLog::seal() {
   const auto hand_on = [this](std::string block) {
@@ -56,8 +71,9 @@ void TickLog::seal() {
   store(head_of(*bytes), bytes->size(), in_memory(bytes));
 }
 
-void TickLog::store(const BlockHead& head, std::size_t in_memory, BlockBytes bytes) {
-  blocks_.push_back({head, sealed_, in_memory, std::move(bytes)});
+void TickLog::store(const BlockHead& head, std::size_t in_memory, BlockBytes bytes,
+                    std::string place) {
+  blocks_.push_back({head, sealed_, in_memory, std::move(bytes), std::move(place)});
   sealed_ += head.rows;
   stored_bytes_ += in_memory;
   forget();
@@ -104,10 +120,10 @@ const std::vector<Snapshot>& TickLog::decoded(const Stored& block) const {
   if (found != cache_.end()) return found->ticks;
   try {
     std::vector<Snapshot> ticks = ticks_in(content_of(block.head, block.bytes()), probe_radius_);
-    if (ticks.size() != block.head.rows) throw std::invalid_argument("a block holds too few ticks");
+    check(ticks, block.head);
     cache_.push_front({block.begin, std::move(ticks)});
   } catch (const std::invalid_argument& bad) {
-    throw InputError(bad.what());
+    throw block.place.empty() ? InputError(bad.what()) : InputError::in(block.place, bad.what());
   }
   if (cache_.size() > most_cached) cache_.pop_back();
   return cache_.front().ticks;

@@ -41,11 +41,16 @@ class TickLog {
   /// A search with a time of its own.
   void add(const RecordedSearch& search) { searches_.push_back(search); }
   /// Adds a finished block. Its ticks come after those before.
-  void add(const BlockHead& head, BlockBytes bytes);
+  /// `place` is what a complaint about its content begins with.
+  void add(const BlockHead& head, BlockBytes bytes, std::string place = "");
   /// Makes a block from the ticks that are not yet in one.
   void seal();
   /// Called with each block made here, searches before the ticks of their time.
   std::function<void(const std::shared_ptr<const std::string>&)> sealed;
+
+  /// The ticks are those of a path: the time between two is known, however long. That of a servo is
+  /// not known across a pause and across ticks that were lost.
+  bool along_path = false;
 
   /// Ticks are counted from 0, including dropped ones; [begin, end) are there.
   std::uint64_t begin() const { return blocks_.empty() ? sealed_ : blocks_.front().begin; }
@@ -74,10 +79,12 @@ class TickLog {
     std::uint64_t begin = 0;
     std::size_t in_memory = 0;  ///< bytes
     BlockBytes bytes;
+    std::string place;  ///< in a file; empty in memory
   };
   const std::vector<Snapshot>& decoded(const Stored& block) const;
   const Stored& block_of(std::uint64_t index) const;
-  void store(const BlockHead& head, std::size_t in_memory, BlockBytes bytes);
+  void store(const BlockHead& head, std::size_t in_memory, BlockBytes bytes,
+             std::string place = "");
   void forget();
 
   double probe_radius_;

@@ -87,14 +87,47 @@ void check_writable(const fs::path& file) {
   if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) fail(file, errno);
 }
 
-void write_whole(const fs::path& file, std::string_view text) {
+PendingFile::PendingFile(const fs::path& file, std::string_view text) : file_(file) {
   check_writable(file);
-  if (is_special(file)) return write_special(file, text);
+  if (is_special(file)) {
+    write_special(file, text);
+    return;
+  }
+  target_ = behind_links(file);
+  const fs::path temporary = temporary_name(target_);
+  if (const int error = write_new(temporary, text); error != 0) {
+    ::unlink(temporary.c_str());
+    fail(file, error);
+  }
+  temporary_ = temporary;
+}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void PendingFile::commit() {
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(file_, errno);
+  temporary_.clear();
+}
+
+void write_whole(const fs::path& file, std::string_view text) { PendingFile(file, text).commit(); }
+
+int create_anew(const fs::path& file) {
+  check_writable(file);
+  if (is_special(file)) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(file, errno);
+    return descriptor;
+  }
   const fs::path target = behind_links(file);
   const fs::path temporary = temporary_name(target);
-  int error = write_new(temporary, text);
-  if (error == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error == 0) return;
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(file, errno);
+  if (std::rename(temporary.c_str(), target.c_str()) == 0) return descriptor;
+  const int error = errno;
+  ::close(descriptor);
   ::unlink(temporary.c_str());
   fail(file, error);
 }

@@ -11,9 +11,28 @@ namespace sonde {
 /// written directly. Throws InputError naming the file and the reason.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
+/// The same in two steps: the constructor writes the temporary file (or the pipe), commit() gives
+/// it its name. Without commit() nothing is left.
+class PendingFile {
+ public:
+  PendingFile(const std::filesystem::path& file, std::string_view text);
+  ~PendingFile();
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  void commit();
+
+ private:
+  std::filesystem::path file_, target_, temporary_;  // the last is empty once there is none
+};
+
 /// Throws what write_whole would throw for a folder that is missing or not writable: call it before
 /// the work whose result is written.
 void check_writable(const std::filesystem::path& file);
+
+/// Opens a new file that takes this name at once, empty; what had the name stays readable to those
+/// who have it open. A target that is not an ordinary file is opened as it is. Returns the
+/// descriptor. Throws InputError.
+int create_anew(const std::filesystem::path& file);
 
 /// Writes everything to a file descriptor. False, with errno set, where that fails.
 bool write_all(int descriptor, std::string_view text);

@@ -237,5 +237,17 @@ TEST_F(Query, a_knob_that_is_no_good_is_refused) {
   refused("--time 1ms --budget-us 100", 2, "give no other");
 }
 
+TEST_F(Query, a_budget_of_steps_claims_only_what_is_certified) {
+  const Csv csv(sonde("query " + loose + "--poses poses.csv --claim --budget-steps 5").out);
+  ASSERT_EQ(csv.rows.size(), 3u);
+  for (std::size_t row = 0; row < 3; ++row) EXPECT_NE(csv.text(row, "claim"), "expected") << row;
+  const Csv tick(sonde("replay boxes.sonde.json --claim --budget-steps 5").out);
+  EXPECT_EQ(tick.text(39, "claim"), "") << "a tick has no bound";
+}
+
+TEST_F(Query, a_calibration_that_is_not_there_is_told_of_even_unused) {
+  expect_refused("query " + loose + "--poses poses.csv --calibration none.json", 3, "none.json");
+}
+
 }  // namespace
 }  // namespace sonde::test

@@ -39,6 +39,16 @@ TEST_F(Recordings, replayed_with_other_gains_differ_as_the_scene_does) {
             replay("boxes.sonde.json --method pdt").without(time_columns));
 }
 
+TEST_F(Recordings, of_a_path_with_long_gaps_give_the_same_bits) {
+  std::string path = "t,px,py,pz,qw,qx,qy,qz\n";
+  for (int i = 0; i < 30; ++i)
+    path += std::to_string(0.05 * i) + "," + std::to_string(0.16 - 0.001 * i) + ",0,0,1,0,0,0\n";
+  folder.write("slow.csv", path);
+  const std::string classic = "--coupling classic --b-t 5 ";
+  const Csv first = replay("boxes.sonde.json --trajectory slow.csv " + classic + "--record s.rec");
+  EXPECT_EQ(replay("s.rec").without(time_columns), first.without(time_columns));
+}
+
 TEST_F(Recordings, keep_the_gains_they_were_made_with) {
   replay("boxes.sonde.json --k 100 --record soft.sonderec");
   const Csv again = replay("soft.sonderec --record again.sonderec");
@@ -95,6 +105,18 @@ TEST_F(Recordings, bad_ones_are_refused) {
   folder.write("small.off", box_off(0.06));
   expect_refused("replay boxes.sonderec", 3, "small.off is another mesh than was recorded");
   EXPECT_THAT(sonde("info boxes.sonderec").out, HasSubstr("small.off is another mesh"));
+}
+
+TEST_F(Recordings, appear_with_their_table_or_not_at_all) {
+  expect_refused("replay boxes.sonde.json --record x --out x", 2, "name the same file");
+  expect_refused("replay boxes.sonde.json --record x --out ./x", 2, "name the same file");
+  expect_refused("replay boxes.sonde.json --record x.sonderec >/dev/full", 3, "standard output");
+}
+
+TEST_F(Recordings, of_a_name_that_is_no_utf_8_are_refused) {
+  folder.write("b\xff.sonde.json", text_of(folder / "boxes.sonde.json"));
+  expect_refused("replay b\xff.sonde.json --record x.sonderec", 3, "no UTF-8");
+  expect_refused("calibrate b\xff.sonde.json", 3, "no UTF-8");
 }
 
 TEST_F(Recordings, a_trajectory_that_fails_writes_none) {

@@ -39,6 +39,7 @@ void run(const Order& order, KeptTicks& into, const Progress& progress) {
   if (order.gains)
     for (LoopStep& step : steps) step.coupling = *order.gains;
   into.ticks = std::make_unique<TickLog>(radius, order.ticks.rate_hz);
+  into.ticks->along_path = order.ticks.along_path;
   LoopRun loop{.budget = order.budget, .search = {}, .rate_hz = order.ticks.rate_hz};
   loop.search.method = order.method;
   std::size_t done = 0;

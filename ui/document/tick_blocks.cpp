@@ -4,11 +4,13 @@
 namespace sonde::ui {
 
 TickBlocks TickBlocks::of(const TickLog& log) {
-  return {log.all(), log.probe_radius(), log.rate_hz(), log.first_time(), log.last_time()};
+  return {log.all(),        log.probe_radius(), log.rate_hz(),
+          log.first_time(), log.last_time(),    log.along_path};
 }
 
 TickLog TickBlocks::log() const {
   TickLog log(probe_radius, rate_hz);
+  log.along_path = along_path;
   for (const BlockBytes& block : blocks) {
     const std::string bytes = block();
     const BlockHead head = head_of(bytes);

@@ -13,6 +13,7 @@ struct TickBlocks {
   double probe_radius = 0;  ///< m
   double rate_hz = 0;
   double first = 0, last = 0;  ///< s, times of the ticks
+  bool along_path = false;     ///< TickLog::along_path
 
   static TickBlocks of(const TickLog& log);
   /// They and the searches beside them again. Throws InputError where a file holds them no more.

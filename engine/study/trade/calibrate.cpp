@@ -36,6 +36,15 @@ StaticOptions options(Method method, std::uint64_t seed, double time_us) {
   return out;
 }
 
+/// Of a depth over the least known one, which is 0 where the two bodies touch.
+double excess(double depth, double least) { return depth == least ? 0 : depth / least - 1; }
+
+/// A reference that failed vouches for nothing, not even for an answer that fails as it does.
+double tick_error(double got, double wanted, double deepest) {
+  if (!std::isfinite(got) || !std::isfinite(wanted)) return infinite;
+  return got == wanted ? 0 : std::abs(got - wanted) / deepest;
+}
+
 /// In their order, with as many digits as they are worth, and of thousands every so many.
 CalibrationPoint point(double time_us, std::vector<double> errors) {
   for (double& error : errors)
@@ -96,7 +105,7 @@ CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, 
   }
   for (std::size_t k = 0; k < depths.size(); ++k) {
     for (std::size_t i = 0; i < poses.size(); ++i)
-      if (std::isfinite(depths[k][i])) depths[k][i] = depths[k][i] / references[i] - 1;
+      if (std::isfinite(depths[k][i])) depths[k][i] = excess(depths[k][i], references[i]);
     out.points.push_back(point(search_times[k], std::move(depths[k])));
   }
   return out;
@@ -115,8 +124,7 @@ CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Met
         time_us > 0 ? follow(pair, method, path, seed, time_us, stop) : wanted;
     std::vector<double> errors;
     for (std::size_t i = 0; i < got.size(); ++i)
-      if (got[i] > 0 || wanted[i] > 0)
-        errors.push_back(got[i] == wanted[i] ? 0 : std::abs(got[i] - wanted[i]) / deepest);
+      if (got[i] > 0 || wanted[i] > 0) errors.push_back(tick_error(got[i], wanted[i], deepest));
     out.points.push_back(point(time_us, std::move(errors)));
   }
   return out;

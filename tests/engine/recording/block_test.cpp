@@ -31,6 +31,14 @@ TEST(Block, any_bit_that_is_another_is_noticed) {
   }
 }
 
+TEST(Block, of_more_rows_than_it_can_hold_is_none) {
+  std::string block = tick_block(made_up_ticks(8));
+  for (const char rows : {'\0', '\x7f'}) {
+    block[12] = rows;  // the lowest byte of the rows
+    EXPECT_THROW(head_of(block), std::invalid_argument) << int(rows);
+  }
+}
+
 TEST(Block, what_is_there_is_smaller_where_nothing_moves) {
   const std::vector<Snapshot> moving = made_up_ticks(500);
   std::vector<Snapshot> still(500, moving[6]);

@@ -65,6 +65,22 @@ TEST(LoopRun, a_recorded_path_gives_the_same_bits_again) {
   }
 }
 
+TEST(LoopRun, the_gaps_of_a_recorded_path_are_kept) {
+  Snapshot tick;
+  TickLog log(0.05, 1000);
+  log.along_path = true;
+  std::vector<TimedPose> path;
+  for (const double t : {0.0, 0.5, 0.501, 3.7}) {
+    path.push_back({t, Pose{}});
+    ++tick.tick;
+    tick.time = t;
+    log.add(tick);
+  }
+  const std::vector<LoopStep> wanted = steps_of(path, {}), got = steps_of(log);
+  ASSERT_EQ(got.size(), wanted.size());
+  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].dt, wanted[i].dt) << i;
+}
+
 TEST(LoopRun, where_the_servo_began_again_the_loop_does) {
   Snapshot tick;
   TickLog log(0.05, 1000);

@@ -2,7 +2,12 @@
 #include "engine/recording/recording.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <cmath>
+#include <limits>
+
+#include "engine/recording/recording_writer.hpp"
 #include "tests/engine/recording/made_up_ticks.hpp"
 
 namespace sonde::test {
@@ -109,6 +114,71 @@ TEST_F(RecordingFile, what_is_none_is_refused) {
   EXPECT_TRUE(is_recording(recording("whole.sonderec", made_up_ticks(3))));
   EXPECT_THROW(read_recording(folder.path()), InputError);
   EXPECT_THROW(read_recording(folder / "nowhere"), InputError);
+}
+
+TEST_F(RecordingFile, a_pipe_is_none_and_is_not_opened) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  // Nobody writes to it: who opens it for reading waits for ever.
+  EXPECT_FALSE(is_recording(folder / "pipe"));
+}
+
+TEST_F(RecordingFile, a_header_with_numbers_that_cannot_be_is_refused) {
+  const TickLog none(made_up_radius, 1000);
+  RecordingHeader header = header_of(scene, made_up_radius);
+  for (const double bad : {0.0, -1.0}) {
+    header.probe_radius = bad;
+    EXPECT_THAT(complaint(recording_bytes(folder / "x", header, none)), HasSubstr("probe_radius"));
+    header.probe_radius = made_up_radius;
+    header.rate_hz = bad;
+    EXPECT_THAT(complaint(recording_bytes(folder / "x", header, none)), HasSubstr("rate_hz"));
+    header.rate_hz = 1000;
+  }
+}
+
+TEST_F(RecordingFile, a_name_that_is_no_utf_8_is_refused) {
+  RecordingHeader header = header_of(scene, made_up_radius);
+  header.scene.name = "\xff";
+  EXPECT_THROW(header_bytes(header, folder / "x.sonderec"), InputError);
+}
+
+TEST_F(RecordingFile, times_that_fall_or_are_none_end_it_at_their_block) {
+  const auto with_times = [&](double first, double second) {
+    std::vector<Snapshot> ticks = made_up_ticks(2);
+    ticks[0].time = first;
+    ticks[1].time = second;
+    const RecordingHeader header = header_of(scene, made_up_radius);
+    const std::string start = header_bytes(header, folder / "x");
+    EXPECT_EQ(complaint(start + tick_block(ticks) + end_block(2)), "");
+    EXPECT_EQ(read->ticks.end(), 0u);
+    EXPECT_EQ(read->readable, start.size());
+    EXPECT_THAT(read->cut, HasSubstr("the times of a block are not finite, or fall"));
+  };
+  with_times(1, 0.5);
+  with_times(0, std::nan(""));
+  with_times(-std::numeric_limits<double>::infinity(), 0);
+}
+
+TEST_F(RecordingFile, a_block_that_goes_back_in_time_ends_it) {
+  const std::vector<Snapshot> ticks = made_up_ticks(4);
+  const std::string start = header_bytes(header_of(scene, made_up_radius), folder / "x");
+  const std::span<const Snapshot> all(ticks);
+  EXPECT_EQ(complaint(start + tick_block(all.last(2)) + tick_block(all.first(2))), "");
+  EXPECT_EQ(read->ticks.end(), 2u);
+  EXPECT_THAT(read->cut, HasSubstr("begins before the one ahead of it ends"));
+}
+
+TEST_F(RecordingFile, times_that_fall_within_a_block_name_file_and_byte) {
+  std::vector<Snapshot> ticks = made_up_ticks(3);
+  ticks[1].time = std::nan("");
+  const std::string start = header_bytes(header_of(scene, made_up_radius), folder / "x");
+  EXPECT_EQ(complaint(start + tick_block(ticks) + end_block(3)), "");
+  try {
+    read->ticks.at(0);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& bad) {
+    EXPECT_THAT(bad.what(), HasSubstr("damaged.sonderec: byte " + std::to_string(start.size()) +
+                                      ": the times of a block fall"));
+  }
 }
 
 TEST_F(RecordingFile, of_other_meshes_it_names_the_mesh_and_both_files) {

@@ -92,6 +92,15 @@ TEST_F(Writer, a_killed_program_leaves_all_whole_blocks) {
   EXPECT_NO_THROW(r->ticks.at(r->ticks.end() - 1));
 }
 
+TEST_F(Writer, a_recording_that_is_open_stays_readable_while_it_is_replaced) {
+  const std::vector<Snapshot> ticks = made_up_ticks(1500);
+  const auto old = read_recording(recording("a.sonderec", ticks));
+  RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
+  writer.finish();
+  EXPECT_EQ(old->ticks.at(1400).time, ticks[1400].time);
+  EXPECT_EQ(read_recording(folder / "a.sonderec")->ticks.end(), 0u);
+}
+
 TEST_F(Writer, a_full_disk_is_told_of) {
   RecordingWriter writer("/dev/full", scene, made_up_radius);
   writer.finish();
