@@ -38,7 +38,7 @@ QString describe(const char* role, const Body& body) {
 
 /// What the picture is of, where that is not what happens now.
 QString banner_of(const Instant& now, bool for_file) {
-  const QString time = QStringLiteral("At %1 s").arg(now.snapshot.time, 0, 'f', 3);
+  QString time = QStringLiteral("At %1 s").arg(now.snapshot.time, 0, 'f', 3);
   if (for_file && !now.live) return time;
   if (!now.live) return time + QStringLiteral(" – Space: live");
   return now.snapshot.paused ? HintView::pause_banner() : QString();
