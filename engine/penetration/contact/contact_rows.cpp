@@ -128,15 +128,16 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
                                   Effort& effort) noexcept {
+  const double will_do = std::max(least, tuned.least_share_of_reach * reach);
   const auto take_what_is_listed = [&] {
     const double listed = lists_.serving().reach_at(X);
-    if (listed >= std::max(least, tuned.least_share_of_reach * reach))
-      reach = std::min(reach, listed);
+    if (listed >= will_do) reach = std::min(reach, listed);
     return listed >= reach;
   };
   if (!take_what_is_listed()) {
     const Vec3 centre = stillest(X);
-    lists_.renew(X, {reach, near_of(reach), centre, {lists_.usual(X, centre), {}}}, effort);
+    lists_.renew(X, {reach, near_of(reach), will_do, centre, {lists_.usual(X, centre), {}}},
+                 effort);
     // Where there is no room for so much, less is expected the next time.
     if (!take_what_is_listed()) lists_.expect_less();
   }
@@ -155,7 +156,8 @@ void ContactRows::look_ahead(Effort& effort) noexcept {
   if (!gathered_) return;
   const double reach = std::max(least_asked_, tuned.least_share_of_reach * asked_);
   const Vec3 centre = stillest(X_);
-  lists_.look_ahead(X_, {reach, near_of(reach), centre, {lists_.usual(X_, centre), {}}}, effort);
+  lists_.look_ahead(X_, {reach, near_of(reach), reach, centre, {lists_.usual(X_, centre), {}}},
+                    effort);
 }
 
 bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
@@ -213,7 +215,7 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
   lists_.remember(motion);
   if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = stillest(X_);
-    lists_.renew(X_, {least, near_of(least), centre, path_of(motion, centre)}, effort);
+    lists_.renew(X_, {least, near_of(least), least, centre, path_of(motion, centre)}, effort);
   }
   NeighbourList& list = lists_.serving();
   std::size_t found = 0;
@@ -262,7 +264,8 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!lists_.serving().covers(motion, clearance)) {
     const Vec3 centre = stillest(X_);
-    lists_.renew(motion.at(0), {clearance, near_of(clearance), centre, path_of(motion, centre)},
+    lists_.renew(motion.at(0),
+                 {clearance, near_of(clearance), clearance, centre, path_of(motion, centre)},
                  effort);
   }
   NeighbourList& list = lists_.serving();

@@ -25,6 +25,7 @@ void PairLists::forget() noexcept {
   sliding_ = turning_ = Vec3::Zero();
   reach_ = NeighbourReach(radius_);
   last_work_ = 0;
+  left_over_ = 0;
 }
 
 void PairLists::remember(const Motion& path) noexcept {
@@ -70,7 +71,8 @@ void PairLists::begin(const Transform& X, const Wanted& wanted, double at_least,
   const double travel = this->travel(wanted);
   begun_.travel = travel;
   begun_.ample = std::max(reach_.choose(travel), at_least * travel);
-  begun_.least = std::max(NeighbourReach::least(travel), 0.6 * at_least * travel);
+  begun_.least =
+      std::max(NeighbourReach::least(travel), tuned.least_of_next_list * at_least * travel);
   begun_.affordable = static_cast<std::int64_t>(
       std::min(1e18, tuned.affordable_list * static_cast<double>(effort.left())));
   const std::int64_t most =
@@ -93,7 +95,7 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
   NeighbourList& list = next();
-  if (!(list.reach_when_finished(X, wanted.path) > wanted.reach))
+  if (!(list.reach_when_finished(X, wanted.path) > wanted.least))
     effort.within(tuned.share_for_list, [&](Effort& part) { return begin(X, wanted, 0, part), 0; });
   else if (list.is_unfinished())
     effort.within(tuned.share_for_list, [&](Effort& part) { return end(list.go_on(part)), 0; });
@@ -105,21 +107,26 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
 
 void PairLists::look_ahead(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
   NeighbourList& list = next();
-  if (!effort.is_limited() || effort.is_spent() || !(serving().reach_at(X) > wanted.reach)) return;
+  if (!effort.is_limited()) return;
+  // A tick that had much to do leaves little, and the next ones more again.
+  const double left = tuned.share_for_next_list * static_cast<double>(effort.left());
+  left_over_ = left_over_ > 0 ? left_over_ + tuned.left_over_learned * (left - left_over_) : left;
+  if (effort.is_spent() || !(serving().reach_at(X) > wanted.reach)) return;
   if (list.is_unfinished()) {
     if (!(list.reach_when_finished(X, wanted.path) > wanted.reach)) return list.clear();
     effort.within(tuned.share_for_next_list,
                   [&](Effort& part) { return end(list.go_on(part)), 0; });
     return;
   }
-  const double a_tick = tuned.share_for_next_list * static_cast<double>(effort.left());
-  const double ticks = std::ceil(static_cast<double>(last_work_) / std::max(a_tick, 1.0));
+  const double ticks = std::ceil(static_cast<double>(last_work_) / std::max(left_over_, 1.0));
   const Path until_then{(ticks + 1) * wanted.path.course, {}};
   if (serving().reach_at(X, until_then) > wanted.reach ||
       list.reach_at(X, wanted.path) > wanted.reach)
     return;
   effort.within(tuned.share_for_next_list, [&](Effort& part) {
-    return begin(X, wanted, std::min(ticks + tuned.ticks_of_next_list, 32.0), part), 0;
+    return begin(X, wanted, std::min(ticks + tuned.ticks_of_next_list, tuned.most_ticks_ahead),
+                 part),
+           0;
   });
 }
 

@@ -37,11 +37,13 @@ class PairLists {
   struct Wanted {
     double reach = 0;  ///< m: what it must cover at the end of the path
     double near = 0;   ///< m: the same at any time, if there is room
+    double least = 0;  ///< m: what will do of a list that was made ahead
     Vec3 centre = Vec3::Zero();
     Path path;
   };
   /// Makes the list that serves anew, for the path and others like it; not where that is long and a
-  /// list would not pay. Where the effort does not suffice the next calls go on.
+  /// list would not pay. One that was made ahead serves if it will do. Where the effort does not
+  /// suffice the next calls go on.
   void renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept;
   /// At the end of a tick: goes on with the next list, or begins with it where the one that serves
   /// does not last until it would be there.
@@ -70,6 +72,7 @@ class PairLists {
   };
   Begun begun_;
   std::int64_t last_work_ = 0;  // of a list
+  double left_over_ = 0;        // of the effort of a tick of late, for the next list
 };
 
 }  // namespace sonde
