@@ -63,8 +63,8 @@ struct ContactTuning {
   /// beyond those that it takes to make, which are reckoned from what was left of late, but for no
   /// more than `most_ticks_ahead` in all; where that is too dear, for a part of them. (nut-on-bolt
   /// with 90 000 units a tick, ticks that did not converge: 120; with 1, 3 and 6 ticks 178, 141 and
-  /// 164, with 12 at most 129, by what the last tick alone left 162, with a part of 0.6 131. Once the probe falls
-  /// behind it may stay so for hundreds of ticks.)
+  /// 164, with 12 at most 129, by what the last tick alone left 162, with a part of 0.6 131. Once
+  /// the probe falls behind it may stay so for hundreds of ticks.)
   double share_for_next_list = 0.8;
   double left_over_learned = 0.1;
   double ticks_of_next_list = 4;
