@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -12,7 +13,14 @@
 namespace sonde {
 namespace {
 
-using Keys = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using Key = std::pair<std::uint32_t, std::uint32_t>;
+using Keys = std::set<Key>;
+
+std::map<Key, double> gaps(std::span<const NearPair> pairs) {
+  std::map<Key, double> out;
+  for (const NearPair& p : pairs) out[{p.triangle_a, p.triangle_b}] = p.gap;
+  return out;
+}
 
 Keys keys(std::span<const NearPair> pairs, double nearer) {
   Keys out;
@@ -139,6 +147,36 @@ TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
   EXPECT_GT(shrunk, 50);
   EXPECT_GT(pairs_seen, 1000u);
   EXPECT_LT(3 * held, 2 * held_of_all_ways);
+}
+
+// Reference: the list made in one go.
+TEST(NeighbourList, made_bit_by_bit_it_is_the_same_list) {
+  Effort unlimited;
+  std::mt19937_64 random(7);
+  std::vector<NearPair> at_once(1 << 15), in_bits(1 << 15);
+  for (const auto& pair : test::body_pairs(51)) {
+    const Transform X(test::random_pose(random, *pair.a, *pair.b, 0.7));
+    const double reach = 0.2 * pair.a->mass.radius;
+    NeighbourList whole(*pair.a, *pair.b), bits(*pair.a, *pair.b);
+    ASSERT_TRUE(whole.build(X, reach, unlimited)) << pair.name;
+    Effort little(30, 0);
+    bool done = bits.build(X, reach, little);
+    int times = 1;
+    for (; !done && times < 100000; ++times) {
+      ASSERT_TRUE(bits.is_unfinished()) << pair.name;
+      EXPECT_LT(bits.reach_at(X), 0) << "covers nothing yet";
+      EXPECT_NEAR(bits.reach_when_finished(X, {}), whole.reach_at(X), 0) << pair.name;
+      Effort more(30, 0);
+      done = bits.go_on(more);
+    }
+    EXPECT_GT(times, 1) << pair.name;
+    EXPECT_FALSE(bits.is_unfinished());
+    EXPECT_EQ(bits.size(), whole.size()) << pair.name;
+    const double asked = 0.99 * whole.reach_at(X);
+    const auto want = whole.near(X, asked, at_once, unlimited);
+    const auto got = bits.near(X, asked, in_bits, unlimited);
+    EXPECT_EQ(gaps({in_bits.data(), got.count}), gaps({at_once.data(), want.count})) << pair.name;
+  }
 }
 
 }  // namespace
