@@ -97,6 +97,8 @@ class ContactRows {
   /// What they hold of it, Jᵀλ: all of it but what the rim of the chart does.
   Vec6 held_by_contacts(const LeastDistance& nearest) const noexcept;
   int size() const { return static_cast<int>(count_); }
+  /// There is no room for another row.
+  bool is_full() const { return count_ == capacity; }
   double smallest_gap() const { return smallest_gap_; }  ///< m; the reach where there is no row
   double reach() const { return reach_; }
 

@@ -242,6 +242,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
         out.converged = settled();
         if (out.converged) return out;
       }
+      out.limited += !look.news && rows_.is_full();
       // Contacts that the rows know bend into the path by so much.
       rise = look.news ? 0 : rise + tuned.rise_per_loss * look.lost;
       step = next_step(chart, y, nearest, margin, rise, pace);

@@ -42,7 +42,8 @@ class Descent {
     double residual = 0;
     int iterations = 0;
     bool converged = false;
-    /// Steps that a limit on looks or on fruitless steps cut short (DescentTuning).
+    /// Limits that acted: steps that one on looks or on fruitless steps cut short (DescentTuning),
+    /// and looks after which there was no room for more rows.
     int limited = 0;
 
     void move_to(const Vec6& to) noexcept;

@@ -72,7 +72,7 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
     const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
       // The rows know all that is in the way, and it bends into it; or there is no room for more.
-      if (!look.clear && rows.size() == static_cast<int>(ContactRows::capacity)) ++limited_;
+      limited_ += !look.clear && rows.is_full();
       return std::nullopt;
     }
     step = worth_trying(chart, y, rows.solve(margin, ContactRows::Narrow::keep).y - y, trust);

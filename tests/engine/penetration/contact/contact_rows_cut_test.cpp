@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/contact/contact_rows.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -118,6 +120,48 @@ TEST(ContactRows, what_cut_a_step_short_is_looked_at_again) {
   over.rows.forget();
   over.rows.gather(over.chart, over.y, 0.5 * gap, 0);
   EXPECT_EQ(over.rows.size(), 0);
+}
+
+/// Loose triangles all round the origin, at 0.1 m, that face it.
+PolygonSoup cage(int count) {
+  PolygonSoup out;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count, angle = 2.399963 * i;
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 n(r * std::cos(angle), r * std::sin(angle), z);
+    const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
+    const auto k = out.points.size();
+    for (const Vec3& x : {u, Vec3(-0.5 * u + 0.8 * v), Vec3(-0.5 * u - 0.8 * v)})
+      out.points.push_back(0.1 * n + 0.003 * x);
+    out.polygons.push_back({k, k + 1, k + 2});
+  }
+  return out;
+}
+
+// By hand: each triangle of the cage keeps the probe off in a direction of its own, and there are
+// more of them than rows.
+TEST(ContactRows, when_there_is_no_room_for_a_row_the_look_is_not_clear) {
+  const auto probe = test::body(test::box({0.01, 0.01, 0.01}));
+  const auto fixed = test::body(cage(600));
+  const Chart chart{probe->mass, {}};
+  ContactRows rows(*probe, *fixed, Method::pdg, by_trees);
+  const Vec6 y = Vec6::Zero();
+  rows.gather(chart, y, 1e-3, 0);
+  ASSERT_EQ(rows.size(), 0);
+  Effort unlimited;
+  std::mt19937_64 random(5);
+  int unseen = 0;
+  for (int i = 0; i < 400; ++i) {
+    Vec6 to = y;
+    to.tail<3>() = 0.0955 * test::random_in_ball(random, 1).normalized();
+    const bool was_full = rows.is_full();
+    const ContactRows::Look look = rows.cut(chart, y, Motion(chart, y, to), 1e-3, unlimited);
+    EXPECT_EQ(look.clear, look.lost == 0);
+    EXPECT_FALSE(look.news && was_full);
+    unseen += was_full && !look.clear;
+  }
+  EXPECT_EQ(rows.size(), ContactRows::capacity);
+  EXPECT_GT(unseen, 10);
 }
 
 }  // namespace
