@@ -15,14 +15,27 @@ namespace {
 constexpr int work_of_step = 500;
 constexpr const DescentTuning& tuned = descent_tuning;
 
-/// The step with its turn kept within bounds. Where it would lead out of the chart it goes along
-/// the rim, to what lies there on the way from O to its end.
+/// The part of the way from one turn to another, both as v, after which it is as large as `limit`.
+double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
+  const Vec3 along = to - from;
+  const double a = along.squaredNorm(), b = from.dot(along);
+  const double c = from.squaredNorm() - limit * limit;
+  return a > 0 ? (std::sqrt(std::max(0.0, b * b - a * c)) - b) / a : 0;
+}
+
+/// The step with its turn kept within bounds. Where it would lead out of the chart it ends at the
+/// rim, which is a row there. From the rim itself it goes along it, to what lies there on the way
+/// from O to its end; other rows may not hold on that way.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
-  Vec6 target =
-      y + std::min(1.0, tuned.largest_turn / std::max(chart.v(step).norm(), 1e-30)) * step;
-  const double limit = std::max(Chart::largest_v, chart.v(y).norm());
-  const double v = chart.v(target).norm();
-  if (v > limit) target.head<3>() *= limit / v;
+  const double turn = chart.v(step).norm();
+  const Vec6 bounded = std::min(1.0, tuned.largest_turn / std::max(turn, 1e-30)) * step;
+  Vec6 target = y + bounded;
+  const Vec3 from = chart.v(y), to = chart.v(target);
+  const double limit = std::max(Chart::largest_v, from.norm());
+  if (to.norm() <= limit) return bounded;
+  const double part = part_to_rim(from, to, limit);
+  if (part > tuned.least_way_to_rim) return part * bounded;
+  target.head<3>() *= limit / to.norm();
   return target - y;
 }
 
