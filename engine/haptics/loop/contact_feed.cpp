@@ -30,6 +30,7 @@ const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& o
   contacts_.separation = begin(X_FM, own);
   last_device_ = contacts_.separation.device;
   near_.forget();
+  gathered_ = false;
   gather();
   return contacts_;
 }
@@ -76,9 +77,7 @@ void ContactFeed::gather() noexcept {
   // Those that hold the probe come first: with them, the separated pose is the answer at the pose
   // it was found for.
   for (const Contact& c : s.contacts) add(c);
-  near_.gather(chart, chart.coordinates(s.separated), tuned.widest * radius,
-               tuned.flat_within * margin);
-  contacts_.reach = near_.reach();
+  contacts_.reach = gather_near(chart, tuned.flat_within * margin);
   const int rows = near_.size();
   std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
   if (!marked_[0]) mark_support(tuned.support_reach * radius);
@@ -91,6 +90,23 @@ void ContactFeed::gather() noexcept {
     contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
     break;
   }
+}
+
+double ContactFeed::gather_near(const Chart& chart, double flat) noexcept {
+  const MassProperties& mass = pair_.probe().mass;
+  const Pose& at = contacts_.separation.separated;
+  const Transform now(at), then(gathered_at_);
+  // No point of the probe has moved further.
+  const double moved =
+      (now * mass.com - then * mass.com).norm() + (now.R - then.R).norm() * mass.radius;
+  if (gathered_ && moved < tuned.moved_with_rows * near_.reach()) {
+    near_.carry(chart, chart.coordinates(at));
+    return near_.reach() - moved;
+  }
+  near_.gather(chart, chart.coordinates(at), tuned.widest * mass.radius, flat);
+  gathered_at_ = at;
+  gathered_ = true;
+  return near_.reach();
 }
 
 void ContactFeed::mark_holding(const Pose& device) noexcept {

@@ -31,6 +31,9 @@ class ContactFeed {
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather() noexcept;
+  /// Gathers the rows near the separated pose, or moves the last ones there with the probe while it
+  /// has come no distance to speak of. Returns how far they reach from there, m.
+  double gather_near(const Chart& chart, double flat) noexcept;
   /// Marks the rows that would hold the probe if the device moved elsewhere: further along its
   /// motion, or by `far` (m, for a point at the probe's radius) in any of twelve directions.
   void mark_support(double far) noexcept;
@@ -42,6 +45,8 @@ class ContactFeed {
   ContactRows near_;
   LocalContacts contacts_;
   Pose last_device_;
+  Pose gathered_at_;  ///< of the rows near by
+  bool gathered_ = false;
   std::vector<bool> marked_;  ///< of the rows near by
   /// The result of the last search.
   std::optional<Separation> searched_;
