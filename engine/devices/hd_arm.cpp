@@ -16,7 +16,7 @@ constexpr auto longest_wait = 5ms;
 constexpr auto wrench_lasts = 50ms;
 constexpr auto stands_still = 100ms;  // no frame for so long
 constexpr double metres_of_mm = 0.001;
-constexpr double mN_m = 1000;  // of a N·m
+constexpr double mN_m = 1000;  // of a N·m; hd_api.hpp says who says so
 constexpr int calibrated_every = 100;
 constexpr const char* default_device = "Default Device";
 
