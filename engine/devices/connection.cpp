@@ -127,9 +127,9 @@ std::vector<ConnectedDevice> connected_devices() {
   for (HidInfo& arm : list_arms()) all.push_back(std::move(arm));
   for (const HidInfo& info : all)
     if (const auto kind = kind_of(info)) connected.push_back({info, *kind});
-  std::ranges::stable_partition(connected, [](const ConnectedDevice& device) {
-    return device.kind != DeviceKind::controller;
-  });
+  std::stable_partition(  // not that of ranges, which clang 14 cannot compile
+      connected.begin(), connected.end(),
+      [](const ConnectedDevice& device) { return device.kind != DeviceKind::controller; });
   return connected;
 }
 
