@@ -41,6 +41,8 @@ const char* json_name_of(DeviceKind kind) {
       return "force_device";
     case DeviceKind::arm:
       return "force_arm";
+    case DeviceKind::controller:
+      return "game_controller";
   }
   return "";
 }

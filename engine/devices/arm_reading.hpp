@@ -22,6 +22,10 @@ struct ArmReading {
   Pose X_BH{};
   std::uint32_t buttons = 0;
   std::string words{};
+  DeviceClock::time_point time{};  ///< of the pose; none: just now
+  /// A wrench is out by then, and the sample that it answers; none where the library does that at
+  /// once.
+  DeviceClock::time_point answered{}, answers{};
 };
 
 /// None where the matrix is not a rotation, by more than 1 % (OpenHaptics' are not exact).

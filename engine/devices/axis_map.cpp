@@ -14,6 +14,10 @@ double without_dead_zone(double deflection, double dead_zone) {
   return beyond <= 0 ? 0 : std::copysign(beyond / (1 - dead_zone), deflection);
 }
 
+double curved(double deflection, double expo) {
+  return (1 - expo) * deflection + expo * deflection * deflection * deflection;
+}
+
 Pose moved(const Pose& X_FP, const SixAxes& by, const Reach& reach) {
   return {(rotation_by(reach.rotation * by.tail<3>()) * X_FP.q).normalized(),
           X_FP.p + reach.translation * by.head<3>()};
@@ -29,7 +33,7 @@ SixAxes mapped(const AxisMap& map, const SixAxes& deflection) noexcept {
     const double value = std::clamp(deflection[axis.source], -1.0, 1.0);
     const double sign = axis.inverted ? -1 : 1;
     result[static_cast<Eigen::Index>(i)] =
-        sign * axis.gain * without_dead_zone(value, axis.dead_zone);
+        sign * axis.gain * curved(without_dead_zone(value, axis.dead_zone), axis.expo);
   }
   return result;
 }

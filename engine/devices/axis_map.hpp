@@ -13,14 +13,16 @@ struct AxisSetting {
   bool inverted = false;
   double gain = 1;          ///< 0 switches the axis off
   double dead_zone = 0.05;  ///< a deflection up to this counts as zero; 0 to below 1
+  double expo = 0;          ///< 0 to 1: how much finer small deflections act; 0: all the same
 };
 
 struct AxisMap {
   std::array<AxisSetting, 6> axes{{{0}, {1}, {2}, {3}, {4}, {5}}};
 };
 
-/// The mapped deflections, each from -gain to gain. Continuous at the edge of the dead zone; full
-/// deflection stays full. A source that is not an axis gives zero.
+/// The mapped deflections, each from -gain to gain. What is left of d beyond the dead zone, 0 to 1,
+/// becomes (1 - expo) d + expo d³. Continuous, rising, and full deflection stays full. A source
+/// that is not an axis gives zero.
 SixAxes mapped(const AxisMap& map, const SixAxes& deflection) noexcept;
 
 /// The displacement, or the velocity, of full deflection.

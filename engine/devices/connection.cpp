@@ -29,6 +29,14 @@ SpaceMouse space_mouse_on(const HidDevice& hid, const HidInfo& info) {
   return SpaceMouse(hid.descriptor());
 }
 
+StickController controller_on(const HidDevice& hid, const HidInfo& info) {
+  if (stick_layout(hid.descriptor()).empty())
+    throw InputError::in(info.path,
+                         "its report descriptor names neither six axes that spring back nor two "
+                         "sticks");
+  return StickController(hid.descriptor());
+}
+
 DeviceListing listing_of(const HidInfo& info, DeviceKind kind) {
   DeviceListing listing{.info = info, .kind = kind, .name = name_of(info)};
   try {
@@ -54,8 +62,19 @@ const char* name_of(DeviceKind kind) {
       return "force device";
     case DeviceKind::arm:
       return "force arm";
+    case DeviceKind::controller:
+      return "game controller";
   }
   return "";
+}
+
+DeviceSettings usual_settings(DeviceKind kind) {
+  DeviceSettings settings;
+  // The flat part that Linux gives the axes of joysticks (hid-input.c): 1/16 of the whole range.
+  constexpr double flat = 2. / 16;
+  if (kind == DeviceKind::controller)
+    for (AxisSetting& axis : settings.axes.axes) axis.dead_zone = flat;
+  return settings;
 }
 
 std::optional<DeviceKind> kind_of(const HidInfo& info) {
@@ -63,6 +82,7 @@ std::optional<DeviceKind> kind_of(const HidInfo& info) {
   if (info.has(force_protocol::usage)) return DeviceKind::force_device;
   if (is_plain_3dconnexion(info.vendor, info.product)) return {};
   if (info.has(multi_axis_controller)) return DeviceKind::space_mouse;
+  if (info.has(joystick) || info.has(game_pad)) return DeviceKind::controller;
   // Nothing known of an interface whose descriptor could not be read: opening it will say so.
   const bool no_usage =
       std::ranges::all_of(info.usages, [](HidUsage usage) { return usage == HidUsage{}; });
@@ -88,6 +108,10 @@ Connection connect(const HidInfo& info) {
       ForceDevice device = force_device_on(hid, info.path);
       return {std::move(hid), std::move(device)};
     }
+    if (kind_of(info) == DeviceKind::controller) {
+      StickController controller = controller_on(hid, info);
+      return {std::move(hid), std::move(controller)};
+    }
     SpaceMouse mouse = space_mouse_on(hid, info);
     return {std::move(hid), std::move(mouse)};
   } catch (const InputError& error) {
@@ -103,6 +127,9 @@ std::vector<ConnectedDevice> connected_devices() {
   for (HidInfo& arm : list_arms()) all.push_back(std::move(arm));
   for (const HidInfo& info : all)
     if (const auto kind = kind_of(info)) connected.push_back({info, *kind});
+  std::stable_partition(  // not that of ranges, which clang 14 cannot compile
+      connected.begin(), connected.end(),
+      [](const ConnectedDevice& device) { return device.kind != DeviceKind::controller; });
   return connected;
 }
 

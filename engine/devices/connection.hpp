@@ -6,15 +6,20 @@
 #include <variant>
 #include <vector>
 
+#include "engine/devices/device_settings.hpp"
 #include "engine/devices/force_arm.hpp"
 #include "engine/devices/force_device.hpp"
 #include "engine/devices/hid_device.hpp"
 #include "engine/devices/space_mouse.hpp"
+#include "engine/devices/stick_controller.hpp"
 
 namespace sonde {
 
-enum class DeviceKind { space_mouse, force_device, arm };
+enum class DeviceKind { space_mouse, force_device, arm, controller };
 const char* name_of(DeviceKind kind);
+
+/// The settings that a device of the kind begins with. Sticks rest less exactly than pucks do.
+DeviceSettings usual_settings(DeviceKind kind);
 
 /// The kind of the interface, by its ids and usages; none where it is not a 6-DoF device, or is
 /// another interface of one.
@@ -26,7 +31,7 @@ std::string name_of(const HidInfo& info);
 /// An open device and its driver.
 struct Connection {
   std::optional<HidDevice> hid;  ///< none of an arm
-  std::variant<SpaceMouse, ForceDevice, ForceArm> driver;
+  std::variant<SpaceMouse, ForceDevice, ForceArm, StickController> driver;
 
   const DeviceCapabilities& capabilities() const;
 };
@@ -40,7 +45,7 @@ struct ConnectedDevice {
   HidInfo info;
   DeviceKind kind = DeviceKind::space_mouse;
 };
-/// Every one that is connected.
+/// Every one that is connected; game controllers last, as what is taken if there is nothing better.
 std::vector<ConnectedDevice> connected_devices();
 
 /// One connected device, and whether it can be used.

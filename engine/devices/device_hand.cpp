@@ -13,14 +13,22 @@ HandSample DeviceHand::sample(double dt) noexcept {
   if (settings_.update()) motion_.set_settings(settings_.front());
   if (views_.update()) motion_.set_view(views_.front());
   if (places_.update()) motion_.place(places_.front());
-  HandSample moved = motion_.move(device_->latest(), dt);
+  const DeviceSample newest = device_->latest();
+  sampled_ = newest.state == DeviceState::ready ? newest.time : DeviceClock::time_point{};
+  HandSample moved = motion_.move(newest, dt);
   clutch_open_.store(motion_.clutch_open(), std::memory_order_relaxed);
   return moved;
 }
 
+void DeviceHand::render(const Wrench& wrench) noexcept {
+  DeviceWrench on_handle = motion_.on_handle(wrench);
+  on_handle.sampled = sampled_;
+  device_->set_wrench(on_handle);
+}
+
 Hand DeviceHand::hand() {
   return {.sample = [this](double dt) { return sample(dt); },
-          .render = [this](const Wrench& w) { device_->set_wrench(motion_.on_handle(w)); }};
+          .render = [this](const Wrench& w) { render(w); }};
 }
 
 }  // namespace sonde

@@ -31,9 +31,11 @@ class DeviceHand {
 
  private:
   HandSample sample(double dt) noexcept;
+  void render(const Wrench& wrench) noexcept;
 
   std::shared_ptr<InputDevice> device_;
   DeviceMotion motion_;
+  DeviceClock::time_point sampled_{};  ///< arrival of the sample of this tick
   TripleBuffer<DeviceSettings> settings_;
   TripleBuffer<Quat> views_{Quat::Identity()};
   TripleBuffer<Pose> places_;

@@ -43,7 +43,7 @@ DeviceSample aged(const DeviceSample& sample, DeviceClock::time_point now) noexc
 DeviceWrench limited(const DeviceWrench& wrench, const DeviceCapabilities& capabilities) noexcept {
   if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return {};
   return {no_longer(wrench.force, capabilities.max_force),
-          no_longer(wrench.torque, capabilities.max_torque)};
+          no_longer(wrench.torque, capabilities.max_torque), wrench.sampled};
 }
 
 }  // namespace sonde

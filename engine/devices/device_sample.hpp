@@ -58,6 +58,7 @@ DeviceSample aged(const DeviceSample& sample, DeviceClock::time_point now) noexc
 struct DeviceWrench {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
+  DeviceClock::time_point sampled{};  ///< when the sample that it answers arrived; none: not known
 };
 
 /// Force and torque, each scaled down to the device's limits; zero where a number is not finite.

@@ -9,8 +9,12 @@
 ///       and constants.py: argument and result types of each function, units, enumerations;
 ///   [R] forcedimension_ros2 (Apache-2.0), github.com/ICube-Robotics/forcedimension_ros2,
 ///       fd_hardware/src/fd_effort_hi.cpp: the order of calls on opening and closing.
-/// Lengths are in metres, forces in N, torques in N·m [P]. A device is told by the number that
-/// opening it gives. Results: 0 done, below 0 not, above 0 done with a remark [P].
+/// Lengths are in metres, forces in N, torques in N·m [P] [C]. Axes: x to the user, y to the right,
+/// z up: [C] takes positions, frames and forces into its own axes unchanged, and those are the ones
+/// it turns OpenHaptics' into (hd_api.hpp). The origin is not the middle of the volume: [C] shifts
+/// a sigma's by (-0.01, ±0.02, 0) m. Enabling the force takes no expert mode, though [C] enters it:
+/// the maker's own examples do not. A device is told by the number that opening it gives. Results:
+/// 0 done, below 0 not, above 0 done with a remark [P].
 namespace sonde::dhd {
 
 inline constexpr int timeguard = 1;  ///< too early to ask again: the last pose comes again [P]

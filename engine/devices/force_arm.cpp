@@ -149,7 +149,8 @@ ForceArm::ForceArm(const std::string& path)
 
 std::optional<Heard> ForceArm::hear(DeviceSample& sample) {
   const ArmReading reading = std::visit([](auto& arm) { return arm->read(); }, port_);
-  const auto now = DeviceClock::now();
+  latency_.answered(reading.answers, reading.answered);
+  const auto now = reading.time == DeviceClock::time_point{} ? DeviceClock::now() : reading.time;
   const auto since = std::chrono::duration_cast<std::chrono::microseconds>(now - begin_);
   switch (reading.kind) {
     case ArmReading::Kind::nothing:
@@ -173,7 +174,11 @@ std::optional<Heard> ForceArm::hear(DeviceSample& sample) {
 }
 
 bool ForceArm::write(const DeviceWrench& wrench, bool on) {
-  return std::visit([&](auto& arm) { return arm->write(wrench, on); }, port_);
+  const bool taken = std::visit([&](auto& arm) { return arm->write(wrench, on); }, port_);
+  // That of libHD only hands it over: its frames say when it is out.
+  if (taken && on && std::holds_alternative<std::unique_ptr<DhdArm>>(port_))
+    latency_.answered(wrench.sampled, DeviceClock::now());
+  return taken;
 }
 
 bool is_arm_path(const std::string& path) {

@@ -11,6 +11,7 @@
 #include "engine/devices/force_device.hpp"
 #include "engine/devices/hd_arm.hpp"
 #include "engine/devices/hid_device.hpp"
+#include "engine/devices/latency.hpp"
 
 namespace sonde {
 
@@ -30,6 +31,7 @@ class ForceArm {
   const std::string& complaint() const { return complaint_; }
   /// Not `on`: no force. False where the library does not take it.
   bool write(const DeviceWrench& wrench, bool on);
+  const Latency& latency() const { return latency_; }
 
  private:
   using Port = std::variant<std::unique_ptr<DhdArm>, std::unique_ptr<HdArm>>;
@@ -39,6 +41,7 @@ class ForceArm {
   std::uint16_t sequence_ = 0;
   DeviceClock::time_point begin_ = DeviceClock::now();
   std::string complaint_;
+  Latency latency_;
 };
 
 /// Returns whether a device's path is that of an arm, not of a node.

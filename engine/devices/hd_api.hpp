@@ -9,8 +9,14 @@
 ///   [S] OpenHaptics4CSharp, github.com/huangmin007/OpenHaptics4CSharp, whose comments give units,
 ///       the number of values of each parameter, and axes;
 ///   [C] CHAI3D (BSD), github.com/chai3d/chai3d, CPhantomDevices.cpp and hdPhantom: the order of
-///       calls, the columns of the transform, the use of the Cartesian torque.
-/// Lengths are in mm, forces in N, torques in mN·m [S]. What concerns a frame is called on the
+///       calls, the columns of the transform, the use of the Cartesian torque;
+///   [H] HAPI (GPL), of the H3D API by SenseGraphics, PhantomHapticsDevice.cpp: the unit of the
+///       torque.
+/// Axes: x to the right, y up, z to the user [S]; [C] turns them into its own (x to the user, y to
+/// the right, z up) by that. Lengths are in mm [S] [C], forces in N [S]. Torques are in mN·m: [S]
+/// says so where they are read, and [H] multiplies N·m by a thousand ("torque in OpenHaptics is in
+/// Nmm"). Against that stand [S] where they are set ("Nm"), and [C], which hands N·m over as they
+/// are. No hardware has settled it. What concerns a frame is called on the
 /// scheduler's thread, between hdBeginFrame and hdEndFrame [Y] [C].
 namespace sonde::hd {
 
@@ -39,8 +45,10 @@ inline constexpr unsigned output_dof = 0x2554;     // 3: forces alone; 6: torque
 inline constexpr unsigned calibration_style = 0x2555;
 inline constexpr unsigned nominal_max_force = 0x2603;  // N [S]
 inline constexpr unsigned current_force = 0x2700;      // N, x right, y up, z to the user [S]
-inline constexpr unsigned current_torque = 0x2701;     // mN·m, the same axes [Y] [S] [C]
-inline constexpr unsigned force_output = 0x4000;       // to be enabled
+// mN·m, the same axes [Y] [S] [H]. The maker's later headers call it deprecated, in favour of the
+// torques of joints and gimbal, which need the arm's kinematics.
+inline constexpr unsigned current_torque = 0x2701;
+inline constexpr unsigned force_output = 0x4000;  // to be enabled
 
 // Calibration [M] [Y].
 inline constexpr unsigned calibration_ok = 0x5000;

@@ -16,7 +16,7 @@ constexpr auto longest_wait = 5ms;
 constexpr auto wrench_lasts = 50ms;
 constexpr auto stands_still = 100ms;  // no frame for so long
 constexpr double metres_of_mm = 0.001;
-constexpr double mN_m = 1000;  // of a N·m
+constexpr double mN_m = 1000;  // of a N·m; hd_api.hpp says who says so
 constexpr int calibrated_every = 100;
 constexpr const char* default_device = "Default Device";
 
@@ -177,16 +177,19 @@ void HdArm::frame() noexcept {
   const hd::Api& api = library_->api();
   calibrate();
   api.hdBeginFrame(device_);
+  raw_.time = DeviceClock::now();
   api.hdGetDoublev(hd::current_transform, raw_.transform.data());
   api.hdGetIntegerv(hd::current_buttons, &raw_.buttons);
   wrenches_.update();
   Wanted wanted = wrenches_.front();
-  if (!wanted.on || DeviceClock::now() - wanted.time > wrench_lasts ||
+  if (!wanted.on || raw_.time - wanted.time > wrench_lasts ||
       raw_.calibration != hd::calibration_ok)
     wanted = {};
   api.hdSetDoublev(hd::current_force, wanted.force.data());
   if (six_) api.hdSetDoublev(hd::current_torque, wanted.torque.data());
   api.hdEndFrame(device_);
+  raw_.answered = DeviceClock::now();
+  raw_.answers = wanted.sampled;
   unsigned none = hd::success;
   if (const unsigned error = errors(); error != hd::success)
     error_.compare_exchange_strong(none, error);
@@ -238,7 +241,10 @@ ArmReading HdArm::read() {
   if (!q) return fault(no_rotation);
   return {.kind = ArmReading::Kind::pose,
           .X_BH = {*q, S * p},
-          .buttons = static_cast<std::uint32_t>(raw.buttons)};
+          .buttons = static_cast<std::uint32_t>(raw.buttons),
+          .time = raw.time,
+          .answered = raw.answered,
+          .answers = raw.answers};
 }
 
 bool HdArm::write(const DeviceWrench& wrench, bool on) {
@@ -248,7 +254,8 @@ bool HdArm::write(const DeviceWrench& wrench, bool on) {
   wrenches_.write({.force = {force.x(), force.y(), force.z()},
                    .torque = {torque.x(), torque.y(), torque.z()},
                    .on = on,
-                   .time = DeviceClock::now()});
+                   .time = DeviceClock::now(),
+                   .sampled = most.sampled});
   return true;
 }
 

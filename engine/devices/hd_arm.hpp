@@ -59,11 +59,13 @@ class HdArm {
     int buttons = 0;
     unsigned calibration = hd::calibration_ok;
     std::uint64_t count = 0;
+    DeviceClock::time_point time{};                 ///< of the frame
+    DeviceClock::time_point answered{}, answers{};  ///< as in ArmReading
   };
   struct Wanted {
     std::array<double, 3> force{}, torque{};
     bool on = false;
-    DeviceClock::time_point time{};
+    DeviceClock::time_point time{}, sampled{};
   };
 
   void identify(const std::string& path);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 
 #include "engine/base/error.hpp"
@@ -51,6 +52,19 @@ std::string utf8(const wchar_t* wide) {
   return text;
 }
 
+/// The folder of the HID device that has this node.
+std::filesystem::path device_folder(const std::string& path) {
+  return "/sys/class/hidraw/" + std::filesystem::path(path).filename().string() + "/device";
+}
+
+std::string port_of(const std::string& path) {
+  constexpr std::string_view key = "HID_PHYS=";
+  std::ifstream file(device_folder(path) / "uevent");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(key)) return line.substr(key.size());
+  return "";
+}
+
 HidInfo info_of(const hid_device_info& found) {
   return {.path = found.path,
           .vendor = found.vendor_id,
@@ -59,7 +73,8 @@ HidInfo info_of(const hid_device_info& found) {
           .name = utf8(found.product_string),
           .serial = utf8(found.serial_number),
           .interface = found.interface_number,
-          .usages = {}};
+          .usages = {},
+          .port = port_of(found.path)};
 }
 
 /// Closes with the object.
@@ -85,8 +100,7 @@ void check_opens(const std::string& path) {
 }
 
 std::vector<std::uint8_t> descriptor_bytes(const std::string& path) {
-  const std::string name = std::filesystem::path(path).filename().string();
-  std::ifstream file("/sys/class/hidraw/" + name + "/device/report_descriptor", std::ios::binary);
+  std::ifstream file(device_folder(path) / "report_descriptor", std::ios::binary);
   std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   if (bytes.empty()) throw InputError::in(path, "its report descriptor cannot be read");
   return bytes;

@@ -22,6 +22,9 @@ struct HidInfo {
   std::string maker, name, serial;  ///< UTF-8; empty where the device tells none
   int interface = -1;
   std::vector<HidUsage> usages;  ///< of its top-level collections
+  /// The place where it is plugged in, which stays the same: "usb-0000:00:14.0-2/input0"; empty
+  /// where the system tells none.
+  std::string port{};
   bool has(HidUsage usage) const;
 };
 

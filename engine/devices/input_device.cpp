@@ -32,6 +32,7 @@ constexpr std::size_t longest_report = 4096;
 struct WantedWrench {
   DeviceWrench wrench;
   DeviceClock::time_point time{};
+  DeviceClock::time_point first{};  ///< of those that answer the same sample
 };
 
 bool fits(const DeviceChoice& choice, const HidInfo& info) {
@@ -72,12 +73,14 @@ struct InputDevice::State {
   void publish(DeviceState state, const std::string& reason);
   void publish_heard();
   void publish_status() { statuses.write(status); }
+  void measure(const Connection& connection, const WantedWrench& newest);
   bool should_stop() const { return stopping.load(std::memory_order_relaxed); }
   void rest();
 
   // The device thread's own.
-  DeviceChoice choice;              ///< its path is the node last opened, where one was asked for
-  std::vector<std::string> others;  ///< nodes that fit and are not the one asked for
+  DeviceChoice choice;  ///< its path is the node last opened, where one was asked for
+  /// The nodes and the ports of what fits and is not the one asked for.
+  std::vector<std::string> others, other_ports;
   bool looked = false;
   DeviceSample sample;
   std::array<std::uint8_t, longest_report> buffer{};
@@ -86,7 +89,9 @@ struct InputDevice::State {
   bool was_ready = false;
   DeviceStatus status;
   std::optional<bool> led_shown;
+  Latency latency;
 
+  WantedWrench wanted;  ///< the servo's own: the newest
   TripleBuffer<DeviceSample> samples;
   TripleBuffer<WantedWrench> wrenches;
   TripleBuffer<DeviceStatus> statuses;
@@ -131,16 +136,27 @@ std::vector<HidInfo> InputDevice::State::fitting() const {
 /// noticed it may be back under another node.
 void InputDevice::State::know_others(const std::vector<HidInfo>& all) {
   others.clear();
-  for (const HidInfo& info : all)
-    if (info.path != choice.path) others.push_back(info.path);
+  other_ports.clear();
+  for (const HidInfo& info : all) {
+    if (info.path == choice.path) continue;
+    others.push_back(info.path);
+    if (!info.port.empty()) other_ports.push_back(info.port);
+  }
 }
 
 bool InputDevice::State::is_chosen(const HidInfo& info, const std::vector<HidInfo>& all) const {
-  if (choice.path.empty() || info.path == choice.path) return true;
-  const bool there =
-      std::ranges::any_of(all, [&](const HidInfo& one) { return one.path == choice.path; });
-  if (there) return false;
-  return !choice.serial.empty() || std::ranges::find(others, info.path) == others.end();
+  if (choice.path.empty()) return true;
+  const auto there = [&](std::string HidInfo::*what, const std::string& wanted) {
+    return !wanted.empty() && std::ranges::find(all, wanted, what) != all.end();
+  };
+  // A node's number is given anew: with a port that is known, that counts.
+  const bool by_port = choice.serial.empty() && !choice.port.empty();
+  if (by_port && there(&HidInfo::port, choice.port)) return info.port == choice.port;
+  if (!by_port && there(&HidInfo::path, choice.path)) return info.path == choice.path;
+  const auto known = [&](const std::vector<std::string>& list, const std::string& one) {
+    return std::ranges::find(list, one) != list.end();
+  };
+  return !choice.serial.empty() || !(known(others, info.path) || known(other_ports, info.port));
 }
 
 void InputDevice::State::run() {
@@ -163,11 +179,15 @@ std::optional<Connection> InputDevice::State::find() {
     if (!is_chosen(info, all)) continue;
     try {
       Connection connection = connect(info);
-      if (!choice.path.empty()) choice.path = info.path;
+      if (!choice.path.empty()) {
+        choice.path = info.path;
+        choice.port = info.port;
+      }
       know_others(all);
       const auto* arm = std::get_if<ForceArm>(&connection.driver);
       status.name = arm ? arm->identity().name : name_of(info);
       status.path = info.path;
+      status.port = info.port;
       status.capabilities = connection.capabilities();
       status.scheduling = "";
       ++status.connections;
@@ -186,12 +206,11 @@ std::optional<Connection> InputDevice::State::find() {
 
 void InputDevice::State::serve(Connection& connection) {
   const bool position = connection.capabilities().position;
-  sample = DeviceSample{.position = position,
-                        .count = sample.count,
-                        .session = sample.session,
-                        .time = DeviceClock::now()};
+  sample = DeviceSample{.position = position, .count = sample.count, .session = sample.session};
   complaint.clear();
   led_shown.reset();
+  latency.restart();
+  status.latency = {};
   // A puck at rest says nothing; a force device is not ready before it has told its pose.
   sample.state = position ? DeviceState::silent : DeviceState::ready;
   publish(sample.state, position ? "open, and nothing heard yet" : "");
@@ -268,15 +287,27 @@ void InputDevice::State::take(Connection& connection, std::span<const std::uint8
 
 /// The wrench goes out; false where the device does not take it.
 bool InputDevice::State::answer(Connection& connection) {
+  wrenches.update();
+  const WantedWrench& newest = wrenches.front();
   auto* force = std::get_if<ForceDevice>(&connection.driver);
   auto* arm = std::get_if<ForceArm>(&connection.driver);
-  if (!force && !arm) return true;
-  wrenches.update();
-  const WantedWrench& wanted = wrenches.front();
-  const bool fresh = DeviceClock::now() - wanted.time < wrench_lasts;
+  const bool fresh = DeviceClock::now() - newest.time < wrench_lasts;
   const bool on = fresh && sample.state == DeviceState::ready;
-  if (arm) return arm->write(wanted.wrench, on);
-  return connection.hid->write(force->wrench_report(wanted.wrench, on));
+  if (arm && !arm->write(newest.wrench, on)) return false;
+  if (force && !connection.hid->write(force->wrench_report(newest.wrench, on))) return false;
+  if (fresh && sample.state == DeviceState::ready) measure(connection, newest);
+  return true;
+}
+
+void InputDevice::State::measure(const Connection& connection, const WantedWrench& newest) {
+  const auto* arm = std::get_if<ForceArm>(&connection.driver);
+  const bool force = connection.capabilities().force;
+  if (!arm) latency.answered(newest.wrench.sampled, force ? DeviceClock::now() : newest.first);
+  const TimeHistogram& times = arm ? arm->latency().times() : latency.times();
+  // A quantile takes longer than the rest of it.
+  constexpr std::uint64_t every = 100;
+  if (times.total >= status.latency.samples + every || status.latency.samples < every)
+    status.latency = summary_of(times);
 }
 
 /// Only a light that was ever asked for is touched.
@@ -300,7 +331,11 @@ DeviceSample InputDevice::latest(DeviceClock::time_point now) noexcept {
 }
 
 void InputDevice::set_wrench(const DeviceWrench& wrench, DeviceClock::time_point now) noexcept {
-  state_->wrenches.write({wrench, now});
+  WantedWrench& wanted = state_->wanted;
+  if (wanted.wrench.sampled != wrench.sampled) wanted.first = now;
+  wanted.wrench = wrench;
+  wanted.time = now;
+  state_->wrenches.write(wanted);
 }
 
 DeviceStatus InputDevice::status() const {

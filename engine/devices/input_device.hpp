@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/devices/device_sample.hpp"
+#include "engine/devices/latency.hpp"
 
 namespace sonde {
 
@@ -14,21 +15,27 @@ struct DeviceChoice {
   std::uint16_t vendor = 0, product = 0;
   std::string serial{};
   /// Its node, /dev/hidraw3: exactly that one, though others are like it. After it has gone, its
-  /// serial number identifies it; if it has none, the first matching device that was not there when
-  /// it was opened counts as the same device, plugged in again.
+  /// serial number identifies it; if it has none, the port that it was plugged into; and if nothing
+  /// that matches is there, the first matching device that was not there, on a port that none was
+  /// on, when it was opened: the same device, plugged in elsewhere.
   std::string path{};
+  /// Its port, where it has no serial number.
+  std::string port{};
 };
 
 /// The state of a device, for the user.
 struct DeviceStatus {
   DeviceState state = DeviceState::absent;
   std::string reason;  ///< one line that says why, where the state is not ready
-  std::string name, path;
+  std::string name, path, port;
   DeviceCapabilities capabilities;
   std::uint64_t reports = 0;      ///< reports since the start
   std::uint64_t refused = 0;      ///< implausible reports among these
   std::uint64_t lost = 0;         ///< missing by the device's own count, in this connection
   std::uint32_t connections = 0;  ///< how often it was opened
+  /// From the arrival of a sample to when the device has the force that answers it, in this
+  /// connection; of a device without force, to when the motion and the force were computed.
+  LatencySummary latency;
   /// Static text: why the thread that reads it has ordinary priority, though it is in the loop of
   /// forces; "" where it has a higher one, or needs none.
   const char* scheduling = "";

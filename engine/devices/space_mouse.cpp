@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/devices/hid_controls.hpp"
+
 namespace sonde {
 namespace {
 
@@ -40,11 +42,9 @@ constexpr Model models[] = {
 constexpr std::uint16_t plain[] = {0xc650, 0xc651, 0xc654, 0xc655, 0xc656,
                                    0xc657, 0xc658, 0xc664, 0xc665, 0xc668};
 
-constexpr std::uint16_t generic_desktop = 0x01, leds = 0x08, button_page = 0x09;
-constexpr std::uint16_t first_axis = 0x30;  // X; Y, Z, Rx, Ry and Rz follow
+constexpr std::uint16_t leds = 0x08;
 constexpr std::uint16_t generic_indicator = 0x4B;
 constexpr std::int64_t usual_range = 350;
-constexpr unsigned most_buttons = 32;
 constexpr std::size_t short_report = 7, long_report = 13;
 constexpr std::uint8_t translation_id = 1, rotation_id = 2, buttons_id = 3, led_id = 4,
                        battery_id = 0x17;
@@ -90,26 +90,6 @@ std::optional<std::array<HidField, 6>> axes_of(const HidReportDescriptor& descri
   return axes;
 }
 
-std::uint32_t bit_of(std::int64_t button) {
-  return button >= 1 && button <= most_buttons ? 1U << (button - 1) : 0U;
-}
-
-unsigned highest_button(const HidField& field) {
-  const std::int64_t last =
-      field.array ? field.usage.id + field.logical_max - field.logical_min : field.usage.id;
-  return static_cast<unsigned>(std::clamp<std::int64_t>(last, 0, most_buttons));
-}
-
-/// 0 at rest, 1 at the end of the range. A range without negative numbers rests in its middle.
-double deflection_of(const HidField& axis, std::int64_t value) {
-  const bool centred = axis.logical_min < 0;
-  const auto low = static_cast<double>(axis.logical_min);
-  const auto high = static_cast<double>(axis.logical_max);
-  const double rest = centred ? 0 : (low + high) / 2;
-  const double range = centred ? std::max(-low, high) : (high - low) / 2;
-  return (static_cast<double>(value) - rest) / range;
-}
-
 /// The axes that this report holds; false where one of them cannot be true.
 bool take_axes(std::span<const HidField> axes, std::span<const std::uint8_t> report,
                SixAxes& deflection) {
@@ -127,24 +107,6 @@ bool take_axes(std::span<const HidField> axes, std::span<const std::uint8_t> rep
   }
   deflection = taken;
   return true;
-}
-
-void take_buttons(std::span<const HidField> fields, std::span<const std::uint8_t> report,
-                  std::uint32_t& buttons) {
-  std::uint32_t told = 0, held = 0;
-  for (const HidField& field : fields) {
-    const auto value = value_of(field, report);
-    if (!value) continue;
-    if (!field.array) {
-      told |= bit_of(field.usage.id);
-      if (*value != 0) held |= bit_of(field.usage.id);
-      continue;
-    }
-    told = ~0U;
-    if (*value >= field.logical_min && *value <= field.logical_max)
-      held |= bit_of(field.usage.id + *value - field.logical_min);
-  }
-  buttons = (buttons & ~told) | held;
 }
 
 /// The bits after the id, as every known model without a better description sends them.
@@ -179,12 +141,9 @@ bool is_plain_3dconnexion(std::uint16_t vendor, std::uint16_t product) {
 }
 
 SpaceMouseLayout space_mouse_layout(const HidReportDescriptor& descriptor) {
-  SpaceMouseLayout layout{.axes = axes_of(descriptor), .buttons = {}, .led = {}};
-  for (const HidField& field : descriptor.inputs) {
-    if (field.usage.page != button_page) continue;
-    layout.buttons.push_back(field);
-    layout.button_count = std::max(layout.button_count, highest_button(field));
-  }
+  SpaceMouseLayout layout{
+      .axes = axes_of(descriptor), .buttons = button_fields(descriptor), .led = {}};
+  layout.button_count = highest_button(layout.buttons);
   for (const HidField& field : descriptor.outputs)
     if (field.usage == HidUsage{leds, generic_indicator} && !layout.led) layout.led = field;
   if (!layout.axes && !layout.led)

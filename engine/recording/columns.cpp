@@ -51,11 +51,11 @@ std::uint64_t bits_of(double value, Stored as) noexcept {
     case Stored::f32:
       return std::bit_cast<std::uint32_t>(static_cast<float>(value));
     case Stored::u64:
-      return static_cast<std::uint64_t>(value);
+      return field_of<std::uint64_t>(value);
     case Stored::u32:
-      return static_cast<std::uint32_t>(value);
+      return field_of<std::uint32_t>(value);
     case Stored::u8:
-      return static_cast<std::uint8_t>(value);
+      return field_of<std::uint8_t>(value);
   }
   return 0;
 }

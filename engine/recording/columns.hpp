@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace sonde {
@@ -18,6 +21,23 @@ std::size_t width(Stored as) noexcept;  ///< bytes
 /// A number as it is stored, and back. Whole numbers are exact up to 2^53.
 std::uint64_t bits_of(double value, Stored as) noexcept;
 double value_of(std::uint64_t bits, Stored as) noexcept;
+
+/// A number as a field holds it. A file may hold any number: what is beyond a whole number's range
+/// becomes the nearest in it, and what is no number zero.
+template <class Field>
+Field field_of(double value) noexcept {
+  if constexpr (std::is_same_v<Field, bool>) {
+    return value != 0;
+  } else if constexpr (std::is_integral_v<Field>) {
+    constexpr Field least = std::numeric_limits<Field>::min();
+    constexpr Field most = std::numeric_limits<Field>::max();
+    if (std::isnan(value)) return 0;
+    if (value <= static_cast<double>(least)) return least;
+    return value >= static_cast<double>(most) ? most : static_cast<Field>(value);
+  } else {
+    return static_cast<Field>(value);
+  }
+}
 
 /// One quantity of a row: where it comes from and where it goes.
 template <class Row>

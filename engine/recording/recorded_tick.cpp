@@ -17,7 +17,7 @@ struct ClusterId {
 };
 const std::array cluster_ids{Column<ClusterId>{
     "id", "", Stored::u64, [](const ClusterId& r) { return static_cast<double>(r.id); },
-    [](ClusterId& r, double x) { r.id = static_cast<std::uint64_t>(x); }}};
+    [](ClusterId& r, double x) { r.id = field_of<std::uint64_t>(x); }}};
 
 /// The reasons of failures: a byte a tick, 0 where there is none, and the texts those count.
 void append_reasons(std::string& out, std::span<const Snapshot> ticks) {

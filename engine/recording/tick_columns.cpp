@@ -18,7 +18,7 @@ constexpr Column<Row> column(const char* name, const char* unit, Stored as, Fiel
   return {name, unit, as, [](const Row& row) { return static_cast<double>(Field{}(row)); },
           [](Row& row, double value) {
             auto& field = Field{}(row);
-            field = static_cast<std::remove_reference_t<decltype(field)>>(value);
+            field = field_of<std::remove_reference_t<decltype(field)>>(value);
           }};
 }
 
@@ -30,7 +30,7 @@ constexpr Column<Snapshot> of_tick(const char* name, const char* unit, Stored as
 /// A value of an enumeration whose last is `last`; anything else in a file becomes that.
 template <class Enumeration>
 Enumeration one_of(double value, Enumeration last) {
-  return static_cast<Enumeration>(std::min(static_cast<int>(value), static_cast<int>(last)));
+  return static_cast<Enumeration>(std::min(field_of<int>(value), static_cast<int>(last)));
 }
 
 /// The separated pose as seen from the device pose.

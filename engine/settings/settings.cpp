@@ -117,6 +117,8 @@ constexpr std::array axis_rows{
         "Multiplies the axis; 0 switches it off."}),
     number<AxisSetting, &AxisSetting::dead_zone>({"dead_zone", "Dead zone", "", 0, 0.9, 0, false,
         "A deflection up to this part of the full one counts as zero."}),
+    number<AxisSetting, &AxisSetting::expo>({"expo", "Expo", "", 0, 1, 0, false,
+        "How much finer small deflections act: 0 all the same, 1 by the cube."}),
 };
 
 constexpr std::array<Choice, 2> controls{{

@@ -45,7 +45,7 @@ std::span<const Setting> servo_settings();
 
 /// A device's: scaling, reach, turn, smoothing, clutch_button.
 std::span<const Setting> device_settings();
-/// The settings of each axis: gain, dead_zone.
+/// The settings of each axis: gain, dead_zone, expo.
 std::span<const Setting> axis_settings();
 /// The values of the device's "control" and "frame", in the order of the enumerations.
 std::span<const Choice> device_controls();

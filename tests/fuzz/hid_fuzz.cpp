@@ -7,7 +7,21 @@
 #include "engine/devices/force_protocol.hpp"
 #include "engine/devices/hid_report_descriptor.hpp"
 #include "engine/devices/space_mouse.hpp"
+#include "engine/devices/stick_controller.hpp"
 #include "tests/fuzz/fuzz.hpp"
+
+namespace {
+
+/// A driver by the descriptor, and the report twice: every number of a sample stays in its range.
+template <class Driver>
+void hear(const sonde::HidReportDescriptor& descriptor, std::span<const std::uint8_t> report) {
+  Driver driver(descriptor);
+  sonde::DeviceSample sample;
+  for (int i = 0; i < 2; ++i) driver.accept(report, {}, sample);
+  sonde::fuzz::require((sample.deflection.array().abs() <= 1).all(), "a deflection in its range");
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sonde;
@@ -19,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const HidReportDescriptor parsed = parse_hid_report_descriptor(descriptor);
     for (const auto* fields : {&parsed.inputs, &parsed.outputs, &parsed.features})
       for (const HidField& field : *fields) value_of(field, report);
-    space_mouse_layout(parsed);
+    hear<SpaceMouse>(parsed, report);
+    if (!stick_layout(parsed).empty()) hear<StickController>(parsed, report);
     fault_of(parsed);
   } catch (const InputError&) {
   }

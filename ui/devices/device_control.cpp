@@ -98,6 +98,15 @@ void DeviceControl::follow_path(const PathSource& path) {
   session_->replay(path.file.empty() ? session_->loaded().trajectory : *path.path);
 }
 
+/// A simulated device is made for one rate: one that cannot run at it is let go of.
+void DeviceControl::pace_simulated() {
+  if (session_) try {
+      session_->pace_simulated();
+    } catch (const std::invalid_argument&) {
+      hold();
+    }
+}
+
 ServoSettings DeviceControl::servo() const {
   ServoSettings servo = of_scene_;
   servo.rate_hz = settings_.rate_hz.value_or(servo.rate_hz);
@@ -116,22 +125,30 @@ std::filesystem::path DeviceControl::settings_file() const {
   return name.empty() ? std::filesystem::path() : folder_ / name;
 }
 
-/// The scene's, where it sets any; else those kept; else the defaults.
+/// Of a device without a serial number; empty for all others.
+std::filesystem::path DeviceControl::model_settings_file() const {
+  const std::string name = model_settings_name_of(source_);
+  return name.empty() ? std::filesystem::path() : folder_ / name;
+}
+
+/// The scene's, where it sets any; else those kept, for the device or else for its model; else the
+/// usual ones.
 void DeviceControl::load_settings() {
-  settings_ = {};
-  damaged_ = false;
+  settings_ = usual_settings(source_);
+  damaged_.clear();
   from_scene_ = session_ && session_->loaded().device_settings;
   if (from_scene_) {
     settings_ = *session_->loaded().device_settings;
     return;
   }
-  const std::filesystem::path file = settings_file();
+  std::filesystem::path file = settings_file();
   std::error_code none;
+  if (!file.empty() && !std::filesystem::exists(file, none)) file = model_settings_file();
   if (file.empty() || !std::filesystem::exists(file, none)) return;
   try {
     settings_ = read_device_settings(file);
   } catch (const InputError& bad) {
-    damaged_ = true;
+    damaged_ = file;
     if (report_error) report_error(QString::fromUtf8(bad.what()));
   }
 }
@@ -143,8 +160,7 @@ void DeviceControl::set_settings(const DeviceSettings& settings) {
     session_->set_device_settings(settings_);
     run_as_wanted();
   }
-  // A simulated device is made for one rate.
-  if (servo().rate_hz != rate_before && std::holds_alternative<SimulatedSource>(source_)) hold();
+  if (servo().rate_hz != rate_before) pace_simulated();
   if (!from_scene_ && !settings_file().empty()) keep_timer_.start(keep_after_ms);
   if (changed) changed();
 }
@@ -155,9 +171,12 @@ void DeviceControl::keep_settings() {
   try {
     std::filesystem::create_directories(folder_);
     // Somebody's own work with a slip in it: put aside, not lost.
-    if (std::exchange(damaged_, false))
-      std::filesystem::rename(settings_file(), settings_file().string() + ".bad");
+    if (const auto damaged = std::exchange(damaged_, {}); !damaged.empty())
+      std::filesystem::rename(damaged, damaged.string() + ".bad");
     write_whole(settings_file(), device_settings_text(settings_));
+    // The next of the model, or the same in another port, begins with them.
+    if (const auto model = model_settings_file(); !model.empty())
+      write_whole(model, device_settings_text(settings_));
   } catch (const std::exception& why) {
     // Once: the next change of a slider would say the same.
     if (!std::exchange(keeping_failed_, true) && report_error)
@@ -190,7 +209,10 @@ SourceReport DeviceControl::report() {
   if (input_) report.device = input_->status();
   // Plugged in again it may have another node.
   if (auto* connected = std::get_if<ConnectedSource>(&source_))
-    if (!report.device.path.empty()) connected->choice.path = report.device.path;
+    if (!report.device.path.empty()) {
+      connected->choice.path = report.device.path;
+      connected->choice.port = report.device.port;
+    }
   const qint64 since = clock_.elapsed() - counted_at_;
   if (since >= count_ms) {
     reports_per_s_ = double(report.device.reports - counted_) * 1000 / double(since);

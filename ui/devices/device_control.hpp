@@ -70,10 +70,12 @@ class DeviceControl : public QObject {
   void take(const InputSource& source);
   void hold();
   void follow_path(const PathSource& path);
+  void pace_simulated();
   void run_as_wanted();
   void load_settings();
   void keep_settings();
   std::filesystem::path settings_file() const;
+  std::filesystem::path model_settings_file() const;
 
   std::filesystem::path folder_;
   std::vector<DeviceProfile> profiles_;
@@ -85,7 +87,7 @@ class DeviceControl : public QObject {
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
   DeviceSettings settings_;
   bool from_scene_ = false;
-  bool damaged_ = false;  ///< there is a file of settings, which cannot be read
+  std::filesystem::path damaged_;  ///< the file of settings, where it cannot be read
   QTimer keep_timer_;
   bool keeping_failed_ = false;
   QElapsedTimer clock_;

@@ -111,10 +111,23 @@ std::vector<std::string> labels_of(std::span<const InputSource> sources) {
 std::string settings_name_of(const InputSource& source) {
   if (const auto* simulated = std::get_if<SimulatedSource>(&source))
     return device_settings_name(simulated->profile.id);
-  if (const auto* connected = std::get_if<ConnectedSource>(&source))
-    return device_settings_name(connected->choice.vendor, connected->choice.product,
-                                connected->choice.serial);
-  return "";
+  const auto* connected = std::get_if<ConnectedSource>(&source);
+  if (!connected) return "";
+  const DeviceChoice& device = connected->choice;
+  const bool by_port = device.serial.empty() && !device.port.empty();
+  return device_settings_name(device.vendor, device.product,
+                              by_port ? "port-" + device.port : device.serial);
+}
+
+std::string model_settings_name_of(const InputSource& source) {
+  const auto* connected = std::get_if<ConnectedSource>(&source);
+  if (!connected || !connected->choice.serial.empty() || connected->choice.port.empty()) return "";
+  return device_settings_name(connected->choice.vendor, connected->choice.product, "");
+}
+
+DeviceSettings usual_settings(const InputSource& source) {
+  const auto* connected = std::get_if<ConnectedSource>(&source);
+  return connected ? sonde::usual_settings(connected->kind) : DeviceSettings{};
 }
 
 bool same(const InputSource& a, const InputSource& b) {
@@ -123,15 +136,19 @@ bool same(const InputSource& a, const InputSource& b) {
     return path->file == std::get<PathSource>(b).file;
   const auto* one = std::get_if<ConnectedSource>(&a);
   const auto* other = std::get_if<ConnectedSource>(&b);
-  return !one || !one->choice.serial.empty() || one->choice.path == other->choice.path;
+  if (!one || !one->choice.serial.empty()) return true;
+  const bool ports = !one->choice.port.empty() && !other->choice.port.empty();
+  return ports ? one->choice.port == other->choice.port : one->choice.path == other->choice.path;
 }
 
 ConnectedSource source_of(const HidInfo& info) {
   return {.choice = {.vendor = info.vendor,
                      .product = info.product,
                      .serial = info.serial,
-                     .path = info.path},
-          .name = name_of(info)};
+                     .path = info.path,
+                     .port = info.port},
+          .name = name_of(info),
+          .kind = kind_of(info).value_or(DeviceKind::space_mouse)};
 }
 
 PathSource path_source(const std::filesystem::path& file) {

@@ -32,6 +32,7 @@ struct SimulatedSource {
 struct ConnectedSource {
   DeviceChoice choice;
   std::string name;
+  DeviceKind kind = DeviceKind::space_mouse;
 };
 
 /// What holds the probe.
@@ -42,10 +43,15 @@ std::string name_of(const InputSource& source);
 /// The same for a list to choose from. Two devices of the same name are distinguished by their
 /// nodes, which change when they are plugged in again.
 std::vector<std::string> labels_of(std::span<const InputSource> sources);
-/// The file of its settings; empty where it has none.
+/// The file of its settings; empty where it has none. A device without a serial number has one for
+/// the port that it is plugged into.
 std::string settings_name_of(const InputSource& source);
+/// The file that such devices of one model share; empty for everything else.
+std::string model_settings_name_of(const InputSource& source);
+/// The settings it has before any are made.
+DeviceSettings usual_settings(const InputSource& source);
 /// Returns whether it is the same device, by its ids and its serial number; without one, by its
-/// node.
+/// port, or its node where the system tells no port.
 bool same(const InputSource& a, const InputSource& b);
 
 ConnectedSource source_of(const HidInfo& info);

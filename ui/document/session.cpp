@@ -104,6 +104,11 @@ void Session::set_rate(double rate_hz) {
   servo_.set_rate(rate_hz);
 }
 
+void Session::pace_simulated() {
+  if (SimulatedHand* simulated = holding_->simulated())
+    simulated->set_period(1 / loaded_.servo.rate_hz);
+}
+
 void Session::set_passivity_control(bool on) {
   loaded_.servo.passivity.control = on;
   servo_.set_passivity_control(on);

@@ -64,8 +64,10 @@ class Session {
   void set_device_pose(const Pose& X_FM);
 
   /// From the next tick on. loaded().servo says what runs now. A simulated device is made for one
-  /// rate: it is to be held again.
+  /// rate: pace_simulated() takes it to the one that runs now, with its hand and its push. Throws
+  /// std::invalid_argument where it cannot run at that; then it is as it was.
   void set_rate(double rate_hz);
+  void pace_simulated();
   void set_passivity_control(bool on);
 
   const Coupling& coupling() const { return coupling_; }

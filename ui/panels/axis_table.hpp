@@ -15,12 +15,12 @@ namespace sonde::ui {
 class TypedValue;
 
 /// The six axes of a device, a row each: the device axis that drives it, whether it is inverted,
-/// gain and dead zone. Object names: axis_KEY_from, _inverted, _gain, _dead_zone.
+/// gain, dead zone and curve. Object names: axis_KEY_from, _inverted, _gain, _dead_zone, _expo.
 class AxisTable : public QWidget {
  public:
   explicit AxisTable(QWidget* parent);
 
-  /// Shows the axes without reporting them. Dead zones are for deflections.
+  /// Shows the axes without reporting them. Dead zones and curves are for deflections.
   void show_axes(const AxisMap& axes, bool deflections);
   /// Called with each change.
   std::function<void(const AxisMap&)> changed;
@@ -31,6 +31,7 @@ class AxisTable : public QWidget {
     QCheckBox* inverted;
     TypedValue* gain;
     TypedValue* dead_zone;
+    TypedValue* expo;
   };
   void report();
 

@@ -130,6 +130,10 @@ void DevicePanel::build_state(QVBoxLayout& layout) {
                  "Reports missing by the device's own count, since it was opened.");
   refused_ = number(*form, "refused", "device_refused", "Reports that were impossible.");
   connections_ = number(*form, "opened", "device_connections", "How often it was opened.");
+  latency_ = number(*form, "sample to force", "device_latency",
+                    "From the arrival of a report to when the device has the force that answers it "
+                    "(without motors: to when it is computed). The median, and what one in a "
+                    "thousand exceeds.");
   clutch_ = number(*form, "clutch", "device_clutch", "Open: the probe stays where it is.");
   layout.addWidget(numbers_);
   led_ = new QCheckBox(QStringLiteral("Light"), this);
@@ -240,7 +244,7 @@ void DevicePanel::build_axes(QVBoxLayout& layout) {
   auto* defaults = new QPushButton(QStringLiteral("Defaults"), axes_box_);
   defaults->setObjectName(QStringLiteral("device_defaults"));
   connect(defaults, &QPushButton::clicked, this,
-          [this] { change([](DeviceSettings& s) { s = {}; }); });
+          [this] { change([this](DeviceSettings& s) { s = usual_; }); });
   box->addWidget(defaults);
   layout.addWidget(axes_box_);
 }
@@ -273,6 +277,7 @@ void DevicePanel::show_settings(const InputSource& source, const DeviceSettings&
   connected_ = std::holds_alternative<ConnectedSource>(source);
   adjustable_ = connected_ || std::holds_alternative<SimulatedSource>(source);
   settings_ = settings;
+  usual_ = usual_settings(source);
   from_scene_->setVisible(adjustable_ && from_scene);
   show_rows();
 }
@@ -293,7 +298,7 @@ void DevicePanel::show_rows() {
     if (row->value() != value) row->set_value(value);
   }
   for (SliderRow* row : axis_rows_) {
-    row->setVisible(deflections_ || std::string_view(row->setting().key) != "dead_zone");
+    row->setVisible(deflections_ || std::string_view(row->setting().key) == "gain");
     row->set_value(get(settings_.axes.axes[0], row->setting().key));
   }
   axes_->show_axes(settings_.axes, deflections_);
@@ -338,6 +343,11 @@ void DevicePanel::show_report(const InputSource& source, const SourceReport& rep
   connections_->setText(device.connections == 1
                             ? QStringLiteral("once")
                             : QStringLiteral("%1 times").arg(device.connections));
+  const LatencySummary& latency = device.latency;
+  const auto ms = [](double us) { return QString::number(us / 1000, 'f', 2); };
+  latency_->setText(latency.samples == 0
+                        ? QStringLiteral("–")
+                        : ms(latency.median) + " ms, 99.9 % " + ms(latency.p999) + " ms");
   clutch_->setText(report.clutch_open ? QStringLiteral("open: the probe stays")
                                       : QStringLiteral("closed"));
 }

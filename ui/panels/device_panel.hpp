@@ -55,12 +55,13 @@ class DevicePanel : public QDockWidget {
 
   std::vector<InputSource> choices_;
   QStringList labels_;  ///< of the choices, as they are in the list
-  DeviceSettings settings_;
+  DeviceSettings settings_, usual_;
   bool adjustable_ = false;  ///< a connected device or a simulated one
   bool connected_ = false;
   bool deflections_ = true;  ///< a connected device that reports deflections, not positions
   QComboBox *sources_, *controls_, *frames_;
-  QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *from_scene_;
+  QLabel *state_, *what_, *rate_, *lost_, *refused_, *connections_, *clutch_, *latency_,
+      *from_scene_;
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;
   QCheckBox *led_, *passivity_;

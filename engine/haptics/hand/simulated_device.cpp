@@ -92,6 +92,20 @@ void SimulatedDevice::reset(const Pose& X_WD, const Pose& X_WH) noexcept {
   newest_ = 0;
 }
 
+void SimulatedDevice::go_on_from(const SimulatedDevice& before) noexcept {
+  state_ = before.state_;
+  X_WH_ = before.X_WH_;
+  motors_ = before.motors_;
+  newest_ = 0;
+  const std::size_t size = commands_.size();
+  const double ratio = sample_time_ / before.sample_time_;
+  for (std::size_t ago = 0; ago < size; ++ago) {
+    const auto then =
+        static_cast<std::size_t>(std::min(std::round(ratio * double(ago)), double(size - 1)));
+    commands_[(size - ago) % size] = before.commands_[(before.newest_ + size - then) % size];
+  }
+}
+
 void SimulatedDevice::step(const Wrench& command, const Pose& X_WH, const Wrench& push) noexcept {
   newest_ = (newest_ + 1) % commands_.size();
   commands_[newest_] = limit(command, parameters_.translation.limit, parameters_.rotation.limit);

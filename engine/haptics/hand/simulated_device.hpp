@@ -67,6 +67,8 @@ class SimulatedDevice {
   void reset(const Pose& X_WD) noexcept { reset(X_WD, X_WD); }
   /// The same with the hand at X_WH.
   void reset(const Pose& X_WD, const Pose& X_WH) noexcept;
+  /// Takes over handle, hand and pending commands of one that ran until now, at its own rate.
+  void go_on_from(const SimulatedDevice& before) noexcept;
   /// Advances from this sample to the next. `command` is the wrench on the hand, in W, about the
   /// handle's origin, cut to the motors' limits. X_WH is where the hand wants the handle by the
   /// next sample. `push` is a wrench that the hand gives beside its spring, constant until then, at

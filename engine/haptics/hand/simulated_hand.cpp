@@ -9,18 +9,20 @@ namespace {
 /// A mouse tells its place some hundred times a second: without this the hand would jerk at each.
 constexpr double hand_lag = 0.025;  // s
 
+double share_of(double period) { return 1 - std::exp(-period / hand_lag); }
+
 }  // namespace
 
 SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double period,
                              double scaling, const Vec3& com, const Pose& X_FM)
-    : scaling_(scaling),
+    : parameters_(parameters),
+      scaling_(scaling),
       traits_{.damping = parameters.translation.damping,
               .delay = parameters.delay,
               .max_damping = parameters.translation.most_virtual_damping,
               .max_rotational_damping = parameters.rotation.most_virtual_damping},
       com_(com),
-      share_(1 - std::exp(-period / hand_lag)),
-      device_(parameters, period, to_device(X_FM)),
+      pace_{SimulatedDevice(parameters, period, to_device(X_FM)), share_of(period)},
       hand_(X_FM),
       targets_(X_FM) {}
 
@@ -36,23 +38,32 @@ void SimulatedHand::follow_target() noexcept {
   targets_.update();
   const Pose& target = targets_.front();
   const Vec3 com = hand_ * com_;
-  const Vec3 next = com + share_ * (target * com_ - com);
-  hand_.q = hand_.q.slerp(share_, target.q).normalized();
+  const Vec3 next = com + pace_.share * (target * com_ - com);
+  hand_.q = hand_.q.slerp(pace_.share, target.q).normalized();
   hand_.p = next - hand_.q * com_;
 }
 
+void SimulatedHand::set_period(double period) {
+  paces_.write(Pace{SimulatedDevice(parameters_, period), share_of(period)});
+}
+
 HandSample SimulatedHand::sample() noexcept {
+  if (paces_.update() && paces_.front()) {
+    Pace next = *paces_.front();
+    next.device.go_on_from(pace_.device);
+    pace_ = next;
+  }
   if (scalings_.update() && scalings_.front() != scaling_) {
-    const Pose here = to_probe(device_.state().X_WD);
+    const Pose here = to_probe(pace_.device.state().X_WD);
     scaling_ = scalings_.front();
-    device_.reset(to_device(here), to_device(hand_));
+    pace_.device.reset(to_device(here), to_device(hand_));
   }
   follow_target();
   if (places_.update()) {
     hand_ = places_.front();
-    device_.reset(to_device(hand_));
+    pace_.device.reset(to_device(hand_));
   } else if (begun_) {
-    device_.step(command_, to_device(hand_));
+    pace_.device.step(command_, to_device(hand_));
   }
   begun_ = true;
   // The power is the same at both ends: b v² with velocities `scaling` times greater at the probe.
@@ -61,7 +72,7 @@ HandSample SimulatedHand::sample() noexcept {
   at_probe.ratio = 0;  // it goes wherever the mouse points, as fast as that
   at_probe.damping /= scaling_ * scaling_;
   at_probe.max_damping /= scaling_ * scaling_;
-  return {.X_FM = to_probe(device_.measured()), .device = at_probe};
+  return {.X_FM = to_probe(pace_.device.measured()), .device = at_probe};
 }
 
 Hand SimulatedHand::hand() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/base/triple_buffer.hpp"
 #include "engine/haptics/hand/hand.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
@@ -32,6 +34,9 @@ class SimulatedHand {
   /// Puts the handle and the hand at rest there.
   void place(const Pose& X_FM) { places_.write(X_FM); }
   void set_scaling(double scaling) { scalings_.write(scaling); }
+  /// For another period of the servo, in s: the handle, the hand and its push go on as they are.
+  /// Throws as SimulatedDevice; then all stays.
+  void set_period(double period);
 
  private:
   HandSample sample() noexcept;
@@ -39,17 +44,24 @@ class SimulatedHand {
   Pose to_device(const Pose& X_FM) const noexcept;
   Pose to_probe(const Pose& X_WD) const noexcept;
 
+  /// What depends on the period.
+  struct Pace {
+    SimulatedDevice device;
+    double share;  ///< of the way to the target that the hand goes in a tick
+  };
+
+  SimulatedDeviceParameters parameters_;
   double scaling_;
   DeviceTraits traits_;  ///< at the handle
   Vec3 com_;
-  double share_;  ///< share of the way to the target that the hand goes in a tick
-  SimulatedDevice device_;
+  Pace pace_;
   Pose hand_;  ///< X_FM where the hand is
   Wrench command_;
   bool begun_ = false;  ///< a command is on its way to the motors
   TripleBuffer<Pose> targets_;
   TripleBuffer<Pose> places_;
   TripleBuffer<double> scalings_;
+  TripleBuffer<std::optional<Pace>> paces_;
 };
 
 }  // namespace sonde

@@ -18,10 +18,36 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
+/// Values within values, deeper than a study writes: what walks to the bottom of more uses up the
+/// stack.
+constexpr int deepest = 32;
 
 fs::path study_file(const fs::path& folder) { return folder / "study.json"; }
 fs::path part_file(const fs::path& folder, const std::string& name) {
   return folder / "parts" / (name + ".json");
+}
+
+/// Of JSON text: brackets within brackets, outside of strings.
+int depth_of(std::string_view json) {
+  int depth = 0, most = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string && c == '\\') ++i;
+    if (c == '"') in_string = !in_string;
+    if (in_string) continue;
+    if (c == '[' || c == '{') most = std::max(most, ++depth);
+    if (c == ']' || c == '}') --depth;
+  }
+  return most;
+}
+
+/// Any text, but none that is nested deeper than a study writes.
+std::string read_json(const fs::path& file) {
+  std::string text = read_text(file, most_bytes);
+  if (depth_of(text) > deepest)
+    throw InputError::in(file.string(), "is nested deeper than what a study writes");
+  return text;
 }
 
 std::string study_text(const Study& study) {
@@ -118,8 +144,8 @@ void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsi
 
 StudyFolder read_study(const fs::path& folder) {
   const fs::path file = study_file(folder);
-  const Json json = Json::parse(read_text(file, most_bytes), nullptr, false);
   const auto bad = [&] { throw InputError::in(file.string(), "is not what a study writes"); };
+  const Json json = Json::parse(read_json(file), nullptr, false);
   StudyFolder out;
   try {
     out.kind = json.at("study").get<std::string>();
@@ -131,8 +157,10 @@ StudyFolder read_study(const fs::path& folder) {
   for (const std::string& name : out.names) {
     if (name.empty() || name.find('/') != std::string::npos) bad();
     const fs::path part = part_file(folder, name);
-    out.results.push_back(fs::exists(part) ? std::optional(read_text(part, most_bytes))
-                                           : std::nullopt);
+    std::error_code error;
+    const bool there = fs::exists(part, error);
+    if (error) throw InputError::in(part.string(), "cannot be read: " + error.message());
+    out.results.push_back(there ? std::optional(read_json(part)) : std::nullopt);
   }
   return out;
 }

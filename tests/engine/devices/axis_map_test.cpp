@@ -40,6 +40,22 @@ TEST(AxisMap, the_dead_zone_has_no_step_and_full_deflection_stays_full) {
   EXPECT_DOUBLE_EQ(x(7), 1) << "no further than full";
 }
 
+TEST(AxisMap, the_curve_is_finer_near_rest_odd_rising_and_full_at_the_end) {
+  AxisMap map = without_dead_zones();
+  map.axes[0].expo = 0.5;
+  const auto x = [&](double value) { return mapped(map, six(value, 0, 0, 0, 0, 0))[0]; };
+  EXPECT_DOUBLE_EQ(x(0.5), 0.5 * 0.5 + 0.5 * 0.125);
+  EXPECT_DOUBLE_EQ(x(1), 1);
+  for (double v = 0; v < 1; v += 0.01) {
+    EXPECT_LT(x(v), x(v + 0.01));
+    EXPECT_DOUBLE_EQ(x(-v), -x(v));
+  }
+  map.axes[0].expo = 1;
+  EXPECT_DOUBLE_EQ(x(0.5), 0.125) << "the cube";
+  map.axes[0].dead_zone = 0.2;
+  EXPECT_DOUBLE_EQ(x(0.6), 0.125) << "of what is beyond the dead zone";
+}
+
 TEST(AxisMap, a_source_that_is_no_axis_gives_nothing) {
   AxisMap map = without_dead_zones();
   map.axes[0].source = 6;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/devices/controller_descriptors.hpp"
 #include "tests/engine/devices/descriptors.hpp"
 #include "tests/engine/devices/mock_hid.hpp"
 
@@ -92,6 +93,44 @@ TEST(Connection, an_unknown_puck_is_taken_if_its_descriptor_names_six_axes) {
   const DeviceListing listing = only({.vendor = 0x1234, .product = 5, .descriptor = five});
   EXPECT_FALSE(listing.opens);
   EXPECT_THAT(listing.reason, HasSubstr("does not name six axes"));
+}
+
+TEST(Connection, joysticks_and_game_pads_open_if_they_have_sticks_enough) {
+  const auto listing = [](const Bytes& descriptor) {
+    return only({.vendor = 0x1234, .product = 6, .name = "Pad", .descriptor = descriptor});
+  };
+  for (const Bytes& descriptor :
+       {dualshock_descriptor(), xbox_descriptor(), xbox_windows_descriptor(), f310_descriptor(),
+        twist_descriptor(), six_axis_joystick_descriptor()}) {
+    const DeviceListing pad = listing(descriptor);
+    EXPECT_TRUE(pad.opens) << pad.reason;
+    EXPECT_EQ(pad.kind, DeviceKind::controller);
+    EXPECT_FALSE(pad.capabilities.position || pad.capabilities.force);
+    EXPECT_EQ(pad.name, "Pad");
+  }
+  const DeviceListing cross = listing(cross_pad_descriptor());
+  EXPECT_FALSE(cross.opens);
+  EXPECT_THAT(cross.reason, HasSubstr("nor two sticks"));
+}
+
+TEST(Connection, garbage_for_a_descriptor_is_refused_in_a_line) {
+  for (std::size_t kept : {6U, 20U, 25U}) {
+    Bytes cut = dualshock_descriptor();
+    cut.resize(kept);
+    const DeviceListing pad = only({.vendor = 0x054c, .product = 0x09cc, .descriptor = cut});
+    EXPECT_FALSE(pad.opens);
+    EXPECT_THAT(pad.reason, HasSubstr("/dev/hidraw7: its report descriptor names neither"));
+  }
+}
+
+TEST(Connection, what_is_made_for_six_degrees_comes_before_a_game_pad) {
+  MockSystem system;
+  system.plug({.number = 3, .vendor = 1, .product = 2, .descriptor = f310_descriptor()});
+  system.plug({.number = 4, .descriptor = joint_descriptor()});
+  const auto all = connected_devices();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].kind, DeviceKind::space_mouse);
+  EXPECT_EQ(all[1].kind, DeviceKind::controller);
 }
 
 TEST(Connection, a_force_device_tells_what_it_can) {

@@ -8,7 +8,7 @@
 
 #include "engine/devices/connection.hpp"
 #include "engine/devices/input_device.hpp"
-#include "tests/engine/devices/loaded_standin.hpp"
+#include "tests/engine/devices/makers.hpp"
 #include "tests/engine/devices/over_hid.hpp"
 
 namespace sonde::test {
@@ -17,25 +17,10 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// One maker's library, and how its stand-in says things.
-struct Maker {
-  const char* name;
-  const char* variable;
-  const char* library;
-  const char* path;
-  double unit;  ///< of the library, in m
-  int too_fast;
-};
-constexpr Maker force_dimension{"libdhd", "SONDE_LIBDHD", STANDIN_DHD, "libdhd/0", 1, 2};
-constexpr Maker three_d{"libHD", "SONDE_LIBHD", STANDIN_HD, "libHD/Default Device", 1e-3, 0x0203};
-
 struct Libraries : testing::Test {
   MockSystem system;  ///< no HID device of the machine takes part
-  Libraries() { forget(); }
-  ~Libraries() override { forget(); }
-  static void forget() {
-    for (const char* name : {"SONDE_LIBDHD", "SONDE_LIBHD", "SONDE_HD_DEVICES"}) ::unsetenv(name);
-  }
+  Libraries() { forget_makers(); }
+  ~Libraries() override { forget_makers(); }
 };
 
 /// The same of both makers: what is wrong with an arm ends its force, and the program goes on.
@@ -196,7 +181,7 @@ TEST_F(Libraries, a_library_that_is_missing_or_unfit_is_named_and_takes_nothing_
   EXPECT_EQ(listing("libHD").version, "3.4.0");
   EXPECT_EQ(list_arms().size(), 1U);
   EXPECT_THAT(refusal([] { ForceArm("libdhd/0"); }), HasSubstr("dhdErrorGetLastStr"));
-  forget();
+  forget_makers();
   EXPECT_THAT(refusal([] { ForceArm("libHD/Default Device"); }),
               AllOf(HasSubstr("libHD/Default Device: "), HasSubstr("not installed")));
 }

@@ -162,6 +162,36 @@ TEST_F(SpaceMouseOverHid, of_two_alike_the_node_asked_for_is_opened_and_never_th
   system.unplug(first);
 }
 
+TEST_F(SpaceMouseOverHid, two_alike_without_serial_numbers_are_told_apart_by_their_ports) {
+  puck.serial = "";
+  const auto plug_into = [&](const char* port) {
+    puck.port = port;
+    plug();
+    return puck.number;
+  };
+  const int left = plug_into("1"), right = plug_into("2");
+  InputDevice device({.path = "/dev/hidraw" + std::to_string(right)});
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  EXPECT_EQ(device.status().port, "usb-0000:00:14.0-2/input0");
+  // The hub loses power: both are back under new nodes, the other one first.
+  system.unplug(left);
+  system.unplug(right);
+  ASSERT_TRUE(reaches(device, DeviceState::absent));
+  const int left_again = plug_into("1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // it has looked in the meantime
+  EXPECT_EQ(device.status().state, DeviceState::absent) << "not the other one's port";
+  const int right_again = plug_into("2");
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  EXPECT_EQ(device.status().path, "/dev/hidraw" + std::to_string(right_again));
+  // Into a third port, the other one staying: it is the one that was not there.
+  system.unplug(right_again);
+  ASSERT_TRUE(reaches(device, DeviceState::absent));
+  const int moved = plug_into("3");
+  ASSERT_TRUE(reaches(device, DeviceState::ready));
+  EXPECT_EQ(device.status().path, "/dev/hidraw" + std::to_string(moved));
+  system.unplug(left_again);
+}
+
 TEST_F(SpaceMouseOverHid, back_under_another_node_before_its_loss_is_noticed_it_is_taken) {
   puck.serial = "";
   plug();

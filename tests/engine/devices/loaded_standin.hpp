@@ -45,6 +45,7 @@ class LoadedStandin {
     controls_->major = 3;
     controls_->minor = 14;
     controls_->angle = 0;
+    controls_->axis = 2;
     for (auto* flag : {&controls_->nan, &controls_->skewed, &controls_->frozen,
                        &controls_->unplugged, &controls_->uncalibrated})
       *flag = false;

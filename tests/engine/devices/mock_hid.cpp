@@ -66,11 +66,11 @@ std::string description(const MockHid& device) {
          hex(static_cast<std::uint32_t>(device.interface), 2) + "\\n\n\nP: " + hid_folder(device) +
          "\nE: SUBSYSTEM=hid\nE: HID_ID=" + ids + "\nE: HID_NAME=Maker " + device.name + "\n" +
          descriptor + "A: uevent=HID_ID=" + ids + "\\nHID_NAME=Maker " + device.name +
-         "\\nHID_PHYS=usb\\nHID_UNIQ=" + device.serial + "\\n\n\nP: " + node_folder(device) +
-         "\nN: hidraw" + number + "\nE: DEVNAME=/dev/hidraw" + number +
-         "\nE: SUBSYSTEM=hidraw\nE: MAJOR=242\nE: MINOR=" + number + "\nA: dev=242:" + number +
-         "\\n\nL: device=../../../" + hid_folder(device).substr(hid_folder(device).rfind('/') + 1) +
-         "\n\n";
+         "\\nHID_PHYS=" + device.place() + "\\nHID_UNIQ=" + device.serial +
+         "\\n\n\nP: " + node_folder(device) + "\nN: hidraw" + number + "\nE: DEVNAME=/dev/hidraw" +
+         number + "\nE: SUBSYSTEM=hidraw\nE: MAJOR=242\nE: MINOR=" + number +
+         "\nA: dev=242:" + number + "\\n\nL: device=../../../" +
+         hid_folder(device).substr(hid_folder(device).rfind('/') + 1) + "\n\n";
 }
 
 /// Answers the questions hidapi asks a node.

@@ -18,11 +18,17 @@ struct MockHid {
   std::string name = "SpaceMouse Compact";
   std::string serial = "A1";
   int interface = 0;
+  std::string port{};  ///< where it is plugged in; empty: one of its own for each number
   Bytes descriptor;
   Bytes feature{};  ///< the answer to any question for a feature report
   bool descriptor_in_sysfs = true;
   bool answers_ioctl = true;
 
+  /// As the system names it.
+  std::string place() const {
+    return "usb-0000:00:14.0-" + (port.empty() ? std::to_string(number) : port) + "/input" +
+           std::to_string(interface);
+  }
   std::string path() const { return "/dev/hidraw" + std::to_string(number); }
 };
 

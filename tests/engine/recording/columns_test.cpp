@@ -20,6 +20,20 @@ TEST(Columns, planes_are_as_the_manual_says) {
   EXPECT_EQ(out, std::string("x\x02\x01\x01\0\0\0\0\0", 9));
 }
 
+TEST(Columns, a_number_beyond_what_a_field_can_hold_becomes_the_nearest) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(field_of<int>(3.2e9), std::numeric_limits<int>::max());
+  EXPECT_EQ(field_of<int>(-inf), std::numeric_limits<int>::min());
+  EXPECT_EQ(field_of<int>(std::nan("")), 0);
+  EXPECT_EQ(field_of<int>(-7), -7);
+  EXPECT_EQ(field_of<std::uint64_t>(0x1p64), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(field_of<std::uint64_t>(0x1p63), std::uint64_t{1} << 63);
+  EXPECT_EQ(field_of<std::uint8_t>(-1), 0);
+  EXPECT_EQ(field_of<double>(inf), inf);
+  EXPECT_EQ(bits_of(0x1p64, Stored::u64), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(bits_of(300, Stored::u8), 255U);
+}
+
 TEST(Columns, numbers_of_each_width_come_back_to_the_bit) {
   std::mt19937_64 random(5);
   for (const std::size_t width : {1u, 4u, 8u}) {

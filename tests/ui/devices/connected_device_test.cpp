@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 
+#include "tests/engine/devices/controller_descriptors.hpp"
 #include "tests/engine/devices/descriptors.hpp"
 #include "tests/engine/devices/mock_hid.hpp"
 #include "tests/ui/window_fixture.hpp"
@@ -122,6 +123,62 @@ TEST_F(ConnectedDevice,
   EXPECT_TRUE(wait_until([&] { return list->currentIndex() == entry(first); }));
   EXPECT_TRUE(wait_until([&] { return status() == "SpaceMouse Compact: ready"; }))
       << "the node is the list's alone: " << status().toStdString();
+}
+
+TEST_F(ConnectedDevice, a_game_pad_moves_the_probe_and_the_dock_tells_how_long_that_takes) {
+  puck.vendor = 0x054c;
+  puck.product = 0x09cc;
+  puck.name = "Wireless Controller";
+  puck.descriptor = sonde::test::dualshock_descriptor();
+  plug();
+  window->devices().choose(find_source("wireless controller", {}));
+  ASSERT_TRUE(wait_until([&] { return device().state == DeviceState::ready; }));
+  EXPECT_EQ(window->devices().settings().axes.axes[0].dead_zone, 0.125);
+  const Vec3 right = window->viewport().camera().axes().right;
+  const Vec3 start = probe();
+  const auto stick = [&](std::uint8_t x) {
+    Bytes report(64);
+    report[0] = 1;
+    report[1] = x;
+    for (int i = 2; i < 5; ++i) report[static_cast<std::size_t>(i)] = 128;
+    report[5] = 8;
+    system.send(puck.number, report);
+    wait(16);
+  };
+  for (int i = 0; i < 20; ++i) stick(std::uint8_t(128 + i % 15));  // within the dead zone
+  EXPECT_LT((probe() - start).norm(), 1e-12);
+  ASSERT_TRUE(wait_until([&] {
+    stick(255);
+    return (probe() - start).dot(right) > 0.01;
+  }));
+  const auto* latency = window->findChild<QLabel*>("device_latency");
+  EXPECT_TRUE(wait_until([&] {
+    stick(128);
+    return latency->text().contains("99.9 %");
+  })) << latency->text().toStdString();
+}
+
+TEST_F(ConnectedDevice, two_alike_in_two_ports_keep_settings_of_their_own) {
+  puck.serial = "";
+  puck.port = "1";
+  plug();
+  const std::string left = puck.path();
+  puck.port = "2";
+  plug();
+  const std::string right = puck.path();
+  const auto take = [&](const std::string& path) {
+    window->devices().choose(find_source(path, {}));
+    return window->devices().settings();
+  };
+  DeviceSettings settings = take(left);
+  settings.scaling = 3;
+  window->devices().set_settings(settings);
+  settings = take(right);
+  EXPECT_EQ(settings.scaling, 3) << "the newest of the model, in a port without settings";
+  settings.scaling = 5;
+  window->devices().set_settings(settings);
+  EXPECT_EQ(take(left).scaling, 3);
+  EXPECT_EQ(take(right).scaling, 5);
 }
 
 TEST_F(ConnectedDevice, of_two_alike_the_one_that_opens_is_taken_by_name) {

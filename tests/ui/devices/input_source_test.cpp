@@ -92,6 +92,25 @@ TEST_F(HolderTest, a_connected_device_is_known_by_its_ids) {
   EXPECT_EQ(std::get<ConnectedSource>(one).choice.path, "/dev/hidraw3");
 }
 
+TEST_F(HolderTest, without_a_serial_number_the_port_tells_two_alike_apart) {
+  const auto puck = [](const char* path, const char* port) -> InputSource {
+    return source_of({path, 0x256f, 0xc635, "", "", "", 0, {}, port});
+  };
+  const InputSource one = puck("/dev/hidraw3", "usb-0000:00:14.0-2/input0");
+  EXPECT_TRUE(same(one, puck("/dev/hidraw9", "usb-0000:00:14.0-2/input0"))) << "plugged in again";
+  EXPECT_FALSE(same(one, puck("/dev/hidraw3", "usb-0000:00:14.0-3/input0")));
+  EXPECT_EQ(settings_name_of(one), "256f-c635-port-usb-0000_00_14.0-2_input0.json");
+  EXPECT_EQ(model_settings_name_of(one), "256f-c635.json");
+  EXPECT_EQ(model_settings_name_of(source_of({"", 0x256f, 0xc635, "", "", "A1", 0, {}, "p"})), "");
+  EXPECT_EQ(model_settings_name_of(MouseSource{}), "");
+}
+
+TEST_F(HolderTest, sticks_begin_with_a_wider_dead_zone_than_pucks) {
+  const InputSource pad = source_of({"/dev/hidraw3", 0x046d, 0xc216, "", "", "", 0, {joystick}});
+  EXPECT_EQ(usual_settings(pad).axes.axes[0].dead_zone, 0.125) << "as Linux has it for joysticks";
+  EXPECT_EQ(usual_settings(MouseSource{}).axes.axes[0].dead_zone, AxisSetting{}.dead_zone);
+}
+
 TEST_F(HolderTest, a_list_tells_two_alike_apart_and_their_names_stay) {
   const auto puck = [](const char* path) -> InputSource {
     return source_of({path, 0x256f, 0xc635, "", "", "", 0, {}});

@@ -110,9 +110,7 @@ EXPORTED int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, 
                                                char id) {
   const int result = dhdGetPosition(x, y, z, id);
   if (result < 0) return result;
-  const double c = std::cos(state.angle), s = std::sin(state.angle);
-  const double turn[3][3] = {{c, -s, 0}, {s, c, 0}, {0, 0, state.skewed ? 2. : 1.}};
-  std::memcpy(rows, turn, sizeof turn);
+  state.rotation(rows);
   return result;
 }
 EXPORTED int dhdSetForceAndTorque(double fx, double fy, double fz, double tx, double ty, double tz,

@@ -112,10 +112,11 @@ EXPORTED void hdGetDoublev(unsigned parameter, double* values) {
   }
   if (parameter != 0x2052) return;
   in_a_frame("a pose asked for outside a frame");
-  const double c = std::cos(state.angle), s = std::sin(state.angle);
+  double r[3][3];
+  state.rotation(r);
   const double first = state.nan ? std::numeric_limits<double>::quiet_NaN() : state.p[0].load();
-  const double columns[16] = {
-      c, s, 0, 0, -s, c, 0, 0, 0, 0, state.skewed ? 2. : 1., 0, first, state.p[1], state.p[2], 1};
+  const double columns[16] = {r[0][0], r[1][0], r[2][0], 0, r[0][1], r[1][1],    r[2][1],    0,
+                              r[0][2], r[1][2], r[2][2], 0, first,   state.p[1], state.p[2], 1};
   std::memcpy(values, columns, sizeof columns);
 }
 EXPORTED const char* hdGetString(unsigned parameter) {

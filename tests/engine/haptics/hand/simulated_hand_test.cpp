@@ -65,6 +65,47 @@ TEST(SimulatedHand, pressed_into_a_wall_two_springs_balance) {
   }
 }
 
+/// A rate that changes in contact: neither the handle nor the hand's push jumps, whatever the
+/// delay.
+TEST(SimulatedHand, another_rate_in_contact_keeps_handle_hand_and_push) {
+  for (const double delay : {0.0, 0.0025}) {
+    SimulatedDeviceParameters late;
+    late.translation.damping = 3;
+    late.delay = delay;
+    SimulatedHand simulated(late, period, 1, com, start);
+    const Hand hand = simulated.hand();
+    const double wall = (start * com).x();
+    simulated.set_target(moved(start, Vec3(0.02, 0, 0)));
+    const double before = (run(hand, 4000, 200, wall) * com).x() - wall;
+    ASSERT_NEAR(before, 0.02 * 300 / (300 + 200), 1e-7);
+    for (const double rate : {4000., 500., 1000.}) {
+      simulated.set_period(1 / rate);
+      for (int i = 0; i < 200; ++i) {
+        const double depth = (run(hand, 1, 200, wall) * com).x() - wall;
+        ASSERT_NEAR(depth, before, 1e-7) << rate << " Hz, tick " << i;
+      }
+    }
+  }
+}
+
+TEST(SimulatedHand, another_rate_on_the_way_keeps_the_velocity) {
+  SimulatedHand simulated({}, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  simulated.set_target(moved(start, Vec3(0.2, 0, 0)));
+  const double x0 = run(hand, 100).p.x(), x1 = run(hand, 1).p.x();
+  simulated.set_period(period / 10);
+  const double x2 = run(hand, 1).p.x();
+  EXPECT_NEAR((x2 - x1) / (period / 10), (x1 - x0) / period, 0.05 * std::abs(x1 - x0) / period);
+}
+
+TEST(SimulatedHand, a_rate_that_it_cannot_run_at_changes_nothing) {
+  SimulatedDeviceParameters late;
+  late.delay = 0.01;
+  SimulatedHand simulated(late, period, 1, com, start);
+  EXPECT_THROW(simulated.set_period(1e-4), std::invalid_argument) << "100 samples late";
+  EXPECT_LT((run(simulated.hand(), 10).p - start.p).norm(), 1e-14);
+}
+
 /// How far the probe swings in a wall of stiffness k, after three seconds and three later, m.
 struct Swing {
   double soon, later;
@@ -179,6 +220,7 @@ TEST(SimulatedHand, it_neither_allocates_nor_frees) {
   SimulatedHand simulated({}, period, 1, com, start);
   const Hand hand = simulated.hand();
   Pose at;
+  simulated.set_period(period / 2);  // the servo's side of it comes with the next tick
   test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) {
     simulated.set_target(moved(start, Vec3(0.001 * i, 0, 0)));

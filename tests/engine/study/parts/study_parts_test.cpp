@@ -136,6 +136,40 @@ TEST(StudyParts, a_folder_of_other_parts_of_the_same_study_is_carried_on) {
   EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
 }
 
+/// What reading the folder complains of.
+std::string complaint_about(const test::TempFolder& folder) {
+  try {
+    read_study(folder.path());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Whatever walks to the bottom of such text (printing, comparing) recurses a million times.
+TEST(StudyParts, text_nested_without_end_is_refused_and_brackets_in_strings_are_no_depth) {
+  const std::string open(1000000, '['), close(1000000, ']');
+  const test::TempFolder folder;
+  folder.write("study.json",
+               R"({"study": "trade", "about": )" + open + close + R"(, "parts": []})");
+  EXPECT_THAT(complaint_about(folder), HasSubstr("study.json: is nested deeper"));
+  std::filesystem::create_directories(folder.path() / "parts");
+  folder.write("study.json",
+               R"({"study": "trade", "about": ")" + open + R"(\"{", "parts": ["a"]})");
+  folder.write("parts/a.json", open + close);
+  EXPECT_THAT(complaint_about(folder), HasSubstr("a.json: is nested deeper"));
+  folder.write("parts/a.json", "[\"[[[[\"]");
+  EXPECT_EQ(complaint_about(folder), "");
+}
+
+TEST(StudyParts, a_part_whose_name_is_no_file_name_is_refused_in_a_line) {
+  const test::TempFolder folder;
+  for (const std::string& name : {std::string(5000, 'a'), std::string("../../etc/passwd")}) {
+    folder.write("study.json", R"({"study": "t", "about": 1, "parts": [")" + name + R"("]})");
+    EXPECT_NE(complaint_about(folder), "");
+  }
+}
+
 TEST(StudyParts, shards_in_words) {
   const auto shard = shard_of("2/8");
   ASSERT_TRUE(shard);

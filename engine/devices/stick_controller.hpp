@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/devices/device_sample.hpp"
+#include "engine/devices/hid_report_descriptor.hpp"
+
+namespace sonde {
+
+/// The usages of what has sticks.
+inline constexpr HidUsage joystick{0x01, 0x04}, game_pad{0x01, 0x05};
+
+/// A number of a report, and what it adds to one of the six deflections.
+struct StickSource {
+  enum class Kind {
+    centred,    ///< rests in the middle of its range, or at zero
+    one_way,    ///< rests at the lower end of its range
+    hat_right,  ///< a hat's direction; no value of its range: at rest
+    hat_up,
+  };
+  HidField field;
+  Kind kind = Kind::centred;
+  int axis = 0;     ///< in the order of SixAxes
+  double sign = 1;  ///< from the device's frame (x right, y to the user, z down) to ours
+};
+
+/// Where a controller's deflections come from, by its descriptor:
+///
+/// - X and Y, the first stick, move to the right and away;
+/// - of the pairs Z, Rz and Rx, Ry, the one that its report has first is the second stick, which
+///   turns about z and x, and the other the triggers, which move down and up (as the simulation
+///   page's brake and accelerator do);
+/// - six axes in the order X, Y, Z, Rx, Ry, Rz, and any that is left over, are what they are
+/// called;
+/// - a hat moves up and down and turns about y, where nothing else does.
+///
+/// Sliders, dials and wheels take no part: they do not spring back, and a probe that moves by rate
+/// would never rest. Empty where fewer than four of the six deflections are driven.
+std::vector<StickSource> stick_layout(const HidReportDescriptor& descriptor);
+
+/// Any joystick or game pad with six axes or two sticks, by its report descriptor. Turns reports
+/// into samples as SpaceMouse does, in the same frame; no device, no clock.
+class StickController {
+ public:
+  /// Many send nothing while nothing changes: then a deflection holds. One that was seen to repeat
+  /// itself counts as at rest when it has sent nothing for this long.
+  static constexpr DeviceClock::duration stale_after = std::chrono::milliseconds(200);
+  /// After this many refused reports in a row the deflection is zero and the device faulty.
+  static constexpr int most_refused = 10;
+  /// After this many reports that changed nothing it is one that repeats itself.
+  static constexpr int enough_repeats = 100;
+  /// So many reports within two seconds without a stick in them: it does not send what it
+  /// describes.
+  static constexpr int most_unread = 50;
+
+  explicit StickController(const HidReportDescriptor& descriptor);
+
+  const DeviceCapabilities& capabilities() const { return capabilities_; }
+  /// One report as it was read; nothing of it is trusted. No allocation.
+  Heard accept(std::span<const std::uint8_t> report, DeviceClock::time_point now,
+               DeviceSample& sample) noexcept;
+  /// Why the last report was refused.
+  const char* complaint() const { return complaint_; }
+
+ private:
+  Heard refuse(const char* complaint, DeviceSample& sample) noexcept;
+  Heard unread(DeviceClock::time_point now, DeviceSample& sample) noexcept;
+  bool tells(std::span<const std::uint8_t> report, const StickSource& source) const noexcept;
+  bool take(std::span<const std::uint8_t> report) noexcept;
+
+  bool numbered_;
+  std::vector<StickSource> sources_;
+  std::vector<HidField> buttons_;
+  std::vector<double> parts_;  ///< what each source adds, as it was last told
+  DeviceCapabilities capabilities_;
+  const char* complaint_ = "";
+  int refused_ = 0;
+  int repeats_ = 0;
+  int unread_ = 0;
+  DeviceClock::time_point unread_since_{};
+};
+
+}  // namespace sonde
