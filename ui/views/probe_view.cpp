@@ -70,6 +70,8 @@ GhostView::GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
 
 GhostView::~GhostView() { renderer_->RemoveActor(actor_); }
 
+vtkActor& GhostView::actor() { return *actor_; }
+
 void GhostView::draw(const Frame& frame) {
   const Separation& separation = frame.snapshot.separation;
   if (separation.status != Status::penetrating) return hide();
@@ -99,6 +101,8 @@ FoundView::FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Wa
 }
 
 FoundView::~FoundView() { renderer_->RemoveActor(actor_); }
+
+vtkActor& FoundView::actor() { return *actor_; }
 
 void FoundView::draw(const Frame& frame) {
   const FoundWay* way =

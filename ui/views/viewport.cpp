@@ -114,6 +114,8 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
   s.fixed_box = box_of(session.fixed());
   s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
 
+  s.detail.clear();
+  s.movement.forget();
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
   s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, session.fixed().solid);
   s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
@@ -127,6 +129,9 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
       found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
+  s.detail.add(*drawn.fixed_surface, {s.fixed_actor});
+  s.detail.add(*drawn.probe_surface,
+               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
   s.pair = session.loaded().pair;
   s.trail.clear();
   s.measures.clear();
@@ -220,10 +225,35 @@ void Viewport::draw(const Instant& now, double swing) {
   const double away = std::max((com - s.centre).norm(),
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
   camera().clip_to(s.centre, std::max(s.radius, away + 3 * s.mass.radius));
+  choose_detail(frame);
   s.window->Render();
   update_text(now);
   dirty_ = false;
 }
+
+void Viewport::draw_in_full(const Instant& now, double swing) {
+  in_full_ = true;
+  draw(now, swing);
+  in_full_ = false;
+}
+
+/// A picture for a file is not one of those that follow each other in the window.
+void Viewport::choose_detail(const Frame& frame) {
+  Scenery& s = *scenery_;
+  const bool of_window = !s.picture_size && !in_full_;
+  const CameraPlace camera = place();
+  if (of_window)
+    s.movement.see(
+        {camera.position, camera.target, camera.up, s.last_device, s.last_separated, frame.swing},
+        s.mass.com, s.mass.radius, frame.pixel);
+  s.detail.draw_simplified(of_window && s.movement.going_on());
+}
+
+bool Viewport::dirty() const { return dirty_ || (simplified() && !scenery_->movement.going_on()); }
+
+bool Viewport::simplified() const { return scenery_->detail.simplified(); }
+
+bool Viewport::simplified_made() const { return scenery_->detail.made(); }
 
 void Viewport::update_text(const Instant& now) {
   Scenery& s = *scenery_;
