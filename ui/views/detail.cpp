@@ -47,8 +47,8 @@ void Detail::clear() {
   coming_.clear();
 }
 
-void Detail::add(vtkPolyData& surface, const std::vector<vtkActor*>& actors) {
-  if (surface.GetNumberOfPolys() <= simplify_above) return;
+void Detail::add(vtkPolyData& surface, int small, const std::vector<vtkActor*>& actors) {
+  if (surface.GetNumberOfPolys() <= small) return;
   surface.ComputeBounds();  // while no other thread reads it
   Coming coming;
   coming.actors.assign(actors.begin(), actors.end());

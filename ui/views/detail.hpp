@@ -12,6 +12,10 @@ class vtkPolyData;
 
 namespace sonde::ui {
 
+/// Surfaces of fewer triangles are drawn in full at all times: where the processor draws, and
+/// where a graphics card does.
+constexpr int simplify_above = 15'000, simplify_above_on_card = 500'000;
+
 /// How finely the bodies are drawn: in full, or simplified while something moves. Simplified
 /// surfaces are made in a thread of their own; until they are there, everything is drawn in full.
 class Detail {
@@ -23,8 +27,8 @@ class Detail {
 
   /// Other bodies from now on; of the former nothing is drawn any more.
   void clear();
-  /// These actors draw that surface, in full. A small one stays as it is.
-  void add(vtkPolyData& surface, const std::vector<vtkActor*>& actors);
+  /// These actors draw that surface, in full. One of at most so many triangles stays as it is.
+  void add(vtkPolyData& surface, int small, const std::vector<vtkActor*>& actors);
 
   void draw_simplified(bool wanted);
   /// Is there anything that is drawn simplified now?

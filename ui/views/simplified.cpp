@@ -12,9 +12,9 @@
 namespace sonde::ui {
 namespace {
 
-// Cells along each side of the box. A ball of so many cells has 6 N² triangles, a crumpled sheet
+// Cells along each side of the box. A ball in N of them has about 6 N² triangles, a crumpled sheet
 // more: then the grid is made coarser.
-constexpr int first_divisions = 64;
+constexpr int first_divisions = 48;
 constexpr int least_divisions = 8;
 constexpr double sharp_edge = 50;  // degrees; the edges between cells are not the body's own
 

@@ -7,10 +7,8 @@ class vtkPolyData;
 
 namespace sonde::ui {
 
-/// Surfaces of fewer triangles are drawn in full at all times.
-constexpr int simplify_above = 40'000;
 /// A simplified surface has at most this many triangles.
-constexpr int simplified_triangles = 20'000;
+constexpr int simplified_triangles = 8000;
 
 /// The surface in far fewer triangles, for pictures of what moves: vertices are merged within the
 /// cells of a grid. Slow for a large surface: call it in a worker. The surface may be drawn

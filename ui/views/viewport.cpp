@@ -129,8 +129,9 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
       found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
-  s.detail.add(*drawn.fixed_surface, {s.fixed_actor});
-  s.detail.add(*drawn.probe_surface,
+  const int small = software ? simplify_above : simplify_above_on_card;
+  s.detail.add(*drawn.fixed_surface, small, {s.fixed_actor});
+  s.detail.add(*drawn.probe_surface, small,
                {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
   s.pair = session.loaded().pair;
   s.trail.clear();

@@ -22,13 +22,13 @@
 namespace sonde::ui::test {
 namespace {
 
-/// Two tori of 80 000 triangles, one through the other, the servo paused.
+/// Two tori of 45 000 triangles, one through the other, the servo paused.
 class DetailTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
-    folder.write("torus.off", torus(200));
+    folder.write("torus.off", torus(150));
     folder.write("tori.sonde.json", R"({"fixed": {"mesh": "torus.off"},
         "probe": {"mesh": "torus.off", "pose": [0.03, 0, 0.005, 0.8, 0.6, 0, 0]}})");
     open({path("tori.sonde.json")});
@@ -150,7 +150,7 @@ TEST_F(WindowTest, small_bodies_are_never_simplified) {
 /// The distance of a point from the torus's surface, by its equation.
 TEST(SimplifiedTest, it_has_few_triangles_near_the_surface) {
   const sonde::test::TempFolder folder;
-  folder.write("torus.off", torus(200));
+  folder.write("torus.off", torus(150));
   const Soup soup = triangulate_all(read_mesh(folder / "torus.off"));
   const auto full = make_surface(soup);
   full->ComputeBounds();
