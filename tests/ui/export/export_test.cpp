@@ -216,6 +216,60 @@ TEST_F(ExportTest, tables_say_their_units) {
             1 + shown().separation.clusters.size);
 }
 
+/// The table of contacts is beside the one that was chosen: nobody has been asked about it.
+TEST_F(ExportTest, a_table_beside_the_chosen_one_is_not_replaced_unasked) {
+  for (const char* action : {"export_tables", "export_recording_tables"}) {
+    SCOPED_TRACE(action);
+    folder.write("numbers.contacts.csv", "mine");
+    QString asked;
+    bool answer = false;
+    window->prompts().ask_replace = [&](const QString& file) {
+      asked = file;
+      return answer;
+    };
+    run(action, "numbers.csv");
+    EXPECT_EQ(asked, path("numbers.contacts.csv"));
+    EXPECT_EQ(text_of(folder / "numbers.contacts.csv"), "mine");
+    EXPECT_FALSE(fs::exists(folder / "numbers.csv")) << "both or neither";
+    answer = true;
+    run(action, "numbers.csv");
+    EXPECT_TRUE(text_of(folder / "numbers.contacts.csv").starts_with("t [s],contact"));
+    EXPECT_TRUE(fs::exists(folder / "numbers.csv"));
+    fs::remove(folder / "numbers.csv");
+    EXPECT_EQ(parts_left(), 0);
+  }
+}
+
+TEST_F(ExportTest, a_cancelled_gltf_or_table_leaves_no_file) {
+  for (const char* action : {"export_gltf", "export_recording_tables", "export_vtk"}) {
+    SCOPED_TRACE(action);
+    target = path("cancelled");
+    window->findChild<QAction*>(action)->trigger();
+    const auto dialogs = window->findChildren<ProgressDialog*>();
+    ASSERT_FALSE(dialogs.empty());
+    auto* progress = dialogs.last();  // those of before go with the event loop
+    progress->reject();
+    EXPECT_FALSE(exporter().busy());
+    wait(300);
+    EXPECT_FALSE(fs::exists(folder / "cancelled"));
+    EXPECT_FALSE(fs::exists(folder / "cancelled.contacts.csv"));
+    EXPECT_EQ(parts_left(), 0);
+    EXPECT_TRUE(complaints.empty());
+  }
+}
+
+TEST_F(ExportTest, a_second_export_does_not_end_the_first) {
+  target = path("first.gltf");
+  window->findChild<QAction*>("export_gltf")->trigger();
+  target = path("second");
+  window->findChild<QAction*>("export_vtk")->trigger();
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_TRUE(complaints[0].contains("An export is going on")) << complaints[0].toStdString();
+  ASSERT_TRUE(wait_until([this] { return !exporter().busy(); }));
+  EXPECT_TRUE(fs::exists(folder / "first.gltf"));
+  EXPECT_FALSE(fs::exists(folder / "second"));
+}
+
 TEST_F(ExportTest, gltf_holds_every_triangle_of_the_bodies) {
   run("export_gltf", "scene.gltf");
   ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
