@@ -61,7 +61,7 @@ Surfaces ExportControl::surfaces() const {
     shell->ShallowCopy(surface);
     return shell;
   };
-  return {shell_of(drawn_->probe_surface), shell_of(drawn_->fixed_surface),
+  return {shell_of(drawn_->bodies.probe_surface), shell_of(drawn_->bodies.fixed_surface),
           drawn_->session->probe().mass.com};
 }
 

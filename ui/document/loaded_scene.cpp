@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
@@ -112,8 +113,10 @@ LoadedScene open_scene(const Scene& scene, const Progress& progress) {
     find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
   if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
   const MeshMarks marks = marks_of(scene);
-  auto probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
-  auto fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
+  std::shared_ptr<const Body> probe, fixed;
+  run_both(
+      true, progress, [&](const Progress& half) { probe = load(scene.probe, scene.unit, half); },
+      [&](const Progress& half) { fixed = load(scene.fixed, scene.unit, half); });
   return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory), marks);
 }
 

@@ -126,7 +126,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   forget_shown();
   search_.forget();
   history_->attach(session());
-  viewport_->show_session(drawn_, same_document);
+  viewport_->show_bodies(drawn_.bodies, same_document);
   seeing_->attach(&now);
   exporter_->attach(&drawn_);
   if (same_document)

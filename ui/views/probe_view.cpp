@@ -108,6 +108,7 @@ void FoundView::draw(const Frame& frame) {
   const FoundWay* way =
       frame.searched && frame.searched->*way_ ? &*(frame.searched->*way_) : nullptr;
   if (!way || !(way->depth > 0)) return hide();
+  actor_->GetProperty()->SetLineWidth(frame.density);
   place(*actor_, way->separated);
   actor_->VisibilityOn();
   label(way->separated * frame.mass.com,

@@ -15,7 +15,7 @@
 #include "ui/document/instant.hpp"
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
-#include "ui/views/drawn_session.hpp"
+#include "ui/views/drawn_bodies.hpp"
 #include "ui/views/measure_view.hpp"
 #include "ui/views/seeing.hpp"
 
@@ -70,8 +70,8 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Takes the bodies of a new session and turns the camera to them, unless the camera should stay.
-  void show_session(const DrawnSession& drawn, bool same_view = false);
+  /// Takes new bodies and turns the camera to them, unless the camera should stay.
+  void show_bodies(const DrawnBodies& drawn, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: position of the ghost on its way, 1 at its end.
