@@ -61,9 +61,10 @@ class Figures : public WindowTest {
     return {double(window->frames() - before) / passed, (processor_seconds() - processor) / passed};
   }
   /// What a session takes with any bodies, and what OpenGL does, is there before: 12 triangles are
-  /// open.
+  /// open, their servo paused.
   void open_tori(int n) {
     open_cubes();
+    window->set_paused(true);
     picture();
     folder.write("torus.off", torus(n));
     folder.write("tori.sonde.json", R"({"fixed": {"mesh": "torus.off"},
