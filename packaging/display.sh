@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# Sourced by run and test: a virtual X server, on a free number, for as long as the script runs.
+# Sourced by run and test: a virtual X server, on a free number, for as long as the script runs. Its
+# screen is of display_size pixels, 1280x800 where that is not set.
 
 start_display() {
   display_folder=$(mktemp -d)
   trap stop_display EXIT
   mkfifo "$display_folder/number"
-  Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp \
+  Xvfb -displayfd 3 -screen 0 "${display_size:-1280x800}x24" -nolisten tcp \
     3>"$display_folder/number" >"$display_folder/log" 2>&1 &
   display_server=$!
   local number

@@ -88,8 +88,8 @@ RecordingHeader header_in(const std::string& text, const fs::path& file) {
   header.scene.file.clear();  // it is in no file of its own
   header.scene.name = member(file, root, "name", JsonNode::Kind::string).text;
   const JsonNode& meshes = member(file, root, "meshes", JsonNode::Kind::object);
-  header.probe = mark_in(file, member(file, meshes, "probe", JsonNode::Kind::object));
-  header.fixed = mark_in(file, member(file, meshes, "fixed", JsonNode::Kind::object));
+  header.meshes.probe = mark_in(file, member(file, meshes, "probe", JsonNode::Kind::object));
+  header.meshes.fixed = mark_in(file, member(file, meshes, "fixed", JsonNode::Kind::object));
   header.probe_radius = positive(file, root, "probe_radius");
   header.rate_hz = positive(file, root, "rate_hz");
   for (const JsonNode& node : root.children)
@@ -134,10 +134,17 @@ FileMark mark_of(const fs::path& file) {
   return mark;
 }
 
+MeshMarks marks_of(const Scene& scene) {
+  return {mark_of(scene.probe.mesh), mark_of(scene.fixed.mesh)};
+}
+
 RecordingHeader header_of(const Scene& scene, double probe_radius) {
+  return header_of(scene, marks_of(scene), probe_radius);
+}
+
+RecordingHeader header_of(const Scene& scene, const MeshMarks& meshes, double probe_radius) {
   return {.scene = scene,
-          .probe = mark_of(scene.probe.mesh),
-          .fixed = mark_of(scene.fixed.mesh),
+          .meshes = meshes,
           .probe_radius = probe_radius,
           .rate_hz = scene.servo.rate_hz,
           .started = now_text()};
@@ -152,7 +159,8 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
       {"rate_hz", header.rate_hz},
       {"probe_radius", header.probe_radius},
       {"along_path", header.along_path},
-      {"meshes", {{"probe", json_of(header.probe)}, {"fixed", json_of(header.fixed)}}},
+      {"meshes",
+       {{"probe", json_of(header.meshes.probe)}, {"fixed", json_of(header.meshes.fixed)}}},
       {"scene", scene_text(header.scene, fs::absolute(file).parent_path())},
       {"ticks", json_of(tick_columns())},
       {"contacts", json_of(contact_columns())},
@@ -202,8 +210,8 @@ bool is_recording(const fs::path& file) {
 }
 
 void check_meshes(const RecordingHeader& header, const fs::path& recording) {
-  for (const auto& [mesh, mark] : {std::pair(header.scene.probe.mesh, header.probe),
-                                   std::pair(header.scene.fixed.mesh, header.fixed)})
+  for (const auto& [mesh, mark] : {std::pair(header.scene.probe.mesh, header.meshes.probe),
+                                   std::pair(header.scene.fixed.mesh, header.meshes.fixed)})
     if (const std::string reason = other(mesh, mark); !reason.empty())
       throw InputError::at_byte(recording.string(), head_size, reason);
 }

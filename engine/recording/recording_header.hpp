@@ -19,17 +19,25 @@ struct FileMark {
 /// Reads all of the file. Throws InputError.
 FileMark mark_of(const std::filesystem::path& file);
 
+/// Identifies the meshes of a scene, as they were when they were read.
+struct MeshMarks {
+  FileMark probe, fixed;
+};
+MeshMarks marks_of(const Scene& scene);
+
 /// The facts of a recording before its first tick.
 struct RecordingHeader {
   Scene scene;  ///< at its beginning; paths as in a scene file beside the recording
-  FileMark probe, fixed;
+  MeshMarks meshes;
   double probe_radius = 0;  ///< m, which tells which contacts are together
   double rate_hz = 0;       ///< asked of the servo
   std::string started;      ///< UTC, ISO 8601
   bool along_path = false;  ///< TickLog::along_path
 };
 
-/// The header of a recording that begins now. Reads the meshes to identify them.
+/// The header of a recording that begins now, of meshes that were read before.
+RecordingHeader header_of(const Scene& scene, const MeshMarks& meshes, double probe_radius);
+/// The same of meshes that are read now.
 RecordingHeader header_of(const Scene& scene, double probe_radius);
 
 constexpr std::uint32_t recording_version = 1;

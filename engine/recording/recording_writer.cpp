@@ -21,11 +21,10 @@ std::string system_reason(int error) {
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Scene& scene,
-                                 double probe_radius)
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header)
     : file_(file) {
   descriptor_ = create_anew(file);  // the ticks to come may be those of the recording it replaces
-  thread_ = std::thread([this, scene, probe_radius] { run(scene, probe_radius); });
+  thread_ = std::thread([this, header] { run(header); });
 }
 
 RecordingWriter::~RecordingWriter() {
@@ -40,12 +39,14 @@ void RecordingWriter::add(BlockBytes block) {
   news_.notify_one();
 }
 
+void RecordingWriter::close() {
+  const std::scoped_lock lock(mutex_);
+  finishing_ = true;
+  news_.notify_one();
+}
+
 void RecordingWriter::finish() {
-  {
-    const std::scoped_lock lock(mutex_);
-    finishing_ = true;
-    news_.notify_one();
-  }
+  close();
   if (thread_.joinable()) thread_.join();
 }
 
@@ -64,10 +65,10 @@ std::optional<BlockBytes> RecordingWriter::next() {
   return block;
 }
 
-void RecordingWriter::run(const Scene& scene, double probe_radius) {
+void RecordingWriter::run(const RecordingHeader& header) {
   name_thread("sonde-record");
   try {
-    write(header_bytes(header_of(scene, probe_radius), file_));
+    write(header_bytes(header, file_));
     while (const std::optional<BlockBytes> block = next()) {
       const std::string bytes = (*block)();
       const BlockHead head = head_of(bytes);
@@ -81,6 +82,7 @@ void RecordingWriter::run(const Scene& scene, double probe_radius) {
     failure_ = bad.what();
     waiting_.clear();
   }
+  closed_.store(true, std::memory_order_release);
 }
 
 /// Whole or not at all.

@@ -21,16 +21,20 @@ namespace sonde {
 /// last whole block.
 class RecordingWriter {
  public:
-  /// Throws InputError where the file cannot be created. The thread reads the meshes to identify
-  /// them, so an error in them is a failure().
-  RecordingWriter(const std::filesystem::path& file, const Scene& scene, double probe_radius);
+  /// Throws InputError where the file cannot be created.
+  RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header);
   ~RecordingWriter();  ///< finishes it
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
   /// Returns at once. After a failure it writes nothing more.
   void add(BlockBytes block);
-  /// Waits until everything is written, including the last block.
+  /// Nothing more is added: the thread writes what is waiting and the last block, and sees to it
+  /// that the disk has them. Returns at once.
+  void close();
+  /// All of that is done, or has failed.
+  bool closed() const { return closed_.load(std::memory_order_acquire); }
+  /// close(), and waits until then.
   void finish();
   /// Why the file ends early; none where it does not. The file holds all blocks before that, whole.
   std::optional<std::string> failure() const;
@@ -38,7 +42,7 @@ class RecordingWriter {
   const std::filesystem::path& file() const { return file_; }
 
  private:
-  void run(const Scene& scene, double probe_radius);
+  void run(const RecordingHeader& header);
   void write(const std::string& bytes);
   std::optional<BlockBytes> next();
 
@@ -50,6 +54,7 @@ class RecordingWriter {
   std::condition_variable news_;
   std::deque<BlockBytes> waiting_;
   bool finishing_ = false;
+  std::atomic<bool> closed_{false};
   std::optional<std::string> failure_;
   std::thread thread_;
 };

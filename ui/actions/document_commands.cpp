@@ -110,11 +110,12 @@ void DocumentControl::swap_bodies() {
   wanted.scene.trajectory.reset();  // it is the other's
   wanted.here = inverse(wanted.here);
   const auto bodies = wanted.bodies;
-  change_bodies(
-      QStringLiteral("Swap probe and fixed body"), wanted,
-      [bodies, scene = wanted.scene](const Progress&) {
-        return open_scene(scene, {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {});
-      });
+  change_bodies(QStringLiteral("Swap probe and fixed body"), wanted,
+                [bodies, scene = wanted.scene](const Progress&) {
+                  return open_scene(scene,
+                                    {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {},
+                                    {bodies->marks.fixed, bodies->marks.probe});
+                });
 }
 
 void DocumentControl::replace_body(Role role, const QString& file) {
@@ -181,7 +182,8 @@ void DocumentControl::change_bodies(const QString& what, const Content& wanted,
         const LoadedScene& opened = drawn.session->loaded();
         Content content = wanted;
         content.scene = opened.scene;
-        content.bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
+        content.bodies =
+            std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory, opened.marks});
         ready_ = std::move(drawn);
         document_.change(what, content);
         ready_.reset();
@@ -226,8 +228,8 @@ void DocumentControl::show_bodies(const Content& wanted) {
   opener_.make(
       QStringLiteral("Setting the bodies up again"),
       [wanted](const Progress&) {
-        LoadedScene opened =
-            open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory);
+        LoadedScene opened = open_scene(wanted.scene, wanted.bodies->pair,
+                                        wanted.bodies->trajectory, wanted.bodies->marks);
         opened.here = wanted.here;
         return opened;
       },

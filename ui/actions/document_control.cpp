@@ -138,7 +138,8 @@ void DocumentControl::watch() { watch_.watch(document_.empty() ? QStringList() :
 
 void DocumentControl::opened(const Session& session) {
   const LoadedScene& opened = session.loaded();
-  auto bodies = std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory});
+  auto bodies =
+      std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory, opened.marks});
   on_show_ = bodies;
   index_on_show_ = 0;
   document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});

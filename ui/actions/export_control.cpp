@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/text/output_file.hpp"
 #include "ui/actions/animation.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/base/progress_dialog.hpp"
@@ -62,8 +61,24 @@ Surfaces ExportControl::surfaces() const {
     shell->ShallowCopy(surface);
     return shell;
   };
-  return {shell_of(drawn_->probe_surface), shell_of(drawn_->fixed_surface),
+  return {shell_of(drawn_->bodies.probe_surface), shell_of(drawn_->bodies.fixed_surface),
           drawn_->session->probe().mass.com};
+}
+
+/// One at a time: a second one would abandon the first.
+bool ExportControl::may_begin() const {
+  if (!drawn_ || !instant()) return false;
+  if (!busy()) return true;
+  fail(QStringLiteral("An export is going on: wait until it has ended, or cancel it."));
+  return false;
+}
+
+/// Whoever chose the name of one table has not been asked about the other.
+bool ExportControl::may_write_contacts(const QString& file) const {
+  const std::filesystem::path contacts = contacts_file_of(path_of(file));
+  std::error_code none;
+  return !std::filesystem::exists(contacts, none) ||
+         ask_replace(QString::fromStdString(contacts.string()));
 }
 
 /// Does it, and says how it went.
@@ -96,32 +111,28 @@ void ExportControl::export_tables() {
   if (!drawn_ || !instant()) return;
   const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
                                 QStringLiteral("Tables (*.csv)"));
-  if (file.isEmpty() || !drawn_ || !instant()) return;
+  if (file.isEmpty() || !may_write_contacts(file) || !drawn_ || !instant()) return;
   const Moment moment = moment_of(instant()->snapshot);
   write(file, [&] {
-    std::filesystem::path contacts = path_of(file);
-    contacts.replace_extension(".contacts.csv");
-    check_writable(contacts);  // before the first of the two
-    write_whole(path_of(file), moments_csv({&moment, 1}));
-    write_whole(contacts, contacts_csv({&moment, 1}));
+    write_tables(path_of(file), moments_csv({&moment, 1}), contacts_csv({&moment, 1}));
   });
 }
 
 void ExportControl::export_gltf() {
-  if (!drawn_ || !instant()) return;
+  if (!may_begin()) return;
   const QString file = ask_file(QStringLiteral("Export glTF"), QStringLiteral("sonde.gltf"),
                                 QStringLiteral("glTF (*.gltf)"));
   if (file.isEmpty() || !drawn_ || !instant()) return;
   job_.start(
       QStringLiteral("Exporting glTF"),
-      [file, what = surfaces(), moment = moment_of(instant()->snapshot)](const Progress&) {
-        write_gltf(path_of(file), what, moment);
+      [file, what = surfaces(), moment = moment_of(instant()->snapshot)](const Progress& progress) {
+        write_gltf(path_of(file), what, moment, progress);
       },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
 void ExportControl::export_vtk(bool series) {
-  if (!drawn_ || !instant()) return;
+  if (!may_begin()) return;
   const QString folder =
       ask_file(series ? QStringLiteral("Export the separation for ParaView: a new folder")
                       : QStringLiteral("Export for ParaView: a new folder"),
@@ -139,7 +150,7 @@ void ExportControl::export_vtk(bool series) {
 }
 
 void ExportControl::export_animation() {
-  if (!drawn_ || !instant() || animation_) return;
+  if (!may_begin()) return;
   const auto wanted = ask_picture(ExportDialog::Of::animation);
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the separation: a new folder of pictures"),

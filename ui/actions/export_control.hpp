@@ -42,6 +42,8 @@ class ExportControl : public QObject {
   // What is asked; tests answer themselves. An empty name: do nothing.
   std::function<std::optional<PictureWanted>(ExportDialog::Of)> ask_picture;
   std::function<QString(const QString& title, const QString& name, const QString& filter)> ask_file;
+  /// May this file, which goes with the one that was chosen and is there already, be replaced?
+  std::function<bool(const QString& file)> ask_replace;
 
   /// What is on show; none before the first.
   std::function<const Instant*()> instant;
@@ -51,6 +53,8 @@ class ExportControl : public QObject {
 
  private:
   struct Animation;
+  bool may_begin() const;
+  bool may_write_contacts(const QString& file) const;
   void write(const QString& file, const std::function<void()>& write);
   void ended(const QString& file, const std::exception_ptr& error);
   void animate(std::unique_ptr<Animation> animation);

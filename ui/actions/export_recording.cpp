@@ -21,12 +21,10 @@ namespace {
 constexpr std::size_t rows_at_once = 1000;
 
 /// Every tick, in pieces: a table of ten minutes is large, and what it is made of larger.
-void write_tables(const std::filesystem::path& file, const TickBlocks& ticks,
-                  const Progress& progress) {
+void write_all_ticks(const std::filesystem::path& file, const TickBlocks& ticks,
+                     const Progress& progress) {
   const TickLog log = ticks.log();
-  std::filesystem::path contacts_file = file;
-  contacts_file.replace_extension(".contacts.csv");
-  check_writable(contacts_file);  // before the first of the two
+  check_writable(file);  // before the work
   std::string moments = moments_csv({}), contacts = contacts_csv({});
   const std::size_t head = moments.size(), contacts_head = contacts.size();
   std::vector<Moment> some;
@@ -43,8 +41,7 @@ void write_tables(const std::filesystem::path& file, const TickBlocks& ticks,
     report(progress, double(i - log.begin()) / all);
   }
   add();
-  write_whole(file, moments);
-  write_whole(contacts_file, contacts);
+  write_tables(file, moments, contacts, progress);
 }
 
 std::vector<Moment> moments_at(const TickLog& log, const std::vector<double>& times) {
@@ -60,21 +57,21 @@ std::vector<Moment> moments_at(const TickLog& log, const std::vector<double>& ti
 }  // namespace
 
 void ExportControl::export_recording_tables() {
-  const auto kept = drawn_ ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? ticks() : std::nullopt;
   if (!kept) return;
   const QString file = ask_file(QStringLiteral("Export the numbers of the recording"),
                                 QStringLiteral("recording.csv"), QStringLiteral("Tables (*.csv)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty() || !may_write_contacts(file)) return;
   job_.start(
       QStringLiteral("Exporting numbers"),
       [file, kept = *kept](const Progress& progress) {
-        write_tables(file.toStdString(), kept, progress);
+        write_all_ticks(file.toStdString(), kept, progress);
       },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
 void ExportControl::export_recording_vtk() {
-  const auto kept = drawn_ ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? ticks() : std::nullopt;
   const auto wanted = kept ? ask_picture(ExportDialog::Of::recording_steps) : std::nullopt;
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the recording for ParaView: a new folder"),
@@ -90,7 +87,7 @@ void ExportControl::export_recording_vtk() {
 }
 
 void ExportControl::export_recording_pictures() {
-  const auto kept = drawn_ && !animation_ ? ticks() : std::nullopt;
+  const auto kept = may_begin() ? ticks() : std::nullopt;
   const auto wanted = kept ? ask_picture(ExportDialog::Of::recording) : std::nullopt;
   if (!wanted) return;
   const QString folder = ask_file(QStringLiteral("Export the recording: a new folder of pictures"),

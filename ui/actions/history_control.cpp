@@ -17,6 +17,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr qint64 state_ms = 60;  // faster than that nobody reads
+constexpr int ending_ms = 15;    // a recording is closed within that, but on a slow disk
 
 /// Whole: the program may be in another folder later.
 std::filesystem::path path_of(const QString& file) {
@@ -71,12 +72,14 @@ HistoryControl::HistoryControl(Opener& opener, Prompts& prompts, QWidget& window
   timeline_->speed_changed = [this](double speed) { playback_.set_speed(speed); };
   timeline_->live_wanted = [this] { go_live(); };
   plots_->sought = [this](double time) { look_at(time); };
+  connect(&ending_timer_, &QTimer::timeout, this, [this] { report_ended(); });
 }
 
-HistoryControl::~HistoryControl() { recorder_.stop(); }
+HistoryControl::~HistoryControl() = default;
 
 void HistoryControl::attach(Session* session) {
   stop_recording();
+  if (job_.running()) view_.say(QStringLiteral("Running it again: given up, for what was opened"));
   job_.abandon();
   leave();
   plots_->forget();
@@ -205,7 +208,7 @@ void HistoryControl::record(const QString& file) {
   try {
     check_not_in_use(path_of(file));
     remember_folder_of(file);
-    recorder_.record(path_of(file), view_.scene());
+    recorder_.record(path_of(file), view_.scene(), view_.session()->loaded().marks);
     view_.say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
@@ -215,13 +218,18 @@ void HistoryControl::record(const QString& file) {
 
 void HistoryControl::stop_recording() {
   if (!recorder_.recording()) return;
-  const QString file = QString::fromStdString(recorder_.writer()->file().string());
-  const QString failure = recorder_.stop();
+  recorder_.stop();
+  ending_timer_.start(ending_ms);
   show_state();
-  if (failure.isEmpty())
-    view_.say(QStringLiteral("Recorded %1").arg(file));
-  else
-    prompts_.report_error(failure);
+}
+
+void HistoryControl::report_ended() {
+  while (const std::optional<Recorder::Ended> ended = recorder_.ended())
+    if (ended->failure.isEmpty())
+      view_.say(QStringLiteral("Recorded %1").arg(QString::fromStdString(ended->file.string())));
+    else
+      prompts_.report_error(ended->failure);
+  if (!recorder_.ending()) ending_timer_.stop();
 }
 
 void HistoryControl::ask_recording() {
@@ -268,6 +276,9 @@ std::optional<TickBlocks> HistoryControl::ticks_on_show() {
 void HistoryControl::run_again(Method method, const std::optional<Coupling>& gains) {
   Session* session = view_.session();
   if (!session || !kept() || kept()->empty()) return;
+  if (job_.running())
+    return prompts_.report_error(
+        QStringLiteral("It is being run again already: wait until that has ended, or cancel it."));
   recorder_.seal();
   const auto into = std::make_shared<KeptTicks>();
   const auto order = std::make_shared<Order>(Order{.pair = session->loaded().pair,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -94,6 +95,7 @@ class HistoryControl : public QObject {
   void check_not_in_use(const std::filesystem::path& file) const;
   void begin_looking();
   void stop_recording();
+  void report_ended();
   const Curves* curves() const;
   void show_state();
   void opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording);
@@ -105,6 +107,7 @@ class HistoryControl : public QObject {
   PlotsPanel* plots_;
   Job job_;
   Recorder recorder_;
+  QTimer ending_timer_;  ///< while recordings that were stopped are written
   Playback playback_;
   std::shared_ptr<KeptTicks> opened_;  ///< of a file; null: the session's own
   std::shared_ptr<KeptTicks> replay_;

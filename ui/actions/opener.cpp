@@ -44,10 +44,11 @@ void Opener::open_scene(const QString& file) {
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
   give_up();
+  what_ = QStringLiteral("Reading %1 and %2")
+              .arg(QFileInfo(probe).fileName(), QFileInfo(fixed).fileName());
   const auto pair = std::make_shared<MeshPair>();
   job_.start(
-      QStringLiteral("Reading %1 and %2")
-          .arg(QFileInfo(probe).fileName(), QFileInfo(fixed).fileName()),
+      what_,
       [pair, a = path_of(probe), b = path_of(fixed)](const Progress& progress) {
         *pair = read_pair(a, b, progress);
       },
@@ -87,6 +88,7 @@ void Opener::make(const QString& what, std::function<LoadedScene(const Progress&
                   std::function<void(DrawnSession)> done, std::function<void()> given_up) {
   give_up();
   given_up_ = std::move(given_up);
+  what_ = what;
   const auto drawn = std::make_shared<DrawnSession>();
   job_.start(
       what,
@@ -104,6 +106,8 @@ void Opener::make(const QString& what, std::function<LoadedScene(const Progress&
 }
 
 void Opener::give_up() {
+  if (job_.running() && say)
+    say(QStringLiteral("%1: given up, for what is opened instead").arg(what_));
   if (const auto given_up = std::exchange(given_up_, {})) given_up();
 }
 

@@ -33,6 +33,7 @@ class Opener : public QObject {
   void open_files(const QStringList& files, std::optional<double> unit);
 
   std::function<void(DrawnSession)> ready;
+  std::function<void(const QString&)> say;  ///< in passing
   /// Nothing was opened. The reason (empty if the user cancelled) was already reported.
   std::function<void(const QString& reason)> failed;
 
@@ -45,6 +46,7 @@ class Opener : public QObject {
 
   Prompts& prompts_;
   Job job_;
+  QString what_;                    ///< is going on
   std::function<void()> given_up_;  ///< of what is being opened
 };
 

@@ -68,6 +68,12 @@ void add_document_questions(Prompts& prompts, QWidget* parent) {
          {"Discard", QMessageBox::DestructiveRole},
          {"Later", QMessageBox::RejectRole}}));
   };
+  prompts.ask_replace = [parent](const QString& file) {
+    return choose(parent, "replace_box", QStringLiteral("%1 is there already.").arg(file),
+                  QStringLiteral("It is written too. Nothing is written if it stays."),
+                  {{"Replace it", QMessageBox::DestructiveRole},
+                   {"Keep it", QMessageBox::RejectRole}}) == 0;
+  };
   prompts.ask_role = [parent](const QString& file) -> std::optional<Role> {
     const int role = choose(parent, "role_box", QStringLiteral("What is %1 to be?").arg(file), {},
                             {{"The probe", QMessageBox::AcceptRole},

@@ -28,6 +28,8 @@ struct Prompts {
   std::function<bool(const QString& file)> ask_reload;
   std::function<Recovering(const QString& what)> ask_recover;
   /// Asks what to use a single mesh for; none: cancelled.
+  /// A file that goes with the one that was chosen, and is there already.
+  std::function<bool(const QString& file)> ask_replace;
   std::function<std::optional<Role>(const QString& file)> ask_role;
   std::function<QString()> ask_scene;  ///< empty: given up
   /// Probe and fixed body, of which one may be known.

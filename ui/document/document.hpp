@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/penetration/search/pair.hpp"
+#include "engine/recording/recording_header.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 
@@ -18,6 +19,7 @@ namespace sonde::ui {
 struct Bodies {
   Pair pair;
   std::vector<TimedPose> trajectory;
+  MeshMarks marks;
 };
 
 /// The open content, as a value.

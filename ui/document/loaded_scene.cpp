@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
@@ -111,12 +112,16 @@ LoadedScene open_scene(const Scene& scene, const Progress& progress) {
   if (!scene.device.profile.empty())
     find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
   if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
-  auto probe = load(scene.probe, scene.unit, part(progress, 0, 0.5));
-  auto fixed = load(scene.fixed, scene.unit, part(progress, 0.5, 1));
-  return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory));
+  const MeshMarks marks = marks_of(scene);
+  std::shared_ptr<const Body> probe, fixed;
+  run_both(
+      true, progress, [&](const Progress& half) { probe = load(scene.probe, scene.unit, half); },
+      [&](const Progress& half) { fixed = load(scene.fixed, scene.unit, half); });
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory), marks);
 }
 
-LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory) {
+LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory,
+                       const MeshMarks& marks) {
   std::optional<DeviceProfile> device;
   if (!scene.device.profile.empty())
     device = find_device_profile(scene.device.profile, device_profile_folders());
@@ -125,6 +130,7 @@ LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPo
           .name = scene.name,
           .probe_file = scene.probe.mesh,
           .fixed_file = scene.fixed.mesh,
+          .marks = marks,
           .start = relative_pose(scene),
           .coupling = scene.coupling,
           .servo = scene.servo,
@@ -139,6 +145,7 @@ MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::pa
   MeshPair pair;
   pair.probe_file = probe;
   pair.fixed_file = fixed;
+  pair.marks = {mark_of(probe), mark_of(fixed)};
   pair.probe = read_mesh(probe, 1, part(progress, 0, 0.5));
   pair.fixed = read_mesh(fixed, 1, part(progress, 0.5, 1));
   pair.probe_size = size_of(pair.probe);
@@ -224,7 +231,7 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
   const Quat q_FW = scene.fixed.pose.q.conjugate();
   const Pose start = beside(*probe, *fixed, q_FW * start_direction(), q_FW * scene.probe.pose.q);
   scene.probe.pose = storable(scene.fixed.pose * start, scene.unit);
-  return open_scene(scene, {std::move(probe), std::move(fixed)}, {});
+  return open_scene(scene, {std::move(probe), std::move(fixed)}, {}, pair.marks);
 }
 
 Coupling suited_coupling(const MassProperties& probe) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/penetration/search/pair.hpp"
+#include "engine/recording/recording_header.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings/device_profile.hpp"
@@ -28,6 +29,7 @@ struct LoadedScene {
   std::optional<Pose> here = {};  ///< X_FM, the probe's first pose; none: the start pose
   std::string name = {};
   std::filesystem::path probe_file = {}, fixed_file = {};  ///< the meshes they are made of
+  MeshMarks marks = {};                                    ///< those files when they were read
   Pose start = {};  ///< X_FM, the probe's mesh frame in the fixed body's
   Coupling coupling = {};
   ServoSettings servo = {};
@@ -44,7 +46,8 @@ LoadedScene open_scene(const std::filesystem::path& file, const Progress& progre
 /// The same from a scene in memory.
 LoadedScene open_scene(const Scene& scene, const Progress& progress = {});
 /// The same from bodies in memory: reads nothing but the device's profile.
-LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory);
+LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory,
+                       const MeshMarks& marks);
 
 /// The axis of a mesh file that points up.
 enum class UpAxis { x, y, z };
@@ -68,6 +71,7 @@ struct MeshPair {
   PolygonSoup fixed;
   Vec3 probe_size = Vec3::Zero();  ///< sides of the bounding box, in file units
   Vec3 fixed_size = Vec3::Zero();
+  MeshMarks marks;
   Topology probe_edges, fixed_edges;  ///< edges that keep the inside from counting
 };
 MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,

@@ -37,25 +37,34 @@ void Recorder::add(const BackgroundResult& search) {
   if (ticks_) ticks_->add(search);
 }
 
-void Recorder::record(const std::filesystem::path& file, const Scene& scene) {
+void Recorder::record(const std::filesystem::path& file, const Scene& scene,
+                      const MeshMarks& meshes) {
   stop();
   if (!ticks_) return;
   ticks_->seal();
-  writer_ = std::make_unique<RecordingWriter>(file, scene, ticks_->probe_radius());
+  writer_ =
+      std::make_unique<RecordingWriter>(file, header_of(scene, meshes, ticks_->probe_radius()));
   for (BlockBytes& block : ticks_->all()) writer_->add(std::move(block));
   ticks_->sealed = [this](const std::shared_ptr<const std::string>& bytes) {
     writer_->add([bytes] { return *bytes; });
   };
 }
 
-QString Recorder::stop() {
-  if (!writer_) return {};
+void Recorder::stop() {
+  if (!writer_) return;
   ticks_->seal();
   ticks_->sealed = nullptr;
-  writer_->finish();
-  QString reason = failure();
-  writer_.reset();
-  return reason;
+  writer_->close();
+  closing_.push_back(std::move(writer_));
+}
+
+std::optional<Recorder::Ended> Recorder::ended() {
+  const auto done = std::find_if(closing_.begin(), closing_.end(),
+                                 [](const auto& writer) { return writer->closed(); });
+  if (done == closing_.end()) return {};
+  const Ended ended{(*done)->file(), QString::fromStdString((*done)->failure().value_or(""))};
+  closing_.erase(done);
+  return ended;
 }
 
 QString Recorder::failure() const {

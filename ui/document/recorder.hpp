@@ -4,6 +4,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/recording/curves.hpp"
 #include "engine/recording/recording_writer.hpp"
@@ -25,10 +26,15 @@ class Recorder {
 
   /// Records the kept ticks and those that follow. Throws InputError where the file cannot be
   /// created.
-  void record(const std::filesystem::path& file, const Scene& scene);
-  /// Ends the recording: waits until the last block is written. Returns why it failed; empty where
-  /// it did not.
-  QString stop();
+  void record(const std::filesystem::path& file, const Scene& scene, const MeshMarks& meshes);
+  /// Ends the recording. Its last blocks are written in its own thread: ended() tells when.
+  void stop();
+  /// A recording that has ended by now, each once.
+  struct Ended {
+    std::filesystem::path file;
+    QString failure;  ///< why it ends early; empty where it does not
+  };
+  std::optional<Ended> ended();
   /// Puts the kept ticks up to now into blocks.
   void seal() {
     if (ticks_) ticks_->seal();
@@ -36,7 +42,8 @@ class Recorder {
   bool recording() const { return writer_ != nullptr; }
   /// The failure of the present recording. Empty: no failure so far.
   QString failure() const;
-  const RecordingWriter* writer() const { return writer_.get(); }
+  /// Is a recording that was stopped still being written?
+  bool ending() const { return !closing_.empty(); }
 
   /// Null before there is a session.
   const TickLog* ticks() const { return ticks_.get(); }
@@ -47,6 +54,7 @@ class Recorder {
   Curves curves_;
   std::optional<BackgroundResult> searched_;
   std::unique_ptr<RecordingWriter> writer_;
+  std::vector<std::unique_ptr<RecordingWriter>> closing_;
 };
 
 }  // namespace sonde::ui

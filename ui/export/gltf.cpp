@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "engine/base/progress.hpp"
 #include "engine/text/output_file.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/export/vtk_scene.hpp"
@@ -47,7 +48,8 @@ void add_arrow(vtkRenderer& renderer, const Vec3& from, const Vec3& along, const
 
 }  // namespace
 
-void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment) {
+void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment,
+                const std::function<bool(double)>& progress) {
   check_writable(file);
   vtkNew<vtkRenderer> renderer;
   const Separation& s = moment.separation;
@@ -71,7 +73,10 @@ void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, con
   exporter->SetRenderWindow(window);
   exporter->InlineDataOn();
   exporter->SaveNormalOn();
-  write_whole(file, exporter->WriteToString());
+  report(progress, 0.2);
+  PendingFile written(file, exporter->WriteToString());
+  report(progress, 1);
+  written.commit();
 }
 
 }  // namespace sonde::ui

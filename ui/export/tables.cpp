@@ -3,7 +3,9 @@
 
 #include <initializer_list>
 
+#include "engine/base/progress.hpp"
 #include "engine/text/number_text.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -68,6 +70,19 @@ std::string contacts_csv(std::span<const Moment> moments) {
       text += line + '\n';
     }
   return text;
+}
+
+std::filesystem::path contacts_file_of(const std::filesystem::path& file) {
+  std::filesystem::path contacts = file;
+  return contacts.replace_extension(".contacts.csv");
+}
+
+void write_tables(const std::filesystem::path& file, std::string_view moments,
+                  std::string_view contacts, const std::function<bool(double)>& progress) {
+  PendingFile first(file, moments), second(contacts_file_of(file), contacts);
+  report(progress, 1);
+  first.commit();
+  second.commit();
 }
 
 }  // namespace sonde::ui

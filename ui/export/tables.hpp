@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "ui/export/moment.hpp"
 
@@ -15,6 +18,13 @@ std::string moments_csv(std::span<const Moment> moments);
 /// A row for each contact of each moment: cluster, share of the force, multiplier, gap, points and
 /// normal.
 std::string contacts_csv(std::span<const Moment> moments);
+
+/// The table of contacts that goes with a table of moments: NAME.contacts.csv beside NAME.csv.
+std::filesystem::path contacts_file_of(const std::filesystem::path& file);
+
+/// Writes both tables, or neither. Throws InputError, and Cancelled where `progress` says so.
+void write_tables(const std::filesystem::path& file, std::string_view moments,
+                  std::string_view contacts, const std::function<bool(double)>& progress = {});
 
 /// The share of a contact in the sum of all multipliers; 0 where there are none.
 double share_of_force(const Contact& contact, const ContactClusters& all);

@@ -184,6 +184,7 @@ void write_vtk(const fs::path& folder, const Surfaces& surfaces, std::span<const
     const nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", files}};
     write_whole(filling.path() / "sonde.vtm.series", series.dump(2) + "\n");
   }
+  report(progress, 1);
   filling.keep();
 }
 

@@ -36,7 +36,8 @@ void write_vtk(const std::filesystem::path& folder, const Surfaces& surfaces,
                const std::function<bool(double fraction)>& progress = {});
 
 /// Writes the same of one moment as a glTF 2.0 file, its data inside, in the colours of the view.
-/// Throws InputError.
-void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment);
+/// Throws InputError, and Cancelled where `progress` says so; then there is no file.
+void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment,
+                const std::function<bool(double fraction)>& progress = {});
 
 }  // namespace sonde::ui

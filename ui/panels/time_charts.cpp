@@ -32,6 +32,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr double left_room = 74, right_room = 14, room_below = 22, room_above = 6;  // pixels
+constexpr double line_width = 1.5;                                                  // pixels
 constexpr int least_drag = 4;                                                       // pixels
 constexpr double wheel_zoom = 1.25;
 constexpr int text_size = 11;
@@ -98,7 +99,6 @@ DrawnLine line_in(vtkChartXY& chart, const ChartLine& line, const CurveStyle& st
       (style.name + (line.dashed ? QStringLiteral(", run again") : QString())).toStdString());
   set_pen(*drawn.plot->GetPen(), readable(style.colour, palette));
   drawn.plot->GetPen()->SetLineType(line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
-  drawn.plot->SetWidth(1.5F);
   return drawn;
 }
 
@@ -226,6 +226,9 @@ struct TimeCharts::Scene {
       chart.SetSize(vtkRectf(0, float(bottom), float(width), float(each)));
       chart.SetBorders(int(left_room * ratio), int(room_below * ratio), int(right_room * ratio),
                        int(room_above * ratio));
+      const auto width_of = float(line_width * ratio);
+      for (const DrawnLine& line : charts[i].lines) line.plot->SetWidth(width_of);
+      if (charts[i].cursor.plot) charts[i].cursor.plot->SetWidth(width_of);
     }
   }
 };

@@ -126,7 +126,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   forget_shown();
   search_.forget();
   history_->attach(session());
-  viewport_->show_session(drawn_, same_document);
+  viewport_->show_bodies(drawn_.bodies, same_document);
   seeing_->attach(&now);
   exporter_->attach(&drawn_);
   if (same_document)
@@ -286,7 +286,7 @@ void MainWindow::show_status() {
     happens += QLatin1Char(' ') + fault;
   status_.show_happening(
       QStringLiteral("%1   %2").arg(happens, natures(session()->probe(), session()->fixed())));
-  status_.show_rates(s, *session(), frame_rate_.at(clock_.elapsed()));
+  status_.show_rates(s, *session(), frame_rate_.at(clock_.elapsed()), viewport_->simplified());
 }
 
 /// Also with nothing open: what is plugged in shows at once.
@@ -301,6 +301,7 @@ void MainWindow::show_device() {
 }
 
 bool MainWindow::save_picture(const QString& file) {
+  if (instant_) viewport_->draw_in_full(*instant_, 1);
   const QImage image = grab().toImage();
   QSaveFile out(file);
   if (out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit()) {

@@ -97,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
   };
   stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
   opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
+  opener_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   opener_->failed = [this](const QString& reason) {
     log_->add(reason);
     emit open_failed(reason);
@@ -138,6 +139,7 @@ void MainWindow::add_history() {
 void MainWindow::connect_export() {
   exporter_->instant = [this] { return instant_ ? &*instant_ : nullptr; };
   exporter_->ticks = [this] { return history_->ticks_on_show(); };
+  exporter_->ask_replace = [this](const QString& file) { return prompts_.ask_replace(file); };
   exporter_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
   exporter_->fail = [this](const QString& reason) { complain(reason); };
 }

@@ -153,6 +153,8 @@ int run(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
   // Esc in a dialog of the system's own would never come by here, and the force would stay.
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);  // by the screen's own density
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // else readers take "1.5" for 1 where the comma is decimal
   QLocale::setDefault(QLocale::c());

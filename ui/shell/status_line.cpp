@@ -20,12 +20,14 @@ StatusLine::StatusLine(QStatusBar& bar)
 
 void StatusLine::show_happening(const QString& what) { happening_->show_text(what); }
 
-void StatusLine::show_rates(const Snapshot& tick, Session& session, double frames_per_second) {
+void StatusLine::show_rates(const Snapshot& tick, Session& session, double frames_per_second,
+                            bool simplified) {
   rates_->setToolTip(timing_text(session.timing()));
-  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s")
+  rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s%4")
                       .arg(tick.paused ? 0 : tick.rate_hz, 0, 'f', 0)
                       .arg(tick.tick_us, 0, 'f', 0)
-                      .arg(frames_per_second, 0, 'f', 0));
+                      .arg(frames_per_second, 0, 'f', 0)
+                      .arg(simplified ? QStringLiteral(", simplified while moving") : QString()));
 }
 
 void StatusLine::show_source(const InputSource& source, const SourceReport& report) {

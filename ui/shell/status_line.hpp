@@ -18,7 +18,8 @@ class StatusLine {
   explicit StatusLine(QStatusBar& bar);
 
   void show_happening(const QString& what);
-  void show_rates(const Snapshot& tick, Session& session, double frames_per_second);
+  void show_rates(const Snapshot& tick, Session& session, double frames_per_second,
+                  bool simplified);
   void show_source(const InputSource& source, const SourceReport& report);
 
  private:

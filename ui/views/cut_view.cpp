@@ -19,6 +19,7 @@
 namespace sonde::ui {
 namespace {
 
+constexpr float outline_width = 1.5F;  // pixels
 constexpr double arrow_pixels = 2.2;
 constexpr double ring_pixels = 1.1;
 constexpr double ring_angle = 1.93 * std::numbers::pi;
@@ -51,7 +52,6 @@ CutView::CutView(vtkRenderer& renderer, GlyphShapes& shapes)
   outline_->SetMapper(mapper);
   outline_->GetProperty()->SetColor(colour::cut.redF(), colour::cut.greenF(), colour::cut.blueF());
   outline_->GetProperty()->LightingOff();
-  outline_->GetProperty()->SetLineWidth(1.5);
   outline_->VisibilityOff();
   renderer.AddActor(outline_);
 }
@@ -82,6 +82,7 @@ Handles CutView::handles(double length) const {
 void CutView::draw(const Frame& frame) {
   if (!cut_.on) return hide();
   const Handles held = handles(HandleView::pixels * frame.pixel);
+  outline_->GetProperty()->SetLineWidth(outline_width * frame.density);
   outline_->VisibilityOn();
   const Vec3 tip = held.centre + cut_.normal * held.length;
   arrow_.set(held.centre, tip, arrow_pixels * frame.pixel);

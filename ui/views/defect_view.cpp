@@ -18,7 +18,7 @@ namespace {
 constexpr float hole_width = 2, flipped_width = 5;
 
 vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
-                                      const QColor& colour, float width) {
+                                      const QColor& colour) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
   // They lie on the body: it hides those behind it, and not those in front.
@@ -27,7 +27,6 @@ vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-  actor->GetProperty()->SetLineWidth(width);
   actor->GetProperty()->LightingOff();
   actor->VisibilityOff();
   renderer.AddActor(actor);
@@ -36,10 +35,10 @@ vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
 
 }  // namespace
 
-DefectView::DefectView(vtkRenderer& renderer, const DrawnSession& drawn) : renderer_(&renderer) {
+DefectView::DefectView(vtkRenderer& renderer, const DrawnBodies& drawn) : renderer_(&renderer) {
   const auto both = [&](const DefectLines& lines) {
-    return std::array{lines_actor(renderer, lines.holes, colour::hole, hole_width),
-                      lines_actor(renderer, lines.flipped, colour::flipped, flipped_width)};
+    return std::array{lines_actor(renderer, lines.holes, colour::hole),
+                      lines_actor(renderer, lines.flipped, colour::flipped)};
   };
   probe_ = both(drawn.probe_defects);
   fixed_ = both(drawn.fixed_defects);
@@ -62,6 +61,10 @@ void DefectView::set_cut(vtkPlane* probe, vtkPlane* fixed) {
 }
 
 void DefectView::draw(const Frame& frame) {
+  for (const auto& actors : {probe_, fixed_}) {
+    actors[0]->GetProperty()->SetLineWidth(hole_width * frame.density);
+    actors[1]->GetProperty()->SetLineWidth(flipped_width * frame.density);
+  }
   for (const auto& actor : probe_) {
     place(*actor, frame.snapshot.separation.device);
     actor->VisibilityOn();

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "ui/views/drawn_session.hpp"
+#include "ui/views/drawn_bodies.hpp"
 #include "ui/views/overlay.hpp"
 
 class vtkActor;
@@ -18,7 +18,7 @@ namespace sonde::ui {
 /// thin lines, edges between flipped faces as thick lines.
 class DefectView : public Overlay {
  public:
-  DefectView(vtkRenderer& renderer, const DrawnSession& drawn);
+  DefectView(vtkRenderer& renderer, const DrawnBodies& drawn);
   ~DefectView() override;
   /// The plane that cuts the bodies; null: no cut.
   void set_cut(vtkPlane* probe, vtkPlane* fixed);

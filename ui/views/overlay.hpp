@@ -20,6 +20,9 @@ struct Frame {
   double pixel = 0;  ///< metres per pixel at the probe: glyphs keep their size on screen
   double swing = 1;  ///< where the ghost is on its way from O (0) to Q (1)
   const BackgroundResult* searched = nullptr;  ///< of this device pose; null: not yet
+  /// Pixels that OpenGL draws for one of `pixel`: 2 on a screen of twice the usual density, more in
+  /// a large picture for a file. VTK's widths of lines are OpenGL's.
+  float density = 1;
 };
 
 /// Text at a point of the scene, and the line that leads there: an arrow, an arc. Without text, the

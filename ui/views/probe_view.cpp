@@ -70,6 +70,8 @@ GhostView::GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid)
 
 GhostView::~GhostView() { renderer_->RemoveActor(actor_); }
 
+vtkActor& GhostView::actor() { return *actor_; }
+
 void GhostView::draw(const Frame& frame) {
   const Separation& separation = frame.snapshot.separation;
   if (separation.status != Status::penetrating) return hide();
@@ -100,10 +102,13 @@ FoundView::FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Wa
 
 FoundView::~FoundView() { renderer_->RemoveActor(actor_); }
 
+vtkActor& FoundView::actor() { return *actor_; }
+
 void FoundView::draw(const Frame& frame) {
   const FoundWay* way =
       frame.searched && frame.searched->*way_ ? &*(frame.searched->*way_) : nullptr;
   if (!way || !(way->depth > 0)) return hide();
+  actor_->GetProperty()->SetLineWidth(frame.density);
   place(*actor_, way->separated);
   actor_->VisibilityOn();
   label(way->separated * frame.mass.com,

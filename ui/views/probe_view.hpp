@@ -30,6 +30,7 @@ class GhostView : public Overlay {
  public:
   GhostView(vtkRenderer& renderer, vtkPolyData& surface, bool solid);
   ~GhostView() override;
+  vtkActor& actor();
 
  private:
   void draw(const Frame& frame) override;
@@ -51,6 +52,7 @@ class FoundView : public Overlay {
   FoundView(vtkRenderer& renderer, vtkPolyData& surface, bool solid, Way way, Shape shape,
             const QString& name, const QColor& colour);
   ~FoundView() override;
+  vtkActor& actor();
 
  private:
   void draw(const Frame& frame) override;

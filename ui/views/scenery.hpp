@@ -19,10 +19,12 @@
 #include "ui/views/crossing_view.hpp"
 #include "ui/views/cut_view.hpp"
 #include "ui/views/defect_view.hpp"
+#include "ui/views/detail.hpp"
 #include "ui/views/gap_view.hpp"
 #include "ui/views/handle_view.hpp"
 #include "ui/views/hint_view.hpp"
 #include "ui/views/measure_view.hpp"
+#include "ui/views/movement.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
 #include "ui/views/tone.hpp"
@@ -75,6 +77,8 @@ struct Viewport::Scenery {
   CrossingView probe_crossings, fixed_crossings;
   Tone tone;
   std::unique_ptr<DefectView> defects;
+  Detail detail;
+  Movement movement;
 
   // Of the session on show.
   std::optional<Pair> pair;

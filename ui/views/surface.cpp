@@ -2,11 +2,12 @@
 #include "ui/views/surface.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
-#include <vtkStaticCleanPolyData.h>
+#include <vtkTypeInt32Array.h>
 
 namespace sonde::ui {
 namespace {
@@ -14,17 +15,26 @@ namespace {
 constexpr double sharp_edge = 35;              // degrees
 constexpr std::size_t smooth_up_to = 400'000;  // triangles; normals of more take over a second
 
+/// With indices of 32 bits: half of what VTK takes by itself.
 vtkSmartPointer<vtkPolyData> copy_of(const Soup& soup) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(soup.vertices.size()));
-  for (std::size_t i = 0; i < soup.vertices.size(); ++i)
-    points->SetPoint(static_cast<vtkIdType>(i), soup.vertices[i].data());
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(soup.triangles.size()),
-                       static_cast<vtkIdType>(3 * soup.triangles.size()));
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(soup.vertices.size()));
+  float* to = coordinates->GetPointer(0);
+  for (const Vec3& vertex : soup.vertices)
+    for (const double x : vertex) *to++ = static_cast<float>(x);
+  vtkNew<vtkTypeInt32Array> corners, begins;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * soup.triangles.size()));
+  begins->SetNumberOfValues(static_cast<vtkIdType>(soup.triangles.size() + 1));
+  int* corner = corners->GetPointer(0);
   for (const Triangle& triangle : soup.triangles)
-    cells->InsertNextCell({triangle[0], triangle[1], triangle[2]});
+    for (const auto index : triangle) *corner++ = static_cast<int>(index);
+  for (vtkIdType i = 0; i < begins->GetNumberOfValues(); ++i)
+    begins->SetValue(i, static_cast<int>(3 * i));
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(begins, corners);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(points);
   surface->SetPolys(cells);
@@ -36,16 +46,15 @@ vtkSmartPointer<vtkPolyData> copy_of(const Soup& soup) {
 vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup) {
   auto surface = copy_of(soup);
   if (soup.triangles.size() > smooth_up_to) return surface;
-  // A mesh written corner by corner has no shared vertices to smooth over until they are merged.
-  vtkNew<vtkStaticCleanPolyData> merged;
-  merged->SetInputData(surface);
-  merged->ConvertPolysToLinesOff();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(merged->GetOutputPort());
+  normals->SetInputData(surface);
   normals->SetFeatureAngle(sharp_edge);
   normals->ConsistencyOff();  // a soup's triangles stay as they are
   normals->Update();
-  return normals->GetOutput();
+  vtkSmartPointer<vtkPolyData> smooth = normals->GetOutput();
+  smooth->GetPolys()->ConvertTo32BitStorage();
+  smooth->Squeeze();
+  return smooth;
 }
 
 }  // namespace sonde::ui

@@ -16,6 +16,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr double span = 4;  // s
+constexpr float width = 2;  // pixels
 
 }  // namespace
 
@@ -36,7 +37,6 @@ TrailView::Line TrailView::line_in(const QColor& colour) {
   line.actor->VisibilityOff();
   vtkProperty* property = line.actor->GetProperty();
   property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-  property->SetLineWidth(2);
   property->LightingOff();
   renderer_->AddActor(line.actor);
   return line;
@@ -49,6 +49,8 @@ void TrailView::draw(const Frame& frame) {
   places_.push_back({now.time, now.separation.device * frame.mass.com,
                      now.separation.separated * frame.mass.com});
   while (places_.front().time < now.time - span) places_.pop_front();
+  for (const Line& line : {hand_, held_})
+    line.actor->GetProperty()->SetLineWidth(width * frame.density);
   show_line(hand_, &Place::hand);
   show_line(held_, &Place::held);
 }

@@ -79,7 +79,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
   s.widget->setFocusPolicy(Qt::StrongFocus);
   setFocusProxy(s.widget);
   s.widget->setAcceptDrops(false);  // drops belong to the window
-  s.window->SetMultiSamples(0);     // see show_session
+  s.window->SetMultiSamples(0);     // see show_bodies
   s.widget->setRenderWindow(s.window);
   s.widget->interactor()->SetInteractorStyle(nullptr);  // the mouse moves the probe, see MouseProbe
   s.window->SetNumberOfLayers(3);
@@ -97,37 +97,43 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
 
 Viewport::~Viewport() = default;
 
-void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
+void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
   const bool software = software_drawn(*s.widget);
   s.window->SetMultiSamples(software ? 0 : 4);
   s.bodies->SetGradientBackground(!software);
-  const Session& session = *drawn.session;
-  s.mass = session.probe().mass;
+  const Body &probe = drawn.pair->probe(), &fixed = drawn.pair->fixed();
+  s.mass = probe.mass;
   s.unit = LengthUnit(s.mass.radius);
-  s.centre = session.fixed().mass.com;
-  s.q_FW = session.loaded().scene.fixed.pose.q.conjugate();
-  s.radius = session.fixed().mass.radius;
-  s.last_device = s.last_separated = session.loaded().here.value_or(session.loaded().start);
-  s.probe_box = box_of(session.probe());
-  s.fixed_box = box_of(session.fixed());
-  s.descriptions = {describe("probe", session.probe()), describe("fixed", session.fixed())};
+  s.centre = fixed.mass.com;
+  s.q_FW = drawn.q_FW;
+  s.radius = fixed.mass.radius;
+  s.last_device = s.last_separated = drawn.first;
+  s.probe_box = box_of(probe);
+  s.fixed_box = box_of(fixed);
+  s.descriptions = {describe("probe", probe), describe("fixed", fixed)};
 
+  s.detail.clear();
+  s.movement.forget();
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
-  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, session.fixed().solid);
-  s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
-  s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, session.probe().solid);
+  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, fixed.solid);
+  s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, probe.solid);
+  s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, probe.solid);
   const auto found = [&](FoundView::Way way, FoundView::Shape shape, const char* name,
                          const QColor& colour) {
-    return std::make_unique<FoundView>(*s.bodies, *drawn.probe_surface, session.probe().solid, way,
-                                       shape, QLatin1String(name), colour);
+    return std::make_unique<FoundView>(*s.bodies, *drawn.probe_surface, probe.solid, way, shape,
+                                       QLatin1String(name), colour);
   };
   s.nearest =
       found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
-  s.pair = session.loaded().pair;
+  const int small = software ? simplify_above : simplify_above_on_card;
+  s.detail.add(*drawn.fixed_surface, small, {s.fixed_actor});
+  s.detail.add(*drawn.probe_surface, small,
+               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
+  s.pair = drawn.pair;
   s.trail.clear();
   s.measures.clear();
   apply_theme();
@@ -135,11 +141,11 @@ void Viewport::show_session(const DrawnSession& drawn, bool same_view) {
   s.fixed_gaps.clear();
   apply_layers();
   apply_seeing();
-  set_coupling(session.coupling());
+  set_coupling(drawn.coupling);
 
   if (same_view) return invalidate();
   // A scene's camera says where to look from; how near depends on the window's shape.
-  const auto& place = session.loaded().camera;
+  const auto& place = drawn.camera;
   if (place)
     camera().look_at(place->target, place->position - place->target, place->up, 1);
   else
@@ -213,17 +219,48 @@ void Viewport::draw(const Instant& now, double swing) {
   s.last_device = snapshot.separation.device;
   s.last_separated = snapshot.separation.separated;
   const Vec3 com = s.last_device * s.mass.com;
-  const Frame frame{snapshot, s.mass, s.unit, metres_per_pixel(com), swing, searched_here(now)};
+  const Frame frame{snapshot,
+                    s.mass,
+                    s.unit,
+                    metres_per_pixel(com),
+                    swing,
+                    searched_here(now),
+                    float(s.window->GetSize()[1]) / float(std::max(view_size().height(), 1))};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.
   const double away = std::max((com - s.centre).norm(),
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
   camera().clip_to(s.centre, std::max(s.radius, away + 3 * s.mass.radius));
+  choose_detail(frame);
   s.window->Render();
   update_text(now);
   dirty_ = false;
 }
+
+void Viewport::draw_in_full(const Instant& now, double swing) {
+  in_full_ = true;
+  draw(now, swing);
+  in_full_ = false;
+}
+
+/// A picture for a file is not one of those that follow each other in the window.
+void Viewport::choose_detail(const Frame& frame) {
+  Scenery& s = *scenery_;
+  const bool of_window = !s.picture_size && !in_full_;
+  const CameraPlace camera = place();
+  if (of_window)
+    s.movement.see(
+        {camera.position, camera.target, camera.up, s.last_device, s.last_separated, frame.swing},
+        s.mass.com, s.mass.radius, frame.pixel);
+  s.detail.draw_simplified(of_window && s.movement.going_on());
+}
+
+bool Viewport::dirty() const { return dirty_ || (simplified() && !scenery_->movement.going_on()); }
+
+bool Viewport::simplified() const { return scenery_->detail.simplified(); }
+
+bool Viewport::simplified_made() const { return scenery_->detail.made(); }
 
 void Viewport::update_text(const Instant& now) {
   Scenery& s = *scenery_;

@@ -15,11 +15,13 @@
 #include "ui/document/instant.hpp"
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
-#include "ui/views/drawn_session.hpp"
+#include "ui/views/drawn_bodies.hpp"
 #include "ui/views/measure_view.hpp"
 #include "ui/views/seeing.hpp"
 
 namespace sonde::ui {
+
+struct Frame;
 
 /// The layers of the view that can be shown or hidden.
 enum class Layer {
@@ -68,16 +70,24 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Takes the bodies of a new session and turns the camera to them, unless the camera should stay.
-  void show_session(const DrawnSession& drawn, bool same_view = false);
+  /// Takes new bodies and turns the camera to them, unless the camera should stay.
+  void show_bodies(const DrawnBodies& drawn, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
   /// Draws one picture. `swing`: position of the ghost on its way, 1 at its end.
   void draw(const Instant& now, double swing);
 
+  /// The same in full detail, also while something moves.
+  void draw_in_full(const Instant& now, double swing);
+
   /// The camera was moved, or a layer toggled: the next frame must be drawn.
   void invalidate() { dirty_ = true; }
-  bool dirty() const { return dirty_; }
+  /// Also where the last one was simplified, and nothing moves any more.
+  bool dirty() const;
+  /// Does the picture show large bodies in fewer triangles, because something moves?
+  bool simplified() const;
+  /// Whatever will be drawn simplified can be.
+  bool simplified_made() const;
 
   void set_shown(Layer layer, bool shown);
   bool shown(Layer layer) const;
@@ -131,6 +141,7 @@ class Viewport : public QWidget {
 
  private:
   struct Scenery;
+  void choose_detail(const Frame& frame);
   void update_text(const Instant& now);
   void update_legend();
   void update_scale();
@@ -145,6 +156,7 @@ class Viewport : public QWidget {
 
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;
+  bool in_full_ = false;  ///< what is being drawn
 };
 
 }  // namespace sonde::ui

@@ -31,7 +31,7 @@ class Writer : public RecordingTest {
 
 TEST_F(Writer, writes_as_the_ticks_come) {
   const std::vector<Snapshot> ticks = made_up_ticks(2000);
-  RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
+  RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius));
   TickLog log = log_to(writer);
   for (const Snapshot& tick : ticks) log.add(tick);
   log.add(made_up_search(5));
@@ -55,7 +55,7 @@ TEST_F(Writer, begins_with_what_was_kept_before) {
   log.seal();
   const std::uint64_t first = log.begin();
   ASSERT_GT(first, 0u);
-  RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
+  RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius));
   for (BlockBytes& block : log.all()) writer.add(std::move(block));
   log.sealed = [&writer](const std::shared_ptr<const std::string>& bytes) {
     writer.add([bytes] { return *bytes; });
@@ -74,7 +74,7 @@ TEST_F(Writer, begins_with_what_was_kept_before) {
 TEST_F(Writer, a_killed_program_leaves_all_whole_blocks) {
   const pid_t child = ::fork();
   if (child == 0) {
-    RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
+    RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius));
     TickLog log = log_to(writer);
     for (std::uint64_t run = 0;; ++run)
       for (const Snapshot& tick : made_up_ticks(512, run)) {
@@ -95,24 +95,44 @@ TEST_F(Writer, a_killed_program_leaves_all_whole_blocks) {
 TEST_F(Writer, a_recording_that_is_open_stays_readable_while_it_is_replaced) {
   const std::vector<Snapshot> ticks = made_up_ticks(1500);
   const auto old = read_recording(recording("a.sonderec", ticks));
-  RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
+  RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius));
   writer.finish();
   EXPECT_EQ(old->ticks.at(1400).time, ticks[1400].time);
   EXPECT_EQ(read_recording(folder / "a.sonderec")->ticks.end(), 0u);
 }
 
 TEST_F(Writer, a_full_disk_is_told_of) {
-  RecordingWriter writer("/dev/full", scene, made_up_radius);
+  RecordingWriter writer("/dev/full", header_of(scene, made_up_radius));
   writer.finish();
   EXPECT_THAT(writer.failure().value_or(""), HasSubstr("/dev/full: cannot be written: No space"));
 }
 
-TEST_F(Writer, a_folder_that_is_not_there_or_a_mesh_that_is_gone_is_told_of) {
-  EXPECT_THROW(RecordingWriter(folder / "nowhere/a.sonderec", scene, made_up_radius), InputError);
-  std::filesystem::remove(folder / "fixed.off");
-  RecordingWriter writer(folder / "a.sonderec", scene, made_up_radius);
-  writer.finish();
-  EXPECT_THAT(writer.failure().value_or(""), HasSubstr("fixed.off: No such file"));
+TEST_F(Writer, a_folder_that_is_not_there_is_told_of) {
+  EXPECT_THROW(RecordingWriter(folder / "nowhere/a.sonderec", header_of(scene, made_up_radius)),
+               InputError);
+}
+
+TEST_F(Writer, it_closes_in_its_own_thread) {
+  RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius));
+  TickLog log = log_to(writer);
+  for (const Snapshot& tick : made_up_ticks(1000)) log.add(tick);
+  log.seal();
+  EXPECT_FALSE(writer.closed());
+  writer.close();
+  for (int i = 0; i < 10'000 && !writer.closed(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(writer.closed());
+  EXPECT_EQ(read_recording(folder / "a.sonderec")->cut, "");
+}
+
+/// The mesh that was read is the recorded one, whatever lies on the disk by now.
+TEST_F(Writer, meshes_are_those_that_were_read) {
+  const MeshMarks read = marks_of(scene);
+  folder.write("fixed.off", "another");
+  { RecordingWriter writer(folder / "a.sonderec", header_of(scene, read, made_up_radius)); }
+  const auto r = read_recording(folder / "a.sonderec");
+  EXPECT_EQ(r->header.meshes.fixed, read.fixed);
+  EXPECT_THROW(check_meshes(r->header, folder / "a.sonderec"), InputError);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -49,6 +50,7 @@ class HistoryTest : public WindowTest {
     history().record(file);
     wait_ticks(700);
     history().set_recording(false);
+    EXPECT_TRUE(wait_until([this] { return !history().recorder().ending(); }));
     return file.toStdString();
   }
   Pose before, after;
@@ -140,6 +142,8 @@ TEST_F(HistoryTest, a_recording_holds_what_was_kept_and_what_came) {
   wait_ticks(700);
   click("record_button");
   EXPECT_FALSE(history().recorder().recording());
+  const auto* said = window->findChild<QPlainTextEdit*>("log_lines");
+  ASSERT_TRUE(wait_until([&] { return said->toPlainText().contains("Recorded " + file); }));
   const auto recording = read_recording(file.toStdString());
   EXPECT_EQ(recording->cut, "");
   EXPECT_GE(recording->ticks.end(), kept + 700);
@@ -196,6 +200,21 @@ TEST_F(HistoryTest, a_recording_that_cannot_be_written_is_told_of) {
   history().record(path("nowhere/x.sonderec"));
   ASSERT_EQ(complaints.size(), 1u);
   EXPECT_TRUE(complaints[0].contains("nowhere/x.sonderec"));
+}
+
+/// The mesh that is open is the recorded one, also where another lies in its place by then.
+TEST_F(HistoryTest, a_mesh_replaced_while_it_is_open_is_not_the_recorded_one) {
+  const MeshMarks opened = window->session()->loaded().marks;
+  EXPECT_EQ(opened.probe, mark_of(folder / "cube.off"));
+  window->prompts().ask_reload = [](const QString&) { return false; };
+  folder.write("cube.off", cube(0.1) + "# another\n");
+  ASSERT_NE(mark_of(folder / "cube.off"), opened.probe);
+  history().record(path("cubes.sonderec"));
+  history().set_recording(false);
+  EXPECT_TRUE(wait_until([this] { return !history().recorder().ending(); }));
+  const auto recording = read_recording((folder / "cubes.sonderec").string());
+  EXPECT_EQ(recording->header.meshes.probe, opened.probe);
+  EXPECT_THROW(check_meshes(recording->header, folder / "cubes.sonderec"), InputError);
 }
 
 TEST_F(HistoryTest, what_the_window_shows_is_not_recorded_over) {

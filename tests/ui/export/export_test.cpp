@@ -1,91 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is exported, read back by others' readers: VTK's of its own files, Qt's of pictures and
-// JSON, by the actions of the window.
+// What is exported of an instant, read back by others' readers: VTK's of its own files, Qt's of
+// pictures and JSON, by the actions of the window.
 
-#include <gtest/gtest.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkXMLMultiBlockDataReader.h>
 
-#include <QAction>
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "tests/ui/window_fixture.hpp"
-#include "ui/actions/export_control.hpp"
-#include "ui/actions/history_control.hpp"
+#include "tests/ui/export/export_fixture.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/base/theme.hpp"
-#include "ui/export/tables.hpp"
 
 namespace sonde::ui::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-class ExportTest : public WindowTest {
- protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    if (HasFatalFailure()) return;
-    open_cubes();
-    ASSERT_TRUE(wait_until([this] { return shown().wrench.force.norm() > 0; }));
-    window->set_paused(true);
-    wait(100);
-    exporter().ask_file = [this](const QString&, const QString&, const QString&) { return target; };
-    exporter().ask_picture = [this](ExportDialog::Of) { return std::optional(wanted); };
-    wanted.options.size = {640, 480};
-  }
-  ExportControl& exporter() { return window->exporter(); }
-  void run(const char* action, const char* to) {
-    target = path(to);
-    window->findChild<QAction*>(action)->trigger();
-    ASSERT_TRUE(wait_until([this] { return !exporter().busy(); }));
-  }
-  vtkSmartPointer<vtkMultiBlockDataSet> blocks(const fs::path& file) {
-    vtkNew<vtkXMLMultiBlockDataReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    return vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
-  }
-  static vtkPolyData* block(vtkMultiBlockDataSet& all, const std::string& name) {
-    for (unsigned i = 0; i < all.GetNumberOfBlocks(); ++i)
-      if (all.GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) == name)
-        return vtkPolyData::SafeDownCast(all.GetBlock(i));
-    return nullptr;
-  }
-  static Vec3 middle(vtkPolyData& data) {
-    double centre[3];
-    data.ComputeBounds();
-    data.GetCenter(centre);
-    return Vec3(centre);
-  }
-  int parts_left() const {
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator(folder.path()))
-      count += entry.path().filename().string().find(".part-") != std::string::npos;
-    return count;
-  }
-  QString target;
-  PictureWanted wanted;
-};
 
 TEST_F(ExportTest, a_picture_has_the_size_asked_for_and_the_window_keeps_its_own) {
   const QImage before = picture();
@@ -216,6 +145,63 @@ TEST_F(ExportTest, tables_say_their_units) {
             1 + shown().separation.clusters.size);
 }
 
+/// The table of contacts is beside the one that was chosen: nobody has been asked about it.
+TEST_F(ExportTest, a_table_beside_the_chosen_one_is_not_replaced_unasked) {
+  for (const char* action : {"export_tables", "export_recording_tables"}) {
+    SCOPED_TRACE(action);
+    folder.write("numbers.contacts.csv", "mine");
+    QString asked;
+    bool answer = false;
+    window->prompts().ask_replace = [&](const QString& file) {
+      asked = file;
+      return answer;
+    };
+    run(action, "numbers.csv");
+    EXPECT_EQ(asked, path("numbers.contacts.csv"));
+    EXPECT_EQ(text_of(folder / "numbers.contacts.csv"), "mine");
+    EXPECT_FALSE(fs::exists(folder / "numbers.csv")) << "both or neither";
+    answer = true;
+    run(action, "numbers.csv");
+    EXPECT_TRUE(text_of(folder / "numbers.contacts.csv").starts_with("t [s],contact"));
+    EXPECT_TRUE(fs::exists(folder / "numbers.csv"));
+    fs::remove(folder / "numbers.csv");
+    EXPECT_EQ(parts_left(), 0);
+  }
+}
+
+TEST_F(ExportTest, a_cancelled_gltf_or_table_leaves_no_file) {
+  for (const char* action : {"export_gltf", "export_recording_tables", "export_vtk"}) {
+    SCOPED_TRACE(action);
+    target = path("cancelled");
+    // Those of before go with the event loop.
+    const auto before = window->findChildren<ProgressDialog*>();
+    window->findChild<QAction*>(action)->trigger();
+    ProgressDialog* progress = nullptr;
+    for (ProgressDialog* dialog : window->findChildren<ProgressDialog*>())
+      if (!before.contains(dialog)) progress = dialog;
+    ASSERT_TRUE(progress);
+    progress->reject();
+    EXPECT_FALSE(exporter().busy());
+    wait(300);
+    EXPECT_FALSE(fs::exists(folder / "cancelled"));
+    EXPECT_FALSE(fs::exists(folder / "cancelled.contacts.csv"));
+    EXPECT_EQ(parts_left(), 0);
+    EXPECT_TRUE(complaints.empty());
+  }
+}
+
+TEST_F(ExportTest, a_second_export_does_not_end_the_first) {
+  target = path("first.gltf");
+  window->findChild<QAction*>("export_gltf")->trigger();
+  target = path("second");
+  window->findChild<QAction*>("export_vtk")->trigger();
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_TRUE(complaints[0].contains("An export is going on")) << complaints[0].toStdString();
+  ASSERT_TRUE(wait_until([this] { return !exporter().busy(); }));
+  EXPECT_TRUE(fs::exists(folder / "first.gltf"));
+  EXPECT_FALSE(fs::exists(folder / "second"));
+}
+
 TEST_F(ExportTest, gltf_holds_every_triangle_of_the_bodies) {
   run("export_gltf", "scene.gltf");
   ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
@@ -245,123 +231,6 @@ TEST_F(ExportTest, the_separation_is_a_row_of_pictures_that_move) {
   for (const QImage& image : images) EXPECT_EQ(image.size(), QSize(320, 240));
   EXPECT_GT(pixels_between(images[0], images[4]), 100);
   EXPECT_EQ(parts_left(), 0);
-}
-
-/// What is kept of a probe that was moved while the servo ran: two poses, one after the other.
-class ExportRecordingTest : public ExportTest {
- protected:
-  void SetUp() override {
-    ExportTest::SetUp();
-    window->set_paused(false);
-    before = window->session()->device_pose();
-    wait_ticks(400);
-    after = before;
-    after.p.x() += 0.01;
-    window->set_device_pose(after);
-    wait_ticks(400);
-    window->set_paused(true);
-    wait(100);
-    wanted.options.size = {320, 240};
-    wanted.span = {ticks().first_time(), ticks().last_time(), 10};
-  }
-  const TickLog& ticks() { return *window->history().recorder().ticks(); }
-  void wait_ticks(std::uint64_t count) {
-    const std::uint64_t end = ticks().end() + count;
-    ASSERT_TRUE(wait_until([&] { return ticks().end() >= end; }));
-  }
-  Pose before, after;
-};
-
-TEST_F(ExportRecordingTest, its_table_has_every_tick) {
-  run("export_recording_tables", "all.csv");
-  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  const QStringList lines =
-      QString::fromStdString(text_of(folder / "all.csv")).split('\n', Qt::SkipEmptyParts);
-  ASSERT_EQ(lines.size(), static_cast<int>(1 + ticks().end() - ticks().begin()));
-  const QStringList names = lines[0].split(',');
-  const auto value = [&](int row, const char* name) {
-    return lines[row].split(',')[names.indexOf(name)].toDouble();
-  };
-  EXPECT_EQ(value(1, "px [m]"), before.p.x());
-  EXPECT_EQ(value(lines.size() - 1, "px [m]"), after.p.x());
-  const Snapshot middle = ticks().at(ticks().begin() + 300);
-  EXPECT_EQ(value(301, "t [s]"), middle.time);
-  EXPECT_EQ(value(301, "depth [m]"), middle.separation.depth);
-  EXPECT_FLOAT_EQ(static_cast<float>(value(301, "fx [N]")),
-                  static_cast<float>(middle.wrench.force.x()))
-      << "a recording keeps a force to seven digits";
-  EXPECT_TRUE(fs::exists(folder / "all.contacts.csv"));
-}
-
-TEST_F(ExportRecordingTest, vtks_reader_finds_the_probe_where_it_was) {
-  run("export_recording_series", "series");
-  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  const QJsonArray files = QJsonDocument::fromJson(QByteArray::fromStdString(
-                                                       text_of(folder / "series/sonde.vtm.series")))
-                               .object()
-                               .value("files")
-                               .toArray();
-  ASSERT_GE(files.size(), 8);
-  const Vec3 half(0.05, 0.05, 0.05);
-  for (const int i : {0, files.size() / 2, files.size() - 1}) {
-    const QJsonObject file = files[i].toObject();
-    const Snapshot tick = ticks().at(ticks().find(file.value("time").toDouble()));
-    EXPECT_EQ(tick.time, file.value("time").toDouble());
-    const auto all = blocks(folder / ("series/" + file.value("name").toString().toStdString()));
-    EXPECT_LT((middle(*block(*all, "probe")) - tick.separation.device * half).norm(), 1e-6);
-    EXPECT_LT((middle(*block(*all, "ghost")) - tick.separation.separated * half).norm(), 1e-6);
-    EXPECT_EQ(block(*all, "contacts")->GetNumberOfPoints(), tick.separation.clusters.size);
-  }
-}
-
-TEST_F(ExportRecordingTest, its_pictures_show_what_moved) {
-  run("export_recording_pictures", "frames");
-  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  const int count = static_cast<int>(wanted.span.times().size());
-  const auto image = [&](int i) {
-    return QImage(
-        path(QStringLiteral("frames/frame_%1.png").arg(i, 4, 10, QLatin1Char('0')).toUtf8()));
-  };
-  EXPECT_EQ(image(0).size(), QSize(320, 240));
-  EXPECT_GT(pixels_between(image(0), image(count - 1)), 100);
-  EXPECT_LT(pixels_between(image(count - 2), image(count - 1)),
-            pixels_between(image(0), image(count - 1)) / 2)
-      << "at the end it rests, but for the time that the banner says";
-  EXPECT_EQ(qAlpha(image(0).pixel(2, 2)), 255) << "the first one too";
-  EXPECT_TRUE(image(count).isNull());
-}
-
-TEST_F(ExportRecordingTest, given_up_it_leaves_no_folder) {
-  wanted.span.rate = 200;
-  target = path("frames");
-  window->findChild<QAction*>("export_recording_pictures")->trigger();
-  ProgressDialog* progress = nullptr;
-  ASSERT_TRUE(wait_until([&] {
-    progress = window->findChild<ProgressDialog*>();
-    return progress && progress->isVisible();
-  }));
-  progress->reject();
-  EXPECT_FALSE(exporter().busy());
-  EXPECT_FALSE(fs::exists(folder / "frames"));
-  EXPECT_EQ(parts_left(), 0);
-  EXPECT_TRUE(complaints.empty());
-}
-
-TEST_F(ExportRecordingTest, what_cannot_be_written_is_named) {
-  for (const char* action :
-       {"export_recording_pictures", "export_recording_tables", "export_recording_series"}) {
-    complaints.clear();
-    run(action, "no/such/folder/file");
-    ASSERT_TRUE(wait_until([this] { return complaints.size() == 1; })) << action;
-    EXPECT_TRUE(complaints[0].contains("no/such/folder")) << complaints[0].toStdString();
-  }
-  EXPECT_EQ(parts_left(), 0);
-}
-
-TEST(SpanTest, has_both_ends_and_rises) {
-  EXPECT_EQ((Span{1, 2, 4}.times()), (std::vector<double>{1, 1.25, 1.5, 1.75, 2}));
-  EXPECT_EQ((Span{0, 0.6, 2}.times()), (std::vector<double>{0, 0.5, 0.6}));
-  EXPECT_EQ((Span{3, 3, 25}.times()), (std::vector<double>{3}));
 }
 
 }  // namespace

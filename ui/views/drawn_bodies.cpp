@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/drawn_bodies.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+#include "engine/geometry/defect_edges.hpp"
+#include "ui/views/surface.hpp"
+
+namespace sonde::ui {
+namespace {
+
+vtkSmartPointer<vtkPolyData> lines_of(const Soup& soup,
+                                      const std::vector<DefectEdges::Edge>& edges) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const DefectEdges::Edge& edge : edges) {
+    const vtkIdType ends[2] = {points->InsertNextPoint(soup.vertices[edge[0]].data()),
+                               points->InsertNextPoint(soup.vertices[edge[1]].data())};
+    lines->InsertNextCell(2, ends);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
+DefectLines defects_of(const Body& body) {
+  const DefectEdges edges = body.topology.closed ? DefectEdges{} : defect_edges(body.soup);
+  return {lines_of(body.soup, edges.open), lines_of(body.soup, edges.flipped)};
+}
+
+}  // namespace
+
+DrawnBodies draw_bodies(const LoadedScene& loaded) {
+  const Body &probe = loaded.pair.probe(), &fixed = loaded.pair.fixed();
+  return {.pair = loaded.pair,
+          .first = loaded.here.value_or(loaded.start),
+          .q_FW = loaded.scene.fixed.pose.q.conjugate(),
+          .coupling = loaded.coupling,
+          .camera = loaded.camera,
+          .probe_surface = make_surface(probe.soup),
+          .fixed_surface = make_surface(fixed.soup),
+          .probe_defects = defects_of(probe),
+          .fixed_defects = defects_of(fixed)};
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/simplified.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkQuadricClustering.h>
+
+#include <cmath>
+
+namespace sonde::ui {
+namespace {
+
+// Cells along each side of the box. A ball in N of them has about 6 N² triangles, a crumpled sheet
+// more: then the grid is made coarser.
+constexpr int first_divisions = 48;
+constexpr int least_divisions = 8;
+constexpr double sharp_edge = 50;  // degrees; the edges between cells are not the body's own
+
+/// What is drawn elsewhere is traversed there: a vtkCellArray remembers how far it was.
+vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {
+  vtkNew<vtkCellArray> cells;
+  cells->ShallowCopy(surface.GetPolys());
+  auto shell = vtkSmartPointer<vtkPolyData>::New();
+  shell->SetPoints(surface.GetPoints());
+  shell->SetPolys(cells);
+  return shell;
+}
+
+vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, int divisions) {
+  vtkNew<vtkQuadricClustering> clustering;
+  clustering->SetInputData(&surface);
+  clustering->SetNumberOfDivisions(divisions, divisions, divisions);
+  clustering->CopyCellDataOff();
+  clustering->Update();
+  return clustering->GetOutput();
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> simplified(vtkPolyData& surface) {
+  const auto shell = shell_of(surface);
+  int divisions = first_divisions;
+  auto coarse = clustered(*shell, divisions);
+  while (coarse->GetNumberOfPolys() > simplified_triangles && divisions > least_divisions) {
+    const double share = simplified_triangles / double(coarse->GetNumberOfPolys());
+    divisions = std::max(least_divisions, static_cast<int>(0.95 * divisions * std::sqrt(share)));
+    coarse = clustered(*shell, divisions);
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(coarse);
+  normals->SetFeatureAngle(sharp_edge);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+}  // namespace sonde::ui
