@@ -21,9 +21,9 @@ class Sweep {
   Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
       : run_(run), options_(options), stop_(stop) {}
 
-  /// Runs from below to the first that does not fit.
-  void walk(const Fits& fits) {
-    double k = down_from(clamped(options_.start / 4), fits);
+  /// Runs from `first`, or from below where that does not fit, to the first that does not fit.
+  void walk(double first, const Fits& fits) {
+    double k = down_from(clamped(first), fits);
     while (fits(at(k)) && k < options_.high) k = clamped(k * step_after(at(k)));
   }
 
@@ -127,7 +127,7 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   Sweep sweep(run, options, stop);
   const Fits stable = [](const HoldReport& r) { return r.stable; };
   const Fits good = [&](const HoldReport& r) { return sweep.fault_of(r) == HoldFault::none; };
-  sweep.walk(stable);
+  sweep.walk(options.start / 4, stable);
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
   for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
@@ -139,6 +139,17 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
     for (const double times : {1.3, 4.0}) sweep.look(times * out.stable.stiffness);
   out.points = sweep.points();
   return out;
+}
+
+bool comes_to_rest(const HoldReport& report) {
+  return report.growth < Press{}.decay && report.failures == 0;
+}
+
+SweepLimit limit_of_rest(const std::function<HoldReport(double)>& run, const SweepOptions& options,
+                         const Stop& stop) {
+  Sweep sweep(run, options, stop);
+  sweep.walk(options.start, comes_to_rest);
+  return sweep.limit(comes_to_rest, options.low);
 }
 
 }  // namespace sonde

@@ -60,4 +60,14 @@ struct SweepOptions {
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
 
+/// Swings less and less, or stands still; unlike a stable hold it may have left the contact. A hard
+/// knock drives the probe out of a contact that does not buzz.
+bool comes_to_rest(const HoldReport& report);
+
+/// Searches for the least stiffness at which a hold does not come to rest, in the same way: the
+/// walk begins at the start itself. Good for a second condition of a loop, of which a guess is
+/// known: fewer runs, no other fault. Throws Cancelled.
+SweepLimit limit_of_rest(const std::function<HoldReport(double stiffness)>& run,
+                         const SweepOptions& options, const Stop& stop);
+
 }  // namespace sonde
