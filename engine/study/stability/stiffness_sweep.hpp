@@ -54,9 +54,9 @@ struct SweepOptions {
 
 /// Searches the limits of one gain. It walks upwards, from a quarter of the start (from further
 /// below, where that fails) to the first unstable stiffness: in steps of ratio¹⁶ (1.1 to 2), in a
-/// quarter of them where the last hold was slow to die down. Then it bisects. A limit lies below
-/// every observed fault, whatever holds above it. `run` is called once for each stiffness. Throws
-/// Cancelled.
+/// quarter of them where the last hold was slow to die down. Then it bisects, to a ratio of 1.1
+/// where nothing at all is good. A limit lies below every observed fault, whatever holds above it.
+/// `run` is called once for each stiffness. Throws Cancelled.
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
 
@@ -64,10 +64,11 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>
 /// knock drives the probe out of a contact that does not buzz.
 bool comes_to_rest(const HoldReport& report);
 
-/// Searches for the least stiffness at which a hold does not come to rest, in the same way: the
-/// walk begins at the start itself. Good for a second condition of a loop, of which a guess is
-/// known: fewer runs, no other fault. Throws Cancelled.
-SweepLimit limit_of_rest(const std::function<HoldReport(double stiffness)>& run,
-                         const SweepOptions& options, const Stop& stop);
+/// Searches for the least stiffness that does not hold, in the same way: the walk begins at the
+/// start itself. Good for a second condition of a loop, of which a guess is known: fewer runs, no
+/// other fault. Throws Cancelled.
+SweepLimit search_limit(const std::function<HoldReport(double stiffness)>& run,
+                        const std::function<bool(const HoldReport&)>& holds,
+                        const SweepOptions& options, const Stop& stop);
 
 }  // namespace sonde

@@ -171,6 +171,16 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
   return best(results, lines, device, axis);
 }
 
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis) {
+  const Lines lines = lines_where(
+      results, [&](const TuningLine& line) { return line.axis == axis && line.assumed.empty(); });
+  std::vector<AxisGains> out;
+  if (lines.empty()) return out;
+  for (const TuningColumn& column : lines.front()->columns)
+    out.push_back(gains_at(results, lines, results.device, axis, column.damping));
+  return out;
+}
+
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis) {
   const TuningLine* beside = varied(results, axis);
   if (!beside) return std::nullopt;

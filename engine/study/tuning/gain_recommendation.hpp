@@ -45,6 +45,8 @@ struct AxisGains {
 /// alone, which are of one situation; no value where there is none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
+/// The gains of the lines of one axis at each damping that was swept, the least damping first.
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis);
 /// The same from only the situation and hand in which the assumed values are varied, at their
 /// damping: the reference for these.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);

@@ -89,13 +89,17 @@ HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, doubl
   return press_and_hold(closed, press);
 }
 
-/// Theory ignores friction: the walk to the limit begins close below it.
+/// Theory ignores friction: the walk to the limit begins close below it, and where a probe without
+/// friction slides at every stiffness, theory alone has a limit.
 SweepLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
-                            const Stop& stop) {
+                            const TheoryLimits& theory, const Stop& stop) {
   setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
   options.start = std::clamp(0.8 * options.start, options.low, options.high);
   const auto run = [&](double stiffness) { return hold(setup, options.axis, stiffness, damping); };
-  return limit_of_rest(run, options, stop);
+  const auto holds = [](const HoldReport& report) { return report.stable; };
+  const SweepLimit found = search_limit(run, holds, options, stop);
+  if (found.stiffness > 0 || !std::isfinite(theory.stable)) return found;
+  return {theory.stable, HoldFault::unstable};
 }
 
 /// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
@@ -113,7 +117,7 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
   if (stable.stiffness == 0 || comes_to_rest(run(stable.stiffness))) return stable;
   options.high = stable.stiffness;
   options.start = std::min(options.start, options.high);
-  return limit_of_rest(run, options, stop);
+  return search_limit(run, comes_to_rest, options, stop);
 }
 
 void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
@@ -134,8 +138,9 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const auto run = [&](double stiffness) { return hold(setup, axis, stiffness, damping); };
   const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
   Json out = json_of(damping, theory, sweep, axis);
+  if (sweep.good.stiffness == 0) return out;  // nothing to recommend, so nothing to cap
   if (extent.without_friction)
-    add_limit(out, "without_friction", without_friction(setup, options, damping, stop));
+    add_limit(out, "without_friction", without_friction(setup, options, damping, theory, stop));
   if (extent.harder_knocks)
     add_limit(out, "harder_knocks", at_harder_knocks(setup, options, damping, sweep.stable, stop));
   return out;

@@ -105,6 +105,17 @@ Json limiting_assumption(const TuningResults& results, GainAxis axis) {
   return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
 }
 
+/// What each damping allows: why the recommended one is.
+Json dampings(const TuningResults& results, GainAxis axis) {
+  Json out = Json::array();
+  for (const AxisGains& gains : recommend_at_each_damping(results, axis))
+    out.push_back({{"damping", gains.damping},
+                   {"stiffness", gains.stiffness},
+                   {"boundary", number(gains.boundary)},
+                   {"limited_by", json_of(gains.limit)}});
+  return out;
+}
+
 /// How the hand holds is an assumption too: the boundary with each.
 Json hands(const TuningResults& results, const AxisGains& gains) {
   Json out = Json::array();
@@ -126,6 +137,7 @@ Json json_of(const TuningResults& results, GainAxis axis) {
     out["rotational_damping"] = gains->damping * results.joint.damping;
   }
   out["fidelity"] = fidelity(results, *gains);
+  out["dampings"] = dampings(results, axis);
   out["hands"] = hands(results, *gains);
   if (const auto beside = recommend_as_varied(results, axis)) {
     for (const TuningLine& line : results.lines)

@@ -126,19 +126,20 @@ TEST(StiffnessSweep, a_second_condition_is_searched_for_from_its_guess) {
       ++runs;
       return swings(k);
     };
-    const SweepLimit limit = limit_of_rest(counted, {.start = start}, never);
+    const SweepLimit limit = search_limit(counted, comes_to_rest, {.start = start}, never);
     EXPECT_LE(limit.stiffness, 700);
     EXPECT_GT(limit.stiffness * 1.02, 700) << start;
     EXPECT_EQ(limit.fault, HoldFault::unstable);
     EXPECT_LT(runs, start == 560 ? 10 : 100);
   }
-  const SweepLimit none = limit_of_rest(swings, {.start = 100, .high = 400}, never);
+  const SweepLimit none = search_limit(swings, comes_to_rest, {.start = 100, .high = 400}, never);
   EXPECT_EQ(none.stiffness, 400);
   EXPECT_EQ(none.fault, HoldFault::none);
-  const SweepLimit nothing = limit_of_rest(swings, {.start = 2000, .low = 1000}, never);
+  const SweepLimit nothing =
+      search_limit(swings, comes_to_rest, {.start = 2000, .low = 1000}, never);
   EXPECT_EQ(nothing.stiffness, 0);
   EXPECT_EQ(nothing.fault, HoldFault::unstable);
-  EXPECT_THROW(limit_of_rest(swings, {}, [] { return true; }), Cancelled);
+  EXPECT_THROW(search_limit(swings, comes_to_rest, {}, [] { return true; }), Cancelled);
 }
 
 TEST(StiffnessSweep, what_is_knocked_out_of_a_contact_has_come_to_rest) {

@@ -153,6 +153,12 @@ TEST(GainRecommendation, the_damping_that_allows_most_is_taken) {
   const auto gains = recommend(classic(), GainAxis::together);
   EXPECT_DOUBLE_EQ(gains->stiffness, 600);
   EXPECT_DOUBLE_EQ(gains->damping, 5);
+  const auto each = recommend_at_each_damping(classic(), GainAxis::together);
+  ASSERT_EQ(each.size(), 3u);
+  EXPECT_DOUBLE_EQ(each[0].stiffness, 200);
+  EXPECT_DOUBLE_EQ(each[1].stiffness, gains->stiffness);
+  EXPECT_DOUBLE_EQ(each[2].stiffness, 400);
+  EXPECT_TRUE(recommend_at_each_damping(classic(), GainAxis::object).empty());
 }
 
 TEST(GainRecommendation, of_the_classic_coupling_it_is_what_was_held_together) {
