@@ -229,9 +229,13 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
     add(measured, least([](const TuningColumn& c) { return c.stable.stiffness; }));
     add(theory, least([](const TuningColumn& c) { return c.theory_stable; }));
     add(passive, least([](const TuningColumn& c) { return c.theory_passive; }));
-    add(frictionless, least([](const TuningColumn& c) { return end_of(c.without_friction); }));
+    // Searched for in some contacts alone, the least of them would say too much.
+    if (std::ranges::all_of(columns, [](const TuningColumn* c) { return !!c->without_friction; }))
+      add(frictionless, least([](const TuningColumn& c) { return end_of(c.without_friction); }));
   }
-  panel.series = {measured, theory, passive, frictionless};
+  frictionless.form = ChartSeries::Form::points;  // few dampings have one
+  panel.series = {measured, theory, passive};
+  if (!frictionless.x.empty()) panel.series.push_back(frictionless);
   const Coupling gains = recommended_coupling(results);
   if (axis == GainAxis::together && has_recommendation(results))
     panel.title += remark(*recommend(results, axis));
