@@ -27,6 +27,7 @@ struct TuneOptions {
   double ratio = 1.02;
   double low = 1, high = 1e5;
   std::uint64_t seed = 1;
+  bool trusts_friction = false;
 };
 
 TuningRequest request_of(const Scene& scene, const TuneOptions& options, const Pair& pair,
@@ -42,6 +43,7 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const P
   if (!options.trajectory.empty()) request.path = path_to_study(options.trajectory);
   request.seed = options.seed;
   request.ratio = options.ratio;
+  request.trusts_friction = options.trusts_friction;
   request.low = options.low;
   request.high = options.high;
   request.inputs =
@@ -109,6 +111,8 @@ Command add_tune_command(CLI::App& program) {
   parser->add_option("--to", options->high, "largest stiffness studied, N/m")
       ->check(check_positive)
       ->capture_default_str();
+  parser->add_flag("--trust-friction", options->trusts_friction,
+                   "recommend gains that are stable only thanks to the profile's friction");
   parser->add_option("--seed", options->seed, "seed of the search for contacts")
       ->check(check_whole)
       ->capture_default_str();

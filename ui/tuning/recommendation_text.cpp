@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/study/tuning/assumptions.hpp"
 #include "ui/base/format.hpp"
 #include "ui/tuning/stability_map.hpp"
 
@@ -24,6 +25,8 @@ QString words_of(const std::string& reason) {
       {"saturation", "saturation: the motors can give no more"},
       {"chatter", "chatter: more would buzz"},
       {"fidelity", "fidelity: more would be too far from Hooke's law"},
+      {"friction", "stability without friction, which may be less than the profile says"},
+      {"knocks", "stability at knocks of up to four times the strength"},
       {"driver", "the largest stiffness that the device's driver takes"},
       {"resolution", "resolution: a step of the encoders would be felt"},
       {"range", "the range studied: nothing in it fails"}};
@@ -64,9 +67,26 @@ QString margin(const AxisGains& gains) {
   if (std::isfinite(gains.boundary) && gains.boundary > 0)
     line += QStringLiteral(" Measured to be stable up to %1: a margin of %2.")
                 .arg(with_unit(gains.boundary, unit), number(gains.margin()));
+  if (std::isfinite(gains.without_friction))
+    line +=
+        QStringLiteral(" Without friction, up to %1.").arg(with_unit(gains.without_friction, unit));
+  if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)
+    line +=
+        QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
   if (std::isfinite(gains.passive))
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
   return line;
+}
+
+/// Why a coupling that could be damped is best without it; empty where it is not.
+QString why_no_damping(const TuningResults& results, const AxisGains& best) {
+  const std::vector<AxisGains> each = recommend_at_each_damping(results, best.axis);
+  if (best.damping > 0 || best.stiffness <= 0 || each.size() < 2) return {};
+  const AxisGains& next = each[1];
+  return QStringLiteral("No virtual damping is best: at %1 = %2 the stiffness may be %3, by %4%5.")
+      .arg(QLatin1String(damping_key(next.axis)), with_unit(next.damping, damping_unit(next.axis)),
+           with_unit(next.stiffness, stiffness_unit(next.axis)), words_of(next.limit.reason),
+           where(next.limit));
 }
 
 /// What an assumed value does to the recommendation, as shares of it.
@@ -110,6 +130,22 @@ QString not_varied(const TuningResults& results) {
                                .arg(names.join(QStringLiteral(", ")));
 }
 
+/// The assumed value that limits most, with both ends.
+QString limiting_assumption(const TuningResults& results, GainAxis axis) {
+  const std::vector<AssumedInterval> intervals = assumed_intervals(results, axis);
+  if (intervals.empty()) return {};
+  const AssumedInterval& worst = intervals.front();
+  const auto end = [&](const AssumedEnd& each) {
+    const double boundary = boundary_that_counts(results, each.gains);
+    return QStringLiteral("%1 at %2")
+        .arg(std::isfinite(boundary) ? with_unit(boundary, stiffness_unit(axis))
+                                     : QStringLiteral("beyond the range studied"),
+             number(each.value));
+  };
+  return QStringLiteral(" The assumed %1 limits most: the boundary is %2, and %3.")
+      .arg(text(worst.key).replace('_', ' '), end(worst.low), end(worst.high));
+}
+
 QString rests_on(const TuningResults& results, GainAxis axis) {
   constexpr double matters = 1.05;
   const std::vector<Effect> effects = effects_of(results, axis);
@@ -131,7 +167,7 @@ QString rests_on(const TuningResults& results, GainAxis axis) {
     line +=
         QStringLiteral("%1Hardly on assumed %2.")
             .arg(line.isEmpty() ? QString() : QStringLiteral(" "), weak.join(QStringLiteral(", ")));
-  return line;
+  return line + limiting_assumption(results, axis);
 }
 
 }  // namespace
@@ -150,6 +186,8 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   else
     lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
                  .arg(words_of(gains->limit.reason), where(gains->limit));
+  const QString undamped = why_no_damping(results, *gains);
+  if (!undamped.isEmpty()) lines << undamped;
   const QString assumed = alone ? QString() : rests_on(results, axis);
   if (!assumed.isEmpty()) lines << assumed;
   return lines.join('\n');

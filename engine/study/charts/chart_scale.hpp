@@ -12,6 +12,9 @@ struct ChartAxis {
   std::string label;                         ///< with the unit: "force, N"
   bool logarithmic = false;                  ///< values that have no logarithm are left out
   std::optional<double> from = {}, to = {};  ///< without: what the values need
+  /// Of an upright axis from 0 to their number: what each row of height 1 is, instead of numbers. A
+  /// line break parts two lines.
+  std::vector<std::string> names = {};
 };
 
 /// The place of values along an axis, and the round values at which it is marked.

@@ -136,21 +136,45 @@ class PanelFrame {
   ChartScale x_, y_;
 };
 
-std::string axes(const ChartPanel& panel, const PanelFrame& frame) {
+std::string grid(bool named) {
+  return std::string("stroke=\"") + (named ? "#c4c4c4" : "#e6e6e6") + "\"";
+}
+
+std::string upright_ticks(const PanelFrame& frame) {
   std::string out;
-  const auto grid = [](bool named) {
-    return std::string("stroke=\"") + (named ? "#c4c4c4" : "#e6e6e6") + "\"";
-  };
-  for (const ChartScale::Tick& tick : frame.x().ticks()) {
-    const double at = frame.across(tick.place);
-    out += line_of(at, frame.top(), at, frame.bottom(), grid(!tick.text.empty()));
-    if (!tick.text.empty()) out += text_at(at, frame.bottom() + 17, "middle", tick.text);
-  }
   for (const ChartScale::Tick& tick : frame.y().ticks()) {
     const double at = frame.down(tick.place);
     out += line_of(left, at, right, at, grid(!tick.text.empty()));
     if (!tick.text.empty()) out += text_at(left - 8, at + 4, "end", tick.text);
   }
+  return out;
+}
+
+/// A name in the middle of each row, a line between rows.
+std::string row_names(const std::vector<std::string>& names, const PanelFrame& frame) {
+  constexpr double line = 13;  // px
+  std::string out;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const auto edge = frame.y().place(double(row)), middle = frame.y().place(double(row) + 0.5);
+    if (!edge || !middle) continue;
+    out += line_of(left, frame.down(*edge), right, frame.down(*edge), "stroke=\"#000\"");
+    const std::size_t cut = names[row].find('\n');
+    const double at = frame.down(*middle) + 4;
+    const bool two = cut != std::string::npos;
+    out += text_at(left - 8, two ? at - line / 2 : at, "end", names[row].substr(0, cut));
+    if (two) out += text_at(left - 8, at + line / 2, "end", names[row].substr(cut + 1));
+  }
+  return out;
+}
+
+std::string axes(const ChartPanel& panel, const PanelFrame& frame) {
+  std::string out;
+  for (const ChartScale::Tick& tick : frame.x().ticks()) {
+    const double at = frame.across(tick.place);
+    out += line_of(at, frame.top(), at, frame.bottom(), grid(!tick.text.empty()));
+    if (!tick.text.empty()) out += text_at(at, frame.bottom() + 17, "middle", tick.text);
+  }
+  out += panel.y.names.empty() ? upright_ticks(frame) : row_names(panel.y.names, frame);
   out += rectangle(left, frame.top(), right - left, panel.height,
                    "fill=\"none\" stroke=\"#000\" class=\"frame\"/>\n");
   out += text_at((left + right) / 2, frame.bottom() + 38, "middle", panel.x.label);

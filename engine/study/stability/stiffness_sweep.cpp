@@ -21,9 +21,9 @@ class Sweep {
   Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
       : run_(run), options_(options), stop_(stop) {}
 
-  /// Runs from below to the first that does not fit.
-  void walk(const Fits& fits) {
-    double k = down_from(clamped(options_.start / 4), fits);
+  /// Runs from `first`, or from below where that does not fit, to the first that does not fit.
+  void walk(double first, const Fits& fits) {
+    double k = down_from(clamped(first), fits);
     while (fits(at(k)) && k < options_.high) k = clamped(k * step_after(at(k)));
   }
 
@@ -33,14 +33,15 @@ class Sweep {
     return k;
   }
 
-  /// Bisects below the first that fails above `from`, until the limit is known.
-  SweepLimit limit(const Fits& fits, double from) {
+  /// Bisects below the first that fails above `from`, until the limit is known to the ratio.
+  SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, options_.ratio); }
+  SweepLimit limit(const Fits& fits, double from, double ratio) {
     for (;;) {
       double low = 0, high = 0;
       for (auto it = done_.lower_bound(from); it != done_.end() && high == 0; ++it)
         (fits(it->second) ? low : high) = it->first;
       if (high == 0) return {low, HoldFault::none};
-      if (low == 0 || high <= options_.ratio * low) return {low, fault_of(at(high))};
+      if (low == 0 || high <= ratio * low) return {low, fault_of(at(high))};
       at(std::sqrt(low * high));
     }
   }
@@ -127,18 +128,32 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   Sweep sweep(run, options, stop);
   const Fits stable = [](const HoldReport& r) { return r.stable; };
   const Fits good = [&](const HoldReport& r) { return sweep.fault_of(r) == HoldFault::none; };
-  sweep.walk(stable);
+  sweep.walk(options.start / 4, stable);
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
+  // Nothing is recommended of a sweep without anything good: its map need not be fine.
+  const double finest = sweep.any(good) ? options.ratio : std::max(options.ratio, 1.1);
   for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
     before = sweep.size();
-    out.stable = sweep.limit(stable, options.low);
+    out.stable = sweep.limit(stable, options.low, finest);
     out.good = sweep.limit(good, sweep.softest(good));
   }
   if (options.beyond && out.stable.stiffness > 0)
     for (const double times : {1.3, 4.0}) sweep.look(times * out.stable.stiffness);
   out.points = sweep.points();
   return out;
+}
+
+bool comes_to_rest(const HoldReport& report) {
+  return report.growth < Press{}.decay && report.failures == 0;
+}
+
+SweepLimit search_limit(const std::function<HoldReport(double)>& run,
+                        const std::function<bool(const HoldReport&)>& holds,
+                        const SweepOptions& options, const Stop& stop) {
+  Sweep sweep(run, options, stop);
+  sweep.walk(options.start, holds);
+  return sweep.limit(holds, options.low);
 }
 
 }  // namespace sonde

@@ -54,10 +54,21 @@ struct SweepOptions {
 
 /// Searches the limits of one gain. It walks upwards, from a quarter of the start (from further
 /// below, where that fails) to the first unstable stiffness: in steps of ratio¹⁶ (1.1 to 2), in a
-/// quarter of them where the last hold was slow to die down. Then it bisects. A limit lies below
-/// every observed fault, whatever holds above it. `run` is called once for each stiffness. Throws
-/// Cancelled.
+/// quarter of them where the last hold was slow to die down. Then it bisects, to a ratio of 1.1
+/// where nothing at all is good. A limit lies below every observed fault, whatever holds above it.
+/// `run` is called once for each stiffness. Throws Cancelled.
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
+
+/// Swings less and less, or stands still; unlike a stable hold it may have left the contact. A hard
+/// knock drives the probe out of a contact that does not buzz.
+bool comes_to_rest(const HoldReport& report);
+
+/// Searches for the least stiffness that does not hold, in the same way: the walk begins at the
+/// start itself. Good for a second condition of a loop, of which a guess is known: fewer runs, no
+/// other fault. Throws Cancelled.
+SweepLimit search_limit(const std::function<HoldReport(double stiffness)>& run,
+                        const std::function<bool(const HoldReport&)>& holds,
+                        const SweepOptions& options, const Stop& stop);
 
 }  // namespace sonde

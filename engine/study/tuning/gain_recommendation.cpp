@@ -83,6 +83,24 @@ void add_measured_limits(const TuningLine& line, const TuningColumn& column,
     add(name_of(column.good.fault), column.good.stiffness);
 }
 
+/// The conditions beside the hold as it is: without friction, unless that is trusted, and at harder
+/// knocks.
+void add_hard_conditions(const TuningLine& line, const TuningColumn& column, bool trusts_friction,
+                         std::vector<GainLimit>& limits) {
+  const auto add = [&](const char* reason, const std::optional<SweepLimit>& limit) {
+    if (limit && limit->fault != HoldFault::none)
+      limits.push_back({reason, limit->stiffness / stability_margin, line.kind, line.hand});
+  };
+  if (!trusts_friction) add("friction", column.without_friction);
+  // Where they change nothing, stability is the reason.
+  if (column.harder_knocks && column.harder_knocks->stiffness < column.stable.stiffness)
+    add("knocks", column.harder_knocks);
+}
+
+void lower(double& boundary, const std::optional<SweepLimit>& limit) {
+  if (limit && limit->fault != HoldFault::none) boundary = std::min(boundary, limit->stiffness);
+}
+
 /// The least of each reason, lowest first.
 std::vector<GainLimit> least_of_each(std::vector<GainLimit> limits) {
   std::ranges::stable_sort(limits, {}, &GainLimit::stiffness);
@@ -97,6 +115,8 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
   AxisGains out{.axis = axis,
                 .damping = damping,
                 .boundary = infinity,
+                .without_friction = infinity,
+                .harder_knocks = infinity,
                 .passive = infinity,
                 .theory = infinity,
                 .limit = {},
@@ -105,8 +125,10 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
   for (const TuningLine* line : lines) {
     const TuningColumn& column = *column_at(*line, damping);
     add_measured_limits(*line, column, limits);
-    if (column.stable.fault != HoldFault::none)
-      out.boundary = std::min(out.boundary, column.stable.stiffness);
+    add_hard_conditions(*line, column, results.trusts_friction, limits);
+    lower(out.boundary, column.stable);
+    lower(out.without_friction, column.without_friction);
+    lower(out.harder_knocks, column.harder_knocks);
     out.passive = std::min(out.passive, column.theory_passive);
     out.theory = std::min(out.theory, column.theory_stable);
   }
@@ -147,6 +169,16 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
   Profile device = results.device;
   if (!assumed.empty()) device[assumed] *= times;
   return best(results, lines, device, axis);
+}
+
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis) {
+  const Lines lines = lines_where(
+      results, [&](const TuningLine& line) { return line.axis == axis && line.assumed.empty(); });
+  std::vector<AxisGains> out;
+  if (lines.empty()) return out;
+  for (const TuningColumn& column : lines.front()->columns)
+    out.push_back(gains_at(results, lines, results.device, axis, column.damping));
+  return out;
 }
 
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis) {

@@ -14,8 +14,9 @@ constexpr double stability_margin = 1.5;
 
 /// A limit of the stiffness, and its reason.
 struct GainLimit {
-  /// "stability", "saturation", "chatter", "fidelity" (measured), "driver" (the profile's largest
-  /// stiffness), "resolution" (a step of the encoder), "range" (nothing within the range studied).
+  /// "stability", "saturation", "chatter", "fidelity" (measured), "friction" (stability without
+  /// it), "knocks" (stability at harder_knocks), "driver" (the profile's largest stiffness),
+  /// "resolution" (a step of the encoder), "range" (nothing within the range studied).
   std::string reason;
   double stiffness = 0;
   std::string kind, hand;  ///< of the situation where that is; empty where it is no measurement
@@ -29,6 +30,9 @@ struct AxisGains {
   /// The least stiffness, over situations and hands, that is not stable; infinite where all that
   /// was studied is.
   double boundary = 0;
+  /// The same on a device without friction, and at harder_knocks; infinite also where the study did
+  /// not search for them.
+  double without_friction = 0, harder_knocks = 0;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction
   GainLimit limit;     ///< the one that holds: its stiffness is the recommended one
@@ -41,6 +45,8 @@ struct AxisGains {
 /// alone, which are of one situation; no value where there is none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
+/// The gains of the lines of one axis at each damping that was swept, the least damping first.
+std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis);
 /// The same from only the situation and hand in which the assumed values are varied, at their
 /// damping: the reference for these.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);

@@ -76,21 +76,74 @@ Json json_of(double damping, const TheoryLimits& theory, const StiffnessSweep& s
           {"runs", runs}};
 }
 
-Json column(const TuningSetup& setup, GainAxis axis, double share, bool beyond, const Stop& stop) {
+/// One hold of a sweep, at a knock of so many times the usual.
+HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
+                double knock = 1) {
+  ClosedLoopSetup loop = setup.loop;
+  set_gains(loop.coupling, axis, stiffness, damping, setup.joint);
+  ClosedLoop closed(loop);
+  Press press = press_of(setup, axis);
+  press.knock *= knock;
+  press.jolt.force *= knock;
+  press.jolt.torque *= knock;
+  return press_and_hold(closed, press);
+}
+
+/// Theory ignores friction: the walk to the limit begins close below it, and where a probe without
+/// friction slides at every stiffness, theory alone has a limit.
+SweepLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
+                            const TheoryLimits& theory, const Stop& stop) {
+  setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
+  options.start = std::clamp(0.8 * options.start, options.low, options.high);
+  const auto run = [&](double stiffness) { return hold(setup, options.axis, stiffness, damping); };
+  const auto holds = [](const HoldReport& report) { return report.stable; };
+  const SweepLimit found = search_limit(run, holds, options, stop);
+  if (found.stiffness > 0 || !std::isfinite(theory.stable)) return found;
+  return {theory.stable, HoldFault::unstable};
+}
+
+/// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
+SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
+                            const SweepLimit& stable, const Stop& stop) {
+  const auto run = [&](double stiffness) {
+    HoldReport report;
+    for (const double knock : harder_knocks) {
+      report = hold(setup, options.axis, stiffness, damping, knock);
+      if (!comes_to_rest(report)) break;
+    }
+    return report;
+  };
+  // A usual knock has its fault there: nothing above counts.
+  if (stable.stiffness == 0 || comes_to_rest(run(stable.stiffness))) return stable;
+  options.high = stable.stiffness;
+  options.start = std::min(options.start, options.high);
+  return search_limit(run, comes_to_rest, options, stop);
+}
+
+void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
+  json[name] = limit.stiffness;
+  json[name + "_ends_by"] = name_of(limit.fault);
+}
+
+Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepExtent& extent,
+            const Stop& stop) {
   const Range range = range_of(setup, axis);
   const double damping = share * range.most_damping;
   const TheoryLimits theory = theory_limits(setup, axis, share);
   const bool known = std::isfinite(theory.stable) && theory.stable > 0;
   const double start = known ? theory.stable : std::sqrt(range.low * range.high);
-  const SweepOptions options{
-      axis, std::clamp(start, range.low, range.high), range.low, range.high, setup.ratio, beyond};
-  const auto run = [&](double stiffness) {
-    ClosedLoopSetup loop = setup.loop;
-    set_gains(loop.coupling, axis, stiffness, damping, setup.joint);
-    ClosedLoop closed(loop);
-    return press_and_hold(closed, press_of(setup, axis));
-  };
-  return json_of(damping, theory, sweep_stiffness(run, options, stop), axis);
+  const SweepOptions options{axis,        std::clamp(start, range.low, range.high),
+                             range.low,   range.high,
+                             setup.ratio, extent.beyond};
+  const auto run = [&](double stiffness) { return hold(setup, axis, stiffness, damping); };
+  const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
+  Json out = json_of(damping, theory, sweep, axis);
+  if (sweep.good.stiffness == 0) return out;  // nothing to recommend, so nothing to cap
+  if (extent.without_friction)
+    add_limit(out, "without_friction", without_friction(setup, options, damping, theory, stop));
+  if (extent.harder_knocks)
+    add_limit(out, "harder_knocks", at_harder_knocks(setup, options, damping, sweep.stable, stop));
+  return out;
 }
 
 }  // namespace
@@ -150,9 +203,9 @@ std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis) {
 }
 
 std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,
-                        bool beyond, const Stop& stop) {
+                        const SweepExtent& extent, const Stop& stop) {
   Json columns = Json::array();
-  for (const double share : shares) columns.push_back(column(setup, axis, share, beyond, stop));
+  for (const double share : shares) columns.push_back(column(setup, axis, share, extent, stop));
   return Json{{"columns", columns}}.dump();
 }
 

@@ -41,6 +41,17 @@ struct TuningSetup {
   double most_rotational_damping = 0;  ///< N·m·s/rad
 };
 
+/// So many times as hard the hand also knocks: what friction ends at a soft knock it may not end at
+/// a hard one.
+constexpr double harder_knocks[] = {2, 4};
+
+/// What a sweep searches beside the limits of the setup as it is.
+struct SweepExtent {
+  bool beyond = false;            ///< runs a little above the limits, for the map
+  bool without_friction = false;  ///< the limit of stability of a device without friction
+  bool harder_knocks = false;     ///< that at harder_knocks, where it is lower
+};
+
 /// The push alone, with its knock.
 Press press_of(const TuningSituation& situation);
 /// The push of a sweep over the stiffness of an axis. Where rotations are swept, the knock also
@@ -61,10 +72,9 @@ TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share
 /// The shares of the largest damping at which an axis is swept; only zero where it has none.
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);
 
-/// Sweeps the stiffness of one axis at each share of the largest damping; with `beyond` a little
-/// above the limits too, for the map. JSON: {"columns": [{damping, theory_stable, theory_passive,
-/// stable, good, ..., "runs": [...]}, ...]}.
+/// Sweeps the stiffness of one axis at each share of the largest damping. JSON: {"columns":
+/// [{damping, theory_stable, theory_passive, stable, good, ..., "runs": [...]}, ...]}.
 std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,
-                        bool beyond, const Stop& stop);
+                        const SweepExtent& extent, const Stop& stop);
 
 }  // namespace sonde

@@ -236,6 +236,7 @@ Json about(const Plan& plan) {
           {"low", r.low},
           {"high", r.high},
           {"trajectory", !r.path.empty()},
+          {"trusts_friction", r.trusts_friction},
           {"device", about(r.device)},
           {"rotational_stiffness_per_translational", plan.joint.stiffness},
           {"rotational_damping_per_translational", plan.joint.damping},
@@ -267,6 +268,12 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
   return device;
 }
 
+double coarser(double ratio, int times) { return std::min(2.0, std::pow(ratio, times)); }
+
+bool has_friction(const DeviceProfile& device) {
+  return device.friction.value > 0 || device.rotational_friction.value > 0;
+}
+
 StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part) {
   return {part_name(*plan, part), [plan, part](const Stop& stop) {
             const DeviceProfile device = changed(plan->request.device, part);
@@ -274,15 +281,20 @@ StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part
             const bool nominal = part.assumed == nullptr;
             TuningSetup setup = setup_of(plan->request, device, situation, *part.grip, plan->joint);
             // What an axis could do alone is for the map, and nothing is recommended by it.
-            if (part.axis != axes_of(plan->request).front())
-              setup.ratio = std::min(2.0, std::pow(setup.ratio, 4));
+            const bool alone = part.axis != axes_of(plan->request).front();
+            if (alone) setup.ratio = coarser(setup.ratio, 4);
+            // Ends of an interval are known no better than their assumption.
+            if (!nominal) setup.ratio = coarser(setup.ratio, 2);
+            const SweepExtent extent{.beyond = nominal,
+                                     .without_friction = !alone && has_friction(device),
+                                     .harder_knocks = !alone && nominal && has_friction(device)};
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},
                       {"hand", part.grip->name},
                       {"axis", name_of(part.axis)},
                       {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
                       {"times", part.times}};
-            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, nominal, stop)));
+            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, extent, stop)));
             return json.dump(1) + "\n";
           }};
 }
@@ -314,8 +326,13 @@ std::vector<PartOf> parts_of(const Plan& plan) {
   const std::vector<GainAxis> axes = axes_of(plan.request);
   for (const GainAxis axis : axes)
     for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
-      for (const HandGrip& grip : hand_grips)
-        parts.push_back({i, &grip, axis, damping_shares(setup_of(plan, i, grip), axis)});
+      for (const HandGrip& grip : hand_grips) {
+        const bool alone = axis != axes.front();
+        if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
+        std::vector<double> shares = damping_shares(setup_of(plan, i, grip), axis);
+        if (alone && shares.size() > 1) shares = {0, 0.25, 1};
+        parts.push_back({i, &grip, axis, shares});
+      }
   // What is recommended is varied, not what each axis could do alone.
   const std::size_t where = hardest(plan);
   const double share = share_of_theory(setup_of(plan, where, hand_grips[0]), axes.front());

@@ -26,7 +26,9 @@ struct TuningRequest {
   double ratio = 1.02;         ///< to which limits are known
   double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the
                                ///< same times inertia over mass of the device
-  std::string inputs = "{}";   ///< JSON that tells the files apart: names, fingerprints
+  /// Recommends gains that are stable only thanks to the profile's friction.
+  bool trusts_friction = false;
+  std::string inputs = "{}";  ///< JSON that tells the files apart: names, fingerprints
 };
 
 /// How a hand holds the device: a spring and a damper; for rotations, the same times inertia over

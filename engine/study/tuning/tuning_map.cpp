@@ -14,11 +14,15 @@ namespace sonde {
 namespace {
 
 constexpr std::array class_names{"unstable", "saturated", "chattering", "stable", "passive"};
-const std::vector<ChartCellKind> class_colors{{"unstable", "#d7301f"},
-                                              {"saturated", "#fdae61"},
-                                              {"chattering", "#fee391"},
-                                              {"stable", "#c7e9c0"},
-                                              {"passive", "#74c476"}};
+const std::vector<ChartCellKind> class_colors{{"unstable", "#d7301f"},   {"saturated", "#fdae61"},
+                                              {"chattering", "#fee391"}, {"stable", "#c7e9c0"},
+                                              {"passive", "#74c476"},    {"not run", "#ffffff"}};
+
+/// Infinite where nothing was searched for, or found.
+double end_of(const std::optional<SweepLimit>& limit) {
+  return limit && limit->fault != HoldFault::none ? limit->stiffness
+                                                  : std::numeric_limits<double>::infinity();
+}
 
 /// A stretch of the stiffness that one run stands for: to halfway, in ratio, to its neighbours.
 struct Stretch {
@@ -82,10 +86,17 @@ void stroke(ChartSeries& series, double x, double y_from, double y_to) {
   series.y.insert(series.y.end(), {y_from, y_to, gap});
 }
 
+/// What a reader must not overlook: theory has no friction.
+std::string remark(const AxisGains& gains) {
+  if (gains.stiffness <= gains.theory) return {};
+  return "; the recommendation is above the limit in theory, which has no friction";
+}
+
 void add_recommended(ChartPanel& panel, const TuningResults& results, GainAxis axis, double from,
                      double to) {
   const auto gains = recommend(results, axis);
   if (!gains || gains->stiffness <= 0) return;
+  panel.title += remark(*gains);
   panel.series.push_back({"recommended",
                           {gains->stiffness, gains->stiffness},
                           {from, to},
@@ -97,25 +108,27 @@ void add_recommended(ChartPanel& panel, const TuningResults& results, GainAxis a
 ChartPanel object_panel(const TuningResults& results) {
   const auto lines = nominal_lines(results, GainAxis::object);
   ChartPanel panel;
-  panel.title = "Rows from below: ";
+  panel.title = "Holds in each contact, with each hand";
   panel.x = {stiffness_label(GainAxis::object), true};
-  panel.y = {"situation", false, 0.0, double(lines.size())};
+  panel.y = {"", false, 0.0, double(lines.size())};
   panel.kinds = class_colors;
-  panel.height = 30 * double(lines.size()) + 40;
+  panel.height = 34 * double(lines.size()) + 40;
   ChartSeries measured = step("measured limit of stability", 3, ChartSeries::Form::line);
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
   ChartSeries passive = step("passive in theory", 2, ChartSeries::Form::dashed);
+  ChartSeries frictionless = step("limit without friction", 4, ChartSeries::Form::line);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const TuningColumn& column = lines[i]->columns.front();
     const double row = double(i);
-    panel.title += (i == 0 ? "" : ", ") + lines[i]->kind + " " + lines[i]->hand;
+    panel.y.names.push_back(lines[i]->kind + ",\n" + lines[i]->hand + " hand");
     for (const Stretch& s : stretches(column))
       panel.cells.push_back({s.from, s.to, row, row + 1, static_cast<std::size_t>(s.map_class)});
     stroke(measured, column.stable.stiffness, row, row + 1);
     stroke(theory, column.theory_stable, row, row + 1);
     stroke(passive, column.theory_passive, row, row + 1);
+    stroke(frictionless, end_of(column.without_friction), row, row + 1);
   }
-  panel.series = {measured, theory, passive};
+  panel.series = {measured, theory, passive, frictionless};
   add_recommended(panel, results, GainAxis::object, 0, double(lines.size()));
   return panel;
 }
@@ -198,6 +211,7 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   ChartSeries measured = step("measured limit of stability", 3, ChartSeries::Form::line);
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
   ChartSeries passive = step("passive in theory", 2, ChartSeries::Form::dashed);
+  ChartSeries frictionless = step("limit without friction", 4, ChartSeries::Form::line);
   const std::vector<double> dampings = dampings_of(lines);
   const std::vector<double> sides = damping_edges(dampings);
   for (std::size_t i = 0; i < dampings.size(); ++i) {
@@ -215,9 +229,16 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
     add(measured, least([](const TuningColumn& c) { return c.stable.stiffness; }));
     add(theory, least([](const TuningColumn& c) { return c.theory_stable; }));
     add(passive, least([](const TuningColumn& c) { return c.theory_passive; }));
+    // Searched for in some contacts alone, the least of them would say too much.
+    if (std::ranges::all_of(columns, [](const TuningColumn* c) { return !!c->without_friction; }))
+      add(frictionless, least([](const TuningColumn& c) { return end_of(c.without_friction); }));
   }
+  frictionless.form = ChartSeries::Form::points;  // few dampings have one
   panel.series = {measured, theory, passive};
+  if (!frictionless.x.empty()) panel.series.push_back(frictionless);
   const Coupling gains = recommended_coupling(results);
+  if (axis == GainAxis::together && has_recommendation(results))
+    panel.title += remark(*recommend(results, axis));
   if (has_recommendation(results))
     panel.series.push_back({"recommended",
                             {turns ? gains.k_r : gains.k_t},
@@ -259,7 +280,8 @@ std::string map_csv(const TuningResults& results) {
   std::string out =
       "situation,kind,hand,axis,assumed,times,damping,stiffness,class,stable,passive,chattering,"
       "saturated,growth,chatter,saturation,work,force_error,torque_error,depth,contact,force,"
-      "torque,jumps,pop_throughs,theory_stable,theory_passive\n";
+      "torque,jumps,pop_throughs,theory_stable,theory_passive,stable_without_friction,"
+      "stable_at_harder_knocks\n";
   for (const TuningLine& line : results.lines)
     for (const TuningColumn& column : line.columns)
       for (const SweepPoint& run : column.runs) {
@@ -282,6 +304,8 @@ std::string map_csv(const TuningResults& results) {
         add(r.pop_throughs);
         add(column.theory_stable);
         add(column.theory_passive);
+        add(end_of(column.without_friction));
+        add(end_of(column.harder_knocks));
         out += "\n";
       }
   return out;

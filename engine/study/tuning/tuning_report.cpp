@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/settings/settings.hpp"
+#include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_map.hpp"
 
@@ -32,6 +33,8 @@ Json json_of(const AxisGains& gains) {
           {"limited_by", json_of(gains.limit)},
           {"boundary", number(gains.boundary)},
           {"margin", number(gains.margin())},
+          {"boundary_without_friction", number(gains.without_friction)},
+          {"boundary_at_harder_knocks", number(gains.harder_knocks)},
           {"theory_stable", number(gains.theory)},
           {"theory_passive", number(gains.passive)},
           {"limits", limits}};
@@ -80,8 +83,44 @@ Json assumed_values(const TuningResults& results, GainAxis axis) {
                    {"stiffness", gains->stiffness},
                    {"damping", gains->damping},
                    {"boundary", number(gains->boundary)},
+                   {"boundary_without_friction", number(gains->without_friction)},
                    {"limited_by", gains->limit.reason}});
   }
+  return out;
+}
+
+Json json_of(const AssumedEnd& end) {
+  return {{"value", end.value},
+          {"stiffness", end.gains.stiffness},
+          {"boundary", number(end.gains.boundary)},
+          {"boundary_without_friction", number(end.gains.without_friction)},
+          {"limited_by", end.gains.limit.reason}};
+}
+
+/// The assumed value on which the recommendation depends most, at both ends of its interval.
+Json limiting_assumption(const TuningResults& results, GainAxis axis) {
+  const std::vector<AssumedInterval> intervals = assumed_intervals(results, axis);
+  if (intervals.empty()) return nullptr;
+  const AssumedInterval& worst = intervals.front();
+  return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
+}
+
+/// What each damping allows: why the recommended one is.
+Json dampings(const TuningResults& results, GainAxis axis) {
+  Json out = Json::array();
+  for (const AxisGains& gains : recommend_at_each_damping(results, axis))
+    out.push_back({{"damping", gains.damping},
+                   {"stiffness", gains.stiffness},
+                   {"boundary", number(gains.boundary)},
+                   {"limited_by", json_of(gains.limit)}});
+  return out;
+}
+
+/// How the hand holds is an assumption too: the boundary with each.
+Json hands(const TuningResults& results, const AxisGains& gains) {
+  Json out = Json::array();
+  for (const auto& [hand, boundary] : boundary_by_hand(results, gains))
+    out.push_back({{"hand", hand}, {"boundary", number(boundary)}});
   return out;
 }
 
@@ -98,6 +137,8 @@ Json json_of(const TuningResults& results, GainAxis axis) {
     out["rotational_damping"] = gains->damping * results.joint.damping;
   }
   out["fidelity"] = fidelity(results, *gains);
+  out["dampings"] = dampings(results, axis);
+  out["hands"] = hands(results, *gains);
   if (const auto beside = recommend_as_varied(results, axis)) {
     for (const TuningLine& line : results.lines)
       if (line.axis == axis && !line.assumed.empty()) out["assumed_in"] = line.kind;
@@ -106,6 +147,7 @@ Json json_of(const TuningResults& results, GainAxis axis) {
                          {"boundary", number(beside->boundary)},
                          {"limited_by", beside->limit.reason}};
     out["assumed"] = assumed_values(results, axis);
+    out["limiting_assumption"] = limiting_assumption(results, axis);
   }
   return out;
 }
@@ -117,6 +159,8 @@ std::string recommendation(const TuningResults& results) {
   const Json out{{"device", results.device_id},
                  {"mode", name_of(results.mode)},
                  {"stability_margin", stability_margin},
+                 {"trusts_friction", results.trusts_friction},
+                 {"harder_knocks", harder_knocks},
                  {"axes", axes},
                  {"situations", about.at("situations")},
                  {"skipped", about.value("skipped", Json::array())},

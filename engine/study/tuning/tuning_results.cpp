@@ -66,13 +66,23 @@ SweepPoint point_of(const Json& json) {
   return point;
 }
 
+SweepLimit limit_of(const Json& json, const std::string& name) {
+  return {json.at(name).get<double>(), fault_named(json.at(name + "_ends_by"))};
+}
+
+std::optional<SweepLimit> limit_if_any(const Json& json, const std::string& name) {
+  return json.contains(name) ? std::optional(limit_of(json, name)) : std::nullopt;
+}
+
 TuningColumn column_of(const Json& json) {
   TuningColumn column;
   column.damping = json.at("damping").get<double>();
   column.theory_stable = number(json.at("theory_stable"));
   column.theory_passive = number(json.at("theory_passive"));
-  column.stable = {json.at("stable").get<double>(), fault_named(json.at("stable_ends_by"))};
-  column.good = {json.at("good").get<double>(), fault_named(json.at("good_ends_by"))};
+  column.stable = limit_of(json, "stable");
+  column.good = limit_of(json, "good");
+  column.without_friction = limit_if_any(json, "without_friction");
+  column.harder_knocks = limit_if_any(json, "harder_knocks");
   for (const Json& run : json.at("runs")) column.runs.push_back(point_of(run));
   if (column.runs.empty()) throw std::out_of_range("a column without runs");
   return column;
@@ -110,6 +120,7 @@ void read_about(const Json& json, TuningResults& out) {
   out.sample_time = json.at("sample_time").get<double>();
   out.max_force = json.at("max_force").get<double>();
   out.max_torque = json.at("max_torque").get<double>();
+  out.trusts_friction = json.value("trusts_friction", false);
   for (const auto& [key, value] : json.at("device").items())
     if (value.is_object()) out.device[key] = value.at("value").get<double>();
   for (const char* needed : profile_values)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct TuningColumn {
   double theory_stable = 0;  ///< infinite where theory sees no end
   double theory_passive = 0;
   SweepLimit stable, good;
+  /// The limits of stability on a device without friction, and at harder_knocks; no value where a
+  /// study did not search for them.
+  std::optional<SweepLimit> without_friction, harder_knocks;
   std::vector<SweepPoint> runs;
 };
 
@@ -39,6 +43,7 @@ struct TuningResults {
   std::string device_id;
   double sample_time = 1e-3;
   double max_force = 0, max_torque = 0;  ///< of the coupling, N and N·m
+  bool trusts_friction = false;          ///< as TuningRequest
   JointGains joint;                      ///< where all gains were swept together
   /// Largest stiffness felt in each situation at gains of 1 N/m (and inertia/mass of that, N·m/rad,
   /// where rotations have their own).

@@ -35,6 +35,33 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
   EXPECT_EQ(margin_text(*gains, 450), "0.500 of the boundary, 900 N/m");
 }
 
+TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_limits) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)}),
+             assumed("mass", 0.5, 450), assumed("mass", 2, 1800)};
+  r.lines[0].columns[0].without_friction = {300, HoldFault::unstable};
+  r.lines[0].columns[0].harder_knocks = {600, HoldFault::unstable};
+  const std::string text = recommendation_text(r, GainAxis::object).toStdString();
+  for (const char* words :
+       {"k = 200 N/m", "Limited by stability without friction", "Without friction, up to 300 N/m.",
+        "At harder knocks, up to 600 N/m.",
+        "The assumed mass limits most: the boundary is 450 N/m at 0.100, and 1800 N/m at 0.400."})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+TEST(RecommendationText, says_why_no_damping_is_best) {
+  TuningResults r = sonde::test::results();
+  r.mode = Coupling::Mode::classic;
+  r.lines = {
+      line(0, GainAxis::together,
+           {column(0, 900, 900, HoldFault::unstable), column(5, 900, 300, HoldFault::chattering)})};
+  EXPECT_TRUE(recommendation_text(r, GainAxis::together)
+                  .contains("No virtual damping is best: at b_t = 5.00 N·s/m the stiffness may be "
+                            "300 N/m, by chatter: more would buzz (flat contact, light hand)."));
+  r.lines[0].columns[0].stable.stiffness = 150;
+  EXPECT_FALSE(recommendation_text(r, GainAxis::together).contains("No virtual damping"));
+}
+
 TEST(RecommendationText, another_reason_and_none_at_all) {
   TuningResults r = sonde::test::results();
   r.about = R"({"device": {"id": "x", "mass": {"value": 1, "assumed": "a guess"},

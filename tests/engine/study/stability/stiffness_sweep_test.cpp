@@ -114,6 +114,46 @@ TEST(StiffnessSweep, a_limit_outside_of_the_range_is_said) {
   EXPECT_EQ(sweep.stable.fault, HoldFault::unstable);
 }
 
+TEST(StiffnessSweep, a_second_condition_is_searched_for_from_its_guess) {
+  const auto swings = [](double k) {
+    HoldReport report;  // out of contact, so never "stable"
+    report.growth = k < 700 ? 0.5 : 1;
+    return report;
+  };
+  for (const double start : {20.0, 560.0, 3000.0}) {
+    int runs = 0;
+    const auto counted = [&](double k) {
+      ++runs;
+      return swings(k);
+    };
+    const SweepLimit limit = search_limit(counted, comes_to_rest, {.start = start}, never);
+    EXPECT_LE(limit.stiffness, 700);
+    EXPECT_GT(limit.stiffness * 1.02, 700) << start;
+    EXPECT_EQ(limit.fault, HoldFault::unstable);
+    EXPECT_LT(runs, start == 560 ? 10 : 100);
+  }
+  const SweepLimit none = search_limit(swings, comes_to_rest, {.start = 100, .high = 400}, never);
+  EXPECT_EQ(none.stiffness, 400);
+  EXPECT_EQ(none.fault, HoldFault::none);
+  const SweepLimit nothing =
+      search_limit(swings, comes_to_rest, {.start = 2000, .low = 1000}, never);
+  EXPECT_EQ(nothing.stiffness, 0);
+  EXPECT_EQ(nothing.fault, HoldFault::unstable);
+  EXPECT_THROW(search_limit(swings, comes_to_rest, {}, [] { return true; }), Cancelled);
+}
+
+TEST(StiffnessSweep, what_is_knocked_out_of_a_contact_has_come_to_rest) {
+  HoldReport report;
+  report.stable = false;
+  report.growth = 0.1;
+  EXPECT_TRUE(comes_to_rest(report));
+  report.growth = 0.96;
+  EXPECT_FALSE(comes_to_rest(report));
+  report.growth = 0;
+  report.failures = 1;
+  EXPECT_FALSE(comes_to_rest(report));
+}
+
 TEST(StiffnessSweep, stops_when_asked) {
   MadeUp made{800, 2000};
   EXPECT_THROW(sweep_stiffness(std::ref(made), {}, [&] { return made.runs >= 3; }), Cancelled);

@@ -55,6 +55,46 @@ TEST(GainRecommendation, where_no_stiffness_is_good_there_is_none) {
   EXPECT_FALSE(has_recommendation(r));
 }
 
+TEST(GainRecommendation, friction_carries_none_unless_it_is_trusted) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 1423, 1423, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  r.lines[0].columns[0].without_friction = {600, unstable};
+  r.lines[1].columns[0].without_friction = {516, unstable};
+  const auto capped = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(capped->stiffness, 344);
+  EXPECT_EQ(capped->limit.reason, "friction");
+  EXPECT_EQ(capped->limit.kind, "edge");
+  EXPECT_DOUBLE_EQ(capped->boundary, 1423);
+  EXPECT_DOUBLE_EQ(capped->without_friction, 516);
+  r.trusts_friction = true;
+  const auto trusting = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(trusting->stiffness, 1423 / stability_margin);
+  EXPECT_EQ(trusting->limit.reason, "stability");
+  EXPECT_DOUBLE_EQ(trusting->without_friction, 516);
+}
+
+TEST(GainRecommendation, a_harder_knock_lowers_it_even_where_friction_is_trusted) {
+  TuningResults r = results();
+  r.trusts_friction = true;
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  r.lines[0].columns[0].harder_knocks = r.lines[0].columns[0].stable;
+  EXPECT_EQ(recommend(r, GainAxis::object)->limit.reason, "stability");
+  r.lines[0].columns[0].harder_knocks = {900, unstable};
+  const auto gains = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(gains->stiffness, 600);
+  EXPECT_EQ(gains->limit.reason, "knocks");
+  EXPECT_DOUBLE_EQ(gains->harder_knocks, 900);
+}
+
+TEST(GainRecommendation, a_study_that_did_not_search_for_it_says_nothing_of_friction) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  EXPECT_TRUE(std::isinf(recommend(r, GainAxis::object)->without_friction));
+  r.lines[0].columns[0].without_friction = {1e5, HoldFault::none};  // never unstable
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+}
+
 TEST(GainRecommendation, each_reason_is_named_where_it_holds) {
   const auto reason = [](const auto& change) {
     TuningResults r = results();
@@ -113,6 +153,12 @@ TEST(GainRecommendation, the_damping_that_allows_most_is_taken) {
   const auto gains = recommend(classic(), GainAxis::together);
   EXPECT_DOUBLE_EQ(gains->stiffness, 600);
   EXPECT_DOUBLE_EQ(gains->damping, 5);
+  const auto each = recommend_at_each_damping(classic(), GainAxis::together);
+  ASSERT_EQ(each.size(), 3u);
+  EXPECT_DOUBLE_EQ(each[0].stiffness, 200);
+  EXPECT_DOUBLE_EQ(each[1].stiffness, gains->stiffness);
+  EXPECT_DOUBLE_EQ(each[2].stiffness, 400);
+  EXPECT_TRUE(recommend_at_each_damping(classic(), GainAxis::object).empty());
 }
 
 TEST(GainRecommendation, of_the_classic_coupling_it_is_what_was_held_together) {

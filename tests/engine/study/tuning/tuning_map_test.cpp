@@ -38,13 +38,26 @@ TEST(TuningMap, has_a_row_for_each_run_and_a_picture_for_each_mode) {
   const std::string csv = map_csv(r);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
   const std::size_t commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
-  EXPECT_EQ(commas, 26u * 5);
+  EXPECT_EQ(commas, 28u * 5);
   EXPECT_THAT(map_svg(r),
               testing::AllOf(testing::HasSubstr("<svg"), testing::HasSubstr("passive in theory"),
                              testing::HasSubstr("recommended")));
   r.mode = Coupling::Mode::classic;
   for (TuningLine& each : r.lines) each.axis = GainAxis::translation;
   EXPECT_THAT(map_svg(r), testing::HasSubstr("damping b_t"));
+}
+
+TEST(TuningMap, says_which_row_is_which_and_where_theory_is_crossed) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)})};
+  for (const char* words : {">flat,<", ">light hand<", ">not run<", "above the limit in theory"})
+    EXPECT_THAT(map_svg(r), testing::HasSubstr(words));
+  r.lines[0].columns[0].theory_stable = 2500;
+  EXPECT_THAT(map_svg(r), testing::Not(testing::HasSubstr("above the limit in theory")));
+  r.lines[0].columns[0].without_friction = {1200, unstable};
+  const std::string csv = map_csv(r);
+  EXPECT_THAT(csv, testing::HasSubstr(",2500,750,1200,\n"));
+  EXPECT_THAT(map_svg(r), testing::HasSubstr("limit without friction"));
 }
 
 /// Width of the first cell of a colour.

@@ -190,6 +190,29 @@ HoldReport hold(const TuningRequest& request, const TuningSituation& situation,
   return press_and_hold(loop, press);
 }
 
+/// What a lab may meet: other friction than the profile's, harder knocks.
+void expect_rest_whatever_the_friction(const TuningRequest& request, const TuningSituation& at,
+                                       const TuningLine& line, const Coupling& gains,
+                                       double seconds) {
+  const auto grip = std::ranges::find(hand_grips, line.hand, &HandGrip::name);
+  for (const double friction : {0.0, 0.5, 1.0, 2.0})
+    for (const double knock : {1.0, 2.0, 4.0}) {
+      TuningSetup setup = tuning_setup(request, at, *grip);
+      setup.loop.coupling = gains;
+      setup.loop.device.translation.friction *= friction;
+      setup.loop.device.rotation.friction *= friction;
+      Press press = press_of(setup, line.axis);
+      press.knock *= knock;
+      press.jolt.torque *= knock;
+      press.window_time = seconds / 2;
+      ClosedLoop loop(setup.loop);
+      const HoldReport held = press_and_hold(loop, press);
+      EXPECT_TRUE(comes_to_rest(held))
+          << line.kind << ' ' << line.hand << " friction x " << friction << " knock x " << knock
+          << ": " << held.growth << ' ' << held.contact;
+    }
+}
+
 /// Every situation and hand: for `seconds` at the recommended gains, and as in a sweep at 1.3 × its
 /// own boundary (there friction may end in many seconds what does not die down in a fraction).
 void expect_recommendation_holds(const TuningRequest& request, double seconds) {
@@ -211,6 +234,45 @@ void expect_recommendation_holds(const TuningRequest& request, double seconds) {
     Coupling beyond = gains;
     set_gains(beyond, axis, 1.3 * column->stable.stiffness, damping, results.joint);
     EXPECT_FALSE(hold(request, at, line.hand, axis, beyond, 0.6).stable);
+  }
+}
+
+void expect_rest_in_every_situation(const TuningRequest& request, double seconds) {
+  const TuningResults results = tuned(request);
+  const Coupling gains = recommended_coupling(results);
+  const auto situations = tuning_contacts(request, never).situations;
+  for (const TuningLine& line : results.lines)
+    expect_rest_whatever_the_friction(request, situations[line.situation], line, gains, seconds);
+}
+
+TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_knock) {
+  TuningRequest request = boxes();
+  request.device.mass.assumed = false;
+  request.ratio = 1.1;
+  expect_rest_in_every_situation(request, 0.6);
+}
+TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
+  expect_rest_in_every_situation(spoon_in_cup(), 60);
+}
+
+TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
+  TuningRequest request = boxes();
+  request.device.mass.assumed = false;
+  request.ratio = 1.02;
+  const TuningResults results = tuned(request);
+  request.device.friction.value = request.device.rotational_friction.value = 0;
+  const TuningResults smooth = tuned(request);
+  ASSERT_EQ(results.lines.size(), smooth.lines.size());
+  for (std::size_t i = 0; i < results.lines.size(); ++i) {
+    const TuningColumn& column = results.lines[i].columns.front();
+    const TuningColumn& reference = smooth.lines[i].columns.front();
+    ASSERT_TRUE(column.without_friction && column.harder_knocks);
+    EXPECT_FALSE(reference.without_friction || reference.harder_knocks);
+    // Each is known to the ratio, from its own side.
+    EXPECT_NEAR(column.without_friction->stiffness / reference.stable.stiffness, 1, 0.02)
+        << results.lines[i].kind << ' ' << results.lines[i].hand;
+    EXPECT_LT(column.without_friction->stiffness, column.stable.stiffness);
+    EXPECT_LE(column.harder_knocks->stiffness, column.stable.stiffness);
   }
 }
 

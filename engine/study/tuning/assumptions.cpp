@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/assumptions.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace sonde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+AssumedEnd end_of(const TuningResults& results, GainAxis axis, const std::string& key,
+                  double times) {
+  AssumedEnd out{.value = results.device.at(key) * times, .gains = {}};
+  if (const auto gains = recommend(results, axis, key, times)) out.gains = *gains;
+  return out;
+}
+
+/// Both ends of the values that a study varies, least first.
+std::map<std::string, std::pair<double, double>> varied_times(const TuningResults& results,
+                                                              GainAxis axis) {
+  std::map<std::string, std::pair<double, double>> out;
+  for (const TuningLine& line : results.lines) {
+    if (line.axis != axis || line.assumed.empty()) continue;
+    auto& [low, high] = out.try_emplace(line.assumed, line.times, line.times).first->second;
+    low = std::min(low, line.times);
+    high = std::max(high, line.times);
+  }
+  return out;
+}
+
+}  // namespace
+
+double boundary_that_counts(const TuningResults& results, const AxisGains& gains) {
+  return results.trusts_friction ? gains.boundary
+                                 : std::min(gains.boundary, gains.without_friction);
+}
+
+std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis) {
+  std::vector<AssumedInterval> out;
+  for (const auto& [key, times] : varied_times(results, axis))
+    out.push_back(
+        {key, end_of(results, axis, key, times.first), end_of(results, axis, key, times.second)});
+  std::ranges::stable_sort(out, {}, [&](const AssumedInterval& each) {
+    return std::min(boundary_that_counts(results, each.low.gains),
+                    boundary_that_counts(results, each.high.gains));
+  });
+  return out;
+}
+
+std::map<std::string, double> boundary_by_hand(const TuningResults& results,
+                                               const AxisGains& gains) {
+  std::map<std::string, double> out;
+  for (const TuningLine& line : results.lines) {
+    if (line.axis != gains.axis || !line.assumed.empty()) continue;
+    double& least = out.try_emplace(line.hand, infinity).first->second;
+    for (const TuningColumn& column : line.columns)
+      if (column.damping == gains.damping && column.stable.fault != HoldFault::none)
+        least = std::min(least, column.stable.stiffness);
+  }
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/study/tuning/gain_recommendation.hpp"
+
+namespace sonde {
+
+/// The recommendation at one end of what an assumed value may be.
+struct AssumedEnd {
+  double value = 0;
+  AxisGains gains;
+};
+/// An assumed value of the profile, from half to twice what it says.
+struct AssumedInterval {
+  std::string key;
+  AssumedEnd low, high;
+};
+
+/// The boundary that counts: without friction where that is lower, unless it is trusted.
+double boundary_that_counts(const TuningResults& results, const AxisGains& gains);
+
+/// Of each assumed value that the study varied, in the one situation where it did: the one at whose
+/// worse end the boundary that counts is least comes first.
+std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis);
+
+/// The boundary over all situations, by hand, at the damping of the gains; infinite where nothing
+/// was unstable.
+std::map<std::string, double> boundary_by_hand(const TuningResults& results,
+                                               const AxisGains& gains);
+
+}  // namespace sonde
