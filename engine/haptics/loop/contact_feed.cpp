@@ -13,6 +13,13 @@ namespace {
 
 constexpr const LoopTuning& tuned = loop_tuning;
 
+/// For the rows near by, beside what the solver has.
+Effort effort_of_rows(const Budget& budget) {
+  const double share = tuned.budget_of_rows;
+  const auto work = static_cast<std::int64_t>(share * static_cast<double>(budget.work));
+  return {work, budget.microseconds > 0 ? now_us() + share * budget.microseconds : 0};
+}
+
 }  // namespace
 
 ContactFeed::ContactFeed(const Pair& pair, Method method)
@@ -31,7 +38,7 @@ const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& o
   last_device_ = contacts_.separation.device;
   near_.forget();
   gathered_ = false;
-  gather();
+  gather({});
   return contacts_;
 }
 
@@ -54,12 +61,12 @@ const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, 
   contacts_.tick = tick;
   contacts_.time = time;
   if (contacts_.separation.jumped) ++contacts_.jumps;
-  gather();
+  gather(budget);
   contacts_.refresh_us = now_us() - begin;
   return contacts_;
 }
 
-void ContactFeed::gather() noexcept {
+void ContactFeed::gather(const Budget& budget) noexcept {
   const Separation& s = contacts_.separation;
   contacts_.size = 0;
   if (s.status == Status::failed) return;
@@ -77,7 +84,8 @@ void ContactFeed::gather() noexcept {
   // Those that hold the probe come first: with them, the separated pose is the answer at the pose
   // it was found for.
   for (const Contact& c : s.contacts) add(c);
-  contacts_.reach = gather_near(chart, tuned.flat_within * margin);
+  Effort effort = effort_of_rows(budget);
+  contacts_.reach = gather_near(chart, tuned.flat_within * margin, effort);
   const int rows = near_.size();
   std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
   if (!marked_[0]) mark_support(tuned.support_reach * radius);
@@ -92,21 +100,23 @@ void ContactFeed::gather() noexcept {
   }
 }
 
-double ContactFeed::gather_near(const Chart& chart, double flat) noexcept {
+double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort) noexcept {
   const MassProperties& mass = pair_.probe().mass;
   const Pose& at = contacts_.separation.separated;
+  const Vec6 y = chart.coordinates(at);
   const Transform now(at), then(gathered_at_);
   // No point of the probe has moved further.
   const double moved =
       (now * mass.com - then * mass.com).norm() + (now.R - then.R).norm() * mass.radius;
-  if (gathered_ && moved < tuned.moved_with_rows * near_.reach()) {
-    near_.carry(chart, chart.coordinates(at));
-    return near_.reach() - moved;
+  const bool move_along = gathered_ && moved < tuned.moved_with_rows * near_.reach();
+  if (!move_along && near_.gather(chart, y, tuned.widest * mass.radius, flat, effort)) {
+    gathered_at_ = at;
+    gathered_ = true;
+    return near_.reach();
   }
-  near_.gather(chart, chart.coordinates(at), tuned.widest * mass.radius, flat);
-  gathered_at_ = at;
-  gathered_ = true;
-  return near_.reach();
+  if (!move_along) near_.look_less_far(flat);
+  near_.carry(chart, y);
+  return std::max(0.0, near_.reach() - moved);
 }
 
 void ContactFeed::mark_holding(const Pose& device) noexcept {

@@ -30,10 +30,10 @@ class ContactFeed {
 
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
-  void gather() noexcept;
-  /// Gathers the rows near the separated pose, or moves the last ones there with the probe while it
-  /// has come no distance to speak of. Returns how far they reach from there, m.
-  double gather_near(const Chart& chart, double flat) noexcept;
+  void gather(const Budget& budget) noexcept;
+  /// Gathers the rows near the separated pose. Where it is near the last one, or the effort runs
+  /// out, it moves the last rows there with the probe. Returns how far they reach from there, m.
+  double gather_near(const Chart& chart, double flat, Effort& effort) noexcept;
   /// Marks the rows that would hold the probe if the device moved elsewhere: further along its
   /// motion, or by `far` (m, for a point at the probe's radius) in any of twelve directions.
   void mark_support(double far) noexcept;

@@ -25,6 +25,10 @@ struct LoopTuning {
   /// errors of rows that are 1 to 20 ticks old are the same (`sonde-ages`), also with 0.25, which
   /// gains little.
   double moved_with_rows = 0.1;
+  /// Of the budget of the solver, beside it: what gathering rows may take. Where that runs out, the
+  /// last rows move with the probe, and the next gather goes on with the list of pairs and looks
+  /// less far.
+  double budget_of_rows = 0.5;
   double flat_within = 4;            ///< margins: pairs nearer than that give a row for each corner
   double margin_of_clearance = 0.5;  ///< the gap that rows are to keep, of allowed_clearance
   /// Which rows come first where there is no room for all: those that would hold the probe if the
