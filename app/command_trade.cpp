@@ -6,9 +6,12 @@
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
 #include "engine/base/error.hpp"
+#include "engine/calibration/calibration_file.hpp"
 #include "engine/study/parts/overlapping_poses.hpp"
+#include "engine/study/trade/calibrate.hpp"
 #include "engine/study/trade/trade.hpp"
 #include "engine/study/trade/trade_report.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::app {
 namespace {
@@ -17,6 +20,7 @@ struct TradeOptions {
   BodyOptions bodies;
   StudyOptions study;
   bool json = false;
+  bool calibrate = false;
   std::string poses;
   std::string trajectory;
   std::optional<std::size_t> count;
@@ -47,7 +51,14 @@ std::vector<Pose> choose_poses(const TradeOptions& options, const TradeSetup& se
   return chosen;
 }
 
+void write_calibration(const TradeOptions& options, const TradeSetup& setup) {
+  const Calibration measured = calibrate(setup, stop_on_interrupt());
+  write_whole(std::filesystem::path(options.study.out) / "calibration.json", to_json(measured));
+}
+
 void run(const TradeOptions& options) {
+  if (options.calibrate && !options.study.shard.empty())
+    throw UsageError("--calibrate measures this machine: leave out --shard");
   check_output(options.study);
   Scene scene = scene_of(options.bodies);
   if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
@@ -68,6 +79,7 @@ void run(const TradeOptions& options) {
   const Study study = trade_study(setup);
   progress.clear();
   run_study(study, options.study, trade_files);
+  if (options.calibrate) write_calibration(options, setup);
   print_summary(options.study, options.json);
 }
 
@@ -93,6 +105,8 @@ Command add_trade_command(CLI::App& program) {
                    "poses to search at, evenly chosen; without it 24, or all of --poses")
       ->check(check_count);
   add_flags(*parser, options->study);
+  parser->add_flag("--calibrate", options->calibrate,
+                   "also measure which accuracy takes which time here: calibration.json");
   parser->add_flag("--json", options->json, "the summary on standard output as JSON");
   parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")
       ->check(check_whole)

@@ -44,6 +44,19 @@ class Trade : public StudyTest {
   }
 };
 
+// Reference: `sonde query`, which reads the file.
+TEST_F(Trade, measures_the_mapping_of_time_and_accuracy) {
+  const Outcome run = sonde(boxes + "--calibrate --out c");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_TRUE(fs::exists(folder / "c/calibration.json"));
+  const Outcome used = sonde(
+      "query boxes.sonde.json --poses c/poses.csv --accuracy 20% --calibration c/calibration.json");
+  ASSERT_EQ(used.exit_code, 0) << used.err;
+  EXPECT_THAT(used.out, HasSubstr("within"));
+  EXPECT_EQ(sonde(boxes + "--calibrate --shard 1/2 --out d").exit_code, 2);
+  EXPECT_FALSE(fs::exists(folder / "d"));
+}
+
 TEST_F(Trade, writes_a_picture_tables_and_a_summary) {
   const Outcome run = sonde(boxes + "--out t");
   ASSERT_EQ(run.exit_code, 0) << run.err;

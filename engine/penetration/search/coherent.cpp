@@ -5,6 +5,7 @@
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/far_apart.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
@@ -24,6 +25,7 @@ struct CoherentSolver::State {
   Method method;
   Descent descent;
   ClusterIds ids;
+  FarApart far_apart{probe, fixed};
   Separation last;
   Pose device;     ///< the last one that was not refused
   Pose separated;  ///< the last one, free
@@ -54,6 +56,19 @@ struct CoherentSolver::State {
 
   bool within_reach(const Pose& X) const {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
+  }
+
+  /// Free before, and it cannot have come to anything since: what a descent would find, in its one
+  /// step, or in none where there is nothing to do.
+  bool stays_free(const Pose& to) noexcept {
+    if (last.status != Status::separated || !far_apart.covers(to)) return false;
+    const bool turns = device.q.coeffs() != to.q.coeffs();
+    const bool follows_in_step =
+        method == Method::pdg ? turns || device.p != to.p : !turns && device.p != to.p;
+    last = separated_at(to);
+    last.iterations = follows_in_step;
+    device = separated = to;
+    return true;
   }
 
   /// Translation only: the separated probe has to turn with the device first, in one motion that is
@@ -103,6 +118,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
+  s.far_apart.forget();
   s.ids.forget();
   s.ids.follow(s.last.separated, s.probe.mass.radius, s.last.clusters);
   return s.last;
@@ -119,9 +135,10 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     s.last.separated = s.separated;
     return s.last;
   }
+  const Pose device{X_FM.q.normalized(), X_FM.p};
+  if (s.stays_free(device)) return s.last;
   const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
   Effort effort(budget.work, until);
-  const Pose device{X_FM.q.normalized(), X_FM.p};
   Chart chart(s.probe.mass, device);
   chart.absorb_free_spin(s.separated);
   const Vec6 from = chart.coordinates(s.separated);
@@ -144,6 +161,9 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   s.last.jumped = s.last.depth <
                   before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe.mass.radius, before);
   s.last.converged = s.last.converged && followed;
+  // A probe that can spin at no cost is not where the device is.
+  if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0)
+    s.far_apart.look(device, farthest_move(s.probe.mass, s.device, device), effort);
   s.device = device;
   s.separated = s.last.separated;
   s.ids.follow(s.separated, s.probe.mass.radius, s.last.clusters);
