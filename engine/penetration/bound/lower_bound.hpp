@@ -12,7 +12,7 @@ struct BoundOptions {
   /// Counted work; the same work gives the same bits. A cell of rotations counts 1, a point's depth
   /// in both bodies 10. The search ends earlier where half as much again raised the bound by less
   /// than 2 %. More work brings the bound nearer to what one point at a time can prove
-  /// (resources/docs/understand/penetration.md has the trade).
+  /// ("How sharp the lower bound is" in resources/docs/understand/penetration.md).
   int work = 20'000;
 };
 
