@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde::ui {
@@ -21,12 +22,6 @@ void add(std::string& line, const Pose& pose) {
 }
 
 }  // namespace
-
-double share_of_force(const Contact& contact, const ContactClusters& all) {
-  double sum = 0;
-  for (const ContactCluster& c : all) sum += c.contact.multiplier;
-  return sum > 0 ? contact.multiplier / sum : 0;
-}
 
 std::string moments_csv(std::span<const Moment> moments) {
   std::string text =

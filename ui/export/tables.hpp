@@ -12,11 +12,8 @@ namespace sonde::ui {
 /// depth, force, torque.
 std::string moments_csv(std::span<const Moment> moments);
 
-/// A row for each contact of each moment: cluster, share of the force, multiplier, gap, points and
-/// normal.
+/// A row for each cluster of contacts at each moment: its id, its share of the force, multiplier,
+/// gap, points, normal and number of rows.
 std::string contacts_csv(std::span<const Moment> moments);
-
-/// The share of a contact in the sum of all multipliers; 0 where there are none.
-double share_of_force(const Contact& contact, const ContactClusters& all);
 
 }  // namespace sonde::ui
