@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "engine/geometry/pose.hpp"
 
@@ -12,8 +14,17 @@ namespace sonde {
 enum class Method { pdg, pdt };  ///< all six degrees, or translation only
 enum class Status { separated, penetrating, failed };
 
-/// As files and the command line have it.
-constexpr const char* name_of(Method method) { return method == Method::pdt ? "pdt" : "pdg"; }
+/// The words for the methods in files and on the command line, in the order of the enum.
+inline constexpr std::array<const char*, 2> method_names{"pdg", "pdt"};
+constexpr const char* name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
+/// The method of a word; no value for any other word.
+constexpr std::optional<Method> method_named(std::string_view word) {
+  for (const Method method : {Method::pdg, Method::pdt})
+    if (word == name_of(method)) return method;
+  return std::nullopt;
+}
 constexpr const char* name_of(Status status) {
   switch (status) {
     case Status::separated:
