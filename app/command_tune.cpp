@@ -36,7 +36,7 @@ TuningRequest request_of(const Scene& scene, const TuneOptions& options, const P
   request.X_FM = relative_pose(scene);
   request.coupling = scene.coupling;
   if (const auto mode = coupling_mode(options.coupling_mode)) request.coupling.mode = *mode;
-  request.method = options.method == "pdt" ? Method::pdt : Method::pdg;
+  request.method = method_named(options.method).value();
   request.sample_time = 1 / scene.servo.rate_hz;
   if (scene.servo.budget.steps > 0) request.budget.steps = scene.servo.budget.steps;
   request.device = device;
@@ -97,7 +97,7 @@ Command add_tune_command(CLI::App& program) {
   parser->add_option("--coupling", options->coupling_mode, "mode to study; without it the scene's")
       ->check(CLI::IsMember({"object", "classic"}));
   parser->add_option("--method", options->method, "pdg: all six degrees; pdt: translation only")
-      ->check(CLI::IsMember({"pdg", "pdt"}))
+      ->check(CLI::IsMember(method_names))
       ->capture_default_str();
   parser
       ->add_option(

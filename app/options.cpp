@@ -52,7 +52,7 @@ std::string check_whole(const std::string& text) {
 void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode) {
   options.mode = default_mode;
   parser.add_option("--method", options.method, "pdg: all six degrees; pdt: translation only")
-      ->check(CLI::IsMember({"pdg", "pdt"}))
+      ->check(CLI::IsMember(method_names))
       ->capture_default_str();
   parser
       .add_option("--mode", options.mode,

@@ -39,7 +39,7 @@ struct SolverOptions {
   unsigned threads = 0;       ///< 0: as many as the machine runs at once
 
   bool coherent() const { return mode == "coherent"; }
-  Method chosen_method() const { return method == "pdt" ? Method::pdt : Method::pdg; }
+  Method chosen_method() const { return method_named(method).value(); }
   StaticOptions static_options() const {
     return {.method = chosen_method(),
             .budget = budget,

@@ -41,7 +41,8 @@ Model model_of(const std::string& word) {
       {{"auto", Model::automatic}, {"solid", Model::solid}, {"surface", Model::surface}});
 }
 Method method_of(const std::string& word) {
-  return chosen<Method>("method", word, {{"pdg", Method::pdg}, {"pdt", Method::pdt}});
+  return chosen<Method>("method", word,
+                        {{name_of(Method::pdg), Method::pdg}, {name_of(Method::pdt), Method::pdt}});
 }
 Budget budget_of(int steps, double microseconds) {
   if (steps < 0 || !(microseconds >= 0))
@@ -92,7 +93,7 @@ Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
              double budget_us) {
   const std::vector<Pose> given = poses_of(poses);
   app::SolverOptions options;
-  options.method = method_of(method) == Method::pdt ? "pdt" : "pdg";
+  options.method = name_of(method_of(method));
   options.budget = budget_of(budget_steps, budget_us);
   options.seed = seed;
   options.threads = std::min(threads, 1024U);

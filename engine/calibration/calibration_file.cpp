@@ -19,7 +19,7 @@ using Kind = JsonNode::Kind;
 constexpr int format_version = 1;
 constexpr std::size_t most_bytes = 1 << 26;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::array<const char*, 2> answers_names{"search", "tick"}, method_names{"pdg", "pdt"};
+constexpr std::array<const char*, 2> answers_names{"search", "tick"};
 
 /// Reads the values of one file and complains with its name and the line.
 struct Reader {

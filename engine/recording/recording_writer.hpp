@@ -19,6 +19,10 @@ namespace sonde {
 
 /// Writes a recording block by block in its own thread. After a kill the file can be read up to the
 /// last whole block.
+///
+/// See also: ui/document/recorder.cpp feeds it. Each snapshot goes to a TickLog, which packs ticks
+/// into blocks and passes a block on when it is full (TickLog::sealed). A writer of another format
+/// belongs before that packing: it takes the snapshots that TickLog::add takes.
 class RecordingWriter {
  public:
   /// Throws InputError where the file cannot be created.

@@ -46,9 +46,10 @@ struct Scene {
   std::string schema = {};  ///< "$schema", for editors; kept as it stands
 };
 
-/// Reads a scene. Throws InputError naming the file, the line and the reason: JSON that does not
-/// parse, a missing key, an unknown one (with the nearest known), a value out of range or a
-/// quaternion far from unit.
+/// Reads a scene. Throws InputError that names the file, the line and the reason: JSON that does
+/// not parse, a missing key, an unknown one (with the nearest known), a value out of range or a
+/// quaternion far from unit. For a file that is missing, empty or cannot be read, it names the file
+/// and the reason alone.
 Scene read_scene(const std::filesystem::path& file);
 /// The same from the text of a file, wherever it comes from.
 Scene scene_in(const std::string& text, const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which vector instructions kernels are compiled for, and which of them this processor runs. All
-// kernels are chosen by it, so that a program runs one set; each gives the same bits.
+// The sets of vector instructions that kernels are compiled for, and which of them this processor
+// runs. Every kernel is chosen by widest_instruction_set(), so a program runs one set. Each set
+// gives the same bits.
 #pragma once
 
 // For __attribute__((target(...))) and the pragmas of lanes.hpp.
@@ -9,7 +10,7 @@
 
 namespace sonde {
 
-/// In order: each has wider vectors than the last. The baseline is what the build is for.
+/// From narrow to wide vectors. The baseline is the set that the whole build is compiled for.
 enum class InstructionSet { baseline, avx2, avx512, count };
 
 inline bool is_supported(InstructionSet set) {
@@ -23,7 +24,7 @@ inline bool is_supported(InstructionSet set) {
   return set == InstructionSet::baseline;
 }
 
-/// The widest that this processor runs.
+/// The set with the widest vectors that this processor runs.
 inline InstructionSet widest_instruction_set() {
   static const InstructionSet widest = is_supported(InstructionSet::avx512) ? InstructionSet::avx512
                                        : is_supported(InstructionSet::avx2)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Doubles in lanes, by the vector extensions of GCC and Clang. A source says how many before it
-// includes this: SONDE_LANES is 8 (AVX-512), 4 (AVX2) or 2 (what the build is for: SSE2, NEON). All
-// code between SONDE_LANES_BEGIN and SONDE_LANES_END is compiled for those instructions, so it may
-// run only where the processor has them. Everything is in an unnamed namespace and nothing from
-// other headers may be used in between: an inline function compiled here for AVX-512 could
-// otherwise be the one that the linker keeps for all.
+// Vectors of doubles, by the vector extensions of GCC and Clang. Each element is a lane. A source
+// defines SONDE_LANES, the number of lanes, before it includes this header: 8 (AVX-512), 4 (AVX2)
+// or 2 (the baseline of the build: SSE2, NEON). Code between SONDE_LANES_BEGIN and SONDE_LANES_END
+// is compiled for these instructions, so it may run only on a processor that has them. All of it is
+// in an unnamed namespace, and it must not use inline functions of other headers: the linker keeps
+// one copy of such a function for the whole program, and that could be the one compiled for
+// AVX-512.
 #pragma once
 
 #ifndef SONDE_LANES
@@ -44,14 +45,14 @@ SONDE_LANES_BEGIN
 namespace sonde::lanes {
 namespace {
 
-/// One number in each lane.
+/// A number in each lane.
 typedef double Number __attribute__((vector_size(SONDE_LANES * sizeof(double))));
-/// True or false in each lane: all bits or none.
+/// A truth value in each lane: all bits are set, or none.
 typedef long long Mask __attribute__((vector_size(SONDE_LANES * sizeof(double))));
 
-/// The same number in every lane.
-inline Number all(double x) { return x - Number{}; }
-/// 0, 1, 2 and so on.
+/// A Number with x in every lane.
+inline Number broadcast(double x) { return x - Number{}; }
+/// A Number with 0, 1, 2 and so on in its lanes.
 inline Number lane_numbers() {
   Number x;
   for (int i = 0; i < SONDE_LANES; ++i) x[i] = i;
@@ -66,9 +67,10 @@ inline void store(double* p, Number x) { __builtin_memcpy(p, &x, sizeof x); }
 
 inline Number select(Mask m, Number yes, Number no) { return m ? yes : no; }
 
-// The processor's minimum and maximum are x < y ? x : y and x > y ? x : y to the bit, and its
-// square root is rounded correctly, but compilers seldom see that these are meant. any: is it true
-// in any lane? (The masked forms are those that g++ 12 does not warn of.)
+// smaller, larger and root act lane by lane. The processor's minimum and maximum equal x < y ? x :
+// y and x > y ? x : y to the bit, and its square root is rounded correctly. Compilers seldom choose
+// these instructions by themselves. any() is true if a lane is true. (g++ 12 warns of the AVX-512
+// forms without a mask.)
 #if !defined(__x86_64__)
 inline Number smaller(Number x, Number y) { return x < y ? x : y; }
 inline Number larger(Number x, Number y) { return x > y ? x : y; }
@@ -93,8 +95,8 @@ inline Number larger(Number x, Number y) { return _mm_max_pd(x, y); }
 inline Number root(Number x) { return _mm_sqrt_pd(x); }
 inline bool any(Mask m) { return _mm_movemask_pd(reinterpret_cast<__m128d>(m)) != 0; }
 #endif
-/// x drawn into 0 to 1.
-inline Number clamp01(Number x) { return smaller(larger(x, Number{}), all(1)); }
+/// x limited to the range 0 to 1, lane by lane.
+inline Number clamp01(Number x) { return smaller(larger(x, Number{}), broadcast(1)); }
 
 /// A vector in each lane.
 struct Vector {
@@ -111,7 +113,8 @@ inline Number dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// From lane `first` of [coordinate][lane].
+// Arrays of vectors have the layout [coordinate][lane]. Both functions act on SONDE_LANES lanes
+// from lane `first` on.
 inline Vector load(const double in[3][8], int first) {
   return {load(in[0] + first), load(in[1] + first), load(in[2] + first)};
 }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors of single precision, by the vector extensions of GCC and Clang: operators act on all
-// lanes, comparisons give all bits or none, and the compiler splits them where the processor's are
-// narrower. Kernels over doubles, compiled once for each instruction set, are written in lanes.hpp.
+// Vectors of single precision, by the vector extensions of GCC and Clang. Operators act lane by
+// lane. A comparison sets all bits of a lane, or none. The compiler splits a vector that is wider
+// than those of the processor. Kernels over doubles use lanes.hpp instead; they are compiled once
+// for each instruction set.
 #pragma once
 
 #include <cstdint>
 
 namespace sonde {
 
-/// Three numbers and a fourth, which may idle.
+/// Four numbers. A vector in space uses the first three.
 typedef float FloatX4 __attribute__((vector_size(16)));
 typedef std::int32_t IntX4 __attribute__((vector_size(16)));
-/// A number for each box of a node (Tree::width).
+/// One number for each of the sixteen boxes of a tree's node (Tree::width).
 typedef float FloatX16 __attribute__((vector_size(64)));
 typedef std::int32_t IntX16 __attribute__((vector_size(64)));
 

@@ -35,7 +35,7 @@ double thread_us() {
 }
 
 std::vector<Tick> follow(const TickCase& c, const Options& o) {
-  const Method method = o.method == "pdt" ? Method::pdt : Method::pdg;
+  const Method method = method_named(o.method).value();
   std::vector<Tick> ticks(c.path.size());
   const Pair pair(c.probe, c.fixed);
   for (int run = 0; run < o.runs; ++run) {
@@ -84,7 +84,9 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_flag("--real", o.real, "four pairs of real meshes, pressed and slid on each other");
   app.add_option("--only", o.only, "of the real pairs those whose names hold this");
-  app.add_option("--method", o.method, "pdg or pdt")->capture_default_str();
+  app.add_option("--method", o.method, "pdg or pdt")
+      ->check(CLI::IsMember(sonde::method_names))
+      ->capture_default_str();
   app.add_option("--runs", o.runs, "the least of so many counts")->capture_default_str();
   app.add_option("--budget-us", o.budget.microseconds, "of a tick, by the clock; 0: none");
   app.add_option("--work", o.budget.work, "units of work of a tick; 0: no limit");

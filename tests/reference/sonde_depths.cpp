@@ -32,8 +32,8 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--budget-steps", o.search.budget.steps, "budget in counted steps");
   app.add_option("--seed", o.search.seed, "of the search")->capture_default_str();
   app.add_option("--method", o.search.method, "pdg or pdt")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Method>{{"pdg", Method::pdg}, {"pdt", Method::pdt}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
+          {name_of(Method::pdg), Method::pdg}, {name_of(Method::pdt), Method::pdt}}));
   app.add_option("--only", o.only, "one pair of meshes");
   app.add_option("--every", o.every, "only every N-th row")->check(CLI::PositiveNumber);
   app.add_option("--worst", o.worst, "how many of the worst to name")->capture_default_str();
@@ -46,7 +46,8 @@ void add_options(CLI::App& app, Options& o) {
       [&o](const std::vector<std::string>& all) {
         for (const std::string& each : all) vary(o.tuning, each);
       },
-      "NAME=VALUE: another value for a number of SearchTuning; may be given again");
+      "NAME=VALUE: another value for a number of SearchTuning; may be given again; the names are " +
+          list_of_search_tuning());
   app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }

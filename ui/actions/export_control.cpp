@@ -219,7 +219,7 @@ void ExportControl::make_film() {
           Qt::QueuedConnection);
   connect(&film, &QProcess::errorOccurred, this, ended, Qt::QueuedConnection);
   // An even number of pixels each way: most players want no other.
-  film.start(film_maker(),
+  film.start(find_ffmpeg(),
              {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
               QStringLiteral("-framerate"), QString::number(animation_->film_rate),
               QStringLiteral("-i"), QStringLiteral("frame_%04d.png"), QStringLiteral("-vf"),
@@ -239,7 +239,7 @@ void ExportControl::finish(const QString& reason) {
   viewport_.invalidate();
   if (!done) return;  // given up: there is no folder
   if (!reason.isEmpty()) return fail(reason);
-  write(done->folder_name, [&] { done->folder.keep(); });
+  write(done->folder_name, [&] { done->folder.commit(); });
 }
 
 }  // namespace sonde::ui

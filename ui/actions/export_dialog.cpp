@@ -95,7 +95,7 @@ void ExportDialog::add_picture(Of of, QFormLayout& form, const QSize& size) {
   if (of == Of::animation) add(QStringLiteral("&Pictures"), frames_);
   if (of == Of::picture) return;
   add({}, film_);
-  film_->setEnabled(!film_maker().isEmpty());
+  film_->setEnabled(!find_ffmpeg().isEmpty());
   if (!film_->isEnabled()) film_->setToolTip(QStringLiteral("needs ffmpeg on this system"));
 }
 

@@ -19,6 +19,6 @@ void write_image(const std::filesystem::path& file, const QImage& image) {
   write_whole(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
-QString film_maker() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
+QString find_ffmpeg() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 }  // namespace sonde::ui

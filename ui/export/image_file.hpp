@@ -6,10 +6,10 @@
 
 namespace sonde::ui {
 
-/// Writes a picture as PNG, whole or not at all. Throws InputError.
+/// Writes an image to a PNG file, whole or not at all. Throws InputError if that fails.
 void write_image(const std::filesystem::path& file, const QImage& image);
 
-/// The program that makes a film of pictures on this system; empty where there is none.
-QString film_maker();
+/// The path of ffmpeg, which makes a film of a folder of pictures. Empty if it is not installed.
+QString find_ffmpeg();
 
 }  // namespace sonde::ui

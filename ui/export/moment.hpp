@@ -8,18 +8,19 @@
 
 namespace sonde::ui {
 
-/// What is exported of one instant. Everything is in the fixed body's mesh frame, SI.
+/// The part of one snapshot that an export writes. Poses, points and directions are in the fixed
+/// body's mesh frame; units are SI.
 struct Moment {
-  double time = 0;  ///< s
-  Pose probe;       ///< X_FM of the probe as it is drawn
+  double time = 0;  ///< s since the start of the servo or of the recording
+  Pose probe;       ///< X_FM, the pose at which the probe is drawn
   Separation separation;
   Wrench wrench;
 };
 
 Moment moment_of(const Snapshot& snapshot);
 
-/// The separation as a motion: the probe on its way from the device pose to the separated one, in
-/// so many steps (at least one) over one second.
+/// The motion of the probe from the device pose to the separated pose, in `steps` steps of equal
+/// time (at least one) that last one second together.
 std::vector<Moment> separation_in_steps(const Snapshot& snapshot, const MassProperties& probe,
                                         int steps);
 

@@ -40,7 +40,7 @@ NewFolder::~NewFolder() {
   if (!filling_.empty()) fs::remove_all(filling_, ignored);
 }
 
-void NewFolder::keep() {
+void NewFolder::commit() {
   std::error_code error;
   fs::rename(filling_, folder_, error);
   if (error) fail(folder_, error.message());

@@ -5,20 +5,22 @@
 
 namespace sonde::ui {
 
-/// A folder that appears whole or not at all: it is filled under another name beside its own, and
-/// goes with whatever is in it unless it is kept.
+/// A folder that appears whole or not at all. The caller fills it under another name, in the folder
+/// in which it will lie, and then calls commit(). Without that, the destructor removes it with all
+/// that it holds.
 class NewFolder {
  public:
-  /// Throws InputError where the folder is there already, or cannot be made.
+  /// Makes the folder under its other name. Throws InputError if `folder` exists already, or if it
+  /// cannot be made.
   explicit NewFolder(const std::filesystem::path& folder);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
 
-  /// Where to write for now.
+  /// The folder to write into before commit().
   const std::filesystem::path& path() const { return filling_; }
-  /// Gives it its name. Throws InputError.
-  void keep();
+  /// Renames the filled folder to its own name. Throws InputError if that fails.
+  void commit();
 
  private:
   std::filesystem::path folder_, filling_;

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "engine/base/progress.hpp"
+#include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/output_file.hpp"
 
@@ -23,12 +24,6 @@ void add(std::string& line, const Pose& pose) {
 }
 
 }  // namespace
-
-double share_of_force(const Contact& contact, const ContactClusters& all) {
-  double sum = 0;
-  for (const ContactCluster& c : all) sum += c.contact.multiplier;
-  return sum > 0 ? contact.multiplier / sum : 0;
-}
 
 std::string moments_csv(std::span<const Moment> moments) {
   std::string text =

@@ -15,8 +15,8 @@ namespace sonde::ui {
 /// depth, force, torque.
 std::string moments_csv(std::span<const Moment> moments);
 
-/// A row for each contact of each moment: cluster, share of the force, multiplier, gap, points and
-/// normal.
+/// A row for each cluster of contacts at each moment: its id, its share of the force, multiplier,
+/// gap, points, normal and number of rows.
 std::string contacts_csv(std::span<const Moment> moments);
 
 /// The table of contacts that goes with a table of moments: NAME.contacts.csv beside NAME.csv.
@@ -25,8 +25,5 @@ std::filesystem::path contacts_file_of(const std::filesystem::path& file);
 /// Writes both tables, or neither. Throws InputError, and Cancelled where `progress` says so.
 void write_tables(const std::filesystem::path& file, std::string_view moments,
                   std::string_view contacts, const std::function<bool(double)>& progress = {});
-
-/// The share of a contact in the sum of all multipliers; 0 where there are none.
-double share_of_force(const Contact& contact, const ContactClusters& all);
 
 }  // namespace sonde::ui

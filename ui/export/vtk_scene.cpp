@@ -23,9 +23,9 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/progress.hpp"
+#include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/text/output_file.hpp"
 #include "ui/export/new_folder.hpp"
-#include "ui/export/tables.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -185,7 +185,7 @@ void write_vtk(const fs::path& folder, const Surfaces& surfaces, std::span<const
     write_whole(filling.path() / "sonde.vtm.series", series.dump(2) + "\n");
   }
   report(progress, 1);
-  filling.keep();
+  filling.commit();
 }
 
 }  // namespace sonde::ui

@@ -21,8 +21,8 @@ struct Surfaces {
 
 /// A surface at a pose, as data of its own.
 vtkSmartPointer<vtkPolyData> surface_at(vtkPolyData& surface, const Pose& pose);
-/// The contacts of a moment as points on the fixed body, with normal [1], on_probe [m], gap [m],
-/// multiplier [m], share and cluster.
+/// The clusters of contacts of a moment, each as one point on the fixed body with normal [1], on
+/// probe [m], gap [m], multiplier [m], share of force and cluster (its id).
 vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment);
 /// The centre of mass with force [N] and torque [N m].
 vtkSmartPointer<vtkPolyData> wrench_point(const Moment& moment, const Vec3& com);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/penetration/contact/contact_clusters.hpp"
+
 namespace sonde::ui {
 namespace {
 
@@ -57,8 +59,6 @@ void ContactsPanel::show_contacts(const Separation& separation) {
   std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) {
     return a.contact.multiplier > b.contact.multiplier;
   });
-  double sum = 0;
-  for (const ContactCluster& c : clusters) sum += c.contact.multiplier;
   filling_ = true;
   while (rows_->topLevelItemCount() > static_cast<int>(clusters.size()))
     delete rows_->takeTopLevelItem(rows_->topLevelItemCount() - 1);
@@ -69,9 +69,8 @@ void ContactsPanel::show_contacts(const Separation& separation) {
     QTreeWidgetItem& row = *rows_->topLevelItem(static_cast<int>(i));
     row.setData(name, Qt::UserRole, QVariant::fromValue(static_cast<qulonglong>(c.id)));
     row.setText(name, QString::number(c.id));
-    row.setText(share, sum > 0
-                           ? QStringLiteral("%1 %").arg(100 * c.contact.multiplier / sum, 0, 'f', 0)
-                           : QString());
+    const double part = 100 * share_of_force(c.contact, separation.clusters);
+    row.setText(share, part > 0 ? QStringLiteral("%1 %").arg(part, 0, 'f', 0) : QString());
     row.setText(multiplier, unit_.text(c.contact.multiplier));
     row.setText(gap, unit_.text(c.contact.gap));
     row.setText(rows, QString::number(c.rows));

@@ -34,8 +34,8 @@ void ContactView::draw(const Frame& frame) {
   for (const ContactCluster& cluster : clusters) {
     const Contact& contact = cluster.contact;
     Marker& marker = *markers_[static_cast<std::size_t>(shown++)];
-    const double share = largest > 0 ? contact.multiplier / largest : 1;
-    const double length = (24 + 40 * share) * frame.pixel;
+    const double of_largest = largest > 0 ? contact.multiplier / largest : 1;
+    const double length = (24 + 40 * of_largest) * frame.pixel;
     marker.on_fixed.set(contact.on_fixed, 5 * frame.pixel);
     // The two points all but coincide: the smaller ball of the probe shows when they do not.
     marker.on_probe.set(contact.on_probe, 3.5 * frame.pixel);

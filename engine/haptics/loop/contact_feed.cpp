@@ -114,8 +114,8 @@ double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort)
     gathered_ = true;
     return near_.reach();
   }
-  if (!move_along) near_.look_less_far(flat);
-  near_.carry(chart, y);
+  if (!move_along) near_.halve_next_reach(flat);
+  near_.move_rows_with_probe(chart, y);
   return std::max(0.0, near_.reach() - moved);
 }
 
@@ -123,11 +123,11 @@ void ContactFeed::mark_holding(const Pose& device) noexcept {
   Chart chart(pair_.probe().mass, device);
   chart.absorb_free_spin(contacts_.separation.separated);
   const Vec6 y = chart.coordinates(contacts_.separation.separated);
-  if (!near_.again(chart, y)) return;
+  if (!near_.reuse_rows(chart, y)) return;
   const LeastDistance held =
       near_.solve(tuned.margin_of_clearance *
                       allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
-                  ContactRows::Narrow::keep);
+                  ContactRows::SmallGaps::keep);
   for (int i = 0; i < held.active_count; ++i)
     if (const int row = held.active[static_cast<std::size_t>(i)]; row < near_.size())
       marked_[static_cast<std::size_t>(row)] = true;

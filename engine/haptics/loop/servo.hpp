@@ -43,7 +43,9 @@ struct ServoTiming {
 
 struct ServoSettings {
   double rate_hz = 1000;
-  Budget budget{.steps = 0, .microseconds = 800};  ///< for the solver, each time
+  /// What the geometry thread may use for each answer of the solver. It does not limit the servo's
+  /// own tick: one that ends past its deadline is only counted (Snapshot::late).
+  Budget budget{.steps = 0, .microseconds = 800};
   SafetySettings safety;
   PassivitySettings passivity;
   bool real_time = true;  ///< ask the system for real-time scheduling and locked memory

@@ -37,12 +37,17 @@ struct SafetySettings {
   double runaway_turn = 30;
 };
 
-/// The last check of a wrench on its way to the hand. The force rises from zero after a start, and
-/// after anything that withheld it. It changes no faster than its slew limits, and stays below the
-/// limits of the device. It is zero at once while it is withheld. One exception: where the answer
-/// has not converged, the force fades, because one such tick is no reason to let go of a wall. The
-/// ramp runs only while there is a force to give: a contact made long after a fault also rises
-/// slowly.
+/// The loop's last check of a wrench on its way to the hand. The force rises from zero after a
+/// start, and after anything that withheld it. It changes no faster than its slew limits. It stays
+/// below the limits that the coupling sets (Coupling::max_force and max_torque). It is zero at once
+/// while it is withheld. One exception: where the answer has not converged, the force fades,
+/// because one such tick is no reason to let go of a wall. The ramp runs only while there is a
+/// force to give: a contact made long after a fault also rises slowly.
+///
+/// See also the other limits of the wrench. Before the gate, Coupler::wrench
+/// (engine/haptics/coupling/coupler.cpp) scales it down to the limits of the coupling. After it,
+/// the driver of a device with force scales it down to what that device can give: `limited` in
+/// engine/devices/device_sample.cpp.
 class ForceGate {
  public:
   explicit ForceGate(const SafetySettings& settings = {}) : settings_(settings) {}

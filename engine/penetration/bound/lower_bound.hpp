@@ -12,15 +12,16 @@ struct BoundOptions {
   /// Counted work; the same work gives the same bits. A cell of rotations counts 1, a point's depth
   /// in both bodies 10. The search ends earlier where half as much again raised the bound by less
   /// than 2 %. More work brings the bound nearer to what one point at a time can prove
-  /// (resources/docs/understand/penetration.md has the trade).
+  /// ("How sharp the lower bound is" in resources/docs/understand/penetration.md).
   int work = 20'000;
 };
 
-/// A certified lower bound of the depth √PD_g of probe A at X_FM against B, metres, rounded down.
-/// No value where both bodies are surfaces. A point that lies a deep in A and b deep in B (negative
-/// outside) must be displaced by a + b, whatever the motion. Cells cover the rotations. In each
-/// cell, the most useful point says how far the centre of mass must go besides. 0 where no point
-/// lies in both bodies (or none was found before the deadline).
+/// A certified lower bound of the depth √PD_g (PD_g is in m², the depth and this bound in m) of
+/// probe A at X_FM against B, rounded down. No value where both bodies are surfaces. A point that
+/// lies a deep in A and b deep in B (negative outside) must be displaced by a + b, whatever the
+/// motion. Cells cover the rotations. In each cell, the most useful point says how far the centre
+/// of mass must go besides. 0 where no point lies in both bodies (or none was found before the
+/// deadline). The proof is in "Lower bound" of resources/docs/understand/mathematics.md.
 std::optional<double> depth_lower_bound(const Body& probe, const Body& fixed, const Pose& X_FM,
                                         const Deadline& deadline = {},
                                         const BoundOptions& options = {});

@@ -94,6 +94,12 @@ ContactClusters contact_clusters(const ContactSet& contacts, double radius) noex
   return out;
 }
 
+double share_of_force(const Contact& contact, const ContactClusters& all) noexcept {
+  double sum = 0;
+  for (const ContactCluster& c : all) sum += c.contact.multiplier;
+  return sum > 0 ? contact.multiplier / sum : 0;
+}
+
 void ClusterIds::follow(const Pose& X_FM, double radius, ContactClusters& clusters) noexcept {
   const Pose to_probe = inverse(X_FM), last_to_probe = inverse(last_X_FM_);
   const auto on_probe = [](const Pose& X_MF, const Contact& c) {

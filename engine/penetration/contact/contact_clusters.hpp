@@ -18,6 +18,10 @@ namespace sonde {
 /// allocates.
 ContactClusters contact_clusters(const ContactSet& contacts, double radius) noexcept;
 
+/// The share of a contact in the sum of the multipliers of all clusters, 0 to 1. 0 if that sum is
+/// 0.
+double share_of_force(const Contact& contact, const ContactClusters& all) noexcept;
+
 /// Keeps the ids of clusters from tick to tick. A cluster takes the id of a cluster of the last
 /// tick if the two belong together as contacts do, seen from the probe or from the fixed body. So a
 /// corner that slides over triangles keeps its id, and so does an edge that slides over a corner.

@@ -29,13 +29,13 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       violations_(tuned.most_cut),
       pair_of_(capacity),
       kept_(tuned.most_kept),
-      crowded_(probe.mass.radius) {}
+      reach_limit_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
   lists_.forget();
   gathered_ = rim_ = false;
   count_ = kept_count_ = 0;
-  crowded_ = probe_.mass.radius;
+  reach_limit_ = probe_.mass.radius;
 }
 
 void ContactRows::accept(const Contact& contact, const TrianglePair& of) noexcept {
@@ -107,7 +107,7 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
     if (is_news(corner)) accept(corner, {pair.triangle_a, pair.triangle_b});
 }
 
-Vec3 ContactRows::stillest(const Transform& X) const noexcept {
+Vec3 ContactRows::least_moving_point(const Transform& X) const noexcept {
   const Vec3& com = probe_.mass.com;
   if (count_ == 0) return com;
   const auto local = [&](std::size_t i) {
@@ -116,8 +116,8 @@ Vec3 ContactRows::stillest(const Transform& X) const noexcept {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < count_; ++i) sum += local(i);
   const Vec3 middle = sum / static_cast<double>(count_);
-  const Displacement about_com = lists_.usual(X, com).size(),
-                     about_middle = lists_.usual(X, middle).size();
+  const Displacement about_com = lists_.recent_course(X, com).size(),
+                     about_middle = lists_.recent_course(X, middle).size();
   double by_com = 0, by_middle = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     by_com += about_com.of((local(i) - com).norm());
@@ -135,11 +135,11 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
     return listed >= reach;
   };
   if (!take_what_is_listed()) {
-    const Vec3 centre = stillest(X);
-    lists_.renew(X, {reach, near_of(reach), will_do, centre, {lists_.usual(X, centre), {}}},
+    const Vec3 centre = least_moving_point(X);
+    lists_.renew(X, {reach, near_of(reach), will_do, centre, {lists_.recent_course(X, centre), {}}},
                  effort);
     // Where there is no room for so much, less is expected the next time.
-    if (!take_what_is_listed()) lists_.expect_less();
+    if (!take_what_is_listed()) lists_.expect_shorter_paths();
   }
   NeighbourList& list = lists_.serving();
   const NearPairs near =
@@ -147,23 +147,24 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
           ? list.near(X, reach, {pairs_.data(), most_near_}, effort)
           : near_pairs(probe_, fixed_, X, reach, {pairs_.data(), most_near_}, effort);
   if (near.reach < 0) return near;
-  crowded_ = near.reach < reach ? near.reach
-                                : std::min(tuned.crowded_growth * crowded_, probe_.mass.radius);
+  reach_limit_ = near.reach < reach
+                     ? near.reach
+                     : std::min(tuned.crowded_growth * reach_limit_, probe_.mass.radius);
   return near;
 }
 
-void ContactRows::look_ahead(Effort& effort) noexcept {
+void ContactRows::prepare_next_list(Effort& effort) noexcept {
   if (!gathered_) return;
   const double reach = std::max(least_asked_, tuned.least_share_of_reach * asked_);
-  const Vec3 centre = stillest(X_);
-  lists_.look_ahead(X_, {reach, near_of(reach), reach, centre, {lists_.usual(X_, centre), {}}},
-                    effort);
+  const Vec3 centre = least_moving_point(X_);
+  lists_.prepare_next_list(
+      X_, {reach, near_of(reach), reach, centre, {lists_.recent_course(X_, centre), {}}}, effort);
 }
 
 bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
                          Effort& effort) noexcept {
   const Transform X(chart.pose(y));
-  asked_ = std::min(reach, crowded_);
+  asked_ = std::min(reach, reach_limit_);
   least_asked_ = tuned.least_reach_of_flat * flat;
   const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
   gathered_ = near.reach >= 0 && !effort.is_spent();
@@ -171,7 +172,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   count_ = 0;
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
-  turn_ = std::max(tuned.turn_per_reach * reach_ / probe_.mass.radius, 2 * lists_.usual_turn());
+  turn_ = std::max(tuned.turn_per_reach * reach_ / probe_.mass.radius, 2 * lists_.recent_turn());
   const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
@@ -186,7 +187,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   return true;
 }
 
-bool ContactRows::again(const Chart& chart, const Vec6& y) noexcept {
+bool ContactRows::reuse_rows(const Chart& chart, const Vec6& y) noexcept {
   if (!gathered_) return false;
   const Transform X(chart.pose(y));
   const Vec3& com = probe_.mass.com;
@@ -196,7 +197,7 @@ bool ContactRows::again(const Chart& chart, const Vec6& y) noexcept {
   return true;
 }
 
-void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
+void ContactRows::move_rows_with_probe(const Chart& chart, const Vec6& y) noexcept {
   const Transform X(chart.pose(y));
   for (std::size_t i = 0; i < count_; ++i) {
     Contact& c = contacts_[i];
@@ -208,13 +209,13 @@ void ContactRows::carry(const Chart& chart, const Vec6& y) noexcept {
   linearise(chart, y);
 }
 
-ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
-                                   double margin, Effort& effort) noexcept {
+ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
+                                        double margin, Effort& effort) noexcept {
   const double least = tuned.kept_share * margin;
   const Transform end = motion.at(1);
-  lists_.remember(motion);
+  lists_.note_path(motion);
   if (lists_.serving().reach_at(end) <= least) {
-    const Vec3 centre = stillest(X_);
+    const Vec3 centre = least_moving_point(X_);
     lists_.renew(X_, {least, near_of(least), least, centre, path_of(motion, centre)}, effort);
   }
   NeighbourList& list = lists_.serving();
@@ -225,7 +226,7 @@ ContactRows::Look ContactRows::cut(const Chart& chart, const Vec6& y, const Moti
     found = find_violations(probe_, fixed_, end, least, violations_, effort);
   const std::size_t before = count_;
   turn_ = std::max(turn_, motion.turn_bound());
-  Look out;
+  PathCheck out;
   for (std::size_t i = 0; i < found; ++i) {
     const auto& [a, b, gap] = violations_[i];
     const Corners ta = place(X_, corners(surface(probe_), a));
@@ -263,7 +264,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!lists_.serving().covers(motion, clearance)) {
-    const Vec3 centre = stillest(X_);
+    const Vec3 centre = least_moving_point(X_);
     lists_.renew(motion.at(0),
                  {clearance, near_of(clearance), clearance, centre, path_of(motion, centre)},
                  effort);
@@ -293,10 +294,10 @@ ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {
   return out;
 }
 
-LeastDistance ContactRows::solve(double margin, Narrow narrow, double rise) noexcept {
+LeastDistance ContactRows::solve(double margin, SmallGaps small_gaps, double rise) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const double room = contacts_[i].gap - margin;
-    rows_[i].bound = at_[i] - (narrow == Narrow::open ? room : std::max(0.0, room)) + rise;
+    rows_[i].bound = at_[i] - (small_gaps == SmallGaps::widen ? room : std::max(0.0, room)) + rise;
   }
   LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, tuned.solved_to * margin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)

@@ -14,38 +14,42 @@
 
 namespace sonde {
 
-/// The contacts near a free pose, linearised: what the least-distance problem is made of.
+/// The contacts near a free pose as linear inequalities (rows) on y. The least-distance problem
+/// consists of these rows.
 ///
-/// Where surfaces lie on each other any number of pairs is as near as any other, and the nearest
-/// few that are gathered may be those of one corner. So they are a guess, and what makes the rows
-/// complete is cut(): the end of a step that the rows allow is looked at, over all pairs there are,
-/// and what is in its way becomes rows too, until nothing is (cutting planes; J. E. Kelley, 1960).
-/// Pairs that cut a step short or held an answer are kept for the next gather. An optimum of some
-/// of the constraints that satisfies all of them is the optimum of all of them: it does not matter
-/// which rows are missing. Where there is no room for more rows the step ends where its sweep does.
+/// gather() makes rows of the nearest pairs of triangles. Where surfaces lie on each other, many
+/// pairs have the same gap, and the nearest few may all belong to one corner. So these rows are a
+/// first guess. cut() completes them: it checks the end of a step that the rows allow against all
+/// pairs, and makes rows of the pairs that are in the way. The caller solves again and repeats this
+/// until no pair is in the way (cutting planes; J. E. Kelley, 1960). An optimum of some of the
+/// constraints that satisfies all of them is the optimum of all of them, so it does not matter
+/// which rows are missing. Where there is no room for more rows, the step ends where its sweep
+/// ends. Pairs that cut a step short, or that held an answer, are kept for the next gather.
 ///
-/// Any direction that separates two triangles gives a half-space in which they stay apart, and the
-/// direction of their closest points is not the best one for every pair: beside a convex contact it
-/// forbids sliding by more than half of the pair's offset. So pairs are taken nearest first, and
-/// one that the normal of a nearer row separates too takes over that normal; it is dropped where it
-/// then says nothing new.
+/// Each direction that separates two triangles gives a half-space in which they stay apart. The
+/// direction of their closest points is not the best one for every pair: beside a convex contact
+/// it forbids sliding by more than half of the pair's offset. So gather() takes the nearest pair
+/// first. A later pair takes over the normal of a nearer row if that normal separates it too. The
+/// pair gets no row if the row would then add nothing.
 class ContactRows {
  public:
-  /// How pairs are found: the nearest so many at most, and where steps are short by a list that is
-  /// kept from one gather to the next.
+  /// How many pairs of triangles are gathered, and how many a neighbour list may hold.
   struct Finding {
-    std::size_t most_pairs = contact_tuning.most_pairs;  ///< a first guess: cut() finds the rest
-    std::size_t most_listed = NeighbourList::enough;     ///< 0: no list
+    /// A gather makes rows of at most this many pairs, the nearest. cut() finds the others.
+    std::size_t most_pairs = contact_tuning.most_pairs;
+    /// Pairs of a list that is kept from one gather to the next. 0: there is no list.
+    std::size_t most_listed = NeighbourList::enough;
   };
   static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
-  /// What comes next has nothing to do with what was gathered before.
+  /// Drops all rows, kept pairs and lists. Call it before a pose that is unrelated to the last one.
   void forget() noexcept;
 
-  /// Linearises at y all pairs within reach (or the nearest of them, where there are too many).
-  /// Pairs no further apart than `flat` give a row for each corner of their overlay, not for one
-  /// point alone. False, and nothing new, where the effort ran out.
+  /// Replaces the rows by those of the pairs within `reach` (m) of each other at y, or of the
+  /// nearest of them where there are too many. A pair with a gap of at most `flat` (m) gives a row
+  /// for each corner of the part in which its triangles overlap, not for one point alone. Returns
+  /// false, with the old rows unchanged, if the effort ran out.
   bool gather(const Chart& chart, const Vec6& y, double reach, double flat,
               Effort& effort) noexcept;
   void gather(const Chart& chart, const Vec6& y, double reach, double flat) noexcept {
@@ -53,53 +57,59 @@ class ContactRows {
     gather(chart, y, reach, flat, unlimited);
   }
 
-  /// The contacts of the last gather as rows in another chart, in which the probe stands at y.
-  /// False where that is not where they were gathered, or there was none.
-  bool again(const Chart& chart, const Vec6& y) noexcept;
+  /// Expresses the contacts of the last gather as rows in another chart, without a look at the
+  /// geometry. y is the probe's pose in that chart. Returns false if that is not the pose of the
+  /// last gather, or if the last gather did not finish.
+  bool reuse_rows(const Chart& chart, const Vec6& y) noexcept;
 
-  /// The contacts of the last gather that was not cut short, moved with the probe to y: all there
-  /// is where there was no effort to look.
-  void carry(const Chart& chart, const Vec6& y) noexcept;
+  /// Moves the points on the probe, of all contacts, with the probe to y, and makes rows of them.
+  /// This is for a tick without enough effort for a gather.
+  void move_rows_with_probe(const Chart& chart, const Vec6& y) noexcept;
 
-  /// The last gather was too much work: the next ones have half of its reach, but no less than that
-  /// (m), and then more again.
-  void look_less_far(double least) noexcept {
-    crowded_ = std::max(contact_tuning.crowded_to * asked_, least);
+  /// Halves the reach of the next gather, but keeps at least `least` (m). Call it after a gather
+  /// that took too much work. Each gather that fits lets the reach grow again.
+  void halve_next_reach(double least) noexcept {
+    reach_limit_ = std::max(contact_tuning.crowded_to * asked_, least);
   }
 
-  /// Sweeps the probe along a motion; a list of pairs serves where the path is short.
+  /// Sweeps the probe along a motion (sweep.hpp). It looks at the pairs of the neighbour list if
+  /// that list covers the motion, and otherwise at the trees of the bodies.
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
-  /// What a tick leaves over of a limited effort goes into the list that comes next.
-  void look_ahead(Effort& effort) noexcept;
+  /// Spends what a tick leaves of a limited effort on the next neighbour list.
+  void prepare_next_list(Effort& effort) noexcept;
 
-  /// What is in the way of a step that is thought of.
-  struct Look {
-    bool news = false;  ///< rows were added
-    double lost = 0;    ///< m: the most that a pair would lose of its gap, or of the margin
-    bool clear = true;  ///< none does; false where the effort ran out
+  /// What cut() found at the end of a path.
+  struct PathCheck {
+    bool news = false;  ///< cut() added rows
+    double lost = 0;    ///< m: the most that one pair would lose of min(its gap now, margin)
+    bool clear = true;  ///< no pair is in the way; false also if the effort ran out
   };
-  /// Looks at the end of a path from the last gather, at y, for pairs that would be nearer there
-  /// than the margin, or where they are nearer already than they are, and adds rows of those that
-  /// come nearest.
-  Look cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
-           Effort& effort) noexcept;
+  /// Checks the end of `motion`, a path from the pose of the last gather, which is y. A pair is in
+  /// the way if its gap there is below 95 % (ContactTuning::kept_share) of min(its gap now,
+  /// `margin`). Adds rows of the pairs in the way: of the 48 deepest at most
+  /// (ContactTuning::most_cut).
+  PathCheck cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
+                Effort& effort) noexcept;
 
-  /// What becomes of a gap that is smaller than the margin already.
-  enum class Narrow { keep, open };
-  /// The point nearest to the origin that keeps every gap at `margin` or more, to first order. What
-  /// is held at its gap rises by so much more.
-  LeastDistance solve(double margin, Narrow narrow, double rise = 0) noexcept;
+  /// What solve() asks of a gap that is smaller than the margin already: that it does not shrink,
+  /// or that it grows to the margin.
+  enum class SmallGaps { keep, widen };
+  /// Returns the y nearest to the origin at which every gap is at least `margin` (m), to first
+  /// order; `small_gaps` says what holds for smaller gaps. Each gap must be larger by `rise` (m)
+  /// than that.
+  LeastDistance solve(double margin, SmallGaps small_gaps, double rise = 0) noexcept;
 
   Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
-  /// The contacts that hold a solution, with their multipliers.
+  /// The contacts that are active in a solution, with their multipliers.
   ContactSet holding(const LeastDistance& nearest) const noexcept;
-  /// What they hold of it, Jᵀλ: all of it but what the rim of the chart does.
+  /// Jᵀλ of these contacts: the solution's y without the part that the rim of the chart holds.
   Vec6 held_by_contacts(const LeastDistance& nearest) const noexcept;
-  int size() const { return static_cast<int>(count_); }
-  /// There is no room for another row.
+  int size() const { return static_cast<int>(count_); }  ///< number of rows
+  /// True if there is no room for another row.
   bool is_full() const { return count_ == capacity; }
-  double smallest_gap() const { return smallest_gap_; }  ///< m; the reach where there is no row
+  double smallest_gap() const { return smallest_gap_; }  ///< m; the reach if there is no row
+  /// m: the last gather found every pair with a gap up to this.
   double reach() const { return reach_; }
 
  private:
@@ -107,20 +117,22 @@ class ContactRows {
     std::uint32_t a, b;
     bool operator==(const TrianglePair&) const = default;
   };
-  /// The point of the probe about which its contacts move least: the middle of the last ones, where
-  /// it rolls on them, or its centre of mass, where it turns within them.
-  Vec3 stillest(const Transform& X) const noexcept;
-  /// m: so much a list for a reach is to hold at any time.
+  /// The point of the probe about which the last contacts move least, in its mesh frame: their
+  /// middle, if the probe rolls on them, or the centre of mass, if it turns within them.
+  Vec3 least_moving_point(const Transform& X) const noexcept;
+  /// m: a list that is made for a reach covers this much on all of its path.
   double near_of(double reach) const noexcept { return std::max(reach, 2 * least_asked_); }
-  /// The pairs within reach, or within what the list holds, if that is not below `least`.
+  /// Finds the pairs within `reach` (m), or within the reach of the list if that is at least
+  /// `least` (m).
   NearPairs find_pairs(const Transform& X, double reach, double least, Effort& effort) noexcept;
   void accept(const Contact& contact, const TrianglePair& of) noexcept;
   void keep(const TrianglePair& pair) noexcept;
-  /// Puts the kept pairs that are within reach at X behind so many others; returns how many it are.
+  /// Appends the kept pairs within `reach` (m) at X to the first `count` pairs of `pairs_`, and
+  /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
   void take(const NearPair& pair, const Transform& X, double flat) noexcept;
-  /// Makes the rows of the contacts, at y.
+  /// Makes rows of the contacts from index `from` on, in the chart at y, and the rim's row.
   void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0) noexcept;
 
   const Body& probe_;
@@ -131,24 +143,25 @@ class ContactRows {
   std::vector<NearPair> pairs_;
   std::vector<Contact> contacts_;
   std::vector<HalfSpace> rows_;
-  bool rim_ = false;        // the row behind the last is the rim of the chart
+  bool rim_ = false;        // the row after those of contacts is the rim of the chart
   std::vector<double> at_;  // J·y of each row
   std::vector<Violation> violations_;
   std::vector<TrianglePair> pair_of_;  // of each row
-  /// Pairs that held an answer or cut a step short, the last one last: they are looked at again
-  /// wherever the probe has come to, however many others are as near.
+  /// Pairs that held an answer or cut a step short, the newest last. Every gather looks at them,
+  /// however many other pairs are as near.
   std::vector<TrianglePair> kept_;
   std::size_t kept_count_ = 0;
   std::size_t count_ = 0;
-  // Reaches found to hold more pairs than there is room for; they grow again with time.
-  double crowded_;
-  double least_asked_ = 0;  // m: reach that a gather must have
-  double asked_ = 0;        // reach of the last gather
+  // m: no gather looks further. It falls where a reach holds more pairs than there is room for, and
+  // grows again from gather to gather.
+  double reach_limit_;
+  double least_asked_ = 0;  // m: the least reach that the last gather could do with
+  double asked_ = 0;        // m: the reach that the last gather asked for
   double smallest_gap_ = 0;
   double reach_ = 0;
   Transform X_;            // of the last gather
-  bool gathered_ = false;  // false: it ran out of effort, or there was none
-  double turn_ = 0;        // rad, that a step of the size of the reach may make
+  bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
+  double turn_ = 0;        // rad: the turn that a step as long as the reach may make
 };
 
 }  // namespace sonde

@@ -28,7 +28,7 @@ void PairLists::forget() noexcept {
   left_over_ = 0;
 }
 
-void PairLists::remember(const Motion& path) noexcept {
+void PairLists::note_path(const Motion& path) noexcept {
   const Motion::Velocity v = path.velocity(0);
   const double last = sliding_.norm() + radius_ * turning_.norm();
   if (v.linear.norm() + radius_ * v.angular.norm() >= tuned.path_kept * last)
@@ -37,23 +37,23 @@ void PairLists::remember(const Motion& path) noexcept {
     sliding_ *= tuned.path_kept, turning_ *= tuned.path_kept;
 }
 
-void PairLists::expect_less() noexcept {
+void PairLists::expect_shorter_paths() noexcept {
   sliding_ *= tuned.path_without_room, turning_ *= tuned.path_without_room;
 }
 
-Course PairLists::usual(const Transform& X, const Vec3& centre) const noexcept {
+Course PairLists::recent_course(const Transform& X, const Vec3& centre) const noexcept {
   const Vec3 arm = X.R * (centre - com_);
   return {sliding_ + turning_.cross(arm), turning_};
 }
 
 double PairLists::travel(const Wanted& wanted) const noexcept {
-  return wanted.reach + wanted.path.course.size().of(radius_) + wanted.path.bend.of(radius_);
+  return wanted.reach_at_end + wanted.path.course.size().of(radius_) + wanted.path.bend.of(radius_);
 }
 
-NeighbourList::Room PairLists::room(const Transform& X, const Wanted& wanted,
-                                    double length) const noexcept {
+NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wanted,
+                                            double length) const noexcept {
   // The course of late, or of what comes next where that is longer.
-  Course course = usual(X, wanted.centre);
+  Course course = recent_course(X, wanted.centre);
   if (course.size().of(radius_) < wanted.path.course.size().of(radius_))
     course = wanted.path.course;
   const double size = course.size().of(radius_);
@@ -61,7 +61,7 @@ NeighbourList::Room PairLists::room(const Transform& X, const Wanted& wanted,
   const double around = size > 0 ? tuned.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
   const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
-  return {{std::max(linear * around, tuned.room_for_path * (wanted.near + off.linear)),
+  return {{std::max(linear * around, tuned.room_for_path * (wanted.reach_on_path + off.linear)),
            std::max((1 - linear) * around / radius_, tuned.room_for_path * off.turn)},
           ahead};
 }
@@ -77,8 +77,8 @@ void PairLists::begin(const Transform& X, const Wanted& wanted, double at_least,
       std::min(1e18, tuned.affordable_list * static_cast<double>(effort.left())));
   const std::int64_t most =
       at_least > 0 ? std::numeric_limits<std::int64_t>::max() : reach_.most_work();
-  end(next().build_by({room(X, wanted, begun_.ample), room(X, wanted, begun_.least), most}, X,
-                      wanted.centre, effort));
+  end(next().build_by({coverage(X, wanted, begun_.ample), coverage(X, wanted, begun_.least), most},
+                      X, wanted.centre, effort));
 }
 
 void PairLists::end(bool fits) noexcept {
@@ -86,7 +86,7 @@ void PairLists::end(bool fits) noexcept {
   if (list.is_unfinished()) return;
   const auto& [travel, ample, least, affordable] = begun_;
   last_work_ = list.work_of_build();
-  const bool shrunk = list.is_least() && ample > least;
+  const bool shrunk = list.used_fallback() && ample > least;
   if (shrunk) reach_.learn(travel, ample, false, last_work_, affordable);
   reach_.learn(travel, shrunk ? least : ample, fits, last_work_, affordable);
 }
@@ -95,7 +95,7 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
   // A list pays where the steps are short beside its reach; long steps walk the trees.
   if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
   NeighbourList& list = next();
-  if (!(list.reach_when_finished(X, wanted.path) > wanted.least))
+  if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_acceptable))
     effort.within(tuned.share_for_list, [&](Effort& part) { return begin(X, wanted, 0, part), 0; });
   else if (list.is_unfinished())
     effort.within(tuned.share_for_list, [&](Effort& part) { return end(list.go_on(part)), 0; });
@@ -105,23 +105,24 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
   serving_ = 1 - serving_;
 }
 
-void PairLists::look_ahead(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
+void PairLists::prepare_next_list(const Transform& X, const Wanted& wanted,
+                                  Effort& effort) noexcept {
   NeighbourList& list = next();
   if (!effort.is_limited()) return;
   // A tick that had much to do leaves little, and the next ones more again.
   const double left = tuned.share_for_next_list * static_cast<double>(effort.left());
   left_over_ = left_over_ > 0 ? left_over_ + tuned.left_over_learned * (left - left_over_) : left;
-  if (effort.is_spent() || !(serving().reach_at(X) > wanted.reach)) return;
+  if (effort.is_spent() || !(serving().reach_at(X) > wanted.reach_at_end)) return;
   if (list.is_unfinished()) {
-    if (!(list.reach_when_finished(X, wanted.path) > wanted.reach)) return list.clear();
+    if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_at_end)) return list.clear();
     effort.within(tuned.share_for_next_list,
                   [&](Effort& part) { return end(list.go_on(part)), 0; });
     return;
   }
   const double ticks = std::ceil(static_cast<double>(last_work_) / std::max(left_over_, 1.0));
   const Path until_then{(ticks + 1) * wanted.path.course, {}};
-  if (serving().reach_at(X, until_then) > wanted.reach ||
-      list.reach_at(X, wanted.path) > wanted.reach)
+  if (serving().reach_at(X, until_then) > wanted.reach_at_end ||
+      list.reach_at(X, wanted.path) > wanted.reach_at_end)
     return;
   effort.within(tuned.share_for_next_list, [&](Effort& part) {
     return begin(X, wanted, std::min(ticks + tuned.ticks_of_next_list, tuned.most_ticks_ahead),

@@ -10,49 +10,53 @@
 
 namespace sonde {
 
-/// The lists of pairs that a probe goes by (neighbour_list.hpp): the one that serves, and the next.
-/// Where the effort of a tick is limited the next list is made ahead of time, of what ticks leave
-/// over: a list may take longer than a tick has, and the probe would wait for it. Without a limit
-/// it is made when it is due, which takes less. Nothing here allocates but the constructor.
+/// The two neighbour lists of a probe (neighbour_list.hpp): the one in use, and the next one. If
+/// the effort of ticks is limited, the next list is made in advance, with the effort that ticks
+/// leave over. (A list may cost more than one tick has, and the probe would have to wait for it.)
+/// Without a limit, a list is made when it is needed, which costs less. Only the constructor
+/// allocates.
 class PairLists {
  public:
-  /// `capacity`: pairs of a list; 0: there are no lists.
+  /// A list holds at most `capacity` pairs. 0: there are no lists.
   PairLists(const Body& probe, const Body& fixed, std::size_t capacity);
 
-  /// What comes next has nothing to do with what was before.
+  /// Clears both lists, the recent course and what was learned of costs.
   void forget() noexcept;
+  /// The list in use. Before a query on it, check reach_at() or covers().
   NeighbourList& serving() noexcept { return lists_[serving_]; }
   const NeighbourList& serving() const noexcept { return lists_[serving_]; }
 
-  /// The probe is to go along this: the longest path of late is what lists are made for.
-  void remember(const Motion& path) noexcept;
-  /// Paths as long as of late have no room in a list.
-  void expect_less() noexcept;
-  /// Where the probe goes of late from X, seen from a point of it (its mesh frame).
-  Course usual(const Transform& X, const Vec3& centre) const noexcept;
-  /// rad, of the same.
-  double usual_turn() const noexcept { return turning_.norm(); }
+  /// Notes a path that the probe is about to take. Lists are made for the longest recent path.
+  void note_path(const Motion& path) noexcept;
+  /// Halves the recent course. Call it if a list for paths of that length does not fit.
+  void expect_shorter_paths() noexcept;
+  /// The recent path of the probe, continued from X, as the motion of one of its points. `centre`
+  /// is that point in the probe's mesh frame.
+  Course recent_course(const Transform& X, const Vec3& centre) const noexcept;
+  /// rad: the turn of that path.
+  double recent_turn() const noexcept { return turning_.norm(); }
 
-  /// What a list is made for.
+  /// What a list has to cover.
   struct Wanted {
-    double reach = 0;  ///< m: what it must cover at the end of the path
-    double near = 0;   ///< m: the same at any time, if there is room
-    double least = 0;  ///< m: what will do of a list that was made ahead
-    Vec3 centre = Vec3::Zero();
+    double reach_at_end = 0;      ///< m: at the end of the path
+    double reach_on_path = 0;     ///< m: on all of the path, if there is room for so many pairs
+    double reach_acceptable = 0;  ///< m: a list that was made in advance is used if it has this
+    Vec3 centre = Vec3::Zero();   ///< motions are measured about this point, probe's mesh frame
     Path path;
   };
-  /// Makes the list that serves anew, for the path and others like it; not where that is long and a
-  /// list would not pay. One that was made ahead serves if it will do. Where the effort does not
-  /// suffice the next calls go on.
+  /// Replaces the list in use by one that covers what is wanted from X on: by the one made in
+  /// advance if that is acceptable, else by a new one. Does nothing if the path is so long that a
+  /// list would cost more than it saves. If the effort runs out, the next calls continue.
   void renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept;
-  /// At the end of a tick: goes on with the next list, or begins with it where the one that serves
-  /// does not last until it would be there.
-  void look_ahead(const Transform& X, const Wanted& wanted, Effort& effort) noexcept;
+  /// Works on the next list at the end of a tick. Continues one that was begun. Otherwise begins
+  /// one, if the list in use would expire before a new one could be ready.
+  void prepare_next_list(const Transform& X, const Wanted& wanted, Effort& effort) noexcept;
 
  private:
   NeighbourList& next() noexcept { return lists_[1 - serving_]; }
-  NeighbourList::Room room(const Transform& X, const Wanted& wanted, double length) const noexcept;
-  /// m: how far the probe is to go and to see.
+  NeighbourList::Coverage coverage(const Transform& X, const Wanted& wanted,
+                                   double length) const noexcept;
+  /// m: the length of the path plus the reach at its end.
   double travel(const Wanted& wanted) const noexcept;
   void begin(const Transform& X, const Wanted& wanted, double at_least, Effort& effort) noexcept;
   void end(bool fits) noexcept;
@@ -61,18 +65,18 @@ class PairLists {
   std::array<NeighbourList, 2> lists_;
   std::size_t serving_ = 0;
   NeighbourReach reach_;
-  // Of a path of late, the longest, forgotten bit by bit: of the centre of mass, m; rad. In the
-  // fixed body's axes.
+  // The longest recent path: displacement of the centre of mass, m, and turn, rad, in the fixed
+  // body's axes. Each shorter path reduces both a little.
   Vec3 sliding_ = Vec3::Zero(), turning_ = Vec3::Zero();
   Vec3 com_;  // of the probe, mesh frame
-  /// The list that was begun last: m, and units of work.
+  /// The list that was begun last: what it was chosen for (m), and the work it may take.
   struct Begun {
     double travel = 0, ample = 0, least = 0;
     std::int64_t affordable = 0;
   };
   Begun begun_;
-  std::int64_t last_work_ = 0;  // of a list
-  double left_over_ = 0;        // of the effort of a tick of late, for the next list
+  std::int64_t last_work_ = 0;  // of the last list
+  double left_over_ = 0;        // work that recent ticks left over for the next list, on average
 };
 
 }  // namespace sonde

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "engine/geometry/pose.hpp"
 
@@ -12,8 +14,17 @@ namespace sonde {
 enum class Method { pdg, pdt };  ///< all six degrees, or translation only
 enum class Status { separated, penetrating, failed };
 
-/// As files and the command line have it.
-constexpr const char* name_of(Method method) { return method == Method::pdt ? "pdt" : "pdg"; }
+/// The words for the methods in files and on the command line, in the order of the enum.
+inline constexpr std::array<const char*, 2> method_names{"pdg", "pdt"};
+constexpr const char* name_of(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
+/// The method of a word; no value for any other word.
+constexpr std::optional<Method> method_named(std::string_view word) {
+  for (const Method method : {Method::pdg, Method::pdt})
+    if (word == name_of(method)) return method;
+  return std::nullopt;
+}
 constexpr const char* name_of(Status status) {
   switch (status) {
     case Status::separated:
@@ -79,16 +90,22 @@ struct Separation {
   Status status = Status::failed;
   const char* reason = "";  ///< why it failed; static text
   Pose device;              ///< O, the given pose
-  Pose separated;           ///< Q, verified free; equals O where the status is separated
-  double sigma = 0;         ///< σ(O, Q), m²: mean squared displacement of the probe's points
-  double depth = 0;         ///< √σ, m
+  /// Q; equals O where the status is separated. The static search tests with exact predicates that
+  /// it is free, and the coherent solver reaches it along a path swept free. In the servo's local
+  /// answer (Snapshot::separation) it is not tested.
+  Pose separated;
+  double sigma = 0;        ///< σ(O, Q), m²: mean squared displacement of the probe's points
+  double depth = 0;        ///< √σ, m
   double translation = 0;  ///< |t|, the part of √σ from the displacement of the centre of mass, m
   double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ from the rotation, m
   ContactSet contacts;
   ContactClusters clusters;  ///< of the contacts
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
-  bool converged = false;    ///< false: the budget ran out first
+  /// The pose satisfies the conditions of an optimum (`residual`). False: something ended the
+  /// descent first: its budget, steps that led nowhere, rows that there was no room for, or the rim
+  /// of the chart.
+  bool converged = false;
   /// Limits that acted: steps that were cut short by one on rows, on looks at them or on fruitless
   /// steps, of a tick or of all descents of a search; and one more where a search ended by its most
   /// starts, with no evidence that it was done. What it ends with is verified all the same.

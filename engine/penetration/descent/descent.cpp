@@ -118,13 +118,13 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // Where so much is not to be had, a part of it is: what has come too near its contacts for a
   // straight step to lead anywhere gets away from them again.
   for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= tuned.less_room) {
-    const Vec6 lifted = rows_.solve(part, ContactRows::Narrow::open).y - y;
+    const Vec6 lifted = rows_.solve(part, ContactRows::SmallGaps::widen).y - y;
     if (!(-y.dot(lifted) > tuned.least_gain * size2)) continue;
     step = lifted;
     break;
   }
   if (rise > 0) {
-    const Vec6 risen = rows_.solve(margin, ContactRows::Narrow::keep, rise).y - y;
+    const Vec6 risen = rows_.solve(margin, ContactRows::SmallGaps::keep, rise).y - y;
     if (-y.dot(risen) > tuned.least_gain * size2) step = risen;
   }
   step = within_chart(chart, y, step);
@@ -149,14 +149,16 @@ Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
 }
 
 std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) noexcept {
-  if (!rows_.again(chart, y)) return std::nullopt;
+  if (!rows_.reuse_rows(chart, y)) return std::nullopt;
   // A little above the contacts, since they bend.
-  const LeastDistance rest = rows_.solve(1.2 * margin(chart, y.norm()), ContactRows::Narrow::open);
+  const LeastDistance rest =
+      rows_.solve(1.2 * margin(chart, y.norm()), ContactRows::SmallGaps::widen);
   if (!rest.feasible) return std::nullopt;
   return rest.y;
 }
 
-void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept {
+void Descent::approach_contact(const Chart& chart, double margin, Effort& effort,
+                               Outcome& out) noexcept {
   // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
   const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / tuned.largest_turn);
   const Vec6 piece = out.y / pieces;
@@ -170,7 +172,7 @@ void Descent::close_up(const Chart& chart, double margin, Effort& effort, Outcom
   out.move_to(near);
   if (!rows_.gather(chart, near, tuned.least_reach * margin, tuned.flat_within * margin, effort))
     return;
-  report(out, near, rows_.solve(margin, ContactRows::Narrow::keep));
+  report(out, near, rows_.solve(margin, ContactRows::SmallGaps::keep));
 }
 
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
@@ -196,7 +198,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     pace.longest =
         std::max(tuned.longest_per_expected * expected_step, tuned.first_longest * radius);
   // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
-  bool known = rows_.again(chart, y);
+  bool known = rows_.reuse_rows(chart, y);
   for (;;) {
     const double length = y.norm();
     const double margin = this->margin(chart, length);
@@ -208,13 +210,13 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
                    nearest_reach, widest);
     if (!known && !rows_.gather(chart, y, reach, tuned.flat_within * margin, effort)) {
       if (out.iterations > 0) return out;
-      rows_.look_less_far(tuned.flat_within * margin);
-      rows_.carry(chart, y);
-      report(out, y, rows_.solve(margin, ContactRows::Narrow::keep));
+      rows_.halve_next_reach(tuned.flat_within * margin);
+      rows_.move_rows_with_probe(chart, y);
+      report(out, y, rows_.solve(margin, ContactRows::SmallGaps::keep));
       return out;
     }
     known = false;
-    LeastDistance nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+    LeastDistance nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
     report(out, y, nearest);
     const double size = (nearest.y - y).norm();
     const auto settled = [&] {
@@ -233,7 +235,8 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     const bool stalled = pace.stalled >= tuned.most_stalled;
     if (late || stalled || out.iterations >= goal.steps) {
       out.limited += stalled;
-      if (rows_.smallest_gap() > tuned.touching_gap * margin) close_up(chart, margin, effort, out);
+      if (rows_.smallest_gap() > tuned.touching_gap * margin)
+        approach_contact(chart, margin, effort, out);
       return out;
     }
     ++out.iterations;
@@ -246,11 +249,11 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
         ++out.limited;
         break;
       }
-      const ContactRows::Look look =
+      const ContactRows::PathCheck look =
           rows_.cut(chart, y, Motion(chart, y, y + step), margin, effort);
       if (look.clear || effort.is_spent()) break;
       if (look.news) {
-        nearest = rows_.solve(margin, ContactRows::Narrow::keep);
+        nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
         report(out, y, nearest);
         out.converged = settled();
         if (out.converged) return out;

@@ -20,16 +20,17 @@ struct DescentGoal {
   int steps = 60;          ///< iterations at most
 };
 
-/// Local optimisation on the contact space: from a free pose, linearise the near pairs, solve the
-/// least-distance problem of the rows, go along the straight path in y as far as it is swept free,
-/// repeat. |y| never rises along the path, so every pose on it is an upper bound. Holds its own
-/// workspace: run() never allocates.
+/// Local optimisation on the contact space, from a free pose. Each step linearises the near pairs
+/// (ContactRows), solves the least-distance problem of the rows, and moves along the straight path
+/// in y as far as a sweep proves it free. |y| never rises along the path, so each of its poses is
+/// an upper bound. The object holds its workspace: run() never allocates.
 class Descent {
  public:
-  /// The gaps aimed at, in parts of the clearance allowed. How far within it a probe stands depends
-  /// on the way that it came, and costs energy where it follows a hand: with a half, 0.2 % of what
-  /// a peg in its hole stores in a loop; with a quarter, less than 0.1 % but where it lets go of a
-  /// place, in as many steps. A search gets by with the half.
+  /// The gap at which a descent aims, as a share of the allowed clearance. The gap at which the
+  /// probe ends depends on the way that it came, and this costs energy while it follows a hand.
+  /// With a half, a peg in its hole loses 0.2 % of the energy stored in a loop. With a quarter it
+  /// loses less than 0.1 %, except where it leaves a place, and takes as many steps. A half is
+  /// enough for a search.
   static constexpr double gap_of_search = 0.5, gap_of_follower = 0.25;
 
   Descent(const Body& probe, const Body& fixed, Method method,
@@ -49,25 +50,26 @@ class Descent {
     void move_to(const Vec6& to) noexcept;
   };
 
-  /// What comes next has nothing to do with what was run before.
+  /// Drops rows and lists. Call it before a run that is unrelated to the last one.
   void forget() noexcept;
 
-  /// From the free pose at y (in the chart of the device pose). `expected_step`: how far, in y, the
-  /// answer is thought to lie (0: unknown). The deadline is looked at between steps, of which one
-  /// is always taken.
+  /// Descends from the free pose at y (in the chart of the device pose). `expected_step` is the
+  /// expected distance of the answer, in m of y (0: unknown). The run checks the deadline between
+  /// steps, and takes at least one step.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline) noexcept;
-  /// The effort may end anywhere, also within the first step. The path is free up to where the run
-  /// stopped; it may be away from any contact, and the contacts are those last found: on the way,
-  /// or where there was no effort to look at all, those of the run before, moved with the probe.
+  /// The same with an effort, which may end anywhere, also within the first step. The path is free
+  /// up to the pose at which the run stopped. That pose may touch nothing. Its contacts are the
+  /// last ones found on the way. If the effort did not suffice for any look, they are those of the
+  /// run before, moved with the probe.
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               Effort& effort) noexcept;
 
-  /// After a run with a limited effort: what it leaves over is used for the next ones.
-  void look_ahead(Effort& effort) noexcept { rows_.look_ahead(effort); }
+  /// Spends what a run left of a limited effort on the next neighbour list.
+  void prepare_next_list(Effort& effort) noexcept { rows_.prepare_next_list(effort); }
 
-  /// Translation only: where the probe, turned as the device is, comes to rest by the rows of where
-  /// the last run ended. None where y is not there.
+  /// Translation only: the point, by the rows of the last run's end, at which the probe comes to
+  /// rest when it turns with the device. No value if y is not the pose at which the last run ended.
   std::optional<Vec6> turned_by_rows(const Chart& chart, const Vec6& y) noexcept;
 
   /// Sweeps the probe from y straight to another point, with half of the gap that a run leaves.
@@ -75,24 +77,24 @@ class Descent {
 
  private:
   struct Pace;
-  /// The gap aimed at, m; never so little that the rounding of coordinates, far from the origin,
-  /// could eat it up.
+  /// m: the gap at which the descent aims. It always exceeds the rounding of coordinates, which
+  /// grows with the distance from the origin.
   double margin(const Chart& chart, double depth) const noexcept;
-  /// From y towards the nearest point of the rows, as far as it is worth while to go in one step;
-  /// with contacts that bend into it, so much (m) above it.
+  /// The step from y towards the nearest point of the rows, shortened to a length that pays. If
+  /// contacts bend into the path, the step stays `rise` (m) above the rows.
   Vec6 next_step(const Chart& chart, const Vec6& y, const LeastDistance& nearest, double margin,
                  double rise, const Pace& pace) noexcept;
-  /// Stopped on the way, away from any contact: straight on towards the device pose to the first
-  /// one, so that what is returned touches.
-  void close_up(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;
+  /// Moves a probe that stopped away from any contact straight towards the device pose, up to the
+  /// first contact. So the returned pose touches.
+  void approach_contact(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;
   Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
               const Deadline& deadline, Effort& effort) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
-  double gap_;           // aimed at, in parts of the clearance allowed
-  double extents_;       // of both bodies, m
-  double longest_path_;  // m: no path is longer, since a sweep of such took all of the effort
+  double gap_;           // the gap aimed at, as a share of the allowed clearance
+  double extents_;       // m: sum of the largest coordinates of both bodies
+  double longest_path_;  // m: no path is longer, because a sweep of one took all of the effort
 };
 
 }  // namespace sonde

@@ -75,7 +75,7 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
       limited_ += !look.clear && rows.is_full();
       return std::nullopt;
     }
-    step = worth_trying(chart, y, rows.solve(margin, ContactRows::Narrow::keep).y - y, trust);
+    step = worth_trying(chart, y, rows.solve(margin, ContactRows::SmallGaps::keep).y - y, trust);
     if (!(-y.dot(step) > leaps.worth * -y.dot(first))) return std::nullopt;
     if (is_free(chart, y + step)) return step;
   }
@@ -101,7 +101,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
   // Curved contacts leave room for themselves; it is worth less than what is gained.
   const double room = std::min(pace.bending * length * length, leaps.most_room * length) + margin;
   const Vec6 lifted =
-      worth_trying(chart, y, rows.solve(room, ContactRows::Narrow::open).y - y, pace.trust);
+      worth_trying(chart, y, rows.solve(room, ContactRows::SmallGaps::widen).y - y, pace.trust);
   if (-y.dot(lifted) > leaps.worth * -y.dot(step) && take(lifted)) return true;
   // The rows may lack what is in the way: the nearest pairs are a guess of it.
   if (const auto round =
@@ -143,8 +143,8 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     const double flat = goal.guide == Guide::many ? tuned.flat_within * margin : 0;
     const bool looked = rows.gather(chart, out.y, reach, flat, effort);
     if (!looked && out.iterations == 0) return out;
-    if (!looked) rows.carry(chart, out.y);
-    const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
+    if (!looked) rows.move_rows_with_probe(chart, out.y);
+    const LeastDistance nearest = rows.solve(margin, ContactRows::SmallGaps::keep);
     const double off = (nearest.y - out.y).norm();
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;

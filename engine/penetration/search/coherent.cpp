@@ -149,7 +149,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const double moved = s.device_motion(device);
   const Descent::Outcome found =
       s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
-  s.descent.look_ahead(effort);
+  s.descent.prepare_next_list(effort);
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
   // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by

@@ -63,13 +63,20 @@ std::vector<std::string> names_of_search_tuning() {
   return out;
 }
 
+std::string list_of_search_tuning() {
+  std::string out;
+  for (const Named& each : all) out.append(out.empty() ? "" : ", ").append(each.name);
+  return out;
+}
+
 void vary(SearchTuning& tuning, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, equals);
   const auto* const at = std::ranges::find(all, name, &Named::name);
   if (equals == std::string::npos || at == std::end(all))
     throw std::invalid_argument("\"" + assignment +
-                                "\" is not NAME=VALUE of a number of the search");
+                                "\" is not NAME=VALUE of a number of the search; the names are " +
+                                list_of_search_tuning());
   const std::string value = assignment.substr(equals + 1);
   std::visit(
       [&](auto member) {

@@ -11,10 +11,14 @@ namespace sonde {
 /// The options of a static search.
 struct StaticOptions {
   Method method = Method::pdg;
-  Budget budget;           ///< `steps` and `microseconds` apply; none: until converged
+  /// `steps` and `microseconds` limit the search. With neither, the limits below alone end it.
+  Budget budget;
   std::uint64_t seed = 1;  ///< seed of the random starts; any number
-  int starts = 384;    ///< at most; fewer random free starts where the same depth is found again
-  int agreement = 12;  ///< this many starts that end at the best depth (to 2 %) are enough
+  /// The search descends from at most this many random starts. With evidence from sketches it makes
+  /// fewer (SearchTuning::most_after_sketches).
+  int starts = 384;
+  /// The search ends when this many independent starts have ended at the best depth, to 2 %.
+  int agreement = 12;
   /// Also stop where the sketches of the bodies leave no doubt, or where the search has descended
   /// from all places that they show. False: only the two limits above end the search.
   bool by_evidence = true;

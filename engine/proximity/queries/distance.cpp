@@ -55,7 +55,7 @@ class Search {
         continue;
       }
       const SlotPair p = stack_.pop();
-      const float limit = at_.above(best_.distance);
+      const float limit = at_.to_unit_rounded_up(best_.distance);
       if (p.bound > limit) continue;
       if (at_.is_leaf(p)) {
         batch_.add(at_.triangle_a(p), at_.triangle_b(p));
@@ -79,7 +79,7 @@ class Search {
     SlotPairs found;
     std::size_t count = 0;
     for (const SlotPair& p : pairs) {
-      at_.open_nearest(p, found);
+      at_.open_larger_box(p, found);
       for (const SlotPair& q : found) next_[count++] = q;
     }
     const std::span<SlotPair> all(next_.data(), count);

@@ -45,7 +45,7 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
   stack.push(at.roots());
   while (!stack.empty()) {
     const SlotPair p = stack.pop();
-    const float limit = at.above(reach);
+    const float limit = at.to_unit_rounded_up(reach);
     if (p.bound > limit) continue;
     if (at.is_leaf(p)) {
       batch.add(at.triangle_a(p), at.triangle_b(p));

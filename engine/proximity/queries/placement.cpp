@@ -188,7 +188,7 @@ void Placement::open_on_way(const SlotPair& p, const Vec3& way, float limit, Slo
   open_both(p, kernels_.gaps_on_way, limit, out);
 }
 
-void Placement::open_nearest(const SlotPair& p, SlotPairs& out) const {
+void Placement::open_larger_box(const SlotPair& p, SlotPairs& out) const {
   open_larger(p, kernels_.distances, std::numeric_limits<float>::infinity(), out);
 }
 

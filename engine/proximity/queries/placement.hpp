@@ -75,17 +75,18 @@ inline SlotPair down_b(const SlotPair& p, const Tree& b, std::uint32_t node, std
 /// Work to open a pair of boxes out of which so many come, in the units of Effort.
 constexpr int work_to_open(int found) { return 12 + 4 * found; }
 
-/// Both slots hold triangles.
+/// True if both slots hold triangles.
 inline bool is_leaf(const Tree& a, const Tree& b, const SlotPair& p) {
   return (a.child(p.a) & b.child(p.b) & Tree::triangle_bit) != 0;
 }
-/// Which of the two to open, where they are not both triangles: the larger box.
+/// True if the slot of A is to be opened, false if that of B is: the one with the larger box. At
+/// least one of the two must not hold a triangle.
 inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
   if (b.child(p.b) & Tree::triangle_bit) return true;
   return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
 }
 
-/// The pairs that came out of one.
+/// The pairs of boxes or triangles that opening one pair gave.
 struct SlotPairs {
   std::array<SlotPair, Tree::width * Tree::width> pair;
   int count = 0;
@@ -94,12 +95,13 @@ struct SlotPairs {
   void push(const SlotPair& p) { pair[static_cast<std::size_t>(count++)] = p; }
 };
 
-/// The larger box of a pair alone, which is quicker where the first overlap will do; or both.
+/// Whether a pair is opened by its larger box alone or by both boxes at once. The first is quicker
+/// for a query that ends at the first overlap.
 enum class Opening { larger, both };
 
-/// Body A placed in B's mesh frame by X_BA: what every query on the pair walks the two trees with.
-/// Boxes are compared in single precision, in a unit that makes all of them of the order of 1, with
-/// its rounding error taken off.
+/// Body A placed in B's mesh frame by X_BA. Every query on the pair walks the two trees with it.
+/// It compares boxes in single precision, in a unit in which all of them are of the order of 1, and
+/// subtracts the rounding error from each distance.
 class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);
@@ -109,13 +111,15 @@ class Placement {
   }
   Corners corners_b(std::uint32_t triangle) const { return corners(surface(b_), triangle); }
 
-  /// m → the placement's unit, rounded up or down; what is infinite stays so.
-  float above(double length) const {
+  /// Converts a length from m to the placement's unit, and rounds it up. An infinite one stays so.
+  float to_unit_rounded_up(double length) const {
     return static_cast<float>(length * per_unit_) * (1 + 0x1p-22f);
   }
 
-  /// A bound in the placement's unit → m, rounded down.
-  double below(float bound) const { return static_cast<double>(bound) / per_unit_ * (1 - 1e-7); }
+  /// Converts a bound from the placement's unit to m, and rounds it down.
+  double to_metres_rounded_down(float bound) const {
+    return static_cast<double>(bound) / per_unit_ * (1 - 1e-7);
+  }
 
   bool is_leaf(const SlotPair& p) const { return sonde::is_leaf(a_.tree, b_.tree, p); }
   std::uint32_t triangle_a(const SlotPair& p) const {
@@ -126,23 +130,24 @@ class Placement {
   }
 
   SlotPair roots() const { return sonde::roots(a_.tree, b_.tree); }
-  /// Opens the boxes of a pair that is not a leaf, and compares what is in them. The bounds are
-  /// lower bounds of distances, or where boxes overlap negative, the more the deeper; pairs with
-  /// one above `limit` are left out.
+  /// Opens both boxes of a pair that is not a leaf, and writes the pairs of their contents to `out`
+  /// with a lower bound of the distance of each. The bound of boxes that overlap is negative: the
+  /// deeper, the lower. Pairs with a bound above `limit` are left out. Bounds and `limit` are in
+  /// the placement's unit.
   void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
-  /// As open_near, with the largest separation along the six face normals for a bound: less work,
-  /// and less where boxes are apart corner to corner.
+  /// As open_near. The bound is the largest separation along the six face normals. It takes less
+  /// work, and is lower for boxes whose nearest points are corners or edges.
   void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
-  /// As open_by_faces, with a bound for what is between them anywhere on a straight way that A's
-  /// box may go from here, m, in B's frame.
+  /// As open_by_faces. The bound holds at every point of a straight way of A's box from here: `way`
+  /// is its displacement, m, in B's frame.
   void open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out);
-  /// Opens the larger box alone, without a limit: for a first way down.
-  void open_nearest(const SlotPair& p, SlotPairs& out) const;
-  /// The same with separations along the six face normals: pairs that do not overlap are left out.
+  /// Opens the larger box alone, without a limit. A query uses it for its first way down the trees.
+  void open_larger_box(const SlotPair& p, SlotPairs& out) const;
+  /// Opens one box or both, and leaves out the pairs that one of the six face normals separates.
   void open_overlapping(const SlotPair& p, Opening opening, SlotPairs& out) const;
 
-  /// A direction, from B to A in B's frame, that is likely to separate boxes well: that of the best
-  /// closest points so far.
+  /// Sets a direction (from B to A, in B's frame) along which open_near also compares boxes. The
+  /// direction of the nearest points so far is likely to separate boxes well.
   void try_direction(const Vec3& from_b_to_a);
 
   Transform X;
@@ -150,7 +155,8 @@ class Placement {
 
  private:
   using Kernel = void (*)(const PlacedBox&, const Tree::Node&, float, Lanes&);
-  /// The sixteen boxes of a node against one of the other tree: those within the limit.
+  /// Compares the sixteen boxes of a node with one box of the other tree. Returns a bit for each
+  /// that is within the limit.
   std::uint32_t compare(std::uint32_t slot_a, const Tree::Node& node_b, Kernel kernel, float limit,
                         Lanes& bounds) const;
   std::uint32_t compare(const Tree::Node& node_a, std::uint32_t slot_b, Kernel kernel, float limit,
@@ -168,7 +174,7 @@ class Placement {
   Frames frames_;
   Eigen::Vector3f toward_a_ = Eigen::Vector3f::Zero();  // in B's frame
   Eigen::Vector3f toward_b_ = Eigen::Vector3f::Zero();  // in A's frame
-  // Of A's box in B's frame, and of B's in A's, in the placement's unit.
+  // Displacement of A's box in B's frame, and of B's box in A's frame, in the placement's unit.
   Eigen::Vector3f way_of_a_ = Eigen::Vector3f::Zero();
   Eigen::Vector3f way_of_b_ = Eigen::Vector3f::Zero();
   double per_unit_;
@@ -176,9 +182,9 @@ class Placement {
   float float_guard_;
 };
 
-/// Pairs of nodes still to be visited: a stack of fixed size, no allocation. Opening a pair takes
-/// one entry and puts up to 256, where both of its boxes are opened at once, which on the way down
-/// happens at most max_depth times; or up to 16, at most twice as often.
+/// A stack of the pairs that a query has still to visit. Its size is fixed and nothing allocates.
+/// Opening both boxes of a pair removes one entry and adds up to 256; on one way down this happens
+/// at most max_depth times. Opening one box adds up to 16, at most twice as often.
 template <class Entry>
 class PairStack {
  public:

@@ -15,7 +15,7 @@ std::size_t find_violations(const Body& a, const Body& b, const Transform& X_BA,
   PairStack<SlotPair> stack;
   SlotPairs children;
   std::size_t found = 0;
-  const float limit = at.above(least);
+  const float limit = at.to_unit_rounded_up(least);
   const auto look = [&] {
     effort.spend(TriangleBatch::work * batch.size());
     batch.flush(least, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {

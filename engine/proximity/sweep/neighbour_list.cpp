@@ -24,9 +24,9 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
       b_(b),
       items_((capacity + block - 1) / block),
       lanes_(items_.size()),
-      due_(items_.size()),
-      due_of_pair_(capacity),
-      open_(capacity),
+      block_bounds_(items_.size()),
+      pair_bounds_(capacity),
+      unproven_(capacity),
       capacity_(capacity),
       centre_(a.mass.com),
       to_visit_(capacity > 0 ? std::make_unique<PairStack<SlotPair>>() : nullptr) {
@@ -40,8 +40,8 @@ void NeighbourList::travel_to(const Transform& X) noexcept {
   last_ = X;
   // Long travel within a small place would round the distances away.
   if (linear_ + turned_ * longest_arm_ >
-      1e3 * (room_.around.of(longest_arm_) + room_.ahead.size().of(longest_arm_))) {
-    for (std::size_t k = 0; k < blocks(); ++k) due_[k].distance = 0;
+      1e3 * (coverage_.around.of(longest_arm_) + coverage_.ahead.size().of(longest_arm_))) {
+    for (std::size_t k = 0; k < blocks(); ++k) block_bounds_[k].distance = 0;
     linear_ = turned_ = 0;
   }
 }
@@ -52,7 +52,8 @@ double NeighbourList::guard(const Transform& X) const noexcept {
                         X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
-double NeighbourList::left(const Room& room, const Transform& X, const Path& path) const noexcept {
+double NeighbourList::left(const Coverage& room, const Transform& X,
+                           const Path& path) const noexcept {
   // The least of what is left for any arm. Distances were rounded at the list's pose, and are again
   // at this one.
   const Displacement off = deviation(X_, room.ahead, X, path, centre_, longest_arm_);
@@ -65,7 +66,7 @@ bool NeighbourList::covers(const Motion& motion, double clearance) const noexcep
 }
 
 void NeighbourList::learn(std::size_t k, double gap, double rounding) noexcept {
-  Due& due = due_[k];
+  BlockBound& due = block_bounds_[k];
   const double used_up = linear_ + due.arm * turned_;
   due.distance = std::max(due.distance, used_up + gap * (1 - 1e-12) - rounding);
 }
@@ -74,7 +75,7 @@ template <class Visit>
 void NeighbourList::each_due(const Displacement& ahead, double within,
                              const Visit& visit) const noexcept {
   for (std::size_t k = 0; k < blocks(); ++k) {
-    if (spare(due_[k]) > within + ahead.of(due_[k].arm)) continue;
+    if (spare(block_bounds_[k]) > within + ahead.of(block_bounds_[k].arm)) continue;
     visit(k);
   }
 }
@@ -173,7 +174,8 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
   std::size_t open = 0;
   each_due(ahead, room, [&](std::size_t k) {
     if (!effort.spend(2 * work_to_look)) {
-      const double known = (spare(due_[k]) - room) / std::max(ahead.of(due_[k].arm), 1e-300);
+      const double known =
+          (spare(block_bounds_[k]) - room) / std::max(ahead.of(block_bounds_[k].arm), 1e-300);
       return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
     }
     PathLanes path;
@@ -184,23 +186,23 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
       const double least = std::min(path.from[lane], path.to[lane]) - floor;
       if (least >= 0 && least >= pairs.hangs_by(path.bend[lane])) continue;
       const double room = path.from[lane] - floor, used = path.from[lane] - path.to[lane];
-      open_[open++] = {static_cast<std::uint32_t>(k * block + lane), room <= 0     ? 0
-                                                                     : room < used ? room / used
-                                                                                   : 1};
+      unproven_[open++] = {static_cast<std::uint32_t>(k * block + lane), room <= 0     ? 0
+                                                                         : room < used ? room / used
+                                                                                       : 1};
     }
   });
   // What is likely to stop the path soonest comes first: then the others need be clear no further.
-  const auto first = open_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
+  const auto first = unproven_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
   const auto few = first + static_cast<std::ptrdiff_t>(std::min(open, block));
-  std::partial_sort(first, few, last, [](const Open& x, const Open& y) {
+  std::partial_sort(first, few, last, [](const UnprovenPair& x, const UnprovenPair& y) {
     return x.until != y.until ? x.until < y.until : x.item < y.item;
   });
-  follow({open_.data(), open}, pairs, ahead, effort);
+  follow({unproven_.data(), open}, pairs, ahead, effort);
   return pairs.result();
 }
 
-void NeighbourList::follow(std::span<const Open> open, PairSweep& pairs, const Displacement& ahead,
-                           Effort& effort) noexcept {
+void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
+                           const Displacement& ahead, Effort& effort) noexcept {
   const double infinity = std::numeric_limits<double>::infinity();
   const double clearance = pairs.clearance();
   TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
@@ -229,7 +231,7 @@ void NeighbourList::follow(std::span<const Open> open, PairSweep& pairs, const D
       if (p.distance[k] > 0 && passes(pair, normal(p, k)))
         return set_normal(pair.tag, normal(p, k));
       if (!effort.spend(work_to_advance)) {
-        const Due& due = due_[pair.tag / block];
+        const BlockBound& due = block_bounds_[pair.tag / block];
         const double room = clearance + pairs.guard();
         const double known = (spare(due) - room) / std::max(ahead.of(due.arm), 1e-300);
         return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
@@ -257,7 +259,7 @@ void NeighbourList::follow(std::span<const Open> open, PairSweep& pairs, const D
     });
   };
   std::size_t looked_at = 0;
-  for (const Open& one : open) {
+  for (const UnprovenPair& one : open) {
     const Pairs& of = items_[one.item / block];
     const TriangleBatch::Pair pair{of.a[one.item % block], of.b[one.item % block], one.item};
     const Vec3 n = normal_of(one.item);

@@ -21,156 +21,170 @@
 namespace sonde {
 
 /// The pairs of triangles that were within a reach of each other at one pose. As long as the probe
-/// has moved by less than that, near pairs and sweeps need to look at these alone: a walk of the
-/// trees pays for many small steps (after the neighbour lists of L. Verlet, 1967). How far a
-/// triangle has moved is reckoned from a point of the probe, best one at the contacts: what is
-/// there hardly moves while the probe rolls or turns, what is far from it is mostly far from the
-/// fixed body too. Nothing here allocates but the constructor.
+/// has moved by less than that reach, near() and sweep_along() look at these pairs alone. So one
+/// walk of the trees serves many small steps (after the neighbour lists of L. Verlet, 1967).
+///
+/// How far a triangle of A has moved follows from the motion of one point of A, the centre, and
+/// from the triangle's arm, its distance from that point. The best centre lies among the contacts:
+/// triangles there hardly move while the probe rolls or turns, and those far from it are mostly far
+/// from the fixed body too. Only the constructor allocates.
 class NeighbourList {
  public:
   static constexpr std::size_t enough = 8192;
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
-  /// What a list is to hold: every pair that comes within around.of(its arm) on the course, the arm
-  /// being that of the triangle of A about the centre. A probe that slides goes on as it went: a
-  /// list for its course is a part of one for every way that is as long, and serves as long.
-  struct Room {
+  /// What a list covers: every pair whose distance falls to around.of(arm) or less somewhere on the
+  /// course `ahead`. The arm is that of the pair's triangle of A. A probe that slides mostly
+  /// continues as it went. A list for its course holds fewer pairs than one for all directions, and
+  /// serves as long.
+  struct Coverage {
     Displacement around;
     Course ahead = {};
   };
-  /// How much room a list is to have: as much as `ample`, or where it turns out on the way that
-  /// this takes more work than `most` or more pairs than fit, no more than `least`. What was found
-  /// by then serves: no list is begun anew.
-  struct Plan {
-    Room ample;
-    Room least;  ///< its course a part of ample's
-    std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  /// What a build is to cover. It changes from `wanted` to `fallback` while it runs, if `wanted`
+  /// takes more work than `most_work` or more pairs than fit. The pairs found by then are kept if
+  /// they belong to the fallback.
+  struct BuildPlan {
+    Coverage wanted;
+    Coverage fallback;  ///< its course is a part of that of `wanted`
+    std::int64_t most_work = std::numeric_limits<std::int64_t>::max();
   };
 
-  /// Takes down every pair of the room at X, the centre being in A's mesh frame. False (and nothing
-  /// is covered) where there are more than it holds, or the effort ran out: then go_on() can finish
-  /// it, some other time.
-  bool build_by(const Plan& plan, const Transform& X, const Vec3& centre, Effort& effort) noexcept;
+  /// Lists every pair that the plan covers from X on. `centre` is in A's mesh frame. Returns false,
+  /// and the list covers nothing, if even the fallback has more pairs than fit, or if the effort
+  /// ran out. In the second case go_on() can finish the list later.
+  bool build_by(const BuildPlan& plan, const Transform& X, const Vec3& centre,
+                Effort& effort) noexcept;
   bool build(const Transform& X, const Vec3& centre, const Displacement& room,
              Effort& effort) noexcept {
     return build_by({{room}, {room}}, X, centre, effort);
   }
-  /// Every pair that may be within reach at X.
+  /// Lists every pair that may be within `reach` (m) of each other at X.
   bool build(const Transform& X, double reach, Effort& effort) noexcept {
     return build(X, a_.mass.com, {reach, 0}, effort);
   }
 
+  /// Continues a build that ran out of effort. Returns as build_by does.
   bool go_on(Effort& effort) noexcept;
   bool is_unfinished() const noexcept { return unfinished_; }
-  /// As reach_at, on all of a path from X, of the list once it is finished.
+  /// What reach_at() will return, for a path from X, when the build is finished.
   double reach_when_finished(const Transform& X, const Path& path) const noexcept {
     return planned_.around.linear < 0 ? -1 : left(planned_, X, path);
   }
 
   void clear() noexcept {
     count_ = 0, unfinished_ = false;
-    room_.around.linear = planned_.around.linear = -1;
+    coverage_.around.linear = planned_.around.linear = -1;
   }
   std::size_t size() const noexcept { return count_; }
   std::size_t capacity() const noexcept { return capacity_; }
-  /// Has the last list no more room than the least of its plan?
-  bool is_least() const noexcept { return least_only_; }
-  /// What the last list took to make, in the units of Effort.
+  /// True if the last build covers the fallback of its plan and no more.
+  bool used_fallback() const noexcept { return fallback_only_; }
+  /// The work of the last build, in the units of Effort.
   std::int64_t work_of_build() const noexcept { return work_of_build_; }
 
-  /// Every pair at a distance of at most this, at X and on all of the path from there, is in the
-  /// list. Negative: no statement.
+  /// m: the list holds every pair that comes within this distance at X or on the path from there.
+  /// Negative: the list says nothing about that path.
   double reach_at(const Transform& X, const Path& path = {}) const noexcept {
-    return room_.around.linear < 0 ? -1 : left(room_, X, path);
+    return coverage_.around.linear < 0 ? -1 : left(coverage_, X, path);
   }
-  /// Is every pair that may come within the clearance along the motion?
+  /// True if the list holds every pair that may come within `clearance` (m) along the motion.
   bool covers(const Motion& motion, double clearance) const noexcept;
 
-  /// As near_pairs and sweep; the reach must lie within reach_at, the motion must be covered.
+  /// As near_pairs() and sweep(), for the pairs of the list. `reach` must not exceed reach_at(X),
+  /// and covers() must hold for the motion.
   NearPairs near(const Transform& X, double reach, std::span<NearPair> out,
                  Effort& effort) noexcept;
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
-  /// The pairs that are nearer than `least` at X or meet, the deepest of them where there are more
-  /// than fit; X must be covered (reach_at). The probe stays where it is. Returns how many.
+  /// Writes to `out` the pairs that are nearer than `least` (m) at X, or that meet there: the
+  /// deepest, if there are more than fit. `least` must not exceed reach_at(X). X is only looked at:
+  /// the pose from which travel is counted does not change. Returns the number of pairs.
   std::size_t violations(const Transform& X, double least, std::span<Violation> out,
                          Effort& effort) noexcept;
 
  private:
-  static constexpr std::size_t block = 8;  ///< pairs that are looked at together
+  static constexpr std::size_t block = 8;  ///< pairs that are compared together
   struct Pair {
     std::uint32_t a, b;  ///< triangles
   };
   struct Pairs {
     std::uint32_t a[block], b[block];
   };
-  /// The least distance of a block's pairs last known, and all that had been used up of it then, m:
-  /// a block is not looked at until what is spare draws to an end. The longer the arm (of the
-  /// triangles of A, from the centre), the more a turn uses up.
-  struct Due {
+  /// A bound for the pairs of a block. `distance` (m) is the least distance last found, plus the
+  /// travel until then; `arm` (m) is the longest arm. A turn brings a triangle nearer by up to its
+  /// arm times the angle. A block is skipped as long as what travel leaves of the distance exceeds
+  /// what is asked for (spare()).
+  struct BlockBound {
     double distance, arm;
   };
-  /// A pair that was not found clear of a path by the direction that separated it last.
-  struct Open {
+  /// A pair that the direction that separated it last does not prove clear of a path.
+  struct UnprovenPair {
     std::uint32_t item;
-    double until;  ///< of the path: about where it may be stopped
+    double until;  ///< about where the pair may stop the path, 0 to 1
   };
-  double left(const Room& room, const Transform& X, const Path& path) const noexcept;
-  /// What rounding may add to a distance at either pose, m.
+  /// m: the reach that a list of this coverage has on a path from X.
+  double left(const Coverage& room, const Transform& X, const Path& path) const noexcept;
+  /// m: what rounding may add to a distance at X or at the pose of the list.
   double guard(const Transform& X) const noexcept;
-  /// The probe has come to X.
+  /// Adds the way from the last pose to X to the travel of the probe.
   void travel_to(const Transform& X) noexcept;
-  /// What is left of the distance that it was last known to have, m.
-  double spare(const Due& d) const noexcept { return d.distance - linear_ - d.arm * turned_; }
+  /// m: a lower bound of the distance of a block's pairs now.
+  double spare(const BlockBound& d) const noexcept {
+    return d.distance - linear_ - d.arm * turned_;
+  }
   std::size_t blocks() const noexcept { return (count_ + block - 1) / block; }
   std::size_t size_of(std::size_t k) const noexcept { return std::min(block, count_ - k * block); }
-  /// Calls visit(block) for all that may come within so much on the way that is ahead.
+  /// Calls visit(k) for each block k with a pair that may come within `within` (m) while the probe
+  /// moves by `ahead`.
   template <class Visit>
   void each_due(const Displacement& ahead, double within, const Visit& visit) const noexcept;
   struct Candidates;
-  /// Of a box of A where it goes on the planned course.
+  /// How a box of A moves on the planned course.
   struct Way {
-    double arm = 0;           ///< m
-    Vec3 way = Vec3::Zero();  ///< of its centre, m, fixed frame
-    double spread = 0;        ///< m: no point of the box goes further from that
+    double arm = 0;           ///< m: the longest arm of the box's points
+    Vec3 way = Vec3::Zero();  ///< m: displacement of the box's centre, fixed frame
+    double spread = 0;        ///< m: no point's displacement differs by more from that
   };
   Way way_of(std::uint32_t slot) const noexcept;
-  /// Does a pair come into the planned room, where it is known how far it is away, and along which
-  /// direction (zero: none)?
-  bool comes_in(const Pair& pair, const Due& due, const Vec3& normal) const noexcept;
+  /// True if the plan covers the pair. `due` holds its distance and arm, `normal` the direction
+  /// that separates it (zero: none is known).
+  bool is_in_plan(const Pair& pair, const BlockBound& due, const Vec3& normal) const noexcept;
   void start(const Transform& X, const Vec3& centre) noexcept;
-  /// Takes down those of them that are near enough.
+  /// Appends the candidates that the plan covers.
   void take(Candidates& of) noexcept;
-  /// Goes on with the least room: the pairs that are beyond it are dropped.
-  void shrink() noexcept;
-  /// Takes down a pair, and the direction that separates it where the probe is (zero: none).
-  void append(const Pair& pair, const Due& due, const Vec3& normal) noexcept;
-  /// Lanes that are not used repeat the last one.
+  /// Changes to the plan's fallback, and drops the pairs that it does not cover.
+  void fall_back() noexcept;
+  /// Appends a pair with its distance, its arm and the direction that separates it at the pose of
+  /// the list (zero: none).
+  void append(const Pair& pair, const BlockBound& due, const Vec3& normal) noexcept;
+  /// Fills the unused lanes of the last block with copies of its last pair.
   void fill_last() noexcept;
   Vec3 normal_of(std::uint32_t item) const noexcept;
   void set_normal(std::uint32_t item, const Vec3& normal) noexcept;
-  /// Takes down the least gap found in a block where the probe is.
+  /// Raises the bound of block k by the least gap (m) that was found in it at the present pose.
   void learn(std::size_t k, double gap, double rounding) noexcept;
-  /// Follows the pairs that are not clear of the path by what is known of them.
-  void follow(std::span<const Open> open, PairSweep& pairs, const Displacement& ahead,
+  /// Decides about the unproven pairs of a path: tries other directions, and at last follows a
+  /// pair's motion up to the stop.
+  void follow(std::span<const UnprovenPair> open, PairSweep& pairs, const Displacement& ahead,
               Effort& effort) noexcept;
 
   const Body& a_;
   const Body& b_;
   std::vector<Pairs> items_;
   std::vector<PairLanes> lanes_;
-  std::vector<Due> due_;
-  std::vector<Due> due_of_pair_;  // of a list that is being made
-  std::vector<Open> open_;
+  std::vector<BlockBound> block_bounds_;
+  std::vector<BlockBound> pair_bounds_;  // of a list that is being made
+  std::vector<UnprovenPair> unproven_;
   std::size_t count_ = 0;
   std::size_t capacity_;
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Room room_;                // of the list; around.linear negative: there is none
-  Room planned_;             // of the list that is being made
-  Plan plan_;                // for it
-  bool least_only_ = false;  // nothing is planned but the least
+  Coverage coverage_;           // of the list; around.linear negative: there is none
+  Coverage planned_;            // of the list that is being made
+  BuildPlan plan_;              // for it
+  bool fallback_only_ = false;  // nothing is planned but the least
   std::unique_ptr<PairStack<SlotPair>> to_visit_;  // for it; large; none for no pairs
   bool unfinished_ = false;
   Transform X_;        // of the list

@@ -23,7 +23,8 @@ NeighbourList::Way NeighbourList::way_of(std::uint32_t slot) const noexcept {
           course.turn.norm() * half * (1 + 1e-6)};
 }
 
-bool NeighbourList::comes_in(const Pair& pair, const Due& due, const Vec3& normal) const noexcept {
+bool NeighbourList::is_in_plan(const Pair& pair, const BlockBound& due,
+                               const Vec3& normal) const noexcept {
   const double room = planned_.around.of(due.arm);
   if (due.distance <= room || normal == Vec3::Zero()) return true;
   // On the course the gap along the normal changes as that of the corner that loses most.
@@ -66,41 +67,41 @@ void NeighbourList::take(Candidates& of) noexcept {
     const double closing = std::max(0.0, -direction.dot(way)) + spread;
     if (std::min(distance, gap - closing) > planned_.around.of(arm)) return;
     const Pair of_lane{pair.i, pair.j};
-    if (count_ == capacity_ && !least_only_) {
-      shrink();
-      if (!comes_in(of_lane, {distance, arm}, direction)) return;
+    if (count_ == capacity_ && !fallback_only_) {
+      fall_back();
+      if (!is_in_plan(of_lane, {distance, arm}, direction)) return;
     }
     of.fit = count_ < capacity_;
     if (of.fit) append(of_lane, {distance, arm}, direction);
   });
 }
 
-void NeighbourList::shrink() noexcept {
-  planned_ = plan_.least;
-  least_only_ = true;
+void NeighbourList::fall_back() noexcept {
+  planned_ = plan_.fallback;
+  fallback_only_ = true;
   const std::size_t found = std::exchange(count_, 0);
   for (std::size_t i = 0; i < found; ++i) {
-    const Due due = due_of_pair_[i];
+    const BlockBound due = pair_bounds_[i];
     const Pairs& of_block = items_[i / block];
     const Pair pair{of_block.a[i % block], of_block.b[i % block]};
     const Vec3 normal = normal_of(static_cast<std::uint32_t>(i));
-    if (comes_in(pair, due, normal)) append(pair, due, normal);
+    if (is_in_plan(pair, due, normal)) append(pair, due, normal);
   }
 }
 
-bool NeighbourList::build_by(const Plan& plan, const Transform& X, const Vec3& centre,
+bool NeighbourList::build_by(const BuildPlan& plan, const Transform& X, const Vec3& centre,
                              Effort& effort) noexcept {
   start(X, centre);
   plan_ = plan;
-  // What is looked for at first holds the least.
-  Displacement& around = plan_.ample.around;
-  around = {std::max(around.linear, plan.least.around.linear),
-            std::max(around.turn, plan.least.around.turn)};
-  planned_ = plan_.ample;
-  const auto length = [&](const Room& room) {
+  // What is looked for at first includes the fallback.
+  Displacement& around = plan_.wanted.around;
+  around = {std::max(around.linear, plan.fallback.around.linear),
+            std::max(around.turn, plan.fallback.around.turn)};
+  planned_ = plan_.wanted;
+  const auto length = [&](const Coverage& room) {
     return room.around.of(longest_arm_) + room.ahead.size().of(longest_arm_);
   };
-  least_only_ = length(planned_) <= length(plan.least);
+  fallback_only_ = length(planned_) <= length(plan.fallback);
   if (!to_visit_) return false;
   to_visit_->clear();
   to_visit_->push(roots(a_.tree, b_.tree));
@@ -127,7 +128,8 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
   while (candidates.fit && !unfinished_ && !to_visit_->empty()) {
     const SlotPair p = to_visit_->pop();
     const Way way = ways.at(p.a, [&](std::uint32_t slot) { return way_of(slot); });
-    const float limit = at.above(planned_.around.of(way.arm)), spread = at.above(way.spread);
+    const float limit = at.to_unit_rounded_up(planned_.around.of(way.arm)),
+                spread = at.to_unit_rounded_up(way.spread);
     if (p.bound > limit) continue;
     if (at.is_leaf(p)) {  // the roots alone
       sort_out(p, way);
@@ -137,9 +139,9 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
     at.open_on_way(p, way.way, limit + spread, found);
     for (SlotPair& child : found) child.bound -= spread, sort_out(child, way);
     unfinished_ = !spend(work_to_open(found.count));
-    if (work_of_build_ > plan_.most && !least_only_) {
+    if (work_of_build_ > plan_.most_work && !fallback_only_) {
       take(candidates);
-      shrink();
+      fall_back();
       ways = {};
     }
   }
@@ -147,16 +149,16 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
   if (!candidates.fit) return clear(), false;
   if (unfinished_) return false;
   fill_last();
-  room_ = planned_;
+  coverage_ = planned_;
   return true;
 }
 
-void NeighbourList::append(const Pair& pair, const Due& due, const Vec3& normal) noexcept {
+void NeighbourList::append(const Pair& pair, const BlockBound& due, const Vec3& normal) noexcept {
   const std::size_t k = count_ / block, lane = count_ % block;
-  due_of_pair_[count_] = due;
-  due_[k] = lane == 0
-                ? due
-                : Due{std::min(due_[k].distance, due.distance), std::max(due_[k].arm, due.arm)};
+  pair_bounds_[count_] = due;
+  block_bounds_[k] = lane == 0 ? due
+                               : BlockBound{std::min(block_bounds_[k].distance, due.distance),
+                                            std::max(block_bounds_[k].arm, due.arm)};
   items_[k].a[lane] = pair.a;
   items_[k].b[lane] = pair.b;
   const Corners ta = corners(surface(a_), pair.a);

@@ -25,6 +25,10 @@ struct Sweep {
 /// advancement with directional motion bounds; after Mirtich 1996 and Tang, Kim and Manocha, C2A,
 /// 2009). The start must be free: a start without a gap above the rounding error gives free_until =
 /// 0. Never allocates.
+///
+/// See also: most ticks do not come here. NeighbourList::sweep_along sweeps the pairs of a list
+/// (neighbour_list.hpp), and PairSweep advances one pair of triangles (pair_sweep.hpp).
+/// ContactRows::sweep_along (engine/penetration/contact) chooses between a list and this function.
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance,
             Effort& effort);
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance);

@@ -27,7 +27,7 @@ namespace {
 /// The normal in A's axes: normal·(R arm) = (Rᵀ normal)·arm.
 inline Vector turned_back(const double (&R)[3][3], const Vector& n) {
   const auto column = [&](int k) {
-    return all(R[0][k]) * n.x + all(R[1][k]) * n.y + all(R[2][k]) * n.z;
+    return broadcast(R[0][k]) * n.x + broadcast(R[1][k]) * n.y + broadcast(R[2][k]) * n.z;
   };
   return {column(0), column(1), column(2)};
 }
@@ -45,7 +45,8 @@ struct Arms {
 };
 
 inline Number gap(const Arms& arms, const Vector& n, Number top, const ArmMap& at) {
-  const Number centre = all(at.p[0]) * n.x + all(at.p[1]) * n.y + all(at.p[2]) * n.z;
+  const Number centre =
+      broadcast(at.p[0]) * n.x + broadcast(at.p[1]) * n.y + broadcast(at.p[2]) * n.z;
   return arms.least(turned_back(at.R, n)) + (centre - top);
 }
 

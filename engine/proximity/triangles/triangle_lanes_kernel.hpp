@@ -28,7 +28,9 @@ constexpr double least_square = 1e-280;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of 0 it is a number by which 0 stays 0.
-inline Number inverse(Number square) { return all(1) / larger(square, all(least_square)); }
+inline Number inverse(Number square) {
+  return broadcast(1) / larger(square, broadcast(least_square));
+}
 
 /// Edge i runs from corner i to corner i + 1.
 struct Triangle {
@@ -84,7 +86,7 @@ struct Face {
   void set(const Triangle& t, const Vector& product) {
     normal = product - (dot(product, t.edge[2]) * t.inverse2[2]) * t.edge[2];
     normal2 = dot(normal, normal);
-    normal2 = select(normal2 < all(0.25) * dot(product, product), Number{}, normal2);
+    normal2 = select(normal2 < broadcast(0.25) * dot(product, product), Number{}, normal2);
     inverse2 = inverse(normal2);
   }
   /// Looks at corner k of the other. r0 and r1 are the ways (Pairs) between it and the corners 0
@@ -96,7 +98,7 @@ struct Face {
   }
   /// Far above where the products of heights and places in look() become denormal, far below the
   /// thinnest triangle of 1e-35 m.
-  Mask exists() const { return normal2 > all(1e-200); }
+  Mask exists() const { return normal2 > broadcast(1e-200); }
   Mask on_one_side() const {
     const Number zero{};
     const Mask above = (height[0] > zero) & (height[1] > zero) & (height[2] > zero);
@@ -134,7 +136,7 @@ struct Best {
   Vector apart;
   Number anchor, along;
 
-  void clear() { *this = {all(infinity), Vector{}, Number{}, Number{}}; }
+  void clear() { *this = {broadcast(infinity), Vector{}, Number{}, Number{}}; }
   void offer(Mask better, Number new_squared, const Vector& new_apart, Number new_anchor,
              Number new_along) {
     squared = select(better, new_squared, squared);
@@ -150,7 +152,7 @@ inline void offer_corners(const Face& face, int first_anchor, Best& best) {
     const Number ratio = face.height[k] * face.inverse2;
     const Number squared = face.height[k] * ratio;
     best.offer(face.covers(k) & (squared < best.squared), squared, ratio * face.normal,
-               all(first_anchor + k), Number{});
+               broadcast(first_anchor + k), Number{});
   }
 }
 
@@ -168,7 +170,7 @@ inline void offer_corners(const Face& face, int first_anchor, Best& best) {
   for (int k = 0; k < 9; ++k) {
     const Vector &u = p.a.edge[k / 3], &w = p.b.edge[k % 3], &r = p.r[k / 3][k % 3];
     const Vector n = cross(u, w);
-    start[k] = dot(cross(w, r), n) / larger(dot(n, n), all(least_square));
+    start[k] = dot(cross(w, r), n) / larger(dot(n, n), broadcast(least_square));
   }
 #pragma GCC unroll 9
   for (int k = 0; k < 9; ++k) {
@@ -190,7 +192,7 @@ inline void offer_corners(const Face& face, int first_anchor, Best& best) {
 #pragma GCC unroll 9
   for (int k = 0; k < 9; ++k) {
     const int i = k / 3;
-    best.offer(squared[k] < best.squared, squared[k], apart[k], all(i), along[k]);
+    best.offer(squared[k] < best.squared, squared[k], apart[k], broadcast(i), along[k]);
   }
 }
 
@@ -216,7 +218,7 @@ struct Piercing {
       const Mask all_in_rising = (in0 <= zero) & (in1 <= zero) & (in2 <= zero);
       const Mask here =
           face.exists() & (falls ^ (h[l] > zero)) & ((falls & all_in) | (~falls & all_in_rising));
-      anchor = select(here, all(first_anchor + k), anchor);
+      anchor = select(here, broadcast(first_anchor + k), anchor);
       height = select(here, h[k], height);
       drop = select(here, fall, drop);
       found |= here;
@@ -227,7 +229,7 @@ struct Piercing {
 /// Where triangles meet, one of them has an edge that passes through the other or touches it. In
 /// lanes that are no candidates one of them lies on one side of the other's plane.
 inline void offer_piercing(const Face& a, const Face& b, Mask candidates, Best& best) {
-  Piercing through = {Mask{}, Number{}, Number{}, all(1)};
+  Piercing through = {Mask{}, Number{}, Number{}, broadcast(1)};
   through.look(a, 3), through.look(b, 0);
   best.offer(candidates & through.found, Number{}, Vector{}, through.anchor,
              through.height / through.drop);
@@ -250,7 +252,7 @@ struct Shadow {
 
 /// Is the gap along the line of the centroids more than the root of reach2?
 inline Mask far_apart(const Triangle& a, const Triangle& b, const Vector& r00, Number reach2) {
-  const Vector line = all(3) * r00 + (a.edge[0] - a.edge[2]) - (b.edge[0] - b.edge[2]);
+  const Vector line = broadcast(3) * r00 + (a.edge[0] - a.edge[2]) - (b.edge[0] - b.edge[2]);
   const Number gap = Shadow(line, r00, a, b).gap();
   return (gap > Number{}) & (gap * gap > reach2 * dot(line, line));
 }
@@ -262,12 +264,12 @@ struct Separation {
 
   void offer(const Vector& axis, const Pairs& p, Mask wanted) {
     const Number square = dot(axis, axis);
-    const Number scale = all(1) / root(larger(square, all(least_square)));
+    const Number scale = broadcast(1) / root(larger(square, broadcast(least_square)));
     const Shadow shadow(axis, p.r[0][0], p.a, p.b);
     const Number forwards = shadow.gap() * scale, backwards = shadow.gap_backwards() * scale;
     const Mask turned = backwards > forwards;
     const Number best = select(turned, backwards, forwards);
-    const Mask better = wanted & (square > all(least_square)) & (best > gap);
+    const Mask better = wanted & (square > broadcast(least_square)) & (best > gap);
     normal = select(better, select(turned, -scale, scale) * axis, normal);
     gap = select(better, best, gap);
   }
@@ -313,12 +315,12 @@ inline void store_points(const Pairs& p, const Best& best, Mask meet, int first,
                          ClosestPoints8& out) {
   Vector corner = p.a.v[0], edge = p.a.edge[0];
   for (int i = 1; i < 6; ++i) {
-    const Mask here = best.anchor == all(i);
+    const Mask here = best.anchor == broadcast(i);
     corner = select(here, i < 3 ? p.a.v[i] : p.b.v[i - 3], corner);
     edge = select(here, i < 3 ? p.a.edge[i] : p.b.edge[i - 3], edge);
   }
   const Vector point = corner + best.along * edge;
-  const Mask of_b = best.anchor > all(2.5);
+  const Mask of_b = best.anchor > broadcast(2.5);
   const Vector apart = select(meet, Vector{}, best.apart);
   store(out.a, first, select(of_b, point + apart, point));
   store(out.b, first, select(of_b, point, point - apart));
@@ -326,13 +328,13 @@ inline void store_points(const Pairs& p, const Best& best, Mask meet, int first,
 
 inline void store_results(const TrianglePairs8& pairs, const Pairs& p, const Best& best,
                           Mask beyond, int first, ClosestPoints8& out) {
-  const Mask meet = best.squared < all(least_square);
+  const Mask meet = best.squared < broadcast(least_square);
   store_points(p, best, meet, first, out);
   const Number distance = select(meet, Number{}, root(best.squared));
   Separation apart;
-  apart.normal = (all(1) / select(meet, all(1), distance)) * best.apart;
+  apart.normal = (broadcast(1) / select(meet, broadcast(1), distance)) * best.apart;
   apart.gap = Shadow(apart.normal, p.r[0][0], p.a, p.b).gap();
-  const Mask turned = ~(meet | beyond) & (apart.gap < all(0.999) * distance);
+  const Mask turned = ~(meet | beyond) & (apart.gap < broadcast(0.999) * distance);
   if (any(turned)) {
     Separation better = apart;
     search_axes(pairs, first, turned, better);
@@ -340,7 +342,7 @@ inline void store_results(const TrianglePairs8& pairs, const Pairs& p, const Bes
   }
   store(out.normal, first, apart.normal);
   store(out.gap + first, select(meet, Number{}, apart.gap));
-  store(out.distance + first, select(beyond, all(infinity), distance));
+  store(out.distance + first, select(beyond, broadcast(infinity), distance));
 }
 
 inline void one_pass(const TrianglePairs8& pairs, int first, int count, double limit,
@@ -352,16 +354,16 @@ inline void one_pass(const TrianglePairs8& pairs, int first, int count, double l
       dot(r00, r00) + p.a.length2[0] + p.a.length2[2] + p.b.length2[0] + p.b.length2[2];
   // The square of the limit plus rounding: (l + m)² ≤ (1 + 1e-6) l² + (1 + 1e6) m², m far above
   // what heights and gaps can lose.
-  const Number reach2 = all(1.000001 * limit * limit) + all(1e-22) * size2;
+  const Number reach2 = broadcast(1.000001 * limit * limit) + broadcast(1e-22) * size2;
   // Lanes that are not used count as far away: nothing is done for their sake.
-  Mask beyond = far_apart(p.a, p.b, r00, reach2) | (lane_numbers() >= all(count - first));
-  if (!any(~beyond)) return store(out.distance + first, all(infinity));
+  Mask beyond = far_apart(p.a, p.b, r00, reach2) | (lane_numbers() >= broadcast(count - first));
+  if (!any(~beyond)) return store(out.distance + first, broadcast(infinity));
   p.a.turn(), p.b.turn();
   p.set_ways();
   Face a, b;
   set_faces(p, a, b);
   beyond |= a.beyond(reach2) | b.beyond(reach2);
-  if (!any(~beyond)) return store(out.distance + first, all(infinity));
+  if (!any(~beyond)) return store(out.distance + first, broadcast(infinity));
   Best best;
   best.clear();
   const Mask straddle = ~(beyond | a.on_one_side() | b.on_one_side());

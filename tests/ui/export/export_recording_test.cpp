@@ -102,7 +102,7 @@ TEST_F(ExportRecordingTest, its_pictures_show_what_moved) {
 /// By the system's ffmpeg; ffprobe, which comes with it, counts the frames.
 TEST_F(ExportRecordingTest, its_film_has_every_picture) {
   const QString probe = QStandardPaths::findExecutable("ffprobe");
-  if (film_maker().isEmpty() || probe.isEmpty())
+  if (find_ffmpeg().isEmpty() || probe.isEmpty())
     GTEST_SKIP() << "ffmpeg and ffprobe are not installed: no film can be made here";
   wanted.film = true;
   run("export_recording_pictures", "film");

@@ -92,6 +92,7 @@ TEST(ContactClusters, a_box_in_a_groove_is_two_that_share_the_load) {
   EXPECT_NEAR(s.depth, depth, 2 * clearance * depth);
   for (const ContactCluster& c : s.clusters) {
     // 2 λ cos 45° = depth, and λ passes through the middle of the face.
+    EXPECT_NEAR(share_of_force(c.contact, s.clusters), 0.5, 1e-3);
     EXPECT_NEAR(c.contact.multiplier, depth / std::sqrt(2.0), 1e-3 * depth);
     EXPECT_NEAR(c.contact.normal.z(), 1 / std::sqrt(2.0), 1e-6);
     const Vec3 lever = c.contact.on_probe - s.separated * box->mass.com;
@@ -101,6 +102,14 @@ TEST(ContactClusters, a_box_in_a_groove_is_two_that_share_the_load) {
 }
 
 // A peg pushed aside and down in a square hole: each wall it meets pushes it back by its own part.
+TEST(ContactClusters, where_nothing_pushes_no_contact_has_a_share) {
+  ContactClusters none;
+  none.items[0].contact.multiplier = 0;
+  none.size = 1;
+  EXPECT_EQ(share_of_force(none[0].contact, none), 0);
+  EXPECT_EQ(share_of_force(Contact{}, ContactClusters{}), 0);
+}
+
 TEST(ContactClusters, a_peg_in_a_hole_has_one_a_wall) {
   const double wide = 0.1, gap = 0.002;
   const auto hole = blocks({{{0.3, 0.1, 0.2}, {0, (wide + gap + 0.1) / 2, 0}},

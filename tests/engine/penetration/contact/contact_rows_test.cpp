@@ -99,7 +99,7 @@ TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
         const Gathered g = free_place(random, pair, method == Method::pdt ? 0 : 0.6);
         const double margin = 1e-3 * g.reach, r = pair.a->mass.radius;
         rows.gather(g.chart, g.y, g.reach, 4 * margin);
-        const LeastDistance nearest = rows.solve(margin, ContactRows::Narrow::keep);
+        const LeastDistance nearest = rows.solve(margin, ContactRows::SmallGaps::keep);
         ASSERT_TRUE(nearest.feasible) << pair.name;
         EXPECT_LE(nearest.y.norm(), g.y.norm() * (1 + 1e-9) + 0.1 * margin) << pair.name;
         if (method == Method::pdt) {
@@ -115,7 +115,7 @@ TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
         held += nearest.active_count > 0;
         // Opened: gaps smaller than a margin wider than them are widened to it.
         const double wide = 2 * rows.smallest_gap();
-        const LeastDistance opened = rows.solve(wide, ContactRows::Narrow::open);
+        const LeastDistance opened = rows.solve(wide, ContactRows::SmallGaps::widen);
         if (!opened.feasible) continue;
         for (int k = 0; k < rows.size(); ++k) {
           const Contact c = rows.contact(k);
@@ -177,7 +177,7 @@ TEST(ContactRows, a_cube_over_a_plate_stands_on_its_corners) {
             found || (rows.contact(k).on_probe - Vec3(0.02 + x, 0.03 + z, 0.500001)).norm() < 1e-9;
       EXPECT_TRUE(found) << x << " " << z;
     }
-  const LeastDistance nearest = rows.solve(1e-7, ContactRows::Narrow::keep);
+  const LeastDistance nearest = rows.solve(1e-7, ContactRows::SmallGaps::keep);
   EXPECT_NEAR(nearest.y.norm(), 0.02 + 1e-7, 1e-8);
   EXPECT_LT(nearest.y.head<5>().norm(), 1e-9);
 }
@@ -218,7 +218,7 @@ TEST(ContactRows, a_cut_agrees_with_all_pairs) {
         if (near > 16 || in_doubt > 0) continue;  // there is room for 16
         Effort unlimited;
         const int before = rows.size();
-        const ContactRows::Look look = rows.cut(g.chart, g.y, motion, margin, unlimited);
+        const ContactRows::PathCheck look = rows.cut(g.chart, g.y, motion, margin, unlimited);
         EXPECT_EQ(look.clear, in_the_way == 0) << pair.name << i;
         EXPECT_EQ(look.news, rows.size() > before) << pair.name << i;
         EXPECT_GE(look.lost, lost - rounding) << pair.name << i;
@@ -262,7 +262,7 @@ TEST(ContactRows, the_rim_of_the_chart_is_a_row_of_its_own) {
       const Vec3 outwards = g->chart.v(g->y).normalized();
       for (const double margin : {0.01, 0.2, 1.0}) {
         const double wide = margin * pair.a->mass.radius;
-        const LeastDistance nearest = rows.solve(wide, ContactRows::Narrow::open);
+        const LeastDistance nearest = rows.solve(wide, ContactRows::SmallGaps::widen);
         if (!nearest.feasible) continue;
         ++solved;
         // To the tolerance of the problem, which is in the unit of y.
@@ -331,7 +331,7 @@ TEST(ContactRows, do_not_allocate) {
     const Motion motion(g.chart, g.y, 0.99 * g.y);
     test::AllocationCounter counter;
     rows.gather(g.chart, g.y, g.reach, 0.1 * g.reach);
-    rows.solve(0.01 * g.reach, ContactRows::Narrow::keep);
+    rows.solve(0.01 * g.reach, ContactRows::SmallGaps::keep);
     Effort unlimited;
     rows.sweep_along(motion, 1e-6 * g.reach, unlimited);
     counter.stop();

@@ -42,7 +42,7 @@ Outcome slide(const Sliding& scene, std::int64_t work, double wanted, double wil
   for (int tick = 0; tick < 180; ++tick) {
     Effort effort(work, 0);
     const Transform X = scene.at(tick);
-    const auto path = [&] { return Path{lists.usual(X, centre), {}}; };
+    const auto path = [&] { return Path{lists.recent_course(X, centre), {}}; };
     if (lists.serving().reach_at(X) < will_do)
       lists.renew(X, {wanted, 2 * will_do, will_do, centre, path()}, effort);
     NeighbourList& list = lists.serving();
@@ -61,8 +61,8 @@ Outcome slide(const Sliding& scene, std::int64_t work, double wanted, double wil
     const Chart chart(scene.rod->mass, Pose{Quat::Identity(), X.p});
     Vec6 y = Vec6::Zero();
     y[5] = scene.step;
-    lists.remember(Motion(chart, Vec6::Zero(), y));
-    lists.look_ahead(X, {will_do, 2 * will_do, will_do, centre, path()}, effort);
+    lists.note_path(Motion(chart, Vec6::Zero(), y));
+    lists.prepare_next_list(X, {will_do, 2 * will_do, will_do, centre, path()}, effort);
   }
   return out;
 }

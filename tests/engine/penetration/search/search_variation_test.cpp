@@ -26,6 +26,18 @@ TEST(SearchVariation, every_name_can_be_set) {
   }
 }
 
+TEST(SearchVariation, a_complaint_about_a_name_lists_every_name) {
+  SearchTuning tuning;
+  try {
+    vary(tuning, "nothing=1");
+    FAIL() << "there is no such number";
+  } catch (const std::invalid_argument& error) {
+    const std::string said = error.what();
+    for (const std::string& name : names_of_search_tuning())
+      EXPECT_NE(said.find(name), std::string::npos) << name;
+  }
+}
+
 TEST(SearchVariation, what_is_no_number_of_the_search_is_refused) {
   SearchTuning tuning;
   for (const char* wrong : {"", "blind", "blind=", "blind=x", "blind=-1", "blind=inf", "blind=nan",

@@ -24,7 +24,7 @@ int pairs_left(const Body& a, const Body& b, const Transform& X) {
       ++left;
       continue;
     }
-    at.open_near(p, at.above(distance), found);
+    at.open_near(p, at.to_unit_rounded_up(distance), found);
     for (const SlotPair& q : found) stack.push(q);
   }
   return left;

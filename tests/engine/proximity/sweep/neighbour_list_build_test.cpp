@@ -55,20 +55,20 @@ TEST(NeighbourList, one_that_shrinks_on_the_way_misses_nothing_within_the_least)
       const bool few = i % 2 == 0 && large.size() > small.size();
       const std::size_t capacity = few ? (small.size() + large.size()) / 2 : large.size() + 1;
       NeighbourList list(*pair.a, *pair.b, capacity);
-      NeighbourList::Plan plan{{ample}, {least}};
+      NeighbourList::BuildPlan plan{{ample}, {least}};
       if (!few)
-        plan.most =
+        plan.most_work =
             static_cast<std::int64_t>(test::uniform(random, 0, 1.2) * static_cast<double>(work));
       ASSERT_TRUE(list.build_by(plan, X, centre, unlimited)) << pair.name;
       if (few) {
-        EXPECT_TRUE(list.is_least());
+        EXPECT_TRUE(list.used_fallback());
       } else {
-        EXPECT_EQ(list.is_least(), plan.most < work) << pair.name;
+        EXPECT_EQ(list.used_fallback(), plan.most_work < work) << pair.name;
       }
-      EXPECT_EQ(list.reach_at(X), (list.is_least() ? small : large).reach_at(X));
+      EXPECT_EQ(list.reach_at(X), (list.used_fallback() ? small : large).reach_at(X));
       EXPECT_LE(list.size(), large.size());
-      EXPECT_GE(list.size(), list.is_least() ? small.size() : large.size());
-      (!list.is_least() ? whole : few ? by_count : by_work) += 1;
+      EXPECT_GE(list.size(), list.used_fallback() ? small.size() : large.size());
+      (!list.used_fallback() ? whole : few ? by_count : by_work) += 1;
       const Pose moved{pose.q, pose.p + test::random_in_ball(random, 0.5 * least.linear)};
       for (const Transform& at : {X, Transform(moved)}) {
         const double reach = list.reach_at(at);
@@ -108,20 +108,21 @@ TEST(NeighbourList, for_a_course_it_misses_nothing_on_it_or_beside_it) {
                           test::random_in_ball(random, size)};
       const Displacement around{0.2 * size * radius, 0.2 * size};
       const double part = test::uniform(random, 0.3, 1);
-      const NeighbourList::Room ample{around, course};
-      const NeighbourList::Room least{{part * around.linear, part * around.turn}, part * course};
+      const NeighbourList::Coverage ample{around, course};
+      const NeighbourList::Coverage least{{part * around.linear, part * around.turn},
+                                          part * course};
       NeighbourList list(*pair.a, *pair.b, 1 << 15), all_ways(*pair.a, *pair.b, 1 << 15);
-      NeighbourList::Plan plan{ample, least};
-      if (i % 2 == 0) plan.most = 300;
+      NeighbourList::BuildPlan plan{ample, least};
+      if (i % 2 == 0) plan.most_work = 300;
       ASSERT_TRUE(list.build_by(plan, X, centre, unlimited)) << pair.name;
-      if (!list.is_least()) {
+      if (!list.used_fallback()) {
         const Displacement length{course.size().linear + around.linear,
                                   course.size().turn + around.turn};
         ASSERT_TRUE(all_ways.build(X, centre, length, unlimited)) << pair.name;
         EXPECT_LE(list.size(), all_ways.size());
         held += list.size(), held_of_all_ways += all_ways.size();
       }
-      shrunk += list.is_least();
+      shrunk += list.used_fallback();
       for (int k = 0; k < 6; ++k) {
         const double u = test::uniform(random, 0, 1.1);
         const Vec3 turn = u * course.turn + test::random_in_ball(random, 0.1 * size);
