@@ -7,6 +7,7 @@
 #include "app/study_run.hpp"
 #include "engine/base/error.hpp"
 #include "engine/calibration/calibration_file.hpp"
+#include "engine/penetration/search/search_variation.hpp"
 #include "engine/study/parts/overlapping_poses.hpp"
 #include "engine/study/trade/calibrate.hpp"
 #include "engine/study/trade/trade.hpp"
@@ -23,6 +24,7 @@ struct TradeOptions {
   bool calibrate = false;
   std::string poses;
   std::string trajectory;
+  std::vector<std::string> variations;
   std::optional<std::size_t> count;
   std::uint64_t seed = 1;
 };
@@ -73,6 +75,8 @@ void run(const TradeOptions& options) {
   setup.path = std::move(path);
   nlohmann::ordered_json inputs = study_inputs(scene, setup.pair);
   if (!options.poses.empty()) inputs["poses"] = fingerprint_of(options.poses);
+  for (const std::string& one : options.variations) vary(setup.tuning, one);
+  if (!options.variations.empty()) inputs["vary"] = options.variations;
   setup.inputs = inputs.dump();
   progress.show("trade, looking for poses in contact", 0, 1);
   setup.poses = choose_poses(options, setup, scene.trajectory.value_or("").string());
@@ -85,6 +89,16 @@ void run(const TradeOptions& options) {
 
 std::string check_count(const std::string& text) {
   return text == "0" ? "there must be one pose at least" : check_whole(text);
+}
+
+std::string check_variation(const std::string& text) {
+  try {
+    SearchTuning tuning;
+    vary(tuning, text);
+    return "";
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
 }
 
 }  // namespace
@@ -107,6 +121,10 @@ Command add_trade_command(CLI::App& program) {
   add_flags(*parser, options->study);
   parser->add_flag("--calibrate", options->calibrate,
                    "also measure which accuracy takes which time here: calibration.json");
+  parser
+      ->add_option("--vary", options->variations,
+                   "another value for a number of the search, NAME=VALUE; again for others")
+      ->check(check_variation);
   parser->add_flag("--json", options->json, "the summary on standard output as JSON");
   parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")
       ->check(check_whole)

@@ -85,8 +85,8 @@ class PoseMeasurement {
     return out;
   }
 
-  Separation separate(const StaticOptions& options) const {
-    return separate_static(setup_.pair, pose_, options);
+  Separation separate(const StaticOptions& options, const SearchTuning& tuning) const {
+    return separate_static(setup_.pair, pose_, options, tuning);
   }
 
   std::vector<double> long_searches_of(Method method, const Stop& stop) {
@@ -97,7 +97,7 @@ class PoseMeasurement {
       own.starts = long_starts;
       own.agreement = std::numeric_limits<int>::max();
       own.by_evidence = false;
-      const Separation found = separate(own);
+      const Separation found = separate(own, {});
       if (found.status != Status::failed) out.push_back(found.depth);
     }
     return out;
@@ -107,7 +107,7 @@ class PoseMeasurement {
     StaticOptions own = options(setting.method, seed);
     own.budget.steps = static_cast<int>(setting.budget);
     Separation found;
-    const double time = processor_time_us([&] { found = separate(own); });
+    const double time = processor_time_us([&] { found = separate(own, setup_.tuning); });
     return {setting, depth_of(found), found.iterations, time};
   }
 

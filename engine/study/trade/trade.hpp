@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/penetration/search/pair.hpp"
+#include "engine/penetration/search/search_tuning.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/parts/study_parts.hpp"
 
@@ -18,6 +19,8 @@ struct TradeSetup {
   std::vector<TimedPose> path = {};  ///< followed tick by tick; may be empty
   std::string scene = {};            ///< its name, for titles
   std::uint64_t seed = 1;
+  /// Of the searches with budgets. Those that give the reference have the search's own.
+  SearchTuning tuning = {};
   std::string inputs = "{}";  ///< JSON object that identifies the input files and the program
 };
 
