@@ -28,7 +28,7 @@ double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
 /// from O to its end; other rows may not hold on that way.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
   const double turn = chart.v(step).norm();
-  const Vec6 bounded = std::min(1.0, tuned.largest_turn / std::max(turn, 1e-30)) * step;
+  Vec6 bounded = std::min(1.0, tuned.largest_turn / std::max(turn, 1e-30)) * step;
   Vec6 target = y + bounded;
   const Vec3 from = chart.v(y), to = chart.v(target);
   const double limit = std::max(Chart::largest_v, from.norm());
