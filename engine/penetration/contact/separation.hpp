@@ -106,9 +106,9 @@ struct Separation {
   /// descent first: its budget, steps that led nowhere, rows that there was no room for, or the rim
   /// of the chart.
   bool converged = false;
-  /// Limits that acted: steps that were cut short by one on rows, on looks at them or on fruitless
-  /// steps, of a tick or of all descents of a search; and one more where a search ended by its most
-  /// starts, with no evidence that it was done. What it ends with is verified all the same.
+  /// Limits that acted: steps cut short by one on rows, looks at them, fruitless steps or the rim
+  /// of the chart, in a tick or in all descents of a search; and one more where a search ended by
+  /// its most starts, without evidence that it was done. What it ends with is verified anyhow.
   int limited = 0;
   /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
   /// In a tick, the path swept free led over an edge to another place, and the depth fell by more

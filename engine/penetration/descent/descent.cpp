@@ -39,6 +39,10 @@ Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
   return target - y;
 }
 
+bool at_rim(const Chart& chart, const Vec6& y) {
+  return chart.v(y).norm() > (1 - 1e-6) * Chart::largest_v;
+}
+
 Vec6 shortened(const Vec6& step, double longest) {
   const double size = step.norm();
   return size > longest ? Vec6(step * (longest / size)) : step;
@@ -234,7 +238,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     if (out.converged) return out;
     const bool stalled = pace.stalled >= tuned.most_stalled;
     if (late || stalled || out.iterations >= goal.steps) {
-      out.limited += stalled;
+      out.limited += stalled || at_rim(chart, y);
       if (rows_.smallest_gap() > tuned.touching_gap * margin)
         approach_contact(chart, margin, effort, out);
       return out;
@@ -263,7 +267,10 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       rise = look.news ? 0 : rise + tuned.rise_per_loss * look.lost;
       step = next_step(chart, y, nearest, margin, rise, pace);
     }
-    if (!(step.squaredNorm() > 0)) return out;
+    if (!(step.squaredNorm() > 0)) {
+      out.limited += at_rim(chart, y);
+      return out;
+    }
     step = pace.damped(step);
     const Vec6 target = y + step;
     const Sweep swept = sweep_to(chart, y, target, effort);

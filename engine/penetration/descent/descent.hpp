@@ -44,7 +44,7 @@ class Descent {
     int iterations = 0;
     bool converged = false;
     /// Limits that acted: steps that one on looks or on fruitless steps cut short (DescentTuning),
-    /// and looks after which there was no room for more rows.
+    /// looks after which there was no room for more rows, and an end at the rim of the chart.
     int limited = 0;
 
     void move_to(const Vec6& to) noexcept;
