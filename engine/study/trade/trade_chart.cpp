@@ -56,7 +56,7 @@ void add_errors(ChartPanel& panel, const Figures& figures, Method method, Figure
 /// How well the reference repeats: below, an error means nothing.
 void add_repeatability(ChartPanel& panel, const TradeResults& results) {
   const double p90 = trade_reference(results, Method::pdg).p90;
-  ChartSeries line = series("reference repeats to (90th p.)", reference_color);
+  ChartSeries line = series("reference repeats (90th p.)", reference_color);
   for (const ChartSeries& other : panel.series)
     for (const double x : other.x) line.x.push_back(x);
   if (line.x.empty() || !std::isfinite(p90)) return;
