@@ -216,7 +216,9 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
   lists_.note_path(motion);
   if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = least_moving_point(X_);
-    lists_.renew(X_, {least, near_of(least), least, centre, path_of(motion, centre)}, effort);
+    // The gather that follows the step is to find enough in it too.
+    const double next = std::max({least, 2 * least_asked_, tuned.reach_after_step * asked_});
+    lists_.renew(X_, {next, near_of(next), least, centre, path_of(motion, centre)}, effort);
   }
   NeighbourList& list = lists_.serving();
   std::size_t found = 0;

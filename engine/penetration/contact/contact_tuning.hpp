@@ -41,7 +41,11 @@ struct ContactTuning {
   // Where pairs are looked for
   /// Of the reach asked of a gather: what the list at hand holds will do, cut() finds what is
   /// missing.
-  double least_share_of_reach = 0.1;
+  double least_share_of_reach = 0.02;
+  /// Of the reach asked of the last gather: what a list that is made for a step has left at the end
+  /// of it, for the gather there. (p99 of a tick with nothing left, and a share of 0.1 above:
+  /// nut-on-bolt 1678 µs, with these 1304; the others within 5 %.)
+  double reach_after_step = 0.2;
   double least_reach_of_flat =
       4;                        ///< of the gap up to which a pair is flat: any gather looks so far
   double crowded_to = 0.5;      ///< of the last reach: the next, after one that was too much work
