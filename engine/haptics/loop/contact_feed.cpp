@@ -109,7 +109,9 @@ double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort)
   const double moved =
       (now * mass.com - then * mass.com).norm() + (now.R - then.R).norm() * mass.radius;
   const bool move_along = gathered_ && moved < tuned.moved_with_rows * near_.reach();
-  if (!move_along && near_.gather(chart, y, tuned.widest * mass.radius, flat, effort)) {
+  // What becomes flat while the rows move along is flat already.
+  const double soon_flat = flat + tuned.moved_with_rows * near_.reach();
+  if (!move_along && near_.gather(chart, y, tuned.widest * mass.radius, soon_flat, effort)) {
     gathered_at_ = at;
     gathered_ = true;
     return near_.reach();

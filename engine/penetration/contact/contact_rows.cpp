@@ -96,7 +96,7 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
-    if (gap_along(row.normal, ta, tb) < row.gap * (1 - 1e-9)) continue;
+    if (gap_along(row.normal, ta, tb) < tuned.same_gap * row.gap) continue;
     own.normal = row.normal;
     own.gap = row.normal.dot(own.on_probe - own.on_fixed);
     break;
@@ -216,9 +216,12 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
   lists_.note_path(motion);
   if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = least_moving_point(X_);
+    const Path path = path_of(motion, centre);
     // The gather that follows the step is to find enough in it too.
-    const double next = std::max({least, 2 * least_asked_, tuned.reach_after_step * asked_});
-    lists_.renew(X_, {next, near_of(next), least, centre, path_of(motion, centre)}, effort);
+    const double next =
+        std::max({least, 2 * least_asked_,
+                  tuned.reach_after_step * path.course.size().of(probe_.mass.radius)});
+    lists_.renew(X_, {next, near_of(next), least, centre, path}, effort);
   }
   NeighbourList& list = lists_.serving();
   std::size_t found = 0;

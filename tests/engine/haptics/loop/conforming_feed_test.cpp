@@ -66,13 +66,13 @@ Fault fault_of_old_rows(const BodyPairCut& bodies, const std::vector<Pose>& path
 constexpr double asked = 0.02;  ///< of the largest force and torque
 
 void expect_small_fault(const std::string& name, const BodyPairCut& bodies,
-                        const std::vector<Pose>& path, double most = asked) {
+                        const std::vector<Pose>& path) {
   const Fault fault = fault_of_old_rows(bodies, path);
   std::printf("  %s: force %.2g, torque %.2g of the largest\n", name.c_str(), fault.force,
               fault.torque);
   EXPECT_GT(fault.ticks, int(path.size())) << name << ": or nothing was tested";
-  EXPECT_LE(fault.force, most) << name << ": worst at tick " << fault.at;
-  EXPECT_LE(fault.torque, most) << name;
+  EXPECT_LE(fault.force, asked) << name << ": worst at tick " << fault.at;
+  EXPECT_LE(fault.torque, asked) << name;
 }
 
 std::string named(const std::string& what, int n) { return what + ", n = " + std::to_string(n); }
@@ -89,24 +89,19 @@ void block(const std::vector<int>& cuts) {
 
 /// The hand pushes aside and askew by far more than the clearance, at 0.025 m/s along the axis.
 /// Guided at the mouth: past its edge a plane that was the wall is none, and no old row can say so.
-void peg(const std::vector<int>& cuts, double most = asked) {
+void peg(const std::vector<int>& cuts) {
   const auto scene =
       test::peg_in_hole(1e-4, {.shift = 6e-4, .tilt = 0.015, .step = 2.5e-5, .guided = 0.004});
   for (const int n : cuts)
-    expect_small_fault(named("peg, clearance 1 %", n), cut_bodies(scene, {n}), scene.path, most);
+    expect_small_fault(named("peg, clearance 1 %", n), cut_bodies(scene, {n}), scene.path);
 }
 
 TEST(ConformingFeed, coarse_block_is_held_by_rows_five_ticks_old) { block({1}); }
 TEST(ConformingFeed, coarse_peg_is_held_by_rows_five_ticks_old) { peg({1}); }
 TEST(ConformingFeed, fine_block_is_held_by_rows_five_ticks_old) { block({24}); }
-/// Not within what is asked: 3.0 % where an edge of the peg's key leaves the wall, in ticks 385 to
-/// 404, also by rows of the tick before. It depends on how the strips of the wall are triangulated,
-/// so a row holds there that is of another pair. Held where it is.
-TEST(ConformingFeed, fine_peg_is_held_by_rows_five_ticks_old_to_four_percent) { peg({16}, 0.04); }
+TEST(ConformingFeed, fine_peg_is_held_by_rows_five_ticks_old) { peg({16}); }
 TEST(ConformingFeed, Full_block_is_held_by_rows_five_ticks_old) { block({3, 8, 16, 31, 40}); }
-TEST(ConformingFeed, Full_peg_is_held_by_rows_five_ticks_old_to_four_percent) {
-  peg({4, 8, 24, 32}, 0.04);
-}
+TEST(ConformingFeed, Full_peg_is_held_by_rows_five_ticks_old) { peg({4, 8, 24, 32}); }
 
 }  // namespace
 }  // namespace sonde
