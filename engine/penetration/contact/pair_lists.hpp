@@ -69,10 +69,11 @@ class PairLists {
   // body's axes. Each shorter path reduces both a little.
   Vec3 sliding_ = Vec3::Zero(), turning_ = Vec3::Zero();
   Vec3 com_;  // of the probe, mesh frame
-  /// The list that was begun last: what it was chosen for (m), and the work it may take.
+  /// The list that was begun last.
   struct Begun {
-    double travel = 0, ample = 0, least = 0;
-    std::int64_t affordable = 0;
+    double travel = 0;            ///< m: that it is needed for
+    double ample = 0, least = 0;  ///< m: the reach wanted, and that of the fallback
+    std::int64_t affordable = 0;  ///< work that it should take at most
   };
   Begun begun_;
   std::int64_t last_work_ = 0;  // of the last list
