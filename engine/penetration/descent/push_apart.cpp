@@ -111,7 +111,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
-    if (!(chart.v(y).norm() < tuned.largest_v && y.norm() < farthest)) return std::nullopt;
+    if (!(chart.v(y).norm() < tuned.largest_start_v && y.norm() < farthest)) return std::nullopt;
   }
   return std::nullopt;
 }

@@ -18,7 +18,7 @@ struct PushApartTuning {
   double margin = 2e-4;  ///< how far apart triangles are to be
   /// |v| of the pose: beyond it the chart, which ends at 1, is too far from linear. The start is
   /// given up.
-  double largest_v = 0.9;
+  double largest_start_v = 0.9;
   /// Cosine between a face and a way out of it: a direction in the plane of a face leads neither in
   /// nor out.
   double aside = 0.1;

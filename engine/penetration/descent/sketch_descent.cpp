@@ -191,7 +191,7 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
       return out;
     const double turn = chart.v(step).norm();
     step *= std::min({1.0, tuned.largest_turn / std::max(turn, 1e-30), trust / length});
-    const double limit = std::max(tuned.largest_v, chart.v(out.y).norm());
+    const double limit = std::max(Chart::largest_v, chart.v(out.y).norm());
     while (chart.v(out.y + step).norm() > limit) step *= 0.5;
     from = out.y;
     out.y += step;

@@ -16,7 +16,6 @@ struct SketchDescentTuning {
 
   // Each step
   double largest_turn = 0.35;  ///< |Δv|, about half the angle, rad: linearised too far beyond
-  double largest_v = 0.95;     ///< |v|: steps stop short of the chart's end, at 1
   double first_trust = 0.4;    ///< of |y| at the start, or of a cell: the longest first step
   double trust_growth = 1.5;   ///< of the last step
   double trust_decay = 0.7;    ///< of the trust before, at least

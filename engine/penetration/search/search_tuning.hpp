@@ -125,7 +125,7 @@ struct SearchTuning {
   double near_again = 0.3;  ///< of where one was free: the next one is looked for from here on
   /// |v|: poses that turn further, 128°, are left out: the chart bends strongly there. A way out by
   /// such a turn is found by descents only.
-  double largest_v = 0.9;
+  double largest_start_v = 0.9;
   /// Best ends that starts are made about: where there are many, the better ones lie together.
   std::size_t ends_for_starts = 6;
   double about_nearest = 0.03;    ///< of the best depth: radius of the ball about an end, at least

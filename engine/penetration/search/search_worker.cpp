@@ -65,7 +65,7 @@ std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random
   for (int i = 0; i < tries && !before.passed(); ++i) {
     Vec6 y = center + sample(random, radius, method);
     if (method == Method::pdt) y.head<3>().setZero();
-    if (chart.v(y).norm() < tuned_.largest_v && leaps(method).is_free(chart, y)) return y;
+    if (chart.v(y).norm() < tuned_.largest_start_v && leaps(method).is_free(chart, y)) return y;
   }
   return std::nullopt;
 }

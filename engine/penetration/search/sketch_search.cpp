@@ -85,7 +85,7 @@ std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ba
   for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
     for (int tries = 0; tries < balls.tries && !goal_.deadline.passed(); ++tries) {
       const Vec6 y = center + sample(random, ball);
-      if (chart_.v(y).norm() > tuned_.largest_v || !descent.is_free(chart_, y)) continue;
+      if (chart_.v(y).norm() > tuned_.largest_start_v || !descent.is_free(chart_, y)) continue;
       return descend(y, descent);
     }
   return std::nullopt;
