@@ -112,9 +112,9 @@ void ExportControl::export_tables() {
   const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
                                 QStringLiteral("Tables (*.csv)"));
   if (file.isEmpty() || !may_write_contacts(file) || !drawn_ || !instant()) return;
-  const Moment moment = moment_of(instant()->snapshot);
+  const ExportedInstant shown = exported_instant_of(instant()->snapshot);
   write(file, [&] {
-    write_tables(path_of(file), moments_csv({&moment, 1}), contacts_csv({&moment, 1}));
+    write_tables(path_of(file), instants_csv({&shown, 1}), contacts_csv({&shown, 1}));
   });
 }
 
@@ -125,9 +125,8 @@ void ExportControl::export_gltf() {
   if (file.isEmpty() || !drawn_ || !instant()) return;
   job_.start(
       QStringLiteral("Exporting glTF"),
-      [file, what = surfaces(), moment = moment_of(instant()->snapshot)](const Progress& progress) {
-        write_gltf(path_of(file), what, moment, progress);
-      },
+      [file, what = surfaces(), shown = exported_instant_of(instant()->snapshot)](
+          const Progress& progress) { write_gltf(path_of(file), what, shown, progress); },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
@@ -139,12 +138,12 @@ void ExportControl::export_vtk(bool series) {
                QStringLiteral("sonde-vtk"), QString());
   if (folder.isEmpty() || !drawn_ || !instant()) return;
   const Snapshot now = instant()->snapshot;
-  std::vector<Moment> moments{moment_of(now)};
-  if (series) moments = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
+  std::vector<ExportedInstant> instants{exported_instant_of(now)};
+  if (series) instants = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
   job_.start(
       QStringLiteral("Exporting for ParaView"),
-      [folder, what = surfaces(), moments = std::move(moments)](const Progress& progress) {
-        write_vtk(path_of(folder), what, moments, progress);
+      [folder, what = surfaces(), instants = std::move(instants)](const Progress& progress) {
+        write_vtk(path_of(folder), what, instants, progress);
       },
       [this, folder](const std::exception_ptr& error) { ended(folder, error); });
 }

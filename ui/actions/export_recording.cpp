@@ -25,33 +25,34 @@ void write_all_ticks(const std::filesystem::path& file, const TickBlocks& ticks,
                      const Progress& progress) {
   const TickLog log = ticks.log();
   check_writable(file);  // before the work
-  std::string moments = moments_csv({}), contacts = contacts_csv({});
-  const std::size_t head = moments.size(), contacts_head = contacts.size();
-  std::vector<Moment> some;
+  std::string instants = instants_csv({}), contacts = contacts_csv({});
+  const std::size_t head = instants.size(), contacts_head = contacts.size();
+  std::vector<ExportedInstant> some;
   const auto add = [&] {
-    moments += moments_csv(some).substr(head);
+    instants += instants_csv(some).substr(head);
     contacts += contacts_csv(some).substr(contacts_head);
     some.clear();
   };
   const double all = double(log.end() - log.begin());
   for (std::uint64_t i = log.begin(); i < log.end(); ++i) {
-    some.push_back(moment_of(log.at(i)));
+    some.push_back(exported_instant_of(log.at(i)));
     if (some.size() < rows_at_once) continue;
     add();
     report(progress, double(i - log.begin()) / all);
   }
   add();
-  write_tables(file, moments, contacts, progress);
+  write_tables(file, instants, contacts, progress);
 }
 
-std::vector<Moment> moments_at(const TickLog& log, const std::vector<double>& times) {
-  std::vector<Moment> moments;
+std::vector<ExportedInstant> instants_at(const TickLog& log, const std::vector<double>& times) {
+  std::vector<ExportedInstant> instants;
   for (const double time : times) {
     const Snapshot tick = log.at(log.find(time));
     // Of a tick that stands for two times, one: readers of series want times that rise.
-    if (moments.empty() || tick.time > moments.back().time) moments.push_back(moment_of(tick));
+    if (instants.empty() || tick.time > instants.back().time)
+      instants.push_back(exported_instant_of(tick));
   }
-  return moments;
+  return instants;
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ void ExportControl::export_recording_vtk() {
       QStringLiteral("Exporting for ParaView"),
       [folder, what = surfaces(), kept = *kept,
        times = wanted->span.times()](const Progress& progress) {
-        write_vtk(folder.toStdString(), what, moments_at(kept.log(), times), progress);
+        write_vtk(folder.toStdString(), what, instants_at(kept.log(), times), progress);
       },
       [this, folder](const std::exception_ptr& error) { ended(folder, error); });
 }

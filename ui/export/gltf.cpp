@@ -48,13 +48,13 @@ void add_arrow(vtkRenderer& renderer, const Vec3& from, const Vec3& along, const
 
 }  // namespace
 
-void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, const Moment& moment,
-                const std::function<bool(double)>& progress) {
+void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces,
+                const ExportedInstant& instant, const std::function<bool(double)>& progress) {
   check_writable(file);
   vtkNew<vtkRenderer> renderer;
-  const Separation& s = moment.separation;
+  const Separation& s = instant.separation;
   add(*renderer, *surfaces.fixed, colour::fixed);
-  add(*renderer, *surface_at(*surfaces.probe, moment.probe), colour::probe);
+  add(*renderer, *surface_at(*surfaces.probe, instant.probe), colour::probe);
   double size = 0;
   double box[6];
   surfaces.probe->GetBounds(box);
@@ -63,8 +63,8 @@ void write_gltf(const std::filesystem::path& file, const Surfaces& surfaces, con
     add(*renderer, *surface_at(*surfaces.probe, s.separated), colour::ghost, ghost_opacity);
     for (const ContactCluster& c : s.clusters)
       add_arrow(*renderer, c.contact.on_fixed, 0.25 * size * c.contact.normal, colour::contact);
-    if (const double force = moment.wrench.force.norm(); force > 0)
-      add_arrow(*renderer, s.device * surfaces.com, 0.6 * size / force * moment.wrench.force,
+    if (const double force = instant.wrench.force.norm(); force > 0)
+      add_arrow(*renderer, s.device * surfaces.com, 0.6 * size / force * instant.wrench.force,
                 colour::force);
   }
   vtkNew<vtkRenderWindow> window;  // never shown: the exporter asks it for what there is

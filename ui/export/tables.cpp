@@ -25,12 +25,12 @@ void add(std::string& line, const Pose& pose) {
 
 }  // namespace
 
-std::string moments_csv(std::span<const Moment> moments) {
+std::string instants_csv(std::span<const ExportedInstant> instants) {
   std::string text =
       "t [s],px [m],py [m],pz [m],qw,qx,qy,qz,sx [m],sy [m],sz [m],sqw,sqx,sqy,sqz,"
       "depth [m],sigma [m^2],translation [m],rotation [m],fx [N],fy [N],fz [N],"
       "tx [N m],ty [N m],tz [N m],contacts,status\n";
-  for (const Moment& m : moments) {
+  for (const ExportedInstant& m : instants) {
     std::string line;
     add(line, m.time);
     add(line, m.probe);
@@ -46,11 +46,11 @@ std::string moments_csv(std::span<const Moment> moments) {
   return text;
 }
 
-std::string contacts_csv(std::span<const Moment> moments) {
+std::string contacts_csv(std::span<const ExportedInstant> instants) {
   std::string text =
       "t [s],contact,share,multiplier [m],gap [m],ax [m],ay [m],az [m],bx [m],by [m],bz [m],"
       "nx,ny,nz,rows\n";
-  for (const Moment& m : moments)
+  for (const ExportedInstant& m : instants)
     for (const ContactCluster& c : m.separation.clusters) {
       std::string line;
       add(line, m.time);
@@ -72,9 +72,9 @@ std::filesystem::path contacts_file_of(const std::filesystem::path& file) {
   return contacts.replace_extension(".contacts.csv");
 }
 
-void write_tables(const std::filesystem::path& file, std::string_view moments,
+void write_tables(const std::filesystem::path& file, std::string_view instants,
                   std::string_view contacts, const std::function<bool(double)>& progress) {
-  PendingFile first(file, moments), second(contacts_file_of(file), contacts);
+  PendingFile first(file, instants), second(contacts_file_of(file), contacts);
   report(progress, 1);
   first.commit();
   second.commit();

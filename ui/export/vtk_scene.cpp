@@ -80,20 +80,20 @@ std::string multiblock(std::span<const Block> blocks) {
   return text.toStdString();
 }
 
-void write_moment(const fs::path& folder, const std::string& ending, const Surfaces& surfaces,
-                  const Moment& moment) {
+void write_instant(const fs::path& folder, const std::string& ending, const Surfaces& surfaces,
+                   const ExportedInstant& instant) {
   const Block blocks[] = {{"fixed", "fixed.vtp"},
                           {"probe", "probe" + ending + ".vtp"},
                           {"ghost", "ghost" + ending + ".vtp"},
                           {"contacts", "contacts" + ending + ".vtp"},
                           {"wrench", "wrench" + ending + ".vtp"}};
-  const auto probe = surface_at(*surfaces.probe, moment.probe);
-  add_number(*probe, "depth [m]", moment.separation.depth);
-  add_number(*probe, "time [s]", moment.time);
+  const auto probe = surface_at(*surfaces.probe, instant.probe);
+  add_number(*probe, "depth [m]", instant.separation.depth);
+  add_number(*probe, "time [s]", instant.time);
   write(folder / blocks[1].file, *probe);
-  write(folder / blocks[2].file, *surface_at(*surfaces.probe, moment.separation.separated));
-  write(folder / blocks[3].file, *contact_points(moment));
-  write(folder / blocks[4].file, *wrench_point(moment, surfaces.com));
+  write(folder / blocks[2].file, *surface_at(*surfaces.probe, instant.separation.separated));
+  write(folder / blocks[3].file, *contact_points(instant));
+  write(folder / blocks[4].file, *wrench_point(instant, surfaces.com));
   write_whole(folder / ("sonde" + ending + ".vtm"), multiblock(blocks));
 }
 
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkPolyData> surface_at(vtkPolyData& surface, const Pose& pose) 
   return moved->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment) {
+vtkSmartPointer<vtkPolyData> contact_points(const ExportedInstant& instant) {
   const auto normal = array("normal", 3), on_probe = array("on probe [m]", 3);
   const auto gap = array("gap [m]", 1), multiplier = array("multiplier [m]", 1);
   const auto share = array("share of force", 1);
@@ -130,8 +130,8 @@ vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  if (moment.separation.status == Status::penetrating)
-    for (const ContactCluster& c : moment.separation.clusters) {
+  if (instant.separation.status == Status::penetrating)
+    for (const ContactCluster& c : instant.separation.clusters) {
       const Contact& contact = c.contact;
       const vtkIdType at = points->InsertNextPoint(contact.on_fixed.data());
       vertices->InsertNextCell(1, &at);
@@ -139,7 +139,7 @@ vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment) {
       on_probe->InsertNextTuple(contact.on_probe.data());
       gap->InsertNextValue(contact.gap);
       multiplier->InsertNextValue(contact.multiplier);
-      share->InsertNextValue(share_of_force(contact, moment.separation.clusters));
+      share->InsertNextValue(share_of_force(contact, instant.separation.clusters));
       cluster->InsertNextValue(static_cast<vtkTypeInt64>(c.id));
     }
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -151,13 +151,13 @@ vtkSmartPointer<vtkPolyData> contact_points(const Moment& moment) {
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> wrench_point(const Moment& moment, const Vec3& com) {
+vtkSmartPointer<vtkPolyData> wrench_point(const ExportedInstant& instant, const Vec3& com) {
   const auto force = array("force [N]", 3), torque = array("torque [N m]", 3);
-  force->InsertNextTuple(moment.wrench.force.data());
-  torque->InsertNextTuple(moment.wrench.torque.data());
+  force->InsertNextTuple(instant.wrench.force.data());
+  torque->InsertNextTuple(instant.wrench.torque.data());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const Vec3 centre = moment.separation.device * com;
+  const Vec3 centre = instant.separation.device * com;
   const vtkIdType at = points->InsertNextPoint(centre.data());
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell(1, &at);
@@ -169,18 +169,19 @@ vtkSmartPointer<vtkPolyData> wrench_point(const Moment& moment, const Vec3& com)
   return data;
 }
 
-void write_vtk(const fs::path& folder, const Surfaces& surfaces, std::span<const Moment> moments,
+void write_vtk(const fs::path& folder, const Surfaces& surfaces,
+               std::span<const ExportedInstant> instants,
                const std::function<bool(double)>& progress) {
   NewFolder filling(folder);
   write(filling.path() / "fixed.vtp", *surfaces.fixed);
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    report(progress, double(i) / double(moments.size()));
-    const std::string ending = moments.size() > 1 ? ending_of(i) : std::string();
-    write_moment(filling.path(), ending, surfaces, moments[i]);
-    files.push_back({{"name", "sonde" + ending + ".vtm"}, {"time", moments[i].time}});
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    report(progress, double(i) / double(instants.size()));
+    const std::string ending = instants.size() > 1 ? ending_of(i) : std::string();
+    write_instant(filling.path(), ending, surfaces, instants[i]);
+    files.push_back({{"name", "sonde" + ending + ".vtm"}, {"time", instants[i].time}});
   }
-  if (moments.size() > 1) {
+  if (instants.size() > 1) {
     const nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", files}};
     write_whole(filling.path() / "sonde.vtm.series", series.dump(2) + "\n");
   }
