@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
@@ -71,6 +72,10 @@ int main(int argc, char** argv) {
     return interrupted;
   } catch (const std::bad_alloc&) {
     return fail(our_fault, "out of memory");
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again)
+      return fail(our_fault, "internal fault: " + sonde::printable(error.what()));
+    return fail(our_fault, "out of memory or of threads: no thread can be started");
   } catch (const std::exception& error) {
     return fail(our_fault, "internal fault: " + sonde::printable(error.what()));
   }
