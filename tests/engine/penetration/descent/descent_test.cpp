@@ -34,7 +34,9 @@ TEST(Descent, stays_within_the_chart_and_free_from_its_rim) {
           << pair.name;
       ++runs;
       const bool at_rim = chart.v(out.y).norm() > (1 - 1e-9) * Chart::largest_v;
-      if (at_rim && !out.converged) EXPECT_GT(out.limited, 0) << pair.name;
+      if (at_rim && !out.converged) {
+        EXPECT_GT(out.limited, 0) << pair.name;
+      }
       stayed += at_rim && !out.converged;
     }
   }
