@@ -92,7 +92,7 @@ struct Reader {
     if (node.text.empty()) fail(node.line, in_quotes(node.key) + " is an empty path");
     if (node.text.find('\0') != std::string::npos)
       fail(node.line, in_quotes(node.key) + " is a path with a null character");
-    const auto whole = (file.parent_path() / node.text).lexically_normal();
+    auto whole = (file.parent_path() / node.text).lexically_normal();
     if (!within.empty() && !lies_within(within, whole))
       fail(node.line, in_quotes(node.key) + " leads out of the folder " + within.string() + ": " +
                           in_quotes(node.text));
