@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -20,9 +21,10 @@ void add_models(CLI::App& parser, BodyOptions& options) {
 
 void note_changes(const char* which, const Body& body) {
   if (body.turned)
-    std::cerr << "sonde: " << which << " " << body.name << " was inside out and has been turned\n";
+    std::cerr << "sonde: " << which << " " << printable(body.name)
+              << " was inside out and has been turned\n";
   if (body.degenerate > 0)
-    std::cerr << "sonde: " << which << " " << body.name << ": " << body.degenerate
+    std::cerr << "sonde: " << which << " " << printable(body.name) << ": " << body.degenerate
               << " triangles without area set aside\n";
 }
 
@@ -30,6 +32,7 @@ void note_changes(const char* which, const Body& body) {
 
 void add_scene(CLI::App& parser, BodyOptions& options) {
   parser.add_option("SCENE", options.scene, "scene file, NAME.sonde.json")->required();
+  add_within(parser, options.within);
   add_models(parser, options);
 }
 
@@ -39,6 +42,7 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
   CLI::Option* fixed = parser.add_option("--fixed", options.fixed, "mesh of the body that stays");
   probe->excludes(scene)->needs(fixed);
   fixed->excludes(scene)->needs(probe);
+  add_within(parser, options.within);
   add_models(parser, options);
   parser.add_option("--probe-scale", options.probe_scale, "factor for the probe's coordinates")
       ->needs(probe)
@@ -58,7 +62,7 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
 Scene scene_of(const BodyOptions& options) {
   Scene scene;
   if (!options.scene.empty()) {
-    scene = read_scene(options.scene);
+    scene = scene_at(options.scene, options.within);
   } else if (!options.probe.empty()) {
     scene.unit = unit_in_metres(options.unit).value();
     scene.probe.mesh = options.probe;
@@ -70,6 +74,19 @@ Scene scene_of(const BodyOptions& options) {
   }
   if (!options.probe_model.empty()) scene.probe.model = model_named(options.probe_model).value();
   if (!options.fixed_model.empty()) scene.fixed.model = model_named(options.fixed_model).value();
+  return scene;
+}
+
+void add_within(CLI::App& parser, std::string& folder) {
+  parser
+      .add_option("--paths-within", folder,
+                  "refuse a scene whose paths lead out of this folder, for scenes of strangers")
+      ->check(CLI::ExistingDirectory);
+}
+
+Scene scene_at(const std::string& file, const std::string& within) {
+  Scene scene = within.empty() ? read_scene(file) : read_scene_within(within, file);
+  require_meshes(scene);
   return scene;
 }
 

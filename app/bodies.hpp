@@ -14,6 +14,7 @@ namespace sonde::app {
 /// The source of the two bodies: a scene, or two meshes.
 struct BodyOptions {
   std::string scene;
+  std::string within;                    ///< the folder that the scene's paths stay in, or empty
   std::string probe, fixed;              ///< mesh files, instead of a scene
   std::string probe_model, fixed_model;  ///< empty: the scene's, or auto
   double probe_scale = 1, fixed_scale = 1;
@@ -24,6 +25,12 @@ void add_scene(CLI::App& parser, BodyOptions& options);
 
 /// The scene from its file, or a scene made of the two meshes, with the models of the command line.
 Scene scene_of(const BodyOptions& options);
+
+/// The flag that keeps a scene's paths in a folder.
+void add_within(CLI::App& parser, std::string& folder);
+/// Reads a scene whose paths stay in the folder (anywhere, where that is empty), and looks whether
+/// its meshes are there.
+Scene scene_at(const std::string& file, const std::string& within);
 
 /// The files of a scene.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);

@@ -15,6 +15,7 @@ namespace {
 
 struct CalibrateOptions {
   std::vector<std::string> scenes;
+  std::string within;
   OutputOptions output;
   std::size_t count = 12;
   std::uint64_t seed = 1;
@@ -55,7 +56,7 @@ void run(const CalibrateOptions& options) {
   std::vector<Scene> scenes;
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : options.scenes) {
-    scenes.push_back(read_scene(file));
+    scenes.push_back(scene_at(file, options.within));
     check_name(scenes.back());
     for (const auto& input : inputs_of(scenes.back())) inputs.push_back(input);
   }
@@ -79,6 +80,7 @@ Command add_calibrate_command(CLI::App& program) {
   CLI::App* parser = program.add_subcommand(
       "calibrate", "Measures, on this machine and given scenes, which accuracy takes which time");
   parser->add_option("SCENE", options->scenes, "scene files, NAME.sonde.json")->required();
+  add_within(*parser, options->within);
   parser
       ->add_option("--count", options->count,
                    "poses to search at in each scene: of its path, or random ones")

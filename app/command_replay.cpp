@@ -16,6 +16,7 @@
 #include "engine/recording/recording_writer.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/text/output_file.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -172,7 +173,7 @@ void search_rows(const Pair& pair, const Job& job, const SolverOptions& options,
 std::unique_ptr<Recording> read(const ReplayOptions& options) {
   std::unique_ptr<Recording> recording = read_recording(options.bodies.scene);
   if (!recording->cut.empty() && !options.output.quiet)
-    std::cerr << "sonde: " << recording->file.string() << ": " << recording->cut
+    std::cerr << "sonde: " << printable(recording->file.string()) << ": " << recording->cut
               << "; what is before it is replayed\n";
   return recording;
 }
@@ -214,6 +215,10 @@ Job job_for(const ReplayOptions& options) {
   const bool recorded = is_recording(options.bodies.scene);
   if (recorded && !options.trajectory.empty())
     throw UsageError("a recording has its own path: leave out --trajectory");
+  if (recorded && !options.bodies.within.empty())
+    throw UsageError(
+        "--paths-within is for a scene: a recording checks that its meshes are those "
+        "that were recorded");
   Job job = recorded ? job_of_recording(options) : job_of_scene(options);
   for (LoopStep& step : job.steps) replace(step.coupling, options);
   replace(job.scene.coupling, options);

@@ -29,6 +29,9 @@ void catch_interrupts() {
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // Who reads the results may go away: then writing fails, and what is half written is taken away.
+  signal(SIGPIPE, SIG_IGN);
 }
 
 void finish_despite_interrupts() { writing = 1; }

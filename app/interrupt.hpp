@@ -3,8 +3,9 @@
 
 namespace sonde::app {
 
-/// From here on an interrupt (Ctrl-C) ends the program at once with exit code 130. All results stay
-/// in memory until they are whole, so nothing has been written then.
+/// From here on an interrupt (Ctrl-C, SIGTERM) ends the program at once with exit code 130. All
+/// results stay in memory until they are whole, so nothing has been written then. A pipe whose
+/// reader has gone (SIGPIPE) is an error of writing.
 void catch_interrupts();
 
 /// From here on an interrupt is ignored, so that a file that is being written becomes whole.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/text/number_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -79,7 +80,7 @@ std::string text_of(const MeshReport& report) {
   };
   const auto axis = [&](int i) { return text_of(Vec3(mass.R_MP.col(i))); };
 
-  std::string text = report.file + '\n';
+  std::string text = printable(report.file) + '\n';
   text += plain("triangles", std::to_string(body.soup.triangles.size()));
   if (const std::size_t touched = surface(body).triangles.size();
       touched != body.soup.triangles.size())

@@ -5,6 +5,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/text/number_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -27,11 +28,11 @@ std::uint64_t ticks_in(const Recording& r) { return r.ticks.end() - r.ticks.begi
 double duration(const Recording& r) { return r.ticks.last_time() - r.ticks.first_time(); }
 
 std::string text_of(const Recording& r) {
-  std::string text = r.file.string() + '\n';
+  std::string text = printable(r.file.string()) + '\n';
   const auto line = [&](std::string name, const std::string& value) {
     constexpr std::size_t letters = 16;
     name.resize(letters, ' ');
-    text.append("  ").append(name).append(value).append("\n");
+    text.append("  ").append(name).append(printable(value)).append("\n");
   };
   const Scene& scene = r.header.scene;
   line("recording of", scene.name);

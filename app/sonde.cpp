@@ -4,10 +4,12 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "engine/base/error.hpp"
+#include "engine/text/printable.hpp"
 
 namespace {
 
@@ -33,7 +35,7 @@ std::string about_commands(const CLI::App& program) {
 int wrong_usage_of(const CLI::App& program, const std::string& reason) {
   std::string command = "sonde";
   for (const CLI::App* parsed : program.get_subcommands()) command += " " + parsed->get_name();
-  return fail(wrong_usage, reason + "\nTry '" + command + " --help'.");
+  return fail(wrong_usage, sonde::printable(reason) + "\nTry '" + command + " --help'.");
 }
 
 /// Help and version are no errors; the rest of what the parser throws is wrong usage.
@@ -65,12 +67,16 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const sonde::InputError& error) {
-    return fail(bad_input, error.what());
+    return fail(bad_input, sonde::printable(error.what()));
   } catch (const sonde::Cancelled&) {
     return interrupted;
   } catch (const std::bad_alloc&) {
     return fail(our_fault, "out of memory");
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again)
+      return fail(our_fault, "internal fault: " + sonde::printable(error.what()));
+    return fail(our_fault, "out of memory or of threads: no thread can be started");
   } catch (const std::exception& error) {
-    return fail(our_fault, std::string("internal fault: ") + error.what());
+    return fail(our_fault, "internal fault: " + sonde::printable(error.what()));
   }
 }

@@ -69,6 +69,7 @@ struct BodyFacts {
   /// mass.
   MassProperties mass;
 };
+/// What was found out about a body when it was made.
 BodyFacts facts(const Body& body);
 
 // Pair (penetration/search/pair.hpp) holds the probe and the fixed body, and what is computed once
@@ -87,8 +88,8 @@ Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& opt
 
 /// A separation with the accuracy that it claims.
 struct Answer {
-  Separation separation;
-  Claim claim;  ///< the claimed accuracy of the depth
+  Separation separation;  ///< the answer, as of a search with options
+  Claim claim;            ///< the claimed accuracy of the depth
 };
 
 /// The same search with one knob, a time or an accuracy. Given a time, the accuracy follows; given
@@ -107,10 +108,12 @@ Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method met
 /// finds. Only one thread at a time may use a follower.
 class Follower {
  public:
+  /// A follower of this pair, which it shares, not started yet. Allocates.
+  /// @throws std::bad_alloc.
   explicit Follower(const Pair& pair, Method method = Method::pdg);
   ~Follower();
   Follower(Follower&&) noexcept;  ///< A moved-from follower may only be assigned to or destroyed.
-  Follower& operator=(Follower&&) noexcept;
+  Follower& operator=(Follower&&) noexcept;  ///< As the move above.
 
   /// Starts at X_FM. If the probe is free there, that is the separated pose. Otherwise a static
   /// search finds one, which may take seconds, and the result is `jumped`. The method and the wish

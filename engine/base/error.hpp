@@ -12,12 +12,15 @@ namespace sonde {
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  /// "FILE:LINE: reason"; lines count from 1.
   static InputError at_line(const std::string& file, std::size_t line, const std::string& reason) {
     return InputError(file + ":" + std::to_string(line) + ": " + reason);
   }
+  /// "FILE: byte N: reason"; bytes count from 0.
   static InputError at_byte(const std::string& file, std::size_t byte, const std::string& reason) {
     return InputError(file + ": byte " + std::to_string(byte) + ": " + reason);
   }
+  /// "FILE: reason".
   static InputError in(const std::string& file, const std::string& reason) {
     return InputError(file + ": " + reason);
   }

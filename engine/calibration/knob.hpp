@@ -16,8 +16,8 @@ struct Claim {
   /// - certified: by the lower bound, or because the probe is free; always holds.
   /// - expected: by calibration; holds for nine in ten answers.
   enum class By { nothing, certified, expected };
-  By by = By::nothing;
-  double within = 0;  ///< depth / true depth − 1 is at most this; no meaning with By::nothing
+  By by = By::nothing;  ///< what the claim rests on
+  double within = 0;    ///< depth / true depth − 1 is at most this; no meaning with By::nothing
 };
 
 }  // namespace sonde

@@ -10,7 +10,7 @@ struct Soup;
 
 /// Mass properties at density 1 (by volume for a solid, by area for a surface).
 struct MassProperties {
-  bool by_volume = false;
+  bool by_volume = false;  ///< of a solid, by volume; else of a surface, by area
   double measure =
       0;  ///< V: volume in m³ or area in m²; a solid's is signed (negative: inside out)
   Vec3 com = Vec3::Zero();  ///< centre of mass in the mesh frame, m

@@ -5,14 +5,14 @@
 
 namespace sonde {
 
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
-using Quat = Eigen::Quaterniond;
+using Vec3 = Eigen::Vector3d;     ///< a point, m, or a direction; the name says in which frame
+using Mat3 = Eigen::Matrix3d;     ///< a rotation R_BA or a tensor
+using Quat = Eigen::Quaterniond;  ///< a rotation q_BA, of length 1
 
 /// A rigid pose X_BA of frame A in frame B: x_B = q x_A + p. Lengths in metres; q is unit.
 struct Pose {
-  Quat q = Quat::Identity();
-  Vec3 p = Vec3::Zero();
+  Quat q = Quat::Identity();  ///< rotation q_BA, unit
+  Vec3 p = Vec3::Zero();      ///< the origin of A in B, m
 };
 
 /// X_CA = X_CB * X_BA.
@@ -20,6 +20,7 @@ inline Pose operator*(const Pose& X_CB, const Pose& X_BA) {
   return {(X_CB.q * X_BA.q).normalized(), X_CB.q * X_BA.p + X_CB.p};
 }
 
+/// The point x_B = X_BA x_A, m.
 inline Vec3 operator*(const Pose& X_BA, const Vec3& x_A) { return X_BA.q * x_A + X_BA.p; }
 
 /// X_AB from X_BA.

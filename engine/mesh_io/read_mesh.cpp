@@ -36,9 +36,11 @@ std::string read_bytes(const std::filesystem::path& path, const Progress& progre
   if (status.type() == std::filesystem::file_type::not_found)
     throw InputError::in(file, "no such file");
   if (!std::filesystem::is_regular_file(status)) throw InputError::in(file, "not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) throw InputError::in(file, "cannot be opened");
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  // The size of what is open: another file may take the name in the meantime.
+  const std::streamoff end = stream.tellg();
+  if (!stream.seekg(0) || end < 0) throw InputError::in(file, "cannot be opened");
+  const auto size = static_cast<std::uintmax_t>(end);
   if (size == 0) throw InputError::in(file, "the file is empty");
   std::string bytes(size, '\0');
   constexpr std::uintmax_t piece = 1 << 22;

@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
@@ -53,9 +54,19 @@ Keys device_keys() {
   return keys;
 }
 
+/// Whether a file, there or not, lies below a folder, when links are followed.
+bool lies_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(file, error);
+  if (error) return false;
+  const auto below = whole.lexically_relative(std::filesystem::canonical(folder, error));
+  return !error && !below.empty() && *below.begin() != "..";
+}
+
 /// Reads the values of one file and complains with its name and the line.
 struct Reader {
   std::filesystem::path file;
+  std::filesystem::path within = {};  ///< the folder that its paths stay in; empty: anywhere
 
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
     fail_at(file, line, reason);
@@ -81,7 +92,11 @@ struct Reader {
     if (node.text.empty()) fail(node.line, in_quotes(node.key) + " is an empty path");
     if (node.text.find('\0') != std::string::npos)
       fail(node.line, in_quotes(node.key) + " is a path with a null character");
-    return (file.parent_path() / node.text).lexically_normal();
+    auto whole = (file.parent_path() / node.text).lexically_normal();
+    if (!within.empty() && !lies_within(within, whole))
+      fail(node.line, in_quotes(node.key) + " leads out of the folder " + within.string() + ": " +
+                          in_quotes(node.text));
+    return whole;
   }
 
   double unit(const JsonNode& node) const {
@@ -113,7 +128,9 @@ struct Reader {
   SceneBody body(const JsonNode& node, double unit) const {
     expect_object(node, body_keys());
     SceneBody body;
-    body.mesh = path(need(node, "mesh"));
+    const JsonNode& mesh = need(node, "mesh");
+    body.mesh = path(mesh);
+    body.mesh_line = mesh.line;
     if (const JsonNode* model = node.find("model")) {
       expect(*model, Kind::string);
       body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
@@ -161,32 +178,13 @@ struct Reader {
   }
 };
 
-}  // namespace
-
-std::string name_of_scene(const std::filesystem::path& file) {
-  std::string name = file.filename().string();
-  for (const std::string_view ending : {".json", ".sonde"})
-    if (name.ends_with(ending) && name.size() > ending.size())
-      name.resize(name.size() - ending.size());
-  return name;
-}
-
-Coupling read_coupling(const std::filesystem::path& file) {
-  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));
-}
-
-Scene read_scene(const std::filesystem::path& file) {
-  return scene_in(read_text(file, most_bytes), file);
-}
-
-Scene scene_in(const std::string& text, const std::filesystem::path& file) {
-  const JsonNode root = parse_json(file.string(), text);
-  const Reader reader{file};
+Scene read(const Reader& reader, const std::string& text) {
+  const JsonNode root = parse_json(reader.file.string(), text);
   reader.expect_object(root, scene_object_keys());
 
   Scene scene;
-  scene.file = file;
-  scene.name = name_of_scene(file);
+  scene.file = reader.file;
+  scene.name = name_of_scene(reader.file);
   if (const JsonNode* schema = root.find("$schema")) {
     reader.expect(*schema, Kind::string);
     scene.schema = schema->text;
@@ -207,6 +205,32 @@ Scene scene_in(const std::string& text, const std::filesystem::path& file) {
   return scene;
 }
 
+}  // namespace
+
+std::string name_of_scene(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  for (const std::string_view ending : {".json", ".sonde"})
+    if (name.ends_with(ending) && name.size() > ending.size())
+      name.resize(name.size() - ending.size());
+  return name;
+}
+
+Coupling read_coupling(const std::filesystem::path& file) {
+  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  return scene_in(read_text(file, most_bytes), file);
+}
+
+Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  return read(Reader{file, folder}, read_text(file, most_bytes));
+}
+
+Scene scene_in(const std::string& text, const std::filesystem::path& file) {
+  return read(Reader{file}, text);
+}
+
 std::vector<std::string> scene_keys() {
   std::vector<std::string> all;
   const auto add = [&](std::string_view prefix, const Keys& keys) {
@@ -224,6 +248,14 @@ std::vector<std::string> scene_keys() {
   }
   add("servo.", keys_of(servo_settings()));
   return all;
+}
+
+void require_meshes(const Scene& scene) {
+  std::error_code ignored;
+  for (const SceneBody* body : {&scene.probe, &scene.fixed})
+    if (!std::filesystem::exists(body->mesh, ignored))
+      fail_at(scene.file, body->mesh_line,
+              "\"mesh\" names " + body->mesh.string() + ": no such file");
 }
 
 std::optional<double> unit_in_metres(const std::string& unit) {

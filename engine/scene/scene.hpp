@@ -18,7 +18,8 @@ struct SceneBody {
   std::filesystem::path mesh;  ///< absolute, or relative to the working directory
   Model model = Model::automatic;
   double scale = 1;
-  Pose pose;  ///< X_WM, metres
+  Pose pose;                  ///< X_WM, metres
+  std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
 };
 
 /// The device settings of a scene.
@@ -51,7 +52,10 @@ struct Scene {
 /// quaternion far from unit. For a file that is missing, empty or cannot be read, it names the file
 /// and the reason alone.
 Scene read_scene(const std::filesystem::path& file);
-/// The same from the text of a file, wherever it comes from.
+/// The same, and refuses a path in the scene (mesh, trajectory, gains, profile) that leads out of
+/// that folder, links followed.
+Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file);
+/// As read_scene, from the text of a file, wherever it comes from.
 Scene scene_in(const std::string& text, const std::filesystem::path& file);
 
 /// The name of a scene in that file: the file's name, without folder and ".sonde.json".
@@ -71,6 +75,10 @@ std::optional<std::string> unit_name(double metres);
 /// The pose of the probe's mesh frame in the fixed body's mesh frame, from the two poses of a
 /// scene.
 Pose relative_pose(const Scene& scene);
+
+/// Throws InputError with the scene's line where one of its meshes is not there. For a scene just
+/// read.
+void require_meshes(const Scene& scene);
 
 /// Loads one body of a scene, in metres.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});

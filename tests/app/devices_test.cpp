@@ -121,6 +121,30 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
   EXPECT_THAT(bad.out, HasSubstr("relative.so: the environment variable SONDE_LIBDHD must hold"));
 }
 
+/// The stand-in with the head of a library for another processor: 32-bit ARM (ELF: bytes 4 and 18).
+TEST_F(Devices, a_makers_library_for_another_processor_is_named_and_the_others_work) {
+  std::string foreign = text_of(STANDIN_DHD);
+  foreign[4] = '\x01';
+  foreign[18] = '\x28';
+  const auto file = folder.write("libdhd.so", foreign);
+  ::setenv("SONDE_LIBDHD", file.c_str(), 1);
+  const Outcome run = devices(folder, puck(), size_of_descriptor, "");
+  ::unsetenv("SONDE_LIBDHD");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(file.string()));
+  EXPECT_THAT(run.out, HasSubstr("another processor"));
+  EXPECT_THAT(run.out, HasSubstr("32-bit ARM"));
+  EXPECT_THAT(run.out, HasSubstr("SpaceMouse Compact (six-axis puck)\n  opens:"));
+}
+
+/// A library of that name in the folder that the program is started in is nobody's word.
+TEST_F(Devices, a_makers_library_in_the_current_folder_is_not_loaded) {
+  for (const char* name : {"libdhd.so", "libdhd.so.3", "libHD.so"})
+    std::filesystem::copy_file(STANDIN_DHD, folder / name);
+  const json all = json::parse(devices(folder, "", "", "--json").out).at("libraries");
+  for (const json& library : all) EXPECT_EQ(library.at("usable"), false) << library;
+}
+
 TEST_F(Devices, it_takes_no_arguments_and_writes_where_it_is_told) {
   expect_refused("devices more", 2, "more");
   expect_refused("devices --out none/there.txt", 3, "none");

@@ -76,5 +76,37 @@ TEST_F(Usage, bad_input_exits_3_with_file_and_line) {
                  3, "open.off: ");
 }
 
+TEST_F(Usage, paths_of_a_scene_lead_anywhere_unless_they_are_kept_in_a_folder) {
+  std::filesystem::create_directory(folder / "scenes");
+  folder.write(
+      "scenes/up.sonde.json",
+      "{\n\"probe\": {\"mesh\": \"../small.off\"},\n\"fixed\": {\"mesh\": \"../large.off\"}}");
+  const std::string query = "query scenes/up.sonde.json --poses poses.csv";
+  EXPECT_EQ(sonde(query).exit_code, 0) << "as bundled scenes do";
+  EXPECT_EQ(sonde(query + " --paths-within .").exit_code, 0);
+  const std::string reason = "scenes/up.sonde.json:2: \"mesh\" leads out of the folder scenes";
+  expect_refused(query + " --paths-within scenes", 3, reason);
+  expect_refused("calibrate scenes/up.sonde.json --paths-within scenes", 3, reason);
+  expect_refused(query + " --paths-within none", 2, "none");
+}
+
+TEST_F(Usage, a_mesh_that_is_missing_is_told_with_the_scenes_line) {
+  folder.write("gone.sonde.json",
+               "{\n\"probe\": {\"mesh\": \"small.off\"},\n\"fixed\":\n{\"mesh\": \"gone.off\"}}");
+  expect_refused("query gone.sonde.json --poses poses.csv", 3,
+                 "gone.sonde.json:4: \"mesh\" names gone.off: no such file");
+}
+
+TEST_F(Usage, control_characters_in_a_name_are_written_out) {
+  folder.write("\x1b[31mred\n.off", box_off(0.05));
+  folder.write("\x1b[31mbad.off", "no mesh");
+  const Outcome run = sonde("info '\x1b[31mred\n.off'");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, testing::StartsWith("\\x1b[31mred\\x0a.off\n"));
+  expect_refused("info '\x1b[31mbad.off'", 3, "sonde: \\x1b[31mbad.off:1: ");
+  expect_refused("info '\x1b[31mnone.off'", 3, "sonde: \\x1b[31mnone.off: no such file");
+  expect_refused("'\x1b[31m'", 2, "unknown command \\x1b[31m");
+}
+
 }  // namespace
 }  // namespace sonde::test

@@ -104,7 +104,9 @@ std::optional<CameraPlace> camera_of(const Scene& scene) {
 }  // namespace
 
 LoadedScene open_scene(const std::filesystem::path& file, const Progress& progress) {
-  return open_scene(read_scene(file), progress);
+  const Scene scene = read_scene(file);
+  require_meshes(scene);
+  return open_scene(scene, progress);
 }
 
 LoadedScene open_scene(const Scene& scene, const Progress& progress) {

@@ -8,23 +8,25 @@ namespace sonde {
 
 /// Virtual coupling between the device pose O and the separated pose Q.
 struct Coupling {
+  /// - object: the gradient of U = ½ k σ, one gain for translation and rotation.
+  /// - classic: a spring and a damper for the translation, and one each for the rotation.
   enum class Mode { object, classic };
-  Mode mode = Mode::object;
-  double k = 500;           ///< N/m, object-norm mode: U = ½ k σ
-  double k_t = 500;         ///< N/m, classic: translation
-  double k_r = 1;           ///< N·m/rad, classic: rotation
-  double b_t = 0;           ///< N·s/m, classic: damping of the separation
-  double b_r = 0;           ///< N·m·s/rad
-  double max_force = 10;    ///< device limit on |F|, N
-  double max_torque = 0.5;  ///< device limit on |τ|, N·m
+  Mode mode = Mode::object;  ///< which of the gains below count
+  double k = 500;            ///< N/m, object-norm mode: U = ½ k σ
+  double k_t = 500;          ///< N/m, classic: translation
+  double k_r = 1;            ///< N·m/rad, classic: rotation
+  double b_t = 0;            ///< N·s/m, classic: damping of the separation
+  double b_r = 0;            ///< N·m·s/rad
+  double max_force = 10;     ///< device limit on |F|, N
+  double max_torque = 0.5;   ///< device limit on |τ|, N·m
 };
 
 /// Force (N) and torque (N·m, about the probe's centre of mass at the device pose), in the fixed
 /// body's mesh frame, acting on the hand.
 struct Wrench {
-  Vec3 force = Vec3::Zero();
-  Vec3 torque = Vec3::Zero();
-  bool saturated = false;  ///< a device limit acted
+  Vec3 force = Vec3::Zero();   ///< N
+  Vec3 torque = Vec3::Zero();  ///< N·m, about the probe's centre of mass
+  bool saturated = false;      ///< a device limit acted
 };
 
 // Not of the public face from here on (engine/sonde.hpp).

@@ -11,11 +11,15 @@
 
 namespace sonde {
 
-enum class Method { pdg, pdt };  ///< all six degrees, or translation only
+/// The motions that a search is among: all six degrees (pdg), or translations only (pdt).
+enum class Method { pdg, pdt };
+/// What a query found: the given pose is free (separated); it is not, and the nearest free one is
+/// given (penetrating); or there is no answer but a reason (failed).
 enum class Status { separated, penetrating, failed };
 
 /// The words for the methods in files and on the command line, in the order of the enum.
 inline constexpr std::array<const char*, 2> method_names{"pdg", "pdt"};
+/// The word for a method in files and on the command line.
 constexpr const char* name_of(Method method) {
   return method_names[static_cast<std::size_t>(method)];
 }
@@ -25,6 +29,7 @@ constexpr std::optional<Method> method_named(std::string_view word) {
     if (word == name_of(method)) return method;
   return std::nullopt;
 }
+/// The word for a status in the results of the program.
 constexpr const char* name_of(Status status) {
   switch (status) {
     case Status::separated:
@@ -48,12 +53,16 @@ struct Contact {
 
 /// The contacts that hold the separated pose (positive multiplier): at most six independent rows.
 struct ContactSet {
-  static constexpr int capacity = 8;
-  std::array<Contact, capacity> items;
-  int size = 0;
+  static constexpr int capacity = 8;    ///< at most so many
+  std::array<Contact, capacity> items;  ///< the first `size` of them count
+  int size = 0;                         ///< how many there are
+  /// The first contact.
   const Contact* begin() const { return items.data(); }
+  /// Behind the last.
   const Contact* end() const { return items.data() + size; }
+  /// @pre 0 ≤ i < size.
   const Contact& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
+  /// Appends one; false where there is no room.
   bool push(const Contact& c) {
     if (size == capacity) return false;
     items[static_cast<std::size_t>(size++)] = c;
@@ -75,21 +84,26 @@ struct ContactCluster {
 
 /// At most as many as there are contacts.
 struct ContactClusters {
-  std::array<ContactCluster, ContactSet::capacity> items;
-  int size = 0;
+  std::array<ContactCluster, ContactSet::capacity> items;  ///< the first `size` of them count
+  int size = 0;                                            ///< how many there are
+  /// The first cluster.
   ContactCluster* begin() { return items.data(); }
+  /// Behind the last.
   ContactCluster* end() { return items.data() + size; }
+  /// The first cluster.
   const ContactCluster* begin() const { return items.data(); }
+  /// Behind the last.
   const ContactCluster* end() const { return items.data() + size; }
+  /// @pre 0 ≤ i < size.
   const ContactCluster& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
 };
 
 /// The answer to one penetration query: plain data, no allocation. Poses are X_FM, the probe's mesh
 /// frame M in the fixed body's mesh frame F.
 struct Separation {
-  Status status = Status::failed;
-  const char* reason = "";  ///< why it failed; static text
-  Pose device;              ///< O, the given pose
+  Status status = Status::failed;  ///< where it failed, `reason` says why, and no number counts
+  const char* reason = "";         ///< why it failed; static text
+  Pose device;                     ///< O, the given pose
   /// Q; equals O where the status is separated. The static search tests with exact predicates that
   /// it is free, and the coherent solver reaches it along a path swept free. In the servo's local
   /// answer (Snapshot::separation) it is not tested.
@@ -98,7 +112,7 @@ struct Separation {
   double depth = 0;        ///< √σ, m
   double translation = 0;  ///< |t|, the part of √σ from the displacement of the centre of mass, m
   double rotation = 0;     ///< 2√(vᵀÎv), the part of √σ from the rotation, m
-  ContactSet contacts;
+  ContactSet contacts;     ///< what holds the separated pose, in F; none out of contact
   ContactClusters clusters;  ///< of the contacts
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
@@ -124,9 +138,9 @@ struct Separation {
 /// local optimiser, and `work` the units of Effort of a tick (both give the same bits on every
 /// machine). `microseconds` is wall-clock time.
 struct Budget {
-  int steps = 0;
-  double microseconds = 0;
-  std::int64_t work = 0;  ///< coherent only
+  int steps = 0;            ///< iterations; 0: no limit
+  double microseconds = 0;  ///< wall-clock time, µs; 0: no limit
+  std::int64_t work = 0;    ///< coherent only
 };
 
 }  // namespace sonde

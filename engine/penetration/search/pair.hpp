@@ -18,11 +18,13 @@ class Pair {
   /// body is missing.
   Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed);
   // There is no move: a moved-from pair would have no bodies.
-  Pair(const Pair&) noexcept = default;
-  Pair& operator=(const Pair&) noexcept = default;
+  Pair(const Pair&) noexcept = default;             ///< Shares bodies and sketches.
+  Pair& operator=(const Pair&) noexcept = default;  ///< Shares bodies and sketches.
   ~Pair() = default;
 
+  /// A, the moving body.
   const Body& probe() const noexcept { return *probe_; }
+  /// B, the body that stays.
   const Body& fixed() const noexcept { return *fixed_; }
   /// Empty where both bodies are surfaces, or where one is too small or too large for a sketch.
   const Sketches& sketches() const noexcept { return *sketches_; }

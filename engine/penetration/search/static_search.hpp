@@ -10,7 +10,7 @@ namespace sonde {
 
 /// The options of a static search.
 struct StaticOptions {
-  Method method = Method::pdg;
+  Method method = Method::pdg;  ///< the motions to search among
   /// `steps` and `microseconds` limit the search. With neither, the limits below alone end it.
   Budget budget;
   std::uint64_t seed = 1;  ///< seed of the random starts; any number

@@ -57,6 +57,19 @@ std::string study_text(const Study& study) {
   return json.dump(2) + "\n";
 }
 
+/// Refuses a folder that holds other things and no study. "parts" alone is what another process has
+/// just begun; hidden files are not yet whole.
+void refuse_other_things(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "parts" && name != "study.json" && !name.starts_with('.'))
+      throw InputError::in(
+          folder.string(),
+          "holds \"" + name + "\" and no study; take an empty folder or a new one");
+  }
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "parts", error);
@@ -84,6 +97,8 @@ void claim(const fs::path& folder, const Study& study) {
       throw InputError::in(file.string(),
                            "is of a study with other inputs or settings; take another folder");
     stays = has_all(there, study) || read_text(file, most_bytes) == text;
+  } else {
+    refuse_other_things(folder);
   }
   make_folder(folder);
   if (!stays) write_whole(file, text);

@@ -60,8 +60,8 @@ using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 /// each, whole, as soon as it is finished. Makes the folder if necessary. A folder with other parts
 /// of the same study (the same kind and `about`) becomes the requested study and keeps its finished
 /// parts; where it is finished and has all of them, it stays as it is. Throws InputError where the
-/// folder holds another study or cannot be written, Cancelled where `stop` returns true (finished
-/// parts stay), and whatever a part throws.
+/// folder holds another study, or other things and no study, or cannot be written, Cancelled where
+/// `stop` returns true (finished parts stay), and whatever a part throws.
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,
                    unsigned threads, const Stop& stop, const PartsProgress& progress = {});
 

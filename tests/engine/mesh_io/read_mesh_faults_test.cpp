@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "engine/mesh_io/read_mesh.hpp"
 #include "tests/engine/mesh_io/mesh_files.hpp"
@@ -307,6 +309,38 @@ TEST(MeshFaults, hostile_counts_fail_at_once) {
                         std::string(36, '0'), "binary_big_endian")),
       ":7: the header declares 9223372036854775807 of \"face\", more than the file can hold");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+}
+
+/// A file of some megabytes of text, read in pieces; after the first, something is done to it.
+std::string said_when(const TempFolder& folder,
+                      const std::function<void(const std::filesystem::path&)>& happens) {
+  std::string text = test::as_off(test::tetrahedron(1));
+  const auto file = folder.write("a.off", text.append(9 << 20, '\n'));
+  bool happened = false;
+  try {
+    const PolygonSoup soup = read_mesh(file, 1, [&](double fraction) {
+      if (fraction > 0 && !std::exchange(happened, true)) happens(file);
+      return true;
+    });
+    EXPECT_TRUE(happened);
+    return std::to_string(soup.points.size()) + " points";
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(file.string().size());
+  }
+}
+
+TEST(MeshFaults, a_file_that_is_cut_while_it_is_read_is_refused) {
+  const TempFolder folder;
+  EXPECT_EQ(
+      said_when(folder, [](const auto& file) { std::filesystem::resize_file(file, 5 << 20); }),
+      ": byte 4194304: cannot be read");
+}
+
+TEST(MeshFaults, of_a_file_that_is_replaced_while_it_is_read_the_old_one_counts) {
+  const TempFolder folder;
+  const auto other = folder.write("other", "no mesh at all");
+  EXPECT_EQ(said_when(folder, [&](const auto& file) { std::filesystem::rename(other, file); }),
+            "4 points");
 }
 
 TEST(MeshFaults, scaling_beyond_range) {

@@ -271,6 +271,53 @@ TEST(Scene, a_file_that_is_not_there_or_a_folder_is_refused) {
   EXPECT_THROW(read_scene(folder.path()), InputError);
 }
 
+/// The complaint about a scene whose paths are to stay in the folder "own" beside a folder "other".
+std::string complaint_within(const std::string& scene) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "own/meshes");
+  std::filesystem::create_directory(folder / "other");
+  folder.write("other/b.off", "");
+  std::filesystem::create_symlink(folder / "other/b.off", folder / "own/link.off");
+  try {
+    read_scene_within(folder / "own", folder.write("own/a.sonde.json", scene));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Scene, its_paths_stay_in_a_folder_where_that_is_asked) {
+  EXPECT_EQ(complaint_within(smallest), "");
+  EXPECT_EQ(complaint_within(R"({"probe": {"mesh": "meshes/../a.off"},
+                                 "fixed": {"mesh": "meshes/b.off"}, "device": "touch"})"),
+            "");
+  for (const char* out : {"../other/b.off", "/etc/b.off", "meshes/../../b.off", "link.off", ".."})
+    EXPECT_THAT(complaint_within("{\"probe\": {\"mesh\": \"a.off\"},\n\"fixed\": {\"mesh\": \"" +
+                                 std::string(out) + "\"}}"),
+                HasSubstr("a.sonde.json:2: \"mesh\" leads out of the folder "))
+        << out;
+  for (const char* line : {R"("trajectory": "../a.csv")", R"("coupling": "../a.json")",
+                           R"("device": "../a.json")", R"("device": {"profile": "/a.json"})"})
+    EXPECT_THAT(complaint_within(with_line(line)),
+                testing::ContainsRegex("json:4: .* leads out of the folder"))
+        << line;
+}
+
+TEST(Scene, a_mesh_that_is_not_there_is_told_with_the_scenes_line) {
+  const TempFolder folder;
+  folder.write("b.off", "OFF");
+  const auto file = folder.write("a.json", with_probe_line("\"scale\": 2"));
+  try {
+    require_meshes(read_scene(file));
+    FAIL() << "there is no a.off";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file.string() + ":3: \"mesh\" names " + (folder / "a.off").string() +
+                                ": no such file");
+  }
+  folder.write("a.off", "OFF");
+  EXPECT_NO_THROW(require_meshes(read_scene(file)));
+}
+
 TEST(Scene, units) {
   EXPECT_EQ(unit_in_metres("m"), 1);
   EXPECT_EQ(unit_in_metres("cm"), 0.01);

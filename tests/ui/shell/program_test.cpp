@@ -75,6 +75,29 @@ TEST_F(Program, a_simulated_device_and_auto_open_a_window) {
   }
 }
 
+/// A server of its own, which is killed under the window.
+TEST_F(Program, a_display_that_is_lost_ends_it_with_a_word) {
+  const std::string script =
+      "cd '" + folder.path().string() + "' && { " +
+      R"(Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>number 2>log & server=$!
+         until [ -s number ]; do sleep 0.1; done
+         DISPLAY=:$(cat number) XDG_CONFIG_HOME=. timeout 60 ')" SONDE_VIEW_PROGRAM
+      R"(' >out 2>err & window=$!
+         sleep 4; kill -9 $server; wait $window; })";
+  const int status = std::system(script.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1) << "124: it hung; above 128: a signal ended it";
+  EXPECT_THAT(sonde::test::text_of(folder / "err"), HasSubstr("connection broke"));
+}
+
+TEST_F(Program, a_home_that_takes_nothing_is_not_needed) {
+  const Outcome shown = run("--screenshot shown.png",
+                            "HOME=/proc XDG_CONFIG_HOME=/proc XDG_CACHE_HOME=/proc "
+                            "XDG_DATA_HOME=/proc XDG_RUNTIME_DIR=/proc");
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_FALSE(QImage(QString::fromStdString((folder / "shown.png").string())).isNull());
+}
+
 TEST_F(Program, no_display_is_said) {
   const Outcome none = run("", "DISPLAY= WAYLAND_DISPLAY=");
   EXPECT_EQ(none.exit_code, 4);

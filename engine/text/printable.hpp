@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sonde {
+
+/// The text with every control character, of C0 and of C1 in UTF-8, as \xNN: a file's name may hold
+/// any, and a terminal would obey it.
+std::string printable(std::string_view text);
+
+}  // namespace sonde

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/text/printable.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sonde {
+namespace {
+
+TEST(Printable, letters_of_any_script_stay) {
+  for (const char* text : {"", "a b.off", "Körper Ä.ply", "プローブ", "\xff\xfe"})
+    EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, what_a_terminal_would_obey_is_written_out) {
+  EXPECT_EQ(printable("\x1b[2Jcup\n.off"), "\\x1b[2Jcup\\x0a.off");
+  EXPECT_EQ(printable("\x7f\t"), "\\x7f\\x09");
+  EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+}
+
+/// U+009B begins a sequence as ESC [ does; U+00A0 is a space, and U+011B ends in a byte as C1 has.
+TEST(Printable, so_are_those_of_two_bytes) {
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\x9b2J");
+  EXPECT_EQ(printable("\xc2\xa0\xc4\x9b"), "\xc2\xa0\xc4\x9b");
+}
+
+}  // namespace
+}  // namespace sonde
