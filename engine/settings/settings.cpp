@@ -60,7 +60,7 @@ constexpr std::array<Choice, 2> modes{{
     {"classic", "Classic", "A spring and damper for translation, another for rotation."},
 }};
 
-constexpr std::array<Row<ServoSettings>, 8> servo_rows{{
+constexpr std::array<Row<ServoSettings>, 9> servo_rows{{
     {{"rate_hz", "Servo rate", "Hz", 500, 10000, ServoSettings{}.rate_hz, true,
       "Ticks of the haptic loop in a second."},
      [](const ServoSettings& s) { return s.rate_hz; },
@@ -73,6 +73,10 @@ constexpr std::array<Row<ServoSettings>, 8> servo_rows{{
       "Iterations the solver may take in a tick; 0: until it has converged.", true},
      [](const ServoSettings& s) { return double(s.budget.steps); },
      [](ServoSettings& s, double value) { s.budget.steps = static_cast<int>(value); }},
+    {{"accuracy", "Wanted accuracy", "", 0, 0.99, ServoSettings{}.accuracy, false,
+      "Error of nine in ten ticks, in parts of the largest depth; sets the time budget; 0: none."},
+     [](const ServoSettings& s) { return s.accuracy; },
+     [](ServoSettings& s, double value) { s.accuracy = value; }},
     {{"ramp_time", "Force ramp", "s", 0, 5, ServoSettings{}.safety.ramp_time, false,
       "Time in which the force rises from zero, after a start and after a fault."},
      [](const ServoSettings& s) { return s.safety.ramp_time; },

@@ -39,7 +39,7 @@ struct Choice {
 std::span<const Setting> coupling_settings();
 /// The values of the coupling's "mode", in the order of Coupling::Mode.
 std::span<const Choice> coupling_modes();
-/// The servo's: rate_hz, budget_us, budget_steps, ramp_time, force_slew, torque_slew,
+/// The servo's: rate_hz, budget_us, budget_steps, accuracy, ramp_time, force_slew, torque_slew,
 /// force_error, passivity_control.
 std::span<const Setting> servo_settings();
 

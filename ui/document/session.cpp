@@ -5,10 +5,12 @@
 #include <utility>
 #include <variant>
 
+#include "engine/calibration/calibration_file.hpp"
 #include "engine/devices/device_hand.hpp"
 #include "engine/haptics/hand/direct_hand.hpp"
 #include "engine/haptics/hand/simulated_hand.hpp"
 #include "engine/scene/path_hand.hpp"
+#include "engine/study/trade/tick_budget.hpp"
 
 namespace sonde::ui {
 
@@ -48,6 +50,13 @@ std::shared_ptr<const Hand> hand_of(const std::shared_ptr<Holding>& holding) {
   return {holding, &holding->hand};
 }
 
+/// The scene's, with the time that its wanted accuracy takes.
+ServoSettings with_budget(ServoSettings servo, const Pair& pair) {
+  if (servo.accuracy > 0)
+    servo.budget = tick_budget(servo, pair, Method::pdg, default_calibration());
+  return servo;
+}
+
 }  // namespace
 
 Session::Session(LoadedScene loaded)
@@ -57,7 +66,7 @@ Session::Session(LoadedScene loaded)
       searched_(loaded_.pair),
       holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
       hands_(hand_of(holding_)),
-      servo_(loaded_.pair, Method::pdg, coupling_, loaded_.servo) {
+      servo_(loaded_.pair, Method::pdg, coupling_, with_budget(loaded_.servo, loaded_.pair)) {
   servo_.start(target_, hands_.hand());
 }
 

@@ -46,6 +46,9 @@ struct ServoSettings {
   /// What the geometry thread may use for each answer of the solver. It does not limit the servo's
   /// own tick: one that ends past its deadline is only counted (Snapshot::late).
   Budget budget{.steps = 0, .microseconds = 800};
+  /// Instead of the budget's time: the error that nine in ten ticks should keep to, as a share of
+  /// the largest depth; 0: not given. The servo goes by the budget alone: with_budget() sets that.
+  double accuracy = 0;
   SafetySettings safety;
   PassivitySettings passivity;
   bool real_time = true;  ///< ask the system for real-time scheduling and locked memory

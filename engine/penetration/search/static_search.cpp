@@ -42,7 +42,10 @@ class Search {
 
   Separation run() {
     if (rotates() && !budget_.is_limited()) finish_translation();
-    if (rotates() && budget_.counts_steps()) first_translation();
+    if (rotates() && budget_.counts_steps()) {
+      first_sketched_start();
+      first_translation();
+    }
     first_starts();
     more_sketches();
     if (sketched() && !budget_.search_is_over()) pushed_starts();
@@ -139,10 +142,21 @@ class Search {
     verified_.add(refined(options_.method, optima_.nearest(1)[0], 0));
   }
 
+  void first_sketches() {
+    sketches_.make_starts(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
+  }
+  /// From the nearest of the sketches' ends, which cost no steps: so near the best depth that few
+  /// steps suffice, where a translation may take them all and end far above.
+  void first_sketched_start() {
+    if (!sketched()) return;
+    first_sketches();
+    from_ends(sketches_, options_.method, 1);
+  }
+
   /// From the sketches' ends and the device pose itself.
   void first_starts() {
     if (sketched()) {
-      sketches_.make_starts(tuned_.first_sketches, tuned_.most_first_sketches, tuned_.clear);
+      first_sketches();
       from_ends(sketches_, options_.method,
                 rotates() && sketches_.is_clear(tuned_.clear) ? tuned_.ends_where_clear
                                                               : tuned_.first_ends);

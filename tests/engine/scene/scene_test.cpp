@@ -67,7 +67,7 @@ TEST(Scene, everything_is_read) {
                  "max_force": 6, "max_torque": 7},
     "device": {"profile": "mine.json", "control": "position", "scaling": 4,
                "axes": {"y": {"from": "z", "inverted": true}}},
-    "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5},
+    "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5, "accuracy": 0.01},
     "view": {"camera": [1, 2, {"a": null}]}
   })"));
   EXPECT_EQ(scene.unit, 1e-3);
@@ -83,6 +83,7 @@ TEST(Scene, everything_is_read) {
   EXPECT_EQ(scene.servo.rate_hz, 500);
   EXPECT_EQ(scene.servo.budget.microseconds, 100);
   EXPECT_EQ(scene.servo.budget.steps, 5);
+  EXPECT_EQ(scene.servo.accuracy, 0.01);
   EXPECT_EQ(scene.device.profile, (folder / "mine.json").string()) << "relative to the scene";
   ASSERT_TRUE(scene.device.settings);
   EXPECT_EQ(scene.device.settings->control, DeviceSettings::Control::position);

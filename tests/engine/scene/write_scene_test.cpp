@@ -74,7 +74,8 @@ constexpr const char* full = R"({
                  "max_force": 6, "max_torque": 7},
     "device": {"profile": "mine.json", "control": "position", "scaling": 4,
                "axes": {"y": {"from": "z", "inverted": true}}},
-    "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5, "passivity_control": 0},
+    "servo": {"rate_hz": 500, "budget_us": 100, "budget_steps": 5, "accuracy": 0.01,
+              "passivity_control": 0},
     "view": {"camera": [1, 2, {"a": null}]}
   })";
 

@@ -47,7 +47,7 @@ TEST(Settings, coupling_table_agrees_with_the_struct) {
 
 TEST(Settings, servo_table_agrees_with_the_struct) {
   check_table<ServoSettings>(servo_settings());
-  EXPECT_EQ(servo_settings().size(), 8u);
+  EXPECT_EQ(servo_settings().size(), 9u);
 }
 
 TEST(Settings, device_tables_agree_with_the_structs) {

@@ -226,6 +226,25 @@ TEST(StaticSearch, more_steps_never_give_a_worse_answer) {
   }
 }
 
+// Starts on sketches cost no steps, and end near where the bodies do: eight steps suffice from
+// there. Reference: the search without a limit.
+TEST(StaticSearch, few_steps_go_on_from_sketches) {
+  std::mt19937_64 random(12);
+  const auto all_pairs = pairs();
+  int near = 0, all = 0;
+  for (const std::size_t k : {4u, 5u})  // torus in torus, knot in knot
+    for (int i = 0; i < 12; ++i) {
+      const Pair bodies(all_pairs[k].a, all_pairs[k].b);
+      const Pose X = overlapping_pose(random, all_pairs[k]);
+      StaticOptions options;
+      options.want_lower_bound = false;
+      const double reference = separate_static(bodies, X, options).depth;
+      options.budget.steps = 8;
+      ++all, near += separate_static(bodies, X, options).depth < 1.05 * reference;
+    }
+  EXPECT_GE(near, 3 * all / 4);
+}
+
 TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
   for (const auto& pair : pairs()) {
