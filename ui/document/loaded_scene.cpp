@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/write_scene.hpp"
@@ -24,16 +25,15 @@ namespace {
 constexpr double depth_at_limit = 0.02;  // of the probe's radius
 constexpr double start_gap = 0.05;       // of the probe's radius
 
-/// The part of a job's progress from `from` to `to`.
-Progress part(const Progress& progress, double from, double to) {
-  if (!progress) return {};
-  return [=](double fraction) { return progress(from + (to - from) * fraction); };
-}
-
 Vec3 size_of(const PolygonSoup& soup) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : soup.points) box.extend(point);
   return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
+}
+
+Topology edges_of(const PolygonSoup& soup, const Progress& progress) {
+  return analyse_topology(compacted(triangulate_all(soup), part_of(progress, 0, 0.5)),
+                          part_of(progress, 0.5, 1));
 }
 
 /// Largest value of direction · x over the vertices of the body's triangles.
@@ -148,12 +148,18 @@ MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::pa
   pair.probe_file = probe;
   pair.fixed_file = fixed;
   pair.marks = {mark_of(probe), mark_of(fixed)};
-  pair.probe = read_mesh(probe, 1, part(progress, 0, 0.5));
-  pair.fixed = read_mesh(fixed, 1, part(progress, 0.5, 1));
-  pair.probe_size = size_of(pair.probe);
-  pair.fixed_size = size_of(pair.fixed);
-  pair.probe_edges = analyse_topology(compacted(triangulate_all(pair.probe)));
-  pair.fixed_edges = analyse_topology(compacted(triangulate_all(pair.fixed)));
+  run_both(
+      true, progress,
+      [&](const Progress& half) {
+        pair.probe = read_mesh(probe, 1, part_of(half, 0, 0.5));
+        pair.probe_size = size_of(pair.probe);
+        pair.probe_edges = edges_of(pair.probe, part_of(half, 0.5, 1));
+      },
+      [&](const Progress& half) {
+        pair.fixed = read_mesh(fixed, 1, part_of(half, 0, 0.5));
+        pair.fixed_size = size_of(pair.fixed);
+        pair.fixed_edges = edges_of(pair.fixed, part_of(half, 0.5, 1));
+      });
   return pair;
 }
 
@@ -222,13 +228,17 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
 
 LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& progress) {
   Scene scene = scene_of(pair, setup);
-  scale(pair.probe, scene.unit * scene.probe.scale);
-  scale(pair.fixed, scene.unit * scene.fixed.scale);
-  const auto build = [](const PolygonSoup& soup, const SceneBody& body, const Progress& report) {
-    return make_body(soup, body.model, body.mesh.stem().string(), report);
+  // The polygons of each body go as soon as it is built: they take more than the body does.
+  const auto build = [&scene](PolygonSoup& soup, const SceneBody& body, const Progress& report) {
+    scale(soup, scene.unit * body.scale);
+    auto built = make_body(soup, body.model, body.mesh.stem().string(), report);
+    soup = {};
+    return built;
   };
-  auto probe = build(pair.probe, scene.probe, part(progress, 0, 0.5));
-  auto fixed = build(pair.fixed, scene.fixed, part(progress, 0.5, 1));
+  std::shared_ptr<const Body> probe, fixed;
+  run_both(
+      true, progress, [&](const Progress& half) { probe = build(pair.probe, scene.probe, half); },
+      [&](const Progress& half) { fixed = build(pair.fixed, scene.fixed, half); });
   scene.coupling = suited_coupling(probe->mass);
   const Quat q_FW = scene.fixed.pose.q.conjugate();
   const Pose start = beside(*probe, *fixed, q_FW * start_direction(), q_FW * scene.probe.pose.q);

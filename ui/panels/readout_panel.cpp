@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "ui/base/theme.hpp"
@@ -208,8 +209,9 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
   const QString angle = number(motion.theta.norm() * degrees) + QStringLiteral("°");
   translation_->setText(share(separation.translation, moved));
   rotation_->setText(QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)));
-  screw_->setText(held ? QStringLiteral("%1, slide %2").arg(angle, unit_.text(screw.slide))
-                       : QStringLiteral("–"));
+  screw_->setText(held
+                      ? QStringLiteral("%1, slide %2").arg(angle, unit_.text(std::abs(screw.slide)))
+                      : QStringLiteral("–"));
   contacts_->setText(QString::number(separation.clusters.size));
 }
 

@@ -14,6 +14,8 @@
 #include <QUrl>
 #include <QWindow>
 
+#include "engine/base/error.hpp"
+#include "tests/support/temp_folder.hpp"
 #include "tests/ui/window_fixture.hpp"
 
 namespace sonde::ui::test {
@@ -121,6 +123,33 @@ TEST_F(WindowTest, closes_while_opening) {
   window->open({QStringLiteral(SONDE_RESOURCES "/scenes/torus-knots.sonde.json")});
   wait(5);
   window.reset();
+}
+
+/// Both are read at once, each as if it were read alone: of two bad files the probe's is named.
+TEST(Opening, of_two_meshes_names_the_one_that_is_bad) {
+  const sonde::test::TempFolder folder;
+  folder.write("bad.off", "OFF\n1 1 0\n0 0\n");
+  folder.write("worse.off", "OFF\n-1 1 0\n");
+  folder.write("good.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const auto reason = [&](const char* probe, const char* fixed) -> std::string {
+    try {
+      read_pair(folder / probe, folder / fixed);
+    } catch (const InputError& bad) {
+      return bad.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(reason("good.off", "good.off"), "none");
+  for (const char* fixed : {"good.off", "worse.off"})
+    EXPECT_NE(reason("bad.off", fixed).find("bad.off"), std::string::npos) << fixed;
+  EXPECT_NE(reason("good.off", "worse.off").find("worse.off:2"), std::string::npos);
+}
+
+TEST(Opening, of_two_meshes_can_be_cancelled) {
+  const sonde::test::TempFolder folder;
+  folder.write("good.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_THROW(read_pair(folder / "good.off", folder / "good.off", [](double) { return false; }),
+               Cancelled);
 }
 
 TEST(Opening, guesses_a_unit) {

@@ -157,6 +157,22 @@ TEST_F(PanelTest, a_probe_that_is_free_beyond_a_wall_is_not_shown_as_a_depth_of_
   EXPECT_TRUE(find<QLabel>("pdt_value")->text().contains("mm"));
 }
 
+/// As in the picture, where the arrow tells which way along the axis.
+TEST_F(PanelTest, a_slide_against_the_turn_is_a_length_like_any_other) {
+  window->set_paused(true);
+  wait(100);
+  Snapshot held = shown();
+  Separation& separation = held.separation;
+  separation.status = Status::penetrating;
+  separation.device = Pose{};
+  const Vec3 com = window->session()->probe().mass.com;
+  const Quat turn(Eigen::AngleAxisd(0.2, Vec3::UnitZ()));
+  separation.separated = {turn, com - turn * com + Vec3(0, 0, -0.003)};
+  find<ReadoutPanel>("readout_panel")->show_numbers({held, {}});
+  const QString text = find<QLabel>("screw_value")->text();
+  EXPECT_TRUE(text.endsWith("slide 3.000 mm")) << text.toStdString();
+}
+
 TEST_F(PanelTest, slow_numbers_are_computed_only_while_shown) {
   ASSERT_TRUE(wait_until([this] { return window->searched().has_value(); }));
   find<QDockWidget>("readout_panel")->hide();
