@@ -20,6 +20,7 @@ constexpr Named all[] = {
     {"share_for_sketches", &SearchTuning::share_for_sketches},
     {"share_for_search", &SearchTuning::share_for_search},
     {"share_for_refining", &SearchTuning::share_for_refining},
+    {"steps_of_first_translation", &SearchTuning::steps_of_first_translation},
     {"first_sketches", &SearchTuning::first_sketches},
     {"most_first_sketches", &SearchTuning::most_first_sketches},
     {"most_sketches", &SearchTuning::most_sketches},
