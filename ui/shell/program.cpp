@@ -13,6 +13,7 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/base/freed_memory.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/devices/device_control.hpp"
@@ -149,6 +150,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "sonde-view: %s\n", reason);
     return our_fault;
   }
+  return_freed_memory();
   qInstallMessageHandler(on_message);
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
   // Esc in a dialog of the system's own would never come by here, and the force would stay.

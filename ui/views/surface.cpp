@@ -12,10 +12,8 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double sharp_edge = 35;  // degrees
-/// Triangles of a body. Smooth normals take some 200 bytes a triangle while they are made, and up
-/// to a second; finer triangles are so small on the screen that nobody sees them.
-constexpr std::size_t smooth_up_to = 200'000;
+constexpr double sharp_edge = 35;              // degrees
+constexpr std::size_t smooth_up_to = 400'000;  // triangles; normals of more take over a second
 
 /// With indices of 32 bits: half of what VTK takes by itself.
 vtkSmartPointer<vtkPolyData> copy_of(const Soup& soup) {

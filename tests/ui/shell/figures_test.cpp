@@ -17,6 +17,7 @@
 
 #include "tests/ui/torus_text.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/freed_memory.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/base/theme.hpp"
 
@@ -54,6 +55,7 @@ double peak() {
 
 class Figures : public WindowTest {
  protected:
+  static void SetUpTestSuite() { return_freed_memory(); }  // as the program does
   struct Rate {
     double frames = 0, processor = 0;  ///< a second; s of processor a second
   };
