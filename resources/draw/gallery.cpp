@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sonde-gallery FOLDER: draws the picture of each scene in the folder, NAME.png beside
-// NAME.sonde.json, for the start page: the probe half way along its path.
+// NAME.sonde.json, for the start page: the probe where its path leads deepest inside.
 
 #include <vtkPolyData.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
 
-#include "ui/views/stage.hpp"
+#include "ui/base/theme.hpp"
+#include "ui/document/instant.hpp"
+#include "ui/views/drawn_session.hpp"
 #include "ui/views/viewport.hpp"
 
 namespace {
@@ -43,18 +46,30 @@ QRect lit_part(const QImage& image) {
   return part;
 }
 
+/// Leads the probe along its path, to where the centres of mass are closest together.
+void lead_inside(Session& session, const std::vector<TimedPose>& path) {
+  const Vec3 probe = session.probe().mass.com, fixed = session.fixed().mass.com;
+  const auto distance = [&](const TimedPose& at) { return (at.pose * probe - fixed).norm(); };
+  const auto innermost = std::ranges::min_element(path, {}, distance);
+  constexpr std::ptrdiff_t step = 5;
+  for (auto at = path.begin(); at < innermost; at += std::min(step, innermost - at)) {
+    session.set_device_pose(at->pose);
+    settle(2);
+  }
+}
+
 bool draw(Viewport& view, const std::filesystem::path& file) {
-  Opened opened = open_scene(file);
-  if (!opened.trajectory.empty())
-    opened.here = opened.trajectory[opened.trajectory.size() / 2].pose;
-  const Stage stage = make_stage(std::move(opened));
-  view.show_stage(stage);
+  const LoadedScene loaded = open_scene(file);
+  const DrawnSession drawn = draw_session(loaded);
+  view.show_bodies(drawn.bodies);
+  lead_inside(*drawn.session, loaded.trajectory);
   settle(300);
-  const Snapshot* snapshot = stage.session->latest();
+  const Snapshot* snapshot = drawn.session->latest();
   if (!snapshot) return false;
-  view.draw(*snapshot, 1);
+  const Instant now{*snapshot, {}};
+  view.draw(now, 1);
   view.fit();
-  view.draw(*snapshot, 1);
+  view.draw(now, 1);
   const QImage whole = view.picture();
   const QRect part = lit_part(whole) & whole.rect();
   const QImage picture =
@@ -87,7 +102,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   QSurfaceFormat::setDefaultFormat(Viewport::surface_format());
-  const QApplication application(argc, argv);
+  QApplication application(argc, argv);
+  apply_theme(application, Theme::dark);
   std::setlocale(LC_NUMERIC, "C");
   try {
     return draw_all(argv[1]);
