@@ -28,6 +28,7 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   setObjectName(QStringLiteral("contacts_panel"));
   rows_->setObjectName(QStringLiteral("contact_rows"));
   rows_->setRootIsDecorated(false);
+  rows_->setIndentation(0);
   rows_->setUniformRowHeights(true);
   rows_->setHeaderLabels({QStringLiteral("Contact"), QStringLiteral("Share"),
                           QStringLiteral("Multiplier"), QStringLiteral("Gap"),
@@ -40,6 +41,7 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   for (int i = 0; i < rows_->columnCount(); ++i)
     rows_->headerItem()->setToolTip(i, QString::fromUtf8(tips[i]));
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  rows_->header()->setStretchLastSection(false);  // it would want more room than it has
   summary_->setObjectName(QStringLiteral("contact_summary"));
   summary_->setWordWrap(true);
   auto* content = new QWidget(this);

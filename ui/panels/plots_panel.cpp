@@ -48,6 +48,7 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QDockWidget(QStringLiteral("Plots"), p
   values_ = new QLabel(content);
   values_->setObjectName(QStringLiteral("plot_values"));
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  values_->setTextFormat(Qt::RichText);
   row->addWidget(values_, 1);
   charts_ = new TimeCharts(content);
   layout->addWidget(charts_, 1);
@@ -155,11 +156,12 @@ void PlotsPanel::read_out(double time) {
       const double value = curves.at(style.curve, time);
       return std::isnan(value) ? QStringLiteral("–") : number(style.scale * value);
     };
-    QString line = QStringLiteral("%1 %2").arg(style.name, text(*state_.kept));
+    QString line = QStringLiteral("%1 %2").arg(
+        in_colour(style.colour, QStringLiteral("━ ") + style.name), text(*state_.kept));
     if (state_.replay) line += QStringLiteral(" / %1").arg(text(*state_.replay));
     texts.push_back(line + QLatin1Char(' ') + style.unit);
   }
-  values_->setText(texts.join(QStringLiteral("   ")));
+  values_->setText(texts.join(QStringLiteral(" &nbsp; ")));
 }
 
 }  // namespace sonde::ui

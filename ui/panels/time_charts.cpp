@@ -4,8 +4,6 @@
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkAxis.h>
-#include <vtkBrush.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -15,6 +13,7 @@
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
@@ -31,9 +30,11 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double left_room = 74, right_room = 14, room_below = 22, room_above = 6;  // pixels
-constexpr double line_width = 1.5;                                                  // pixels
-constexpr int least_drag = 4;                                                       // pixels
+constexpr double left_room = 62, right_room = 14, room_above = 9;  // pixels
+constexpr double room_for_times = 22, room_between = 4;            // pixels
+constexpr double tick_room = 26;                                   // pixels
+constexpr double line_width = 1.5;                                 // pixels
+constexpr int least_drag = 4;                                      // pixels
 constexpr double wheel_zoom = 1.25;
 constexpr int text_size = 11;
 
@@ -57,6 +58,28 @@ void set_axis(vtkAxis& axis, const QPalette& palette) {
   const bool light = is_light(palette);
   set_pen(*axis.GetPen(), light ? QColor(140, 148, 158) : QColor(90, 100, 112));
   set_pen(*axis.GetGridPen(), light ? QColor(222, 226, 232) : QColor(60, 68, 78));
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is no larger.
+double round_down(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  const double digit = value / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+/// Round numbers, as many as find room, and one beside 0 at least.
+void set_ticks(vtkAxis& axis, double low, double high, double room) {
+  double step = round_down(high - low);
+  for (double finer = round_down(0.6 * step); (high - low) / finer <= room / tick_room;
+       finer = round_down(0.6 * step))
+    step = finer;
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> texts;
+  for (double n = std::ceil(low / step); n <= std::floor(high / step); ++n) {
+    places->InsertNextValue(n * step);
+    texts->InsertNextValue(QString::number(n * step, 'g', 4).toStdString());
+  }
+  axis.SetCustomTickPositions(places, texts);
 }
 
 /// Columns of a table of two: time and value.
@@ -141,6 +164,7 @@ struct TimeCharts::Scene {
   std::vector<Chart> charts;
   ChartView view;
   std::size_t points = 0;
+  double plot_height = 0;     ///< of each chart, pixels of Qt's
   std::optional<bool> light;  ///< what the charts were made for
 
   /// The charts are made anew where other lines are wanted.
@@ -161,6 +185,7 @@ struct TimeCharts::Scene {
   Chart made(const QString& unit, const QPalette& palette) {
     auto chart = vtkSmartPointer<vtkChartXY>::New();
     chart->SetAutoSize(false);
+    chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);  // else each makes room for its own numbers
     chart->SetAutoAxes(false);
     chart->SetInteractive(false);
     chart->SetHiddenAxisBorder(0);
@@ -172,17 +197,7 @@ struct TimeCharts::Scene {
     const CurveStyle style{Curve::held, {}, unit, 1, palette.color(QPalette::WindowText)};
     DrawnLine cursor = line_in(*chart, {nullptr, Curve::held}, style, palette);
     cursor.plot->SetLabel("");
-    cursor.plot->LegendVisibilityOff();
-    chart->SetShowLegend(true);
-    vtkChartLegend* legend = chart->GetLegend();
-    legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
-    legend->SetVerticalAlignment(vtkChartLegend::TOP);
-    set_text(*legend->GetLabelProperties(), palette);
-    const QColor back = plot_background(palette);
-    legend->GetBrush()->SetColor(static_cast<unsigned char>(back.red()),
-                                 static_cast<unsigned char>(back.green()),
-                                 static_cast<unsigned char>(back.blue()), 160);
-    legend->GetPen()->SetLineType(vtkPen::NO_PEN);
+    chart->SetShowLegend(false);  // the line of values above names the curves in their colours
     return {chart, unit, {}, cursor};
   }
 
@@ -211,6 +226,7 @@ struct TimeCharts::Scene {
     if (low < 0) low -= margin;
     high += margin;
     chart.chart->GetAxis(vtkAxis::LEFT)->SetRange(low, high);
+    set_ticks(*chart.chart->GetAxis(vtkAxis::LEFT), low, high, plot_height);
     chart.chart->GetAxis(vtkAxis::BOTTOM)->SetRange(view.from, view.to);
     fill(*chart.cursor.table, {{view.cursor, low}, {view.cursor, high}}, 1);
     chart.cursor.plot->SetVisible(view.cursor >= view.from && view.cursor <= view.to);
@@ -219,22 +235,28 @@ struct TimeCharts::Scene {
 
   /// All in device pixels: so many to one of Qt's.
   void place(double width, double height, double ratio) {
-    const double each = height / std::max<double>(1, double(charts.size()));
+    const double times = (room_for_times - room_between) * ratio;  // below the lowest chart alone
+    const double each = (height - times) / std::max<double>(1, double(charts.size()));
+    plot_height = each / ratio - room_above - room_between;
     for (std::size_t i = 0; i < charts.size(); ++i) {
       vtkChartXY& chart = *charts[i].chart;
+      const bool lowest = i + 1 == charts.size();
       const double bottom = height - each * double(i + 1);
-      chart.SetSize(vtkRectf(0, float(bottom), float(width), float(each)));
-      chart.SetBorders(int(left_room * ratio), int(room_below * ratio), int(right_room * ratio),
-                       int(room_above * ratio));
+      chart.SetSize(vtkRectf(float(left_room * ratio), float(bottom + room_between * ratio),
+                             float(width - (left_room + right_room) * ratio),
+                             float(plot_height * ratio)));
+      chart.GetAxis(vtkAxis::BOTTOM)->SetLabelsVisible(lowest);
       const auto width_of = float(line_width * ratio);
-      for (const DrawnLine& line : charts[i].lines) line.plot->SetWidth(width_of);
+      // What is held shows on both sides of a way out that is the same.
+      for (const DrawnLine& line : charts[i].lines)
+        line.plot->SetWidth(line.line.curve == Curve::held ? 2.5F * width_of : width_of);
       if (charts[i].cursor.plot) charts[i].cursor.plot->SetWidth(width_of);
     }
   }
 };
 
 TimeCharts::TimeCharts(QWidget* parent) : QWidget(parent), scene_(std::make_unique<Scene>(*this)) {
-  setMinimumHeight(150);
+  setMinimumHeight(190);
   Scene& s = *scene_;
   s.widget->setObjectName(QStringLiteral("charts"));
   s.widget->setMouseTracking(true);

@@ -130,8 +130,8 @@ void MainWindow::add_history() {
        .show = [this](DrawnSession drawn) { show_session(std::move(drawn)); },
        .pause = [this](bool on) { pause(on); },
        .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
-  addDockWidget(Qt::BottomDockWidgetArea, &history_->timeline());
-  addDockWidget(Qt::BottomDockWidgetArea, &history_->plots());
+  // Above the timeline, which keeps the whole width.
+  splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
   tabifyDockWidget(log_, &history_->plots());
   history_->plots().hide();
 }

@@ -2,12 +2,17 @@
 #include "ui/shell/menus.hpp"
 
 #include <QAction>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QToolBar>
 #include <QUndoStack>
+#include <QVBoxLayout>
 #include <functional>
 
 #include "ui/actions/document_control.hpp"
@@ -56,19 +61,41 @@ void add_layer(MainWindow& window, QMenu& menu, const char* object, const QStrin
              [view, layer](bool on) { view->set_shown(layer, on); });
 }
 
+/// What an action is called, without the marks of menus.
+QString name_of(const QAction& action) {
+  static const QRegularExpression marks(QStringLiteral("&|…|:.*"));
+  return QString(action.text()).remove(marks);
+}
+
+/// A row of the table of keys: what one presses, and what it does.
+QString key_row(const QString& key, const QString& action) {
+  return QStringLiteral("<tr><td style='padding-right:12px'><b>%1</b></td><td>%2</td></tr>")
+      .arg(key.toHtmlEscaped(), action.toHtmlEscaped());
+}
+
+/// In columns: one would be higher than a screen.
 void show_keys(MainWindow& window) {
-  QString rows;
-  for (const auto& [key, action] : HintView::keys())
-    rows += QStringLiteral("<tr><td style='padding-right:16px'><b>%1</b></td><td>%2</td></tr>")
-                .arg(key.toHtmlEscaped(), action.toHtmlEscaped());
+  constexpr int columns = 3;
+  QStringList rows;
+  for (const auto& [key, action] : HintView::keys()) rows += key_row(key, action);
   for (const QAction* action : window.findChildren<QAction*>())
     if (!action->shortcut().isEmpty() && !action->objectName().isEmpty())
-      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
-                  .arg(action->shortcut().toString().toHtmlEscaped(),
-                       QString(action->text()).remove('&').toHtmlEscaped());
-  QMessageBox box(QMessageBox::NoIcon, QStringLiteral("Mouse and keys"),
-                  QStringLiteral("<table>%1</table>").arg(rows), QMessageBox::Close, &window);
+      rows += key_row(action->shortcut().toString(), name_of(*action));
+  const int each = (rows.size() + columns - 1) / columns;
+  QString cells;
+  for (int from = 0; from < rows.size(); from += each)
+    cells += QStringLiteral("<td style='padding-right:28px'><table>%1</table></td>")
+                 .arg(rows.mid(from, each).join(QString()));
+  QDialog box(&window);  // a message box would break the lines
+  box.setWindowTitle(QStringLiteral("Mouse and keys"));
   box.setObjectName(QStringLiteral("keys_box"));
+  auto* layout = new QVBoxLayout(&box);
+  auto* table = new QLabel(QStringLiteral("<table><tr>%1</tr></table>").arg(cells), &box);
+  table->setObjectName(QStringLiteral("keys_table"));
+  layout->addWidget(table);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &box);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &box, &QDialog::reject);
+  layout->addWidget(buttons);
   box.exec();
 }
 

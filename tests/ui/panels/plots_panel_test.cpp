@@ -110,6 +110,31 @@ TEST_F(PlotsTest, a_click_looks_back_at_that_time) {
   EXPECT_NEAR(window->history().playback().time(), time, 0.05);
 }
 
+/// The reference is the picture: the cursor is the one line that goes through all charts.
+TEST_F(PlotsTest, the_cursor_stands_in_every_chart_at_the_time_that_a_click_there_means) {
+  wait(500);
+  window->history().look_at(window->history().recorder().ticks()->first_time() + 0.3);
+  next_picture();
+  const QImage image = plots().charts().picture().convertToFormat(QImage::Format_RGB32);
+  const QColor white = canvas()->palette().color(QPalette::WindowText);
+  std::vector<int> columns;
+  for (int x = 0; x < image.width(); ++x) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      const QColor at(image.pixel(x, y));
+      count += std::abs(at.red() - white.red()) + std::abs(at.green() - white.green()) +
+                   std::abs(at.blue() - white.blue()) <
+               200;
+    }
+    if (count > image.height() / 2) columns.push_back(x);
+  }
+  ASSERT_FALSE(columns.empty());
+  EXPECT_LE(columns.back() - columns.front(), 3);  // pixels
+  const double x = 0.5 * (columns.front() + columns.back()) / canvas()->devicePixelRatioF();
+  const double pixel = plots().charts().time_at(1) - plots().charts().time_at(0);
+  EXPECT_NEAR(plots().charts().time_at(x), window->history().playback().time(), 2 * pixel);
+}
+
 TEST_F(PlotsTest, the_values_under_the_cursor_are_written) {
   const auto* values = window->findChild<QLabel*>("plot_values");
   ASSERT_TRUE(wait_until([&] { return values->text().contains("|F|"); }));

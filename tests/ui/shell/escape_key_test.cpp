@@ -159,7 +159,9 @@ TEST_P(EscapeTest, cuts_the_force_first_and_then_closes) {
   const auto cut = QObject::connect(window.get(), &MainWindow::force_changed,
                                     [&] { was_open.push_back(topmost() != nullptr); });
   bool closed = false;
+  QSize size;
   once_open([&](QWidget& top) {
+    size = top.frameGeometry().size();
     press_escape(*top.windowHandle());
     closed = wait_until([] { return !topmost(); });
     while (topmost()) topmost()->close();
@@ -167,6 +169,8 @@ TEST_P(EscapeTest, cuts_the_force_first_and_then_closes) {
   GetParam().open(*window);
   QObject::disconnect(cut);
   EXPECT_TRUE(closed) << "Esc does what it always did";
+  EXPECT_LE(size.width(), 1280);  // a small screen
+  EXPECT_LE(size.height(), 800);
   ASSERT_FALSE(was_open.empty());
   EXPECT_TRUE(was_open.front()) << "but the force goes first";
   EXPECT_FALSE(window->session()->force_on());
