@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +17,7 @@ namespace {
 
 struct CalibrateOptions {
   std::vector<std::string> scenes;
-  std::string within;
+  std::string within, add;
   OutputOptions output;
   std::size_t count = 12;
   std::uint64_t seed = 1;
@@ -30,9 +32,12 @@ TradeSetup setup_of(const Scene& scene, const CalibrateOptions& options, Progres
   const Stop stop = stop_on_interrupt();
   if (scene.trajectory) {
     setup.path = path_to_study(*scene.trajectory);
+    if (options.count == 0) return setup;
     std::vector<Pose> all;
     for (const TimedPose& at : setup.path) all.push_back(at.pose);
     setup.poses = overlapping_poses(probe, fixed, all, options.count, stop);
+  } else if (options.count == 0) {
+    throw InputError::in(scene.file.string(), "no path: --count 0 leaves nothing to measure");
   } else {
     setup.poses = random_overlapping_poses(probe, fixed, options.count, options.seed, stop);
   }
@@ -52,6 +57,19 @@ void check_name(const Scene& scene) {
   }
 }
 
+/// Those of another calibration that were not measured now.
+void add_series(Calibration& measured, Calibration other) {
+  const auto same = [](const CalibrationSeries& a, const CalibrationSeries& b) {
+    return a.pair == b.pair && a.answers == b.answers && a.method == b.method;
+  };
+  std::erase_if(other.series, [&](const CalibrationSeries& old) {
+    return std::ranges::any_of(measured.series,
+                               [&](const CalibrationSeries& now) { return same(old, now); });
+  });
+  measured.series.insert(measured.series.begin(), std::make_move_iterator(other.series.begin()),
+                         std::make_move_iterator(other.series.end()));
+}
+
 void run(const CalibrateOptions& options) {
   std::vector<Scene> scenes;
   std::vector<std::filesystem::path> inputs;
@@ -60,7 +78,10 @@ void run(const CalibrateOptions& options) {
     check_name(scenes.back());
     for (const auto& input : inputs_of(scenes.back())) inputs.push_back(input);
   }
+  if (!options.add.empty()) inputs.emplace_back(options.add);
   check_output(options.output, inputs);
+  Calibration other;
+  if (!options.add.empty()) other = read_calibration(options.add);
   ProgressLine progress(options.output.quiet);
   Calibration all;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -70,6 +91,7 @@ void run(const CalibrateOptions& options) {
       all.series.push_back(std::move(series));
   }
   progress.clear();
+  add_series(all, std::move(other));
   write_result(options.output, to_json(all));
 }
 
@@ -83,9 +105,12 @@ Command add_calibrate_command(CLI::App& program) {
   add_within(*parser, options->within);
   parser
       ->add_option("--count", options->count,
-                   "poses to search at in each scene: of its path, or random ones")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
+                   "poses to search at in each scene: of its path, or random ones; 0: none, only "
+                   "the ticks of the paths")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{100'000}))
       ->capture_default_str();
+  parser->add_option("--add", options->add,
+                     "another calibration: what it holds and is not measured now is kept");
   parser->add_option("--seed", options->seed, "seed of the searches, and of random poses")
       ->check(check_whole)
       ->capture_default_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/app/app_test.hpp"
 
@@ -215,6 +216,29 @@ TEST_F(Query, a_calibration_of_its_own_is_measured_and_used) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const Csv csv = query("--accuracy 20% --calibration c.json " + scene);
   EXPECT_LE(csv.number(0, "within"), 0.2);
+}
+
+TEST_F(Query, a_calibration_is_added_to_another) {
+  const auto series = [&](const std::string& flags) {
+    const Outcome run = sonde("calibrate " + flags);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    std::set<std::string> names;
+    const json made = json::parse(run.out);
+    for (const auto& one : made.at("series"))
+      names.insert(one.at("pair").get<std::string>() + " " + one.at("answers").get<std::string>());
+    return names;
+  };
+  std::filesystem::copy_file(folder / "boxes.sonde.json", folder / "others.sonde.json");
+  sonde("calibrate others.sonde.json --count 1 --out others.json");
+  const std::set<std::string> both{"boxes search", "boxes tick", "others search", "others tick"};
+  EXPECT_EQ(series("boxes.sonde.json --count 1 --add others.json"), both);
+  EXPECT_EQ(series("boxes.sonde.json others.sonde.json --count 1 --add others.json"), both);
+  EXPECT_EQ(series("boxes.sonde.json --count 0"), std::set<std::string>{"boxes tick"});
+  folder.write("still.sonde.json",
+               R"({"probe": {"mesh": "small.off"}, "fixed": {"mesh": "large.off"}})");
+  const Outcome nothing = sonde("calibrate still.sonde.json --count 0");
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_THAT(nothing.err, HasSubstr("still.sonde.json: no path"));
 }
 
 TEST_F(Query, a_knob_that_is_no_good_is_refused) {
