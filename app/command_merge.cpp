@@ -7,6 +7,7 @@
 #include "engine/study/comparison/compare_report.hpp"
 #include "engine/study/parts/merge_study.hpp"
 #include "engine/study/trade/trade_report.hpp"
+#include "engine/study/tuning/traces_report.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
 
 namespace sonde::app {
@@ -21,6 +22,7 @@ StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
   if (study.kind == "compare") return compare_files;
   if (study.kind == "tune") return tuning_files;
   if (study.kind == "trade") return trade_files;
+  if (study.kind == "traces") return traces_files;
   throw InputError::in(folder, "holds a study of an unknown kind: " + study.kind);
 }
 

@@ -14,6 +14,7 @@ Command add_merge_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);
 Command add_trade_command(CLI::App& program);
+Command add_traces_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);
 
 }  // namespace sonde::app

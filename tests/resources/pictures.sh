@@ -17,14 +17,15 @@ copy=$work/copy
 mkdir "$copy"
 cp -r "$source/"{packaging,resources,engine,ui,app,CMakeLists.txt} "$copy"
 rm "$copy/resources/docs/images/sonde-view.png" "$copy"/resources/scenes/*.png \
-  "$copy/resources/docs/images/compare-spoon-in-cup.svg"
+  "$copy"/resources/docs/images/{compare,traces}-spoon-in-cup.svg
 "$copy/packaging/pictures" "$build"
 for name in two-depths architecture; do
   cmp "$source/resources/docs/images/$name.svg" "$copy/resources/docs/images/$name.svg" ||
     complain "$name.svg is not what its program draws: packaging/pictures BUILD $name"
 done
-grep -q '</svg>' "$copy/resources/docs/images/compare-spoon-in-cup.svg" ||
-  complain "no compare-spoon-in-cup.svg"
+for name in {compare,traces}-spoon-in-cup; do
+  grep -q '</svg>' "$copy/resources/docs/images/$name.svg" || complain "no $name.svg"
+done
 for picture in docs/images/sonde-view scenes/{crumpled-soup,linked-tori,nut-on-bolt,peg-in-hole} \
   scenes/{spoon-in-cup,terrain,torus-knots}; do
   file "$copy/resources/$picture.png" | grep -q 'PNG image data' || complain "no $picture.png"

@@ -5,62 +5,19 @@
 #include <array>
 #include <cmath>
 
-#include "engine/text/number_text.hpp"
+#include "engine/study/charts/svg_elements.hpp"
 
 namespace sonde {
+
+using namespace svg;
+
 namespace {
 
 constexpr double width = 960, left = 90, right = 740;  // px; the legend is to the right
 constexpr double heading = 44, above = 30, below = 52, legend_line = 18;
 
-// Okabe and Ito's colours, which most colour-blind eyes tell apart; black is for the text.
-constexpr std::array palette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
-
 std::string color_of(const ChartPanel& panel, std::size_t series) {
-  return palette[panel.series[series].color.value_or(series) % palette.size()];
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:  // control characters have no place in XML
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
-
-/// Hundredths of a pixel; the zero is never negative.
-std::string px(double value) { return number_text(std::round(value * 100) / 100 + 0.0); }
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text,
-                    const std::string& more = {}) {
-  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\"" + more +
-         ">" + escaped(text) + "</text>\n";
-}
-
-std::string line_of(double x0, double y0, double x1, double y1, const std::string& style) {
-  return "<line x1=\"" + px(x0) + "\" y1=\"" + px(y0) + "\" x2=\"" + px(x1) + "\" y2=\"" + px(y1) +
-         "\" " + style + "/>\n";
-}
-
-std::string rectangle(double x, double y, double w, double h, const std::string& style) {
-  return "<rect x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(w) + "\" height=\"" + px(h) +
-         "\" " + style;
+  return series_color(panel.series[series].color.value_or(series));
 }
 
 std::string stroke_of(const ChartSeries& series, const std::string& color) {
@@ -68,11 +25,6 @@ std::string stroke_of(const ChartSeries& series, const std::string& color) {
   return "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.5\"" +
          (dashed ? " stroke-dasharray=\"6 4\"" : "");
 }
-
-/// A point in pixels.
-struct Spot {
-  double x, y;
-};
 
 /// One panel's place in the picture and its two scales.
 class PanelFrame {
@@ -220,14 +172,6 @@ std::vector<Spot> thinned(const std::vector<Spot>& spots) {
   return out;
 }
 
-std::string polyline(const std::vector<Spot>& spots, const std::string& style) {
-  if (spots.empty()) return {};
-  std::string points;
-  for (const Spot& spot : spots) points += px(spot.x) + "," + px(spot.y) + " ";
-  points.pop_back();
-  return "<polyline points=\"" + points + "\" " + style + "/>\n";
-}
-
 std::string dot(const Spot& spot, const std::string& color) {
   return "<circle cx=\"" + px(spot.x) + "\" cy=\"" + px(spot.y) + "\" r=\"3.5\" fill=\"" + color +
          "\" stroke=\"#fff\" stroke-width=\"0.8\"/>\n";
@@ -320,12 +264,7 @@ std::string to_svg(const SvgChart& chart) {
     panels += drawn(panel, y + above);
     y += height_of(panel);
   }
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(width) + "\" height=\"" + px(y) +
-         "\" viewBox=\"0 0 " + px(width) + " " + px(y) +
-         "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>" + escaped(chart.title) +
-         "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
-         text_at(left, 30, "start", chart.title, " font-size=\"16\" font-weight=\"bold\"") +
-         panels + "</svg>\n";
+  return page(width, y, chart.title, left, panels);
 }
 
 }  // namespace sonde

@@ -25,7 +25,7 @@ struct StudyPart {
 /// folder holds `study.json`, which identifies the study, and `parts/NAME.json` for each finished
 /// part. So a study can be stopped and continued, and split over machines.
 struct Study {
-  std::string kind;   ///< "tune", "compare", "trade"
+  std::string kind;   ///< "tune", "traces", "compare", "trade"
   std::string about;  ///< JSON text, on which all else depends: inputs, settings
   std::vector<StudyPart> parts;
 };

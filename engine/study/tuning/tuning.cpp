@@ -64,13 +64,6 @@ Wrench push_into(const TuningRequest& request, const Separation& s) {
   return {-scale * spring.force, -scale * spring.torque};
 }
 
-/// All that parts share.
-struct Plan {
-  TuningRequest request;
-  TuningContacts contacts;
-  JointGains joint;
-};
-
 double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {
   return largest_stable_factor({.device = held_by(request.device, hand_grips[0]),
                                 .sample_time = request.sample_time,
@@ -216,7 +209,7 @@ Json about(const DeviceProfile& device) {
   return out;
 }
 
-Json about(const Plan& plan) {
+Json about(const TuningPlan& plan) {
   const TuningRequest& r = plan.request;
   Json situations = Json::array(), skipped = Json::array();
   for (const TuningSituation& each : plan.contacts.situations) situations.push_back(about(r, each));
@@ -254,7 +247,7 @@ struct PartOf {
   double times = 1;
 };
 
-std::string part_name(const Plan& plan, const PartOf& part) {
+std::string part_name(const TuningPlan& plan, const PartOf& part) {
   std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
   name += std::string(".") + part.grip->name + "." + name_of(part.axis);
   if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
@@ -274,7 +267,7 @@ bool has_friction(const DeviceProfile& device) {
   return device.friction.value > 0 || device.rotational_friction.value > 0;
 }
 
-StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part) {
+StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf& part) {
   return {part_name(*plan, part), [plan, part](const Stop& stop) {
             const DeviceProfile device = changed(plan->request.device, part);
             const TuningSituation& situation = plan->contacts.situations[part.situation];
@@ -299,17 +292,6 @@ StudyPart study_part(const std::shared_ptr<const Plan>& plan, const PartOf& part
           }};
 }
 
-std::size_t hardest(const Plan& plan) {
-  const auto& situations = plan.contacts.situations;
-  const auto least = std::ranges::min_element(situations, {}, &TuningSituation::theory);
-  return static_cast<std::size_t>(least - situations.begin());
-}
-
-TuningSetup setup_of(const Plan& plan, std::size_t situation, const HandGrip& grip) {
-  return setup_of(plan.request, plan.request.device, plan.contacts.situations[situation], grip,
-                  plan.joint);
-}
-
 /// The share of the largest damping that theory likes best; of equal ones the least.
 double share_of_theory(const TuningSetup& setup, GainAxis axis) {
   double best = 0, most = -1;
@@ -321,7 +303,7 @@ double share_of_theory(const TuningSetup& setup, GainAxis axis) {
   return best;
 }
 
-std::vector<PartOf> parts_of(const Plan& plan) {
+std::vector<PartOf> parts_of(const TuningPlan& plan) {
   std::vector<PartOf> parts;
   const std::vector<GainAxis> axes = axes_of(plan.request);
   for (const GainAxis axis : axes)
@@ -329,13 +311,13 @@ std::vector<PartOf> parts_of(const Plan& plan) {
       for (const HandGrip& grip : hand_grips) {
         const bool alone = axis != axes.front();
         if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
-        std::vector<double> shares = damping_shares(setup_of(plan, i, grip), axis);
+        std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
         if (alone && shares.size() > 1) shares = {0, 0.25, 1};
         parts.push_back({i, &grip, axis, shares});
       }
   // What is recommended is varied, not what each axis could do alone.
   const std::size_t where = hardest(plan);
-  const double share = share_of_theory(setup_of(plan, where, hand_grips[0]), axes.front());
+  const double share = share_of_theory(tuning_setup(plan, where, hand_grips[0]), axes.front());
   for (const ProfileKey& key : profile_keys()) {
     const ProfileValue& value = plan.request.device.*key.value;
     if (!value.assumed || value.value == 0) continue;
@@ -371,12 +353,32 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
   return setup_of(request, request.device, situation, grip);
 }
 
-Study plan_tuning(const TuningRequest& request, const Stop& stop,
-                  const std::function<void(double)>& progress) {
+GainAxis main_axis(const TuningRequest& request) { return axes_of(request).front(); }
+
+TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
+                       const std::function<void(double)>& progress) {
   TuningContacts contacts = tuning_contacts(request, stop, progress);
   const JointGains joint = joint_gains(request, contacts.situations);
-  const auto plan = std::make_shared<Plan>(Plan{request, std::move(contacts), joint});
-  Study study{"tune", about(*plan).dump(), {}};
+  return {request, std::move(contacts), joint};
+}
+
+std::size_t hardest(const TuningPlan& plan) {
+  const auto& situations = plan.contacts.situations;
+  const auto least = std::ranges::min_element(situations, {}, &TuningSituation::theory);
+  return static_cast<std::size_t>(least - situations.begin());
+}
+
+TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip) {
+  return setup_of(plan.request, plan.request.device, plan.contacts.situations[situation], grip,
+                  plan.joint);
+}
+
+std::string tuning_facts(const TuningPlan& plan) { return about(plan).dump(); }
+
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress) {
+  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
+  Study study{"tune", tuning_facts(*plan), {}};
   for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
   return study;
 }

@@ -62,6 +62,24 @@ TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
                          const HandGrip& grip);
 
+/// What the studies of gains begin with.
+struct TuningPlan {
+  TuningRequest request;
+  TuningContacts contacts;
+  JointGains joint = {};  ///< where all gains of the classic coupling are changed together
+};
+/// Looks for the situations. Errors as tuning_contacts.
+TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
+                       const std::function<void(double)>& progress = {});
+/// The gains that are recommended: of the object norm, of the classic coupling together, or of its
+/// translation where the device has no torque.
+GainAxis main_axis(const TuningRequest& request);
+/// The situation whose stiffness theory limits most.
+std::size_t hardest(const TuningPlan& plan);
+TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip);
+/// All that a study of this plan depends on, as JSON (Study::about).
+std::string tuning_facts(const TuningPlan& plan);
+
 /// Looks for the situations and makes the study. Each situation, hand and axis is a part. In the
 /// situation that theory calls the hardest, so is half and twice each assumed value of the profile.
 /// Errors as tuning_contacts.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tuning_options.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "engine/study/tuning/tuning_inputs.hpp"
+
+namespace sonde::app {
+
+void add_flags(CLI::App& parser, TuningOptions& options) {
+  add_scene(parser, options.bodies);
+  parser
+      .add_option("--device", options.device,
+                  "profile to simulate: its id (sigma.7), or the path of its file")
+      ->required();
+  add_flags(parser, options.study);
+  parser.add_option("--trajectory", options.trajectory,
+                    "take the contacts from this path (CSV t,px,py,pz,qw,qx,qy,qz)");
+  parser.add_option("--coupling", options.coupling_mode, "mode to study; without it the scene's")
+      ->check(CLI::IsMember({"object", "classic"}));
+  parser.add_option("--method", options.method, "pdg: all six degrees; pdt: translation only")
+      ->check(CLI::IsMember(method_names))
+      ->capture_default_str();
+  parser.add_option("--seed", options.seed, "seed of the search for contacts")
+      ->check(check_whole)
+      ->capture_default_str();
+}
+
+TuningRequest request_of(const Scene& scene, const TuningOptions& options, const Pair& pair,
+                         const DeviceProfile& device) {
+  TuningRequest request{.pair = pair};
+  request.X_FM = relative_pose(scene);
+  request.coupling = scene.coupling;
+  if (const auto mode = coupling_mode(options.coupling_mode)) request.coupling.mode = *mode;
+  request.method = method_named(options.method).value();
+  request.sample_time = 1 / scene.servo.rate_hz;
+  if (scene.servo.budget.steps > 0) request.budget.steps = scene.servo.budget.steps;
+  request.device = device;
+  if (!options.trajectory.empty()) request.path = path_to_study(options.trajectory);
+  request.seed = options.seed;
+  request.inputs =
+      tuning_inputs(SONDE_VERSION, {scene.probe.mesh, scene.fixed.mesh, options.trajectory},
+                    pair.probe(), pair.fixed());
+  return request;
+}
+
+void note_skipped(const Study& study) {
+  const auto about = nlohmann::json::parse(study.about);
+  for (const auto& each : about.at("skipped"))
+    std::cerr << "sonde: left out: " << each.at("kind").get<std::string>()
+              << " contact: " << each.at("reason").get<std::string>() << "\n";
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/traces_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/error.hpp"
+#include "engine/study/charts/small_multiples.hpp"
+#include "engine/study/stability/hand_course.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double newton_metres_to_milli = 1e3, metres_to_milli = 1e3;
+
+/// One part as read.
+struct Trace {
+  std::string course;
+  double stiffness = 0, damping = 0;
+  double force = 0, overshoot = 0, energy = 0, chatter = 0;
+  int failures = 0;
+  std::optional<double> settling_time;
+  std::vector<std::array<double, 8>> samples;  ///< t, fx, fy, fz, tx, ty, tz, depth
+};
+
+Trace trace_in(const std::string& text) {
+  const Json json = Json::parse(text);
+  Trace out;
+  out.course = json.at("course").get<std::string>();
+  const std::pair<const char*, double*> numbers[] = {
+      {"stiffness", &out.stiffness}, {"damping", &out.damping}, {"force", &out.force},
+      {"overshoot", &out.overshoot}, {"energy", &out.energy},   {"chatter", &out.chatter}};
+  for (const auto& [key, to] : numbers) *to = json.at(key).get<double>();
+  out.failures = json.at("failures").get<int>();
+  const Json& settling = json.at("settling_time");
+  if (!settling.is_null()) out.settling_time = settling.get<double>();
+  out.samples = json.at("samples").get<std::vector<std::array<double, 8>>>();
+  return out;
+}
+
+std::vector<Trace> traces_in(const std::string& folder, const StudyFolder& study) {
+  std::vector<Trace> out;
+  for (std::size_t i = 0; i < study.names.size(); ++i) {
+    if (!study.results[i])
+      throw InputError::in(folder, "the part " + study.names[i] + " is missing");
+    try {
+      out.push_back(trace_in(*study.results[i]));
+    } catch (const nlohmann::json::exception&) {
+      throw InputError::in(folder, "the part " + study.names[i] + " was not written by a study");
+    }
+  }
+  return out;
+}
+
+std::string table(const std::vector<Trace>& traces) {
+  std::string out = "course,k,b,t,fx,fy,fz,tx,ty,tz,depth\n";
+  for (const Trace& trace : traces) {
+    const std::string head =
+        trace.course + "," + number_text(trace.stiffness) + "," + number_text(trace.damping);
+    for (const auto& sample : trace.samples) {
+      out += head;
+      for (const double value : sample) out.append(1, ',').append(number_text(value));
+      out += "\n";
+    }
+  }
+  return out;
+}
+
+std::string summary_table(const std::vector<Trace>& traces) {
+  std::string out = "course,k,b,force,settling_time,overshoot,energy,chatter,failures\n";
+  for (const Trace& t : traces)
+    out += t.course + "," + number_text(t.stiffness) + "," + number_text(t.damping) + "," +
+           number_text(t.force) + "," + (t.settling_time ? number_text(*t.settling_time) : "") +
+           "," + number_text(t.overshoot) + "," + number_text(t.energy) + "," +
+           number_text(t.chatter) + "," + std::to_string(t.failures) + "\n";
+  return out;
+}
+
+/// Three digits, without an exponent where a person would write none.
+std::string short_text(double value) {
+  return number_text(parse_number(number_text(value, 3)).value_or(value));
+}
+
+bool buzzes(const Trace& t) { return t.chatter > chatter_limit; }
+
+/// What the figures say, in short.
+std::string note(const Trace& t) {
+  if (t.failures > 0) return std::to_string(t.failures) + " ticks without an answer";
+  if (!(t.force > 0)) return "out of contact";
+  const std::string over = short_text(std::round(1000 * t.overshoot) / 10) + " % over";
+  if (buzzes(t)) return "buzzes, " + over;
+  if (!t.settling_time) return "does not settle, " + over;
+  return "settles in " + short_text(1e3 * *t.settling_time) + " ms, " + over;
+}
+
+std::string summary_page(const Json& about, const std::vector<Trace>& traces) {
+  std::string out = "A " + about.at("situation").get<std::string>() + " contact on " +
+                    about.at("device").at("name").get<std::string>() + ".";
+  if (!about.at("theory_stable").is_null())
+    out += " Theory allows k = " + short_text(about.at("theory_stable").get<double>()) +
+           " N/m without damping.";
+  out +=
+      "\n\n| course | k, N/m | b, N·s/m | force, N | what it does | energy to the hand, mJ |\n"
+      "|---|---:|---:|---:|---|---:|\n";
+  for (const Trace& t : traces)
+    out += "| " + t.course + " | " + short_text(t.stiffness) + " | " + short_text(t.damping) +
+           " | " + short_text(t.force) + " | " + note(t) + " | " + short_text(1e3 * t.energy) +
+           " |\n";
+  return out;
+}
+
+ChartTableCell cell_of(const Trace& trace) {
+  ChartTableCell cell{
+      {}, std::vector<std::vector<double>>(3), note(trace), buzzes(trace) || trace.failures > 0};
+  for (const auto& s : trace.samples) {
+    cell.x.push_back(s[0]);
+    cell.y[0].push_back(Vec3(s[1], s[2], s[3]).norm());
+    cell.y[1].push_back(newton_metres_to_milli * Vec3(s[4], s[5], s[6]).norm());
+    cell.y[2].push_back(metres_to_milli * s[7]);
+  }
+  return cell;
+}
+
+SmallMultiples empty_picture(const Json& about, const std::vector<double>& stiffness) {
+  SmallMultiples out{.title = about.at("device").at("name").get<std::string>() + ", " +
+                              about.at("situation").get<std::string>() + " contact",
+                     .x_label = "time, s",
+                     .quantities = {{"force, N"}, {"torque, mN·m"}, {"depth, mm"}}};
+  for (const double k : stiffness) out.rows.push_back("k = " + short_text(k) + " N/m");
+  return out;
+}
+
+/// Parts come by course, then by stiffness, then by damping.
+std::vector<StudyFile> pictures(const Json& about, const std::vector<Trace>& traces) {
+  const auto stiffness = about.at("stiffness").get<std::vector<double>>();
+  const auto damping = about.at("damping").get<std::vector<double>>();
+  const std::size_t each = stiffness.size() * damping.size();
+  std::vector<StudyFile> out;
+  if (damping.size() == 1) {
+    SmallMultiples all = empty_picture(about, stiffness);
+    for (const HandCourse course : all_hand_courses) all.columns.emplace_back(name_of(course));
+    for (std::size_t k = 0; k < stiffness.size(); ++k)
+      for (std::size_t course = 0; course < all.columns.size(); ++course)
+        all.cells.push_back(cell_of(traces.at(course * each + k)));
+    return {{"traces.svg", to_svg(all)}};
+  }
+  for (std::size_t course = 0; course < std::size(all_hand_courses); ++course) {
+    const std::string name = name_of(all_hand_courses[course]);
+    SmallMultiples one = empty_picture(about, stiffness);
+    one.title += ", " + name;
+    for (const double b : damping) one.columns.push_back("b = " + short_text(b) + " N·s/m");
+    for (std::size_t i = 0; i < each; ++i)
+      one.cells.push_back(cell_of(traces.at(course * each + i)));
+    out.push_back({"traces-" + name + ".svg", to_svg(one)});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<StudyFile> traces_files(const std::string& folder, const StudyFolder& study) {
+  const std::vector<Trace> traces = traces_in(folder, study);
+  const Json about = Json::parse(study.about);
+  std::vector<StudyFile> out{{"traces.csv", table(traces)},
+                             {"summary.csv", summary_table(traces)},
+                             {"summary.md", summary_page(about, traces)}};
+  for (StudyFile& picture : pictures(about, traces)) out.push_back(std::move(picture));
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/study/parts/study_parts.hpp"
+
+namespace sonde {
+
+/// The final files of `sonde traces`, from its parts alone: `traces.csv`, `summary.csv`,
+/// `summary.md`, and pictures: `traces.svg` (a row for each stiffness, a column for each course),
+/// or where there are several dampings a picture for each course, `traces-COURSE.svg`, with a
+/// column for each damping. Errors as tuning_files.
+std::vector<StudyFile> traces_files(const std::string& folder, const StudyFolder& study);
+
+}  // namespace sonde
