@@ -35,9 +35,9 @@ TEST_F(Traces, shards_are_merged_into_the_same_files) {
 
 TEST_F(Traces, bad_gains_are_refused_before_any_work) {
   for (const char* k : {"0", "-1", "nan", "200,x", "1e400"})
-    EXPECT_EQ(sonde(std::string("traces boxes.sonde.json --device sigma.7 --out o --k=") + k)
-                  .exit_code,
-              2)
+    EXPECT_EQ(
+        sonde(std::string("traces boxes.sonde.json --device sigma.7 --out o --k=") + k).exit_code,
+        2)
         << k;
   expect_refused("traces boxes.sonde.json --device sigma.7 --out o --b 1", 2, "no damping");
   expect_refused("traces boxes.sonde.json --device none.7 --out o", 3, "none.7");
