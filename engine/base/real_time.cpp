@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <thread>
 
 namespace sonde {
@@ -33,10 +34,12 @@ const char* scheduling_words(int error) {
   }
 }
 
-const char* memory_words(int error) {
+const char* memory_words(int error, bool later) {
   switch (error) {
     case 0:
-      return "memory locked";
+      return later ? "memory locked"
+                   : "memory locked, but not what comes later (a memlock limit of unlimited in "
+                     "/etc/security/limits.conf would allow it)";
     case EPERM:
     case ENOMEM:
     case EAGAIN:
@@ -47,18 +50,53 @@ const char* memory_words(int error) {
   }
 }
 
+/// Pages that come later stay once they are there. Where there is a limit it is not asked for: an
+/// allocation beyond it would fail.
+bool lock_what_comes() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;
+  return mlockall(MCL_FUTURE | MCL_ONFAULT) == 0;
+}
+
 }  // namespace
+
+void touch_stack() noexcept {
+  constexpr std::size_t bytes = 256 * 1024, page = 4096;
+  volatile char pages[bytes];
+  for (std::size_t i = 0; i < bytes; i += page) pages[i] = 0;
+  static_cast<void>(pages[0]);
+}
+
+int processor_for(LoopThread thread, const int* allowed, int count) noexcept {
+  if (count <= 2) return -1;
+  return allowed[thread == LoopThread::servo ? count - 1 : count - 2];
+}
+
+const char* request_processor(LoopThread thread) noexcept {
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) != 0) return "processor: the system does not say";
+  int allowed[CPU_SETSIZE], count = 0;
+  for (int i = 0; i < CPU_SETSIZE; ++i)
+    if (CPU_ISSET(i, &set)) allowed[count++] = i;
+  const int processor = processor_for(thread, allowed, count);
+  if (processor < 0) return "shares its processor: there are not more than two";
+  CPU_ZERO(&set);
+  CPU_SET(processor, &set);
+  return sched_setaffinity(0, sizeof set, &set) == 0 ? "a processor of its own"
+                                                     : "shares its processor: the system refused";
+}
 
 void name_thread(const char* name) noexcept { pthread_setname_np(pthread_self(), name); }
 
 RealTime request_real_time() noexcept {
   const int scheduling = schedule(SCHED_FIFO, priority);
-  // What is mapped later is not asked for: where the limit is low, every allocation would fail.
   const int memory = mlockall(MCL_CURRENT) == 0 ? 0 : errno;
+  const bool later = memory == 0 && lock_what_comes();
   return {.scheduled = scheduling == 0,
           .locked = memory == 0,
           .scheduling = scheduling_words(scheduling),
-          .memory = memory_words(memory)};
+          .memory = memory_words(memory, later),
+          .processor = request_processor(LoopThread::servo)};
 }
 
 bool request_precedence() noexcept {

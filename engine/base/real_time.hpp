@@ -6,11 +6,27 @@ namespace sonde {
 /// The scheduling that the system granted to a loop with deadlines.
 struct RealTime {
   bool scheduled = false;  ///< this thread runs before all ordinary ones (SCHED_FIFO)
-  bool locked = false;     ///< no memory of the process is paged out (mlockall)
+  /// No memory of the process is paged out (mlockall): what there is, and where the limit on locked
+  /// memory allows, what comes later too.
+  bool locked = false;
   /// Static text: what was granted, or why not and what would permit it. "": not requested.
   const char* scheduling = "";
   const char* memory = "";
+  const char* processor = "";
 };
+
+/// What a loop with deadlines is made of, for request_processor().
+enum class LoopThread { servo, geometry };
+
+/// The processor that a thread of the loop has to itself, of those that the process may use: the
+/// last, and the one before. None (-1) where there are not more than two: the others need one.
+int processor_for(LoopThread thread, const int* allowed, int count) noexcept;
+/// Binds the calling thread to it. Static text: what was done, or why not.
+const char* request_processor(LoopThread thread) noexcept;
+
+/// Touches the pages of the calling thread's stack that a tick may need, so that none is missing
+/// when it does.
+void touch_stack() noexcept;
 
 /// The calling thread's name in the system's tools (top -H); up to 15 letters.
 void name_thread(const char* name) noexcept;

@@ -15,6 +15,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/real_time.hpp"
 #include "engine/base/triple_buffer.hpp"
+#include "engine/base/wakeful_processors.hpp"
 #include "engine/devices/connection.hpp"
 
 namespace sonde {
@@ -189,7 +190,7 @@ std::optional<Connection> InputDevice::State::find() {
       status.path = info.path;
       status.port = info.port;
       status.capabilities = connection.capabilities();
-      status.scheduling = "";
+      status.scheduling = status.wakefulness = "";
       ++status.connections;
       return connection;
     } catch (const InputError& error) {
@@ -219,6 +220,8 @@ void InputDevice::State::serve(Connection& connection) {
   // Looking for devices has no end that is known, and is left to ordinary times.
   const Promptness prompt(in_the_loop);
   status.scheduling = prompt.words();
+  const WakefulProcessors awake(in_the_loop);
+  status.wakefulness = awake.words();
   publish_status();
   bool there = true;
   while (there && !should_stop())

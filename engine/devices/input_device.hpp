@@ -39,6 +39,8 @@ struct DeviceStatus {
   /// Static text: why the thread that reads it has ordinary priority, though it is in the loop of
   /// forces; "" where it has a higher one, or needs none.
   const char* scheduling = "";
+  /// Of a force device: what keeps the processors from sleeping deeply, or why nothing does.
+  const char* wakefulness = "";
 };
 
 /// A 6-DoF device of any kind: pose or deflections in, wrench out. Its own thread looks for the

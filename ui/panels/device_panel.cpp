@@ -64,6 +64,7 @@ QString words_of(const DeviceStatus& status) {
   if (!status.path.empty()) lines << text(status.path) + ": " + capabilities(status.capabilities);
   if (!status.reason.empty()) lines << text(status.reason);
   if (*status.scheduling != 0) lines << "Its thread has " + text(status.scheduling);
+  if (*status.wakefulness != 0) lines << "While it runs, " + text(status.wakefulness);
   return lines.join(QStringLiteral("\n"));
 }
 
@@ -218,6 +219,12 @@ void DevicePanel::build_loop(QVBoxLayout& layout) {
   dissipated_ =
       number(*form, "taken out", "energy_dissipated", "By the passivity control, since the start.");
   box->addWidget(numbers);
+  real_time_ = new QLabel(group);
+  real_time_->setObjectName(QStringLiteral("real_time"));
+  real_time_->setWordWrap(true);
+  real_time_->setForegroundRole(QPalette::PlaceholderText);
+  real_time_->setToolTip(QStringLiteral("What the system grants to the thread of the loop"));
+  box->addWidget(real_time_);
   layout.addWidget(group);
 }
 
@@ -308,6 +315,15 @@ void DevicePanel::show_servo(const ServoSettings& servo) {
   const QSignalBlocker quiet(passivity_);
   passivity_->setChecked(servo.passivity.control);
   if (rate_row_->value() != servo.rate_hz) rate_row_->set_value(servo.rate_hz);
+}
+
+void DevicePanel::show_real_time(const RealTime& granted) {
+  QStringList lines;
+  for (const char* words : {granted.scheduling, granted.memory, granted.processor})
+    if (*words != 0) lines << text(words);
+  const QString all =
+      lines.isEmpty() ? QString() : QStringLiteral("The loop has: %1.").arg(lines.join("; "));
+  if (real_time_->text() != all) real_time_->setText(all);
 }
 
 void DevicePanel::show_energy(const HandEnergy& energy) {

@@ -35,6 +35,8 @@ class DevicePanel : public QDockWidget {
   void show_report(const InputSource& source, const SourceReport& report);
   /// How the loop runs now.
   void show_servo(const ServoSettings& servo);
+  /// What the system granted to the loop.
+  void show_real_time(const RealTime& granted);
   void show_energy(const HandEnergy& energy);
 
   std::function<void(const InputSource&)> chosen;
@@ -65,7 +67,7 @@ class DevicePanel : public QDockWidget {
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;
   QCheckBox *led_, *passivity_;
-  QLabel *given_, *excess_, *dissipated_;
+  QLabel *given_, *excess_, *dissipated_, *real_time_;
   SliderRow* rate_row_;
   std::vector<SliderRow*> rows_, axis_rows_;
   AxisTable* axes_;

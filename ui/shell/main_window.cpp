@@ -297,6 +297,7 @@ void MainWindow::show_device() {
   device_panel_->show_choices(devices_->choices(), source);
   device_panel_->show_report(source, report);
   device_panel_->show_energy(shown_ ? shown_->hand.energy : HandEnergy{});
+  device_panel_->show_real_time(session() ? session()->timing().real_time : RealTime{});
   status_.show_source(source, report);
 }
 

@@ -25,7 +25,8 @@ QString timing_text(const ServoTiming& timing) {
   lines << QStringLiteral("late: %1 of %2 ticks").arg(timing.late).arg(timing.ticks);
   lines << QStringLiteral("in step: %1 %")
                .arg(100.0 * double(timing.in_step) / double(timing.ticks), 0, 'f', 1);
-  for (const char* words : {timing.real_time.scheduling, timing.real_time.memory})
+  for (const char* words :
+       {timing.real_time.scheduling, timing.real_time.memory, timing.real_time.processor})
     if (*words != 0) lines << QString::fromUtf8(words);
   return lines.join(QLatin1Char('\n'));
 }

@@ -52,7 +52,11 @@ const LocalContacts& GeometryThread::newest() noexcept {
 
 void GeometryThread::run() noexcept {
   name_thread("sonde-geometry");
-  if (real_time_) request_precedence();
+  touch_stack();
+  if (real_time_) {
+    request_precedence();
+    request_processor(LoopThread::geometry);
+  }
   std::int32_t seen = 0;
   for (;;) {
     asked_.wait(seen, std::memory_order_acquire);

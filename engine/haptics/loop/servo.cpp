@@ -103,6 +103,7 @@ class Servo::State::Run {
 
   void go() noexcept {
     name_thread("sonde-servo");
+    touch_stack();
     if (s_.settings.real_time) timing_.real_time = request_real_time();
     schedule_.due = start_ = monotonic_now();
     while (s_.wait_for(schedule_.due)) {

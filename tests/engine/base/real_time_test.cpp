@@ -8,8 +8,10 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <fstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace sonde {
 namespace {
@@ -26,15 +28,58 @@ TEST(RealTime, what_is_said_is_what_was_granted) {
   munlockall();
   EXPECT_EQ(got.scheduled, policy == SCHED_FIFO);
   EXPECT_EQ(got.scheduled, std::string(got.scheduling) == "real-time scheduling");
-  EXPECT_EQ(got.locked, std::string(got.memory) == "memory locked");
+  EXPECT_EQ(got.locked, std::string(got.memory).starts_with("memory locked"));
   EXPECT_EQ(!got.scheduled, std::string(got.scheduling).starts_with("no real-time"));
   EXPECT_EQ(!got.locked, std::string(got.memory).starts_with("memory not locked"));
+}
+
+/// The reference is the kernel's own count of what is locked.
+TEST(RealTime, where_it_says_so_what_comes_later_is_locked_too) {
+  RealTime got;
+  std::thread([&] { got = request_real_time(); }).join();
+  const auto locked = [] {
+    std::ifstream in("/proc/self/status");
+    double kilobytes = 0;
+    for (std::string word; in >> word;)
+      if (word == "VmLck:") in >> kilobytes;
+    return kilobytes;
+  };
+  const double before = locked();
+  std::vector<char> later(32 << 20, 1);
+  const bool grew = locked() - before > 30'000;
+  munlockall();
+  EXPECT_EQ(grew, std::string(got.memory) == "memory locked") << got.memory;
+}
+
+TEST(RealTime, each_thread_of_the_loop_has_a_processor_where_there_are_more_than_two) {
+  const int allowed[] = {0, 2, 3, 7};
+  EXPECT_EQ(processor_for(LoopThread::servo, allowed, 4), 7);
+  EXPECT_EQ(processor_for(LoopThread::geometry, allowed, 4), 3);
+  EXPECT_EQ(processor_for(LoopThread::servo, allowed, 3), 3);
+  for (const LoopThread thread : {LoopThread::servo, LoopThread::geometry})
+    for (const int count : {1, 2}) EXPECT_EQ(processor_for(thread, allowed, count), -1);
+}
+
+TEST(RealTime, the_processor_is_as_it_says) {
+  cpu_set_t all, mine;
+  sched_getaffinity(0, sizeof all, &all);
+  std::string words;
+  std::thread([&] {
+    words = request_processor(LoopThread::servo);
+    sched_getaffinity(0, sizeof mine, &mine);
+  }).join();
+  const bool own = CPU_COUNT(&mine) == 1 && CPU_COUNT(&all) > 2;
+  EXPECT_EQ(own, words == "a processor of its own") << words;
+  if (!own) {
+    EXPECT_TRUE(CPU_EQUAL(&mine, &all));
+  }
 }
 
 TEST(RealTime, nothing_is_said_where_nothing_was_asked) {
   const RealTime none;
   EXPECT_STREQ(none.scheduling, "");
   EXPECT_STREQ(none.memory, "");
+  EXPECT_STREQ(none.processor, "");
 }
 
 TEST(RealTime, promptness_is_between_precedence_and_deadlines_and_ends) {
