@@ -135,6 +135,19 @@ TEST_F(Compare, interrupted_it_leaves_nothing_half_written_and_goes_on_later) {
   EXPECT_EQ(files("c"), files("whole"));
 }
 
+TEST_F(Compare, two_at_once_in_one_folder_make_one_whole_study) {
+  write_long_path(4000);
+  const std::vector<std::string> arguments{
+      "compare", "boxes.sonde.json", "--trajectory", "long.csv", "--out", "c", "--quiet"};
+  for (const pid_t child : {start(arguments), start(arguments)}) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  }
+  expect_done(boxes + "--trajectory long.csv --out whole");
+  EXPECT_EQ(files("c"), files("whole"));
+}
+
 // As the manual shows it; the second shard is killed on its way and started again with the others.
 TEST_F(Compare, under_gnu_parallel_with_a_shard_killed_and_started_again) {
   write_long_path(20000);

@@ -216,6 +216,12 @@ void DocumentControl::keep_for_recovery() {
   if (text != kept_ && recovery_.keep(for_recovery())) kept_ = text;
 }
 
+void DocumentControl::leave_to_recovery() {
+  if (!document_.empty() && view_.session() && text_for_recovery() != kept_)
+    recovery_.keep_now(for_recovery());
+  recovery_.leave();
+}
+
 bool DocumentControl::offer_recovery() {
   for (const std::filesystem::path& file : recovery_.left_over()) try {
       const Recovered found = recovered_from(file);

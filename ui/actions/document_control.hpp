@@ -58,6 +58,8 @@ class DocumentControl : public QObject {
   /// Offers the document that a program that died has left. False: there is none, or the user does
   /// not want it now.
   bool offer_recovery();
+  /// What is not saved stays for the next program, which offers it: for an end without questions.
+  void leave_to_recovery();
 
   // Commands.
   void start_from_here();

@@ -134,6 +134,11 @@ void Recovery::clear() {
   lock_.reset();  // takes its file away
 }
 
+void Recovery::leave() {
+  if (writing_.valid()) writing_.wait();
+  lock_.reset();
+}
+
 std::vector<fs::path> Recovery::left_over() const {
   std::vector<fs::path> found;
   std::error_code none;

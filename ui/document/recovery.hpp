@@ -43,6 +43,8 @@ class Recovery {
   bool keep_now(const Recovered& recovered);
   /// Removes the copy: there is nothing to keep.
   void clear();
+  /// The copy stays for the next program, as it does where this one is killed.
+  void leave();
   /// The files of programs that have died, the newest first.
   std::vector<std::filesystem::path> left_over() const;
   /// Removes a file that was recovered, or is not wanted.

@@ -19,13 +19,14 @@
 #include "ui/devices/device_control.hpp"
 #include "ui/shell/arguments.hpp"
 #include "ui/shell/demo.hpp"
+#include "ui/shell/end_signals.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/views/viewport.hpp"
 
 namespace sonde::ui {
 namespace {
 
-constexpr int wrong_usage = 2, bad_input = 3, our_fault = 4;
+constexpr int wrong_usage = 2, bad_input = 3, our_fault = 4, interrupted = 130;
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -165,6 +166,10 @@ int run(int argc, char** argv) {
   QApplication::setApplicationDisplayName(QStringLiteral("Sonde"));  // in the titles of dialogs
   apply_theme(application, chosen_theme());
   MainWindow window;
+  when_told_to_end(&window, [&window] {
+    window.documents().leave_to_recovery();
+    QApplication::exit(interrupted);
+  });
   const auto ask = std::exchange(window.prompts().report_error, say);
   if (const auto code = choose_device(window, parsed.arguments)) return *code;
   window.prompts().report_error = ask;

@@ -98,6 +98,34 @@ TEST_F(Program, a_home_that_takes_nothing_is_not_needed) {
   EXPECT_FALSE(QImage(QString::fromStdString((folder / "shown.png").string())).isNull());
 }
 
+/// The settings that the window keeps, as a disk or a stranger's hand may leave them.
+TEST_F(Program, settings_that_are_damaged_do_not_keep_it_from_opening) {
+  const std::string nulls(300, '\0');
+  const std::string cases[] = {
+      "rubbish without end",
+      nulls,
+      "\xff\xfe[General\n=\n[[[]\ntheme",
+      "[General]\ngeometry=@ByteArray(\\x1\\xd9\\xd0\\xcb\\xff\\xff\\xff\\xff\\xff\\xff)\n"
+      "docks=@ByteArray(\\0\\0\\0\\xff\\xff\\xff\\xff\\xff\\xff)\ntheme=-99999999999999999999\n",
+      "[General]\ngeometry=@Variant(\\0\\0\\0\\x7f)\ndocks=7\ntheme=@Point(1 2)\nrecent=@Size(1 "
+      "1)\n"
+      "last_folder=@Invalid()\n",
+      "[General]\ntheme=99\nrecent=\\x1, , /no/such/scene.sonde.json, \"\"\n",
+  };
+  std::filesystem::create_directories(folder / "sonde");
+  for (const std::string& text : cases) {
+    folder.write("sonde/sonde-view.conf", text);
+    const Outcome shown = run("--screenshot shown.png");
+    EXPECT_EQ(shown.exit_code, 0) << text << ": " << shown.err;
+    EXPECT_GT(lit_share(QImage(QString::fromStdString((folder / "shown.png").string()))), 0.05)
+        << text;
+    std::filesystem::remove(folder / "shown.png");
+  }
+  std::filesystem::remove_all(folder / "sonde/sonde-view.conf");
+  std::filesystem::create_directories(folder / "sonde/sonde-view.conf");
+  EXPECT_EQ(run("--screenshot shown.png").exit_code, 0) << "a folder of that name";
+}
+
 TEST_F(Program, no_display_is_said) {
   const Outcome none = run("", "DISPLAY= WAYLAND_DISPLAY=");
   EXPECT_EQ(none.exit_code, 4);
