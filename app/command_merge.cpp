@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
+#include "app/trade_folder.hpp"
 #include "engine/base/error.hpp"
 #include "engine/study/comparison/compare_report.hpp"
 #include "engine/study/parts/merge_study.hpp"
@@ -26,17 +28,26 @@ StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
   throw InputError::in(folder, "holds a study of an unknown kind: " + study.kind);
 }
 
+void merge(const std::vector<std::string>& given, const std::string& out) {
+  std::vector<std::filesystem::path> folders(given.begin(), given.end());
+  // Parts that are there already would be kept: they must be the same.
+  const std::filesystem::path there(out);
+  const auto is_out = [&](const std::filesystem::path& folder) { return folder == there; };
+  if (std::filesystem::exists(there / "study.json") && std::ranges::none_of(folders, is_out))
+    folders.push_back(there);
+  const StudyFolder whole = merge_studies(folders);
+  const StudyFiles join = files_of(whole, given.front());
+  join(given.front(), whole);  // what cannot be read is found before anything is written
+  write_study(out, whole);
+  join_study(out, join);
+}
+
 void run(const MergeOptions& options) {
   check_output(options.study);
-  std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
-  // Parts that are there already would be kept: they must be the same.
-  if (std::filesystem::exists(std::filesystem::path(options.study.out) / "study.json"))
-    folders.emplace_back(options.study.out);
-  const StudyFolder whole = merge_studies(folders);
-  const StudyFiles join = files_of(whole, options.folders.front());
-  join(options.folders.front(), whole);  // what cannot be read is found before anything is written
-  write_study(options.study.out, whole);
-  join_study(options.study.out, join);
+  if (holds_studies(options.folders.front()))
+    merge_fronts(options.folders, options.study.out, merge);
+  else
+    merge(options.folders, options.study.out);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "engine/recording/recording.hpp"
 #include "engine/recording/recording_writer.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/text/number_text.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/printable.hpp"
 
@@ -226,6 +227,19 @@ Job job_for(const ReplayOptions& options) {
   return job;
 }
 
+/// The command line's, or else the accuracy that the scene wants of its ticks.
+AccuracyOptions knob_of(const ReplayOptions& options, const Scene& scene) {
+  AccuracyOptions knob = options.accuracy;
+  const Budget& given = options.solver.budget;
+  const bool limited =
+      knob.turned() || given.steps > 0 || given.microseconds > 0 || scene.servo.budget.steps > 0;
+  // What a recording's loop wanted is no wish for running it again.
+  if (!limited && options.solver.coherent() && !is_recording(options.bodies.scene) &&
+      scene.servo.accuracy > 0)
+    knob.accuracy = number_text(scene.servo.accuracy);
+  return knob;
+}
+
 void check_record(const ReplayOptions& options, const Job& job) {
   if (options.record.empty()) return;
   check_output("--record", options.record, job.inputs);
@@ -240,15 +254,15 @@ void run(const ReplayOptions& options) {
   if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
   const Scene& scene = job.scene;
-  Accuracy accuracy(options.accuracy, options.solver);
+  const AccuracyOptions knob = knob_of(options, scene);
+  Accuracy accuracy(knob, options.solver);
   check_output(options.output, job.inputs);
   check_record(options, job);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
   SolverOptions solver = options.solver;
-  if (solver.budget.steps == 0 && !options.accuracy.turned())
-    solver.budget.steps = scene.servo.budget.steps;
+  if (solver.budget.steps == 0 && !knob.turned()) solver.budget.steps = scene.servo.budget.steps;
 
   ProgressLine progress(options.output.quiet);
   RecordingHeader header;

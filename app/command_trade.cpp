@@ -5,12 +5,14 @@
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/study_run.hpp"
+#include "app/trade_folder.hpp"
 #include "engine/base/error.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/penetration/search/search_variation.hpp"
 #include "engine/study/parts/overlapping_poses.hpp"
 #include "engine/study/trade/calibrate.hpp"
 #include "engine/study/trade/trade.hpp"
+#include "engine/study/trade/trade_chart.hpp"
 #include "engine/study/trade/trade_report.hpp"
 #include "engine/text/output_file.hpp"
 
@@ -25,6 +27,7 @@ struct TradeOptions {
   std::string poses;
   std::string trajectory;
   std::vector<std::string> variations;
+  std::string series;
   std::optional<std::size_t> count;
   std::uint64_t seed = 1;
 };
@@ -58,10 +61,16 @@ void write_calibration(const TradeOptions& options, const TradeSetup& setup) {
   write_whole(std::filesystem::path(options.study.out) / "calibration.json", to_json(measured));
 }
 
-void run(const TradeOptions& options) {
-  if (options.calibrate && !options.study.shard.empty())
-    throw UsageError("--calibrate measures this machine: leave out --shard");
-  check_output(options.study);
+/// The picture again, with the answers of others in it.
+void draw_series(const TradeOptions& options) {
+  const std::string& folder = options.study.out;
+  const TradeResults results = read_trade(folder, read_study(folder));
+  const auto others = read_trade_series(options.series, results);
+  write_whole(std::filesystem::path(folder) / "trade.svg",
+              trade_picture(results, trade_figures(results), others));
+}
+
+void run_pair(const TradeOptions& options) {
   Scene scene = scene_of(options.bodies);
   if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
   std::vector<TimedPose> path;
@@ -84,6 +93,33 @@ void run(const TradeOptions& options) {
   progress.clear();
   run_study(study, options.study, trade_files);
   if (options.calibrate) write_calibration(options, setup);
+  if (!options.series.empty()) draw_series(options);
+}
+
+/// Each scene of a folder into a folder of its own, and the front over all of them.
+void run_folder(const TradeOptions& options) {
+  if (!options.poses.empty() || !options.trajectory.empty() || !options.series.empty())
+    throw UsageError("--poses, --trajectory and --series are of one pair: give a scene");
+  const std::filesystem::path out(options.study.out);
+  std::vector<std::string> names;
+  for (const auto& scene : scenes_in(options.bodies.scene)) {
+    names.push_back(folder_name(scene));
+    TradeOptions one = options;
+    one.bodies.scene = scene.string();
+    one.study.out = (out / names.back()).string();
+    run_pair(one);
+  }
+  if (options.study.shard.empty()) write_front(out, names);
+}
+
+void run(const TradeOptions& options) {
+  if (!options.study.shard.empty() && (options.calibrate || !options.series.empty()))
+    throw UsageError("--calibrate and --series are for a whole study: leave out --shard");
+  check_output(options.study);
+  if (std::filesystem::is_directory(options.bodies.scene))
+    run_folder(options);
+  else
+    run_pair(options);
   print_summary(options.study, options.json);
 }
 
@@ -118,7 +154,11 @@ Command add_trade_command(CLI::App& program) {
       ->add_option("--count", options->count,
                    "poses to search at, evenly chosen; without it 24, or all of --poses")
       ->check(check_count);
+  parser->get_option("SCENE")->description(
+      "scene file, NAME.sonde.json; or a folder of them, for the front over all");
   add_flags(*parser, options->study);
+  parser->add_option("--series", options->series,
+                     "draw another program's answers too (CSV series,pose,depth,time_us)");
   parser->add_flag("--calibrate", options->calibrate,
                    "also measure which accuracy takes which time here: calibration.json");
   parser

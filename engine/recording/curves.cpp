@@ -25,6 +25,7 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
           tick.wrench.force.z(),
           tick.wrench.torque.norm(),
           tick.tick_us,
+          tick.hand.rows.refresh_us,
           tick.hand.rows.age,
           tick.hand.energy.given};
 }

@@ -25,10 +25,11 @@ enum class Curve {
   force_z,
   torque,   ///< N·m, |τ|
   tick_us,  ///< µs, time of the tick
+  rows_us,  ///< µs, time that the geometry took for the tick's contact rows
   age,      ///< s, of the contact rows
   energy,   ///< J, net work on the hand
 };
-constexpr std::size_t curve_count = 12;
+constexpr std::size_t curve_count = 13;
 
 struct CurvePoint {
   double time = 0;  ///< s

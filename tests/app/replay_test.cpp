@@ -102,6 +102,20 @@ TEST_F(Replay, phases_are_columns_of_their_own_and_change_no_answer) {
   EXPECT_EQ(phases.text(last, "limited"), "0");
 }
 
+TEST_F(Replay, the_scenes_wanted_accuracy_acts_unless_a_budget_is_given) {
+  const std::string bodies = R"({"probe": {"mesh": "small.off"}, "fixed": {"mesh": "large.off"},
+                     "trajectory": "path.csv", "servo": )";
+  folder.write("wanted.sonde.json", bodies + R"({"accuracy": 0.01}})");
+  folder.write("counted.sonde.json", bodies + R"({"accuracy": 0.01, "budget_steps": 9}})");
+  const Csv wanted = replay("wanted.sonde.json");
+  EXPECT_EQ(wanted.header, std::string(header) + ",within,claim");
+  EXPECT_EQ(wanted.text(last, "claim"), "expected");
+  EXPECT_LE(wanted.number(last, "within"), 0.01 * (1 + 1e-9));
+  EXPECT_EQ(replay("wanted.sonde.json --budget-us 1000").header, header);
+  EXPECT_EQ(replay("wanted.sonde.json --budget-steps 9").header, header);
+  EXPECT_EQ(replay("counted.sonde.json").header, header);
+}
+
 TEST_F(Replay, json_has_units) {
   const json result = json::parse(sonde("replay --json boxes.sonde.json").out);
   EXPECT_EQ(result.at("units").at("fx"), "N");

@@ -181,5 +181,43 @@ TEST_F(Trade, under_gnu_parallel_with_a_shard_killed_and_started_again) {
   EXPECT_EQ(but_for_times("joined"), but_for_times("whole"));
 }
 
+/// Reference: each scene's own study, which is the one without a folder.
+TEST_F(Trade, a_folder_of_scenes_has_a_front_and_is_joined_from_shards) {
+  fs::create_directory(folder / "pairs");
+  for (const char* name : {"one", "two"})
+    folder.write(std::string("pairs/") + name + ".sonde.json",
+                 R"({"probe": {"mesh": "../small.off"}, "fixed": {"mesh": "../large.off"},
+                     "trajectory": "../path.csv"})");
+  const std::string pairs = "trade pairs --count 2 ";
+  ASSERT_EQ(sonde(pairs + "--out whole").exit_code, 0);
+  const auto whole = but_for_times("whole");
+  for (const char* name :
+       {"front.svg", "pairs.csv", "summary.json", "one/trade.svg", "two/poses.csv"})
+    EXPECT_TRUE(whole.contains(name)) << name;
+  const Csv rows(text_of(folder / "whole/pairs.csv"));
+  EXPECT_EQ(rows.text(0, "pair"), "one");
+  EXPECT_EQ(rows.text(rows.rows.size() - 1, "pair"), "two");
+  expect_done(pairs + "--shard 1/2 --out a --quiet");
+  EXPECT_FALSE(fs::exists(folder / "a/front.svg"));
+  expect_done(pairs + "--shard 2/2 --out b --quiet");
+  expect_done("merge a b --out joined");
+  auto joined = but_for_times("joined"), alone = whole;
+  for (auto* each : {&joined, &alone}) each->erase("pairs.csv");  // of times too
+  EXPECT_EQ(joined, alone);
+  expect_refused("trade pairs --series s.csv --out c", 2, "of one pair");
+  fs::create_directory(folder / "empty");
+  expect_refused("trade empty --out c", 3, "holds no scene");
+}
+
+TEST_F(Trade, answers_of_another_program_are_in_the_picture) {
+  folder.write("s.csv", "series,pose,depth,time_us\nPeer,0,0.01,3\nPeer,1,,4\n");
+  ASSERT_EQ(sonde(boxes + "--series s.csv --out t").exit_code, 0);
+  EXPECT_THAT(text_of(folder / "t/trade.svg"), HasSubstr("Peer, median"));
+  folder.write("bad.csv", "series,pose,depth,time_us\nPeer,9,0.01,3\n");
+  const Outcome bad = sonde(boxes + "--series bad.csv --out t");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("bad.csv:2: pose 9 is none of the study, which has 3"));
+}
+
 }  // namespace
 }  // namespace sonde::test

@@ -2,9 +2,14 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <limits>
 
 #include "tests/bench/peer.hpp"
 
@@ -86,12 +91,44 @@ class World {
   btCollisionObject object_a_, object_b_;
 };
 
+btConvexHullShape hull_of(const Soup& soup) {
+  btConvexHullShape hull;
+  for (const Vec3& x : soup.vertices)
+    hull.addPoint(btVector3(static_cast<btScalar>(x.x()), static_cast<btScalar>(x.y()),
+                            static_cast<btScalar>(x.z())),
+                  false);
+  hull.recalcLocalAabb();
+  hull.optimizeConvexHull();
+  hull.setMargin(0);
+  return hull;
+}
+
+/// The two convex hulls.
+struct Hulls {
+  Hulls(const Soup& soup_a, const Soup& soup_b) : a(hull_of(soup_a)), b(hull_of(soup_b)) {}
+
+  double depth(const Transform& X_BA) const {
+    btVoronoiSimplexSolver simplex;
+    btGjkEpaPenetrationDepthSolver solver;
+    btVector3 direction(0, 0, 0), on_a, on_b;
+    const bool found =
+        solver.calcPenDepth(simplex, &a, &b, bullet_pose(X_BA), btTransform::getIdentity(),
+                            direction, on_a, on_b, nullptr);
+    return found ? static_cast<double>((on_a - on_b).length())
+                 : std::numeric_limits<double>::infinity();
+  }
+
+  btConvexHullShape a, b;
+};
+
 Peer peer_of(const Soup& a, const Soup& b, const Vec3& /*com_a*/) {
   const auto world = std::make_shared<World>(a, b);
   Peer out;
   out.name = "Bullet";
   out.touch = [world](const Transform& X_BA) { return world->touch(X_BA); };
   out.touch_doubtful_within = 1e-4;
+  const auto hulls = std::make_shared<const Hulls>(a, b);
+  out.depth = [hulls](const Transform& X_BA) { return hulls->depth(X_BA); };
   return out;
 }
 

@@ -6,6 +6,10 @@
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "tests/bench/peer.hpp"
 
 namespace sonde::bench {
@@ -63,6 +67,17 @@ double distance(const Pair& pair, const Transform& X_BA) {
   return result.min_distance;
 }
 
+double depth(const Pair& pair, const Transform& X_BA) {
+  constexpr std::size_t all = 1'000'000;
+  const fcl::CollisionRequest<double> request(all, true);
+  fcl::CollisionResult<double> result;
+  fcl::collide(pair.a.get(), fcl_pose(X_BA), pair.b.get(), FclPose::Identity(), request, result);
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < result.numContacts(); ++i)
+    deepest = std::max(deepest, std::abs(result.getContact(i).penetration_depth));
+  return deepest;
+}
+
 SweepAnswer sweep(const Pair& pair, const Trip& trip) {
   const FclMotion moving = pair.motion(trip), still = standing();
   fcl::ContinuousCollisionRequest<double> request;
@@ -99,6 +114,7 @@ Peer peer_of(const Soup& a, const Soup& b, const Vec3& com_a) {
   out.name = "FCL";
   out.touch = [pair](const Transform& X_BA) { return touch(pair, X_BA); };
   out.distance = [pair](const Transform& X_BA) { return distance(pair, X_BA); };
+  out.depth = [pair](const Transform& X_BA) { return depth(pair, X_BA); };
   out.sweep = [pair](const Trip& trip) { return sweep(pair, trip); };
   out.sweep_oriented = [pair](const Trip& trip) { return sweep_oriented(pair, trip); };
   out.on_path = [pair](const Trip& trip, double s) { return on_path(pair, trip, s); };

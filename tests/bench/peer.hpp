@@ -23,6 +23,8 @@ struct Peer {
   /// Its touch answers say nothing about poses nearer to touching than this, m.
   double touch_doubtful_within = 0;
   std::function<double(const Transform& X_BA)> distance;
+  /// What it calls the depth of penetration where they overlap, m; not finite where it finds none.
+  std::function<double(const Transform& X_BA)> depth;
   std::function<SweepAnswer(const Trip& trip)> sweep;
   /// The same by a function that is not part of its interface.
   std::function<SweepAnswer(const Trip& trip)> sweep_oriented;
@@ -45,11 +47,13 @@ struct PeerLibrary {
 /// to the last with a constant velocity and a constant angular velocity about A's centre of mass.
 /// That rebuilds the tree of the moved mesh for each step, and moves what it has moved before;
 /// the library's own advancement for oriented boxes, which it does not reach, is measured too.
+/// Depth: the largest of all contacts of collide.
 PeerLibrary fcl_library();
 
 /// Bullet in its build for single precision, btGImpactMeshShape with margin 0. Touch:
 /// btCollisionWorld::contactPairTest, which has no way to end at the first contact: it collects all
-/// of them. It has neither a distance nor a sweep of two such meshes.
+/// of them. It has neither a distance nor a sweep of two such meshes. Depth: that of the two convex
+/// hulls, by its expanding-polytope solver.
 PeerLibrary bullet_library();
 
 /// Those that the program was built with.

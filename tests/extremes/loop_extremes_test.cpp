@@ -141,7 +141,27 @@ void teleport(int count, std::int64_t work) {
 TEST(LoopExtremes, teleports_leave_the_probe_free_with_any_budget) {
   for (const std::int64_t work : {500, 5000, 50'000}) teleport(40, work);
 }
-TEST(LoopExtremes, Full_teleports_leave_the_probe_free_without_a_budget) { teleport(40, 0); }
+TEST(LoopExtremes, teleports_leave_the_probe_free_without_a_budget) { teleport(40, 0); }
+
+/// Without a budget a teleport takes what it is given for itself, which is counted: reference, the
+/// same with a budget of so much.
+TEST(LoopExtremes, a_teleport_without_a_budget_is_limited_by_counted_work) {
+  const Pair pair = knots();
+  Pose start;
+  start.p.x() = 1;
+  CoherentSolver one(pair), two(pair);
+  one.reset(start);
+  two.reset(start);
+  int cut_short = 0;
+  for (const Pose& at : teleports(12)) {
+    const Separation& a = one.tick(at);
+    const Separation& b = two.tick(at, {.work = 3'000'000});
+    ASSERT_EQ(a.depth, b.depth);
+    ASSERT_EQ(a.separated.p, b.separated.p);
+    cut_short += !a.converged;
+  }
+  EXPECT_GT(cut_short, 0) << "else the test shows nothing";
+}
 
 TEST(LoopExtremes, the_same_path_again_gives_the_same_bits) {
   const Pair pair = knots();

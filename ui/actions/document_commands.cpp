@@ -81,6 +81,15 @@ void DocumentControl::set_device_settings(const DeviceSettings& settings) {
   document_.change(QStringLiteral("Device settings"), wanted, true);
 }
 
+void DocumentControl::set_knob(const ServoSettings& servo) {
+  if (document_.empty()) return;
+  Content wanted = now();
+  document_.set_here(wanted.here);
+  wanted.scene.servo.budget.microseconds = servo.budget.microseconds;
+  wanted.scene.servo.accuracy = servo.accuracy;
+  document_.change(QStringLiteral("Time or accuracy"), wanted, true);
+}
+
 void DocumentControl::start_from_here() {
   if (document_.empty()) return;
   Content wanted = now();
@@ -202,6 +211,9 @@ void DocumentControl::apply(const Content& from, const Content& to) {
   if (!same(from.scene.coupling, to.scene.coupling)) view_.show_coupling(to.scene.coupling);
   if (!same(from.scene.device.settings, to.scene.device.settings) && to.scene.device.settings)
     view_.show_device_settings(*to.scene.device.settings);
+  if (from.scene.servo.budget.microseconds != to.scene.servo.budget.microseconds ||
+      from.scene.servo.accuracy != to.scene.servo.accuracy)
+    session->set_knob(to.scene.servo);
   session->set_start(relative_pose(to.scene));
   if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
   tell();

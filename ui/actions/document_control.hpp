@@ -72,6 +72,7 @@ class DocumentControl : public QObject {
   void moved_from(const Pose& before, const QString& what, bool mergeable);
   void set_coupling(const Coupling& coupling);
   void set_device_settings(const DeviceSettings& settings);
+  void set_knob(const ServoSettings& servo);  ///< the time of a tick, or its wanted accuracy
 
   /// The title, the recent files or what can be done has changed.
   std::function<void()> changed;

@@ -123,6 +123,12 @@ void Session::set_passivity_control(bool on) {
   servo_.set_passivity_control(on);
 }
 
+void Session::set_knob(const ServoSettings& servo) {
+  loaded_.servo.budget.microseconds = servo.budget.microseconds;
+  loaded_.servo.accuracy = servo.accuracy;
+  servo_.set_budget_us(with_budget(loaded_.servo, loaded_.pair).budget.microseconds);
+}
+
 void Session::set_device_settings(const DeviceSettings& settings) {
   if (DeviceHand* device = holding_->device()) device->set_settings(settings);
   if (SimulatedHand* simulated = holding_->simulated()) simulated->set_scaling(settings.scaling);

@@ -69,6 +69,8 @@ class Session {
   void set_rate(double rate_hz);
   void pace_simulated();
   void set_passivity_control(bool on);
+  /// The time of a tick, or its wanted accuracy, as these say; loaded().servo has them then.
+  void set_knob(const ServoSettings& servo);
 
   const Coupling& coupling() const { return coupling_; }
   void set_coupling(const Coupling& coupling);

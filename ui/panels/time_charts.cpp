@@ -150,6 +150,8 @@ std::vector<CurveStyle> curve_styles(const LengthUnit& unit) {
           {Curve::force_z, QStringLiteral("F_z"), newton, 1, z},
           {Curve::torque, QStringLiteral("|τ|"), QStringLiteral("N·m"), 1, colour::torque},
           {Curve::tick_us, QStringLiteral("tick time"), QStringLiteral("µs"), 1, colour::turn},
+          {Curve::rows_us, QStringLiteral("time of the rows"), QStringLiteral("µs"), 1,
+           colour::contact},
           {Curve::age, QStringLiteral("age of rows"), QStringLiteral("ms"), 1e3, colour::contact},
           {Curve::energy, QStringLiteral("energy"), QStringLiteral("mJ"), 1e3, colour::probe}};
 }

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "ui/actions/accuracy_control.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
@@ -59,6 +60,7 @@ void MainWindow::show_document() {
                                   : QStringLiteral("%1[*] – Sonde").arg(name));
   setWindowModified(document.modified());
   seeing_->show_saved();
+  accuracy_->show_knob();
 }
 
 /// What a box says is gone with the box.
@@ -106,6 +108,7 @@ void MainWindow::show_nothing() {
   stiffness_->attach(nullptr);
   history_->attach(nullptr);
   seeing_->attach(nullptr);
+  accuracy_->attach(nullptr);
   exporter_->attach(nullptr);
   force_log_.end();
   forget_shown();
@@ -134,6 +137,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   else
     documents_->opened(now), coupling_panel_->take(now.coupling());
   stiffness_->attach(session(), same_document);
+  accuracy_->attach(session());
   // Last: it may have something to report, and a frame be drawn meanwhile.
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
@@ -247,6 +251,7 @@ void MainWindow::draw_if_changed() {
   shown_ = next->snapshot;
   readout_->sample(*next);
   seeing_->frame(*shown_);
+  accuracy_->frame(*shown_, clock_.elapsed());
   const bool swings = swing_ && shown_->separation.status == Status::penetrating;
   if (!changed && !swings && !viewport_->dirty()) return;
   const double turn = double(clock_.elapsed()) / 1000 / swing_seconds;

@@ -21,6 +21,7 @@ class QAction;
 
 namespace sonde::ui {
 
+class AccuracyControl;
 class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
@@ -59,6 +60,7 @@ class MainWindow : public QMainWindow {
   StiffnessControl& stiffness() { return *stiffness_; }
   HistoryControl& history() { return *history_; }
   SeeingControl& seeing() { return *seeing_; }
+  AccuracyControl& accuracy() { return *accuracy_; }
   ExportControl& exporter() { return *exporter_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
@@ -134,6 +136,7 @@ class MainWindow : public QMainWindow {
   StiffnessControl* stiffness_;
   HistoryControl* history_ = nullptr;
   SeeingControl* seeing_ = nullptr;
+  AccuracyControl* accuracy_ = nullptr;
   ExportControl* exporter_ = nullptr;
   StatusLine status_;
   EscapeKey escape_;

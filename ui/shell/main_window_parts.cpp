@@ -8,6 +8,7 @@
 #include <QStatusBar>
 #include <utility>
 
+#include "ui/actions/accuracy_control.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
@@ -65,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  accuracy_ = new AccuracyControl(*documents_, *this, *readout_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
   seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };

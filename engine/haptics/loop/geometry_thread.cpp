@@ -18,7 +18,10 @@ StaticOptions quick_search() {
 
 GeometryThread::GeometryThread(const Pair& pair, Method method, const Budget& budget,
                                bool real_time)
-    : feed_(pair, method), budget_(budget), real_time_(real_time) {}
+    : feed_(pair, method),
+      budget_(budget),
+      budget_us_(budget.microseconds),
+      real_time_(real_time) {}
 
 GeometryThread::~GeometryThread() { stop(); }
 
@@ -64,6 +67,7 @@ void GeometryThread::run() noexcept {
     if (stopping_.load(std::memory_order_relaxed)) return;
     if (!requests_.update()) continue;
     const Request& request = requests_.front();
+    budget_.microseconds = budget_us_.load(std::memory_order_relaxed);
     contacts_.write(feed_.refresh(request.X_FM, request.tick, request.time, budget_));
   }
 }

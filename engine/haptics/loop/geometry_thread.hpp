@@ -22,6 +22,10 @@ class GeometryThread {
   /// Begins at X_FM. Where the probe overlaps there, it searches, which can take a while.
   void start(const Pose& X_FM);
   void stop();  ///< after the present refresh has ended
+  /// The wall-clock time of each refresh from the next one on, µs; 0: no limit. From any thread.
+  void set_budget_us(double time_us) noexcept {
+    budget_us_.store(time_us, std::memory_order_relaxed);
+  }
 
   // For one other thread, the servo: neither allocates, locks or waits.
   void ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept;
@@ -37,7 +41,8 @@ class GeometryThread {
   void run() noexcept;
 
   ContactFeed feed_;
-  Budget budget_;
+  Budget budget_;  ///< but for its time
+  std::atomic<double> budget_us_;
   bool real_time_;  ///< ask for more than an ordinary share of the processor
   TripleBuffer<Request> requests_;
   TripleBuffer<LocalContacts> contacts_;

@@ -99,6 +99,7 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
                     .held_back = answer.held_back,
                     .reach = contacts.reach,
                     .refresh_us = contacts.refresh_us,
+                    .residual = contacts.separation.residual,
                     .separated = contacts.separation.separated};
 }
 

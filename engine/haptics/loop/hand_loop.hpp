@@ -19,6 +19,7 @@ struct RowsUsed {
   bool held_back = false;       ///< they did not reach to the device pose (see LocalAnswer)
   double reach = 0;             ///< m
   double refresh_us = 0;        ///< time the geometry took to make them
+  double residual = 0;          ///< of the geometry's answer (Separation::residual)
   Pose separated;  ///< the geometry's last separated pose, reached along a path swept free
 };
 

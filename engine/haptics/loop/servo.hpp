@@ -81,6 +81,7 @@ class Servo {
   // These act from the next tick on, and stay over a restart.
   void set_rate(double rate_hz);
   void set_passivity_control(bool on);
+  void set_budget_us(double time_us);  ///< ServoSettings::budget.microseconds
   /// A paused loop keeps its threads and its last snapshot, and computes nothing.
   void set_paused(bool paused);
   /// False: no force from the next tick on, whatever the contact. True: the force rises from zero.

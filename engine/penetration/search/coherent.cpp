@@ -16,6 +16,12 @@ namespace {
 /// Beyond this many times the bodies' size, the rounding of coordinates drowns the geometry.
 constexpr double farthest = 1e9;
 
+/// R: a device that moves further in a tick jumps.
+constexpr double jump_of_device = 0.25;
+/// Units of Effort, some 10 ns each: what a tick after such a jump may take where nothing else
+/// limits it. The long way that is then to be swept can lead past everything there is.
+constexpr std::int64_t work_after_jump = 3'000'000;
+
 }  // namespace
 
 struct CoherentSolver::State {
@@ -30,6 +36,7 @@ struct CoherentSolver::State {
   Pose device;     ///< the last one that was not refused
   Pose separated;  ///< the last one, free
   bool started = false;
+  bool behind = false;  ///< after a jump of the device the probe has not come to its end yet
 
   State(const Pair& bodies, Method m)
       : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
@@ -56,6 +63,15 @@ struct CoherentSolver::State {
 
   bool within_reach(const Pose& X) const {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
+  }
+
+  /// What the tick may do. After a jump it is limited whatever was asked for, and so are the next
+  /// ticks until the probe has caught up.
+  Effort effort_of(const Budget& budget, double moved) noexcept {
+    behind = (behind && !last.converged) || moved > jump_of_device * probe.mass.radius;
+    const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
+    const bool unlimited = budget.work == 0 && until == 0;
+    return {unlimited && behind ? work_after_jump : budget.work, until};
   }
 
   /// Free before, and it cannot have come to anything since: what a descent would find, in its one
@@ -115,6 +131,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.last = separate_static(s.pair, X_FM, search);
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
+  s.behind = false;
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
@@ -137,8 +154,8 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   }
   const Pose device{X_FM.q.normalized(), X_FM.p};
   if (s.stays_free(device)) return s.last;
-  const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
-  Effort effort(budget.work, until);
+  const double moved = s.device_motion(device);
+  Effort effort = s.effort_of(budget, moved);
   Chart chart(s.probe.mass, device);
   chart.absorb_free_spin(s.separated);
   const Vec6 from = chart.coordinates(s.separated);
@@ -146,7 +163,6 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
   DescentGoal goal;
   if (budget.steps > 0) goal.steps = budget.steps;
-  const double moved = s.device_motion(device);
   const Descent::Outcome found =
       s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
   s.descent.prepare_next_list(effort);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "engine/base/quantile.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 
 namespace sonde {
@@ -79,6 +81,20 @@ void whole_decades(ChartAxis& axis, const std::vector<ChartSeries>& all) {
   axis.to = std::pow(10, std::ceil(std::log10(largest)));
 }
 
+/// Two dots for each: what is typical, and what is bad.
+void add_others(ChartPanel& panel, const std::vector<TradeSeries>& others) {
+  std::size_t color = pdt_color + 1;
+  for (const TradeSeries& other : others) {
+    for (const auto& [share, words] : {std::pair(0.5, ", median"), {0.9, ", 90th percentile"}}) {
+      ChartSeries dot = series(other.name + words, color++, ChartSeries::Form::points);
+      dot.x = {quantile(other.times, 0.5)};
+      dot.y = {percent(quantile(other.errors, share))};
+      panel.series.push_back(dot);
+    }
+  }
+  if (!others.empty()) whole_decades(panel.x, panel.series);
+}
+
 ChartPanel error_panel(const std::string& title, const Figures& all, TradeKind kind, Figure time,
                        const std::string& x, const std::string& y) {
   ChartPanel out;
@@ -132,12 +148,14 @@ ChartPanel tick_convergence(const Figures& all) {
 
 }  // namespace
 
-std::string trade_picture(const TradeResults& results, const std::vector<TradeFigures>& all) {
+std::string trade_picture(const TradeResults& results, const std::vector<TradeFigures>& all,
+                          const std::vector<TradeSeries>& others) {
   SvgChart chart{results.scene + ": accuracy against time", {}};
   const std::string typical = "median processor time, µs";
   chart.panels.push_back(error_panel("Static search: above the best known depth", all,
                                      TradeKind::search, &TradeFigures::time_median, typical,
                                      "depth / best known − 1, %"));
+  add_others(chart.panels.back(), others);
   add_repeatability(chart.panels.back(), results);
   if (!figures_of(all, TradeKind::bound, Method::pdg).empty()) {
     chart.panels.push_back(error_panel("Lower bound: below the best known depth", all,

@@ -79,10 +79,6 @@ TradeExtreme extreme_of(const Json& json) {
 
 // ---- what they come to ----
 
-bool deep_enough(const TradeResults& results, const TradePose& pose) {
-  return pose.reference(Method::pdg) > least_depth * results.radius;
-}
-
 /// The errors and times of one setting.
 struct Samples {
   std::vector<double> errors, times;
@@ -100,7 +96,7 @@ struct Samples {
 Samples samples_of(const TradeResults& results, const TradeSetting& setting) {
   Samples out;
   for (const TradePose& pose : results.poses) {
-    if (!deep_enough(results, pose)) continue;
+    if (!is_deep_enough(results, pose)) continue;
     for (const TradeRun& run : pose.runs)
       if (run.setting == setting) out.add(error_of(pose, run), run.time_us, true);
   }
@@ -244,6 +240,10 @@ TradeResults read_trade(const std::string& folder, const StudyFolder& study) {
   return out;
 }
 
+bool is_deep_enough(const TradeResults& results, const TradePose& pose) {
+  return pose.reference(Method::pdg) > least_depth * results.radius;
+}
+
 double error_of(const TradePose& pose, const TradeRun& run) {
   if (run.setting.kind == TradeKind::bound) return 1 - run.depth / pose.reference(Method::pdg);
   return run.depth / pose.reference(run.setting.method) - 1;
@@ -283,7 +283,7 @@ ExtremeFigures figures_of(const TradeExtreme& extreme) {
 TradeReference trade_reference(const TradeResults& results, Method method) {
   std::vector<double> spreads;
   for (const TradePose& pose : results.poses)
-    if (deep_enough(results, pose) && std::isfinite(pose.spread(method)))
+    if (is_deep_enough(results, pose) && std::isfinite(pose.spread(method)))
       spreads.push_back(pose.spread(method));
   std::ranges::sort(spreads);
   return {quantile(spreads, 0.5), quantile(spreads, 0.9), quantile(spreads, 1)};

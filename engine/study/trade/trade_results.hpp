@@ -126,4 +126,7 @@ ExtremeFigures figures_of(const TradeExtreme& extreme);
 /// depth / reference − 1 of a search, 1 − bound / reference of a bound.
 double error_of(const TradePose& pose, const TradeRun& run);
 
+/// False: the pose is left out.
+bool is_deep_enough(const TradeResults& results, const TradePose& pose);
+
 }  // namespace sonde

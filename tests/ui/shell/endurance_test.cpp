@@ -21,6 +21,7 @@
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/history_control.hpp"
+#include "ui/base/freed_memory.hpp"
 #include "ui/devices/device_control.hpp"
 
 namespace sonde::ui::test {
@@ -62,6 +63,7 @@ class Endurance : public WindowTest {
 
   void SetUp() override {
     puck.descriptor = joint_descriptor();
+    return_freed_memory();  // as the program does
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     plug();

@@ -114,6 +114,21 @@ TEST_F(ServoTest, the_device_pose_is_used_as_it_comes) {
   EXPECT_LT((servo.latest()->separation.device.q.coeffs() - pose.q.coeffs()).norm(), 1e-15);
 }
 
+/// A time that is over before anything was looked at leaves every answer open.
+TEST_F(ServoTest, the_time_of_the_geometry_changes_while_it_runs) {
+  servo.start(at_depth(0.002));
+  ASSERT_TRUE(wait_for(servo, [](const Snapshot& s) { return s.separation.converged; }));
+  servo.set_budget_us(1e-3);
+  servo.set_device_pose(at_depth(0.004, 0.01));
+  ASSERT_TRUE(wait_for(servo, [](const Snapshot& s) {
+    return is_at(s, at_depth(0.004, 0.01)) && !s.separation.converged && s.hand.rows.residual > 0;
+  }));
+  servo.set_budget_us(0);
+  EXPECT_TRUE(wait_for(servo, [](const Snapshot& s) {
+    return s.separation.converged && s.hand.rows.residual < 1e-3;
+  }));
+}
+
 TEST_F(ServoTest, a_coupling_change_acts) {
   servo.start(at_depth(0.002));
   ASSERT_TRUE(wait_for(servo, [](const Snapshot& s) { return s.wrench.force.z() > 0.9; }));

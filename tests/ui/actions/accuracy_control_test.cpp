@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one knob in the window: a time or an accuracy for each tick.
+#include "ui/actions/accuracy_control.hpp"
+
+#include <QAction>
+#include <QLabel>
+#include <QRadioButton>
+#include <QSlider>
+#include <QTest>
+
+#include "engine/calibration/calibration_file.hpp"
+#include "engine/scene/scene.hpp"
+#include "tests/ui/window_fixture.hpp"
+#include "ui/actions/document_control.hpp"
+#include "ui/panels/typed_value.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+class AccuracyTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    if (HasFatalFailure()) return;
+    open_cubes();
+    window->accuracy().panel().raise();
+    ASSERT_TRUE(wait_until([this] { return window->accuracy().panel().isVisible(); }));
+  }
+  template <class T>
+  T* find(const char* name) {
+    T* found = window->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  void click(const char* radio) {
+    auto* button = find<QRadioButton>(radio);
+    QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(8, button->height() / 2));
+  }
+  QString text(const char* label) { return find<QLabel>(label)->text(); }
+  const ServoSettings& saved() { return window->documents().document().content().scene.servo; }
+  const ServoSettings& running() { return window->session()->loaded().servo; }
+};
+
+/// The curve of the calibration that comes with the build, which every pair with sketches has.
+AccuracyCurve shipped() { return {default_calibration(), Answers::tick, Method::pdg, true}; }
+
+TEST_F(AccuracyTest, the_calibration_that_ships_knows_ticks) {
+  EXPECT_TRUE(std::isfinite(shipped().within(800)));
+  EXPECT_GT(shipped().time_for(0.01), 0);
+}
+
+TEST_F(AccuracyTest, an_accuracy_is_chosen_moved_saved_and_undone) {
+  click("knob_accuracy");
+  ASSERT_GT(saved().accuracy, 0);
+  EXPECT_NEAR(saved().accuracy, std::max(shipped().within(800), least_share), 1e-4)
+      << "what the time before was worth";
+  EXPECT_EQ(running().accuracy, saved().accuracy);
+  auto* slider = find<QSlider>("tick_accuracy_slider");
+  const double before = saved().accuracy;
+  const QString expected = text("expected_accuracy");
+  QTest::keyClick(slider, Qt::Key_PageUp);
+  QTest::keyClick(slider, Qt::Key_PageUp);
+  EXPECT_GT(saved().accuracy, 1.5 * before);
+  EXPECT_EQ(running().accuracy, saved().accuracy) << "acts at once";
+  EXPECT_NE(text("expected_accuracy"), expected);
+  window->findChild<QAction*>("save")->trigger();
+  EXPECT_EQ(read_scene(scene).servo.accuracy, saved().accuracy);
+  while (window->findChild<QAction*>("undo")->isEnabled())
+    window->findChild<QAction*>("undo")->trigger();
+  EXPECT_EQ(saved().accuracy, 0);
+  EXPECT_EQ(running().accuracy, 0);
+  EXPECT_TRUE(find<QRadioButton>("knob_time")->isChecked());
+}
+
+TEST_F(AccuracyTest, a_typed_time_is_kept_in_the_scene) {
+  auto* typed = find<TypedValue>("tick_time_value");
+  typed->setFocus();
+  typed->selectAll();
+  QTest::keyClicks(typed, "250");
+  QTest::keyClick(typed, Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(saved().budget.microseconds, 250);
+  EXPECT_DOUBLE_EQ(running().budget.microseconds, 250);
+  window->findChild<QAction*>("save")->trigger();
+  EXPECT_DOUBLE_EQ(read_scene(scene).servo.budget.microseconds, 250);
+}
+
+TEST_F(AccuracyTest, no_limit_is_a_choice_and_a_time_comes_back) {
+  click("knob_none");
+  EXPECT_EQ(running().budget.microseconds, 0);
+  EXPECT_EQ(running().accuracy, 0);
+  click("knob_time");
+  EXPECT_EQ(running().budget.microseconds, ServoSettings{}.budget.microseconds);
+}
+
+TEST_F(AccuracyTest, it_shows_what_the_ticks_reach_and_rests_where_nobody_looks) {
+  // Two cubes at rest: every tick ends at its optimum.
+  ASSERT_TRUE(wait_until([this] { return text("reached_accuracy").contains('%'); }));
+  EXPECT_EQ(text("converged_share"), "100 %");
+  EXPECT_TRUE(text("rows_time").contains("µs"));
+  window->accuracy().panel().close();
+  find<QLabel>("reached_accuracy")->setText("untouched");
+  wait(600);
+  EXPECT_EQ(text("reached_accuracy"), "untouched");
+}
+
+TEST_F(AccuracyTest, the_accuracy_of_a_scene_is_shown) {
+  const auto file = folder.write("wanted.sonde.json", R"({"unit": "m",
+        "probe": {"mesh": "cube.off", "pose": [0.09, 0.02, 0.013, 1, 0, 0, 0]},
+        "fixed": {"mesh": "cube.off"}, "servo": {"accuracy": 0.05}})");
+  open({QString::fromStdString(file.string())});
+  EXPECT_EQ(running().accuracy, 0.05);
+  EXPECT_TRUE(find<QRadioButton>("knob_accuracy")->isChecked());
+  EXPECT_NEAR(find<TypedValue>("tick_accuracy_value")->value(), 5, 1e-9);
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

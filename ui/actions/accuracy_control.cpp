@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/accuracy_control.hpp"
+
+#include <QMainWindow>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/calibration/calibration_file.hpp"
+#include "engine/proximity/sketch/sketch.hpp"
+#include "ui/actions/document_control.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr qint64 figures_ms = 250;
+constexpr double usual_share = 0.01;
+
+}  // namespace
+
+AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window,
+                                 QDockWidget& beside)
+    : QObject(&window), documents_(documents), panel_(new AccuracyPanel(&window)) {
+  window.tabifyDockWidget(&beside, panel_);
+  panel_->kind_chosen = [this](AccuracyPanel::Knob kind) { choose(kind); };
+  panel_->time_changed = [this](double time_us) { change(time_us, 0); };
+  panel_->accuracy_changed = [this](double share) { change(0, share); };
+  // What changed while nobody saw it.
+  connect(panel_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    reached_.clear();
+    if (visible) show_knob();
+  });
+}
+
+void AccuracyControl::attach(Session* session) {
+  session_ = session;
+  curve_.reset();
+  reached_.clear();
+  panel_->show_reached({});
+  show_knob();
+}
+
+void AccuracyControl::show_knob() {
+  panel_->widget()->setEnabled(session_ != nullptr);
+  if (!session_ || documents_.document().empty() || !panel_->isVisible()) return;
+  const ServoSettings& servo = documents_.document().content().scene.servo;
+  panel_->show_knob(servo, expected(servo));
+}
+
+const AccuracyCurve& AccuracyControl::curve() const {
+  if (!curve_)
+    curve_ = AccuracyCurve(default_calibration(), Answers::tick, Method::pdg,
+                           bool(session_->loaded().pair.sketches()));
+  return *curve_;
+}
+
+Expected AccuracyControl::expected(const ServoSettings& servo) const {
+  const double time_us =
+      servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
+  return {time_us, curve().within(time_us)};
+}
+
+/// The value of the kind that was chosen is what the present one is worth.
+void AccuracyControl::choose(AccuracyPanel::Knob kind) {
+  if (!session_) return;
+  const Expected now = expected(documents_.document().content().scene.servo);
+  const double time_us = now.time_us > 0 ? now.time_us : ServoSettings{}.budget.microseconds;
+  const double share = std::isfinite(now.within) ? now.within : usual_share;
+  if (kind == AccuracyPanel::Knob::time) change(time_us, 0);
+  if (kind == AccuracyPanel::Knob::accuracy) change(0, std::clamp(share, least_share, most_share));
+  if (kind == AccuracyPanel::Knob::none) change(0, 0);
+}
+
+/// A wanted accuracy takes the place of a time, which then is the usual one: a scene names one.
+void AccuracyControl::change(double time_us, double accuracy) {
+  if (!session_) return;
+  ServoSettings wanted = documents_.document().content().scene.servo;
+  wanted.budget.microseconds = accuracy > 0 ? ServoSettings{}.budget.microseconds : time_us;
+  wanted.accuracy = accuracy;
+  reached_.clear();
+  documents_.set_knob(wanted);
+}
+
+void AccuracyControl::frame(const Snapshot& tick, qint64 now) {
+  if (!panel_->isVisible()) return;
+  reached_.add(tick);
+  if (now < due_) return;
+  due_ = now + figures_ms;
+  panel_->show_reached(reached_.reached());
+}
+
+}  // namespace sonde::ui

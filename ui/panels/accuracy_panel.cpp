@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/accuracy_panel.hpp"
+
+#include <QButtonGroup>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QRadioButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/base/format.hpp"
+#include "ui/base/theme.hpp"
+#include "ui/panels/bar.hpp"
+#include "ui/panels/scrolled.hpp"
+#include "ui/panels/slider_row.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr double per_cent = 100;
+constexpr Setting time_setting{
+    "tick_time",  "Time of a tick",
+    "µs",         least_time_us,
+    most_time_us, ServoSettings{}.budget.microseconds,
+    true,         "Wall-clock time that the geometry may take for each answer."};
+constexpr Setting accuracy_setting{
+    "tick_accuracy",
+    "Wanted accuracy",
+    "%",
+    per_cent* least_share,
+    per_cent* most_share,
+    1,
+    true,
+    "Error that nine in ten ticks should keep to, of the largest depth. The time follows."};
+
+QString percent(double share) { return number(per_cent * share) + QStringLiteral(" %"); }
+QString microseconds(double time_us) { return number(time_us) + QStringLiteral(" µs"); }
+
+QString words(const Expected& expected) {
+  const QString within = std::isfinite(expected.within)
+                             ? QStringLiteral("within ") + percent(expected.within)
+                             : QStringLiteral("not measured");
+  return expected.time_us > 0
+             ? QStringLiteral("%1 in %2").arg(within, microseconds(expected.time_us))
+             : within + QStringLiteral(", no limit of time");
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(QWidget* parent) : QDockWidget(QStringLiteral("Accuracy"), parent) {
+  setObjectName(QStringLiteral("accuracy_panel"));
+  const auto [scroll, content, layout] = scrolled(*this);
+  build_knob(*layout);
+  build_figures(*layout);
+  layout->addStretch();
+  show_knob({}, {});
+}
+
+void AccuracyPanel::build_knob(QVBoxLayout& layout) {
+  QWidget* content = layout.parentWidget();
+  kinds_ = new QButtonGroup(this);
+  auto* row = new QHBoxLayout;
+  layout.addLayout(row);
+  const auto kind = [&](Knob which, const char* name, const char* object, const char* doc) {
+    auto* button = new QRadioButton(QLatin1String(name), content);
+    button->setObjectName(QLatin1String(object));
+    button->setToolTip(QLatin1String(doc));
+    kinds_->addButton(button, static_cast<int>(which));
+    row->addWidget(button);
+  };
+  kind(Knob::time, "Time", "knob_time", "Each tick has so much time; the accuracy follows");
+  kind(Knob::accuracy, "Accuracy", "knob_accuracy",
+       "Nine in ten ticks should be so accurate; the time follows");
+  kind(Knob::none, "No limit", "knob_none", "Each tick takes the time that it needs");
+  connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) {
+    if (kind_chosen) kind_chosen(static_cast<Knob>(id));
+  });
+  time_ = new SliderRow(time_setting, content);
+  time_->changed = [this](double value) {
+    if (time_changed) time_changed(value);
+  };
+  accuracy_ = new SliderRow(accuracy_setting, content);
+  accuracy_->changed = [this](double value) {
+    if (accuracy_changed) accuracy_changed(value / per_cent);
+  };
+  layout.addWidget(time_);
+  layout.addWidget(accuracy_);
+}
+
+void AccuracyPanel::build_figures(QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Nine in ten ticks"), layout.parentWidget());
+  auto* form = new QFormLayout(group);
+  form->setContentsMargins(0, 4, 0, 0);
+  const auto value = [&](const char* name, const char* object, const char* doc) {
+    auto* label = new QLabel(QLatin1String(name), group);
+    auto* shown = new QLabel(QStringLiteral("–"), group);
+    shown->setObjectName(QLatin1String(object));
+    shown->setAlignment(Qt::AlignRight);
+    for (QLabel* each : {label, shown}) each->setToolTip(QString::fromUtf8(doc));
+    form->addRow(label, shown);
+    return shown;
+  };
+  expected_ = value("expected", "expected_accuracy",
+                    "Of ticks with this time, measured on the scenes that Sonde comes with, on "
+                    "pairs of this kind: the error as a share of the largest depth of a path.");
+  reached_ = value("reached", "reached_accuracy",
+                   "What the last two seconds in contact leave open: how much too deep an answer "
+                   "may be that its contacts do not hold altogether, as a share of its depth.");
+  converged_ = value("converged", "converged_share",
+                     "Ticks of the last two seconds in contact that ended at an optimum.");
+  rows_ = value("rows", "rows_time",
+                "Time that the geometry took: looking for contacts, solving, sweeping. The knob "
+                "limits it.");
+  tick_ = value("tick", "tick_time_used",
+                "Time of the servo's own tick: moving the rows to the newest pose of the hand, "
+                "the coupling, the safety of the hand.");
+  parts_ = new Bar(group);
+  parts_->setToolTip(QStringLiteral("The share of the rows in that time, and of the tick"));
+  form->addRow(parts_);
+  layout.addWidget(group);
+}
+
+void AccuracyPanel::show_knob(const ServoSettings& servo, const Expected& expected) {
+  const Knob kind = servo.accuracy > 0              ? Knob::accuracy
+                    : servo.budget.microseconds > 0 ? Knob::time
+                                                    : Knob::none;
+  kinds_->button(static_cast<int>(kind))->setChecked(true);
+  time_->setVisible(kind == Knob::time);
+  accuracy_->setVisible(kind == Knob::accuracy);
+  // A value outside of the slider's range stays as it is until the slider is moved.
+  if (kind == Knob::time && time_->value() != servo.budget.microseconds)
+    time_->set_value(servo.budget.microseconds);
+  if (kind == Knob::accuracy && accuracy_->value() != per_cent * servo.accuracy)
+    accuracy_->set_value(per_cent * servo.accuracy);
+  expected_->setText(words(expected));
+}
+
+void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
+  if (!reached) {
+    for (QLabel* label : {reached_, converged_, rows_, tick_}) label->setText(QStringLiteral("–"));
+    return parts_->set({});
+  }
+  reached_->setText(QStringLiteral("within ") + percent(reached->within));
+  converged_->setText(percent(reached->converged));
+  rows_->setText(microseconds(reached->rows_us));
+  tick_->setText(microseconds(reached->tick_us));
+  const double all = reached->rows_us + reached->tick_us;
+  if (all > 0)
+    parts_->set(
+        {{reached->rows_us / all, colour::contact}, {reached->tick_us / all, colour::turn}});
+}
+
+}  // namespace sonde::ui

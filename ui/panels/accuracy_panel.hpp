@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <functional>
+#include <optional>
+
+#include "engine/haptics/loop/servo.hpp"
+#include "ui/tuning/reached_accuracy.hpp"
+
+class QButtonGroup;
+class QLabel;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+class Bar;
+class SliderRow;
+
+/// What the knob is worth on the open pair, by the calibration.
+struct Expected {
+  double time_us = 0;  ///< of a tick; 0: no limit
+  double within = 0;   ///< of nine in ten ticks, share of the largest depth; infinite: not known
+};
+
+/// The dock of the one knob: the time of a tick or the accuracy that it should have, the accuracy
+/// to expect of it, and what the last ticks reached, with where their time went.
+class AccuracyPanel : public QDockWidget {
+ public:
+  explicit AccuracyPanel(QWidget* parent = nullptr);
+
+  void show_knob(const ServoSettings& servo, const Expected& expected);
+  /// None: too few ticks in contact lately.
+  void show_reached(const std::optional<Reached>& reached);
+
+  /// Which of the three is given: nothing, a time, an accuracy.
+  enum class Knob { none, time, accuracy };
+  /// Another kind was chosen; its value follows from the present one.
+  std::function<void(Knob)> kind_chosen;
+  std::function<void(double time_us)> time_changed;
+  std::function<void(double share)> accuracy_changed;
+
+ private:
+  void build_knob(QVBoxLayout& layout);
+  void build_figures(QVBoxLayout& layout);
+
+  QButtonGroup* kinds_;
+  SliderRow *time_, *accuracy_;
+  QLabel *expected_, *reached_, *converged_, *rows_, *tick_;
+  Bar* parts_;
+};
+
+/// The range of the slider of time, µs, and of the slider of accuracy, as a share.
+inline constexpr double least_time_us = 10, most_time_us = 10'000;
+inline constexpr double least_share = 1e-5, most_share = 0.5;
+
+}  // namespace sonde::ui
