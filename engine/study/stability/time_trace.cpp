@@ -78,7 +78,8 @@ TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place) {
     out.figures.energy += setup.sample_time / 2 *
                           (motors.force.dot(before.velocity + now.velocity) +
                            motors.torque.dot(before.spin + now.spin));
-    if (s.status == Status::failed) ++out.figures.failures;
+    out.figures.jumps += s.jumped;
+    out.figures.failures += s.status == Status::failed;
     out.samples.push_back({t, motors, s.status == Status::penetrating ? s.depth : 0});
   }
   measure(out, course, setup);

@@ -65,8 +65,8 @@ Json json_of(const TimeTrace& trace) {
   const TraceFigures& f = trace.figures;
   return {{"force", f.force},         {"settling_time", number(f.settling_time)},
           {"overshoot", f.overshoot}, {"energy", f.energy},
-          {"chatter", f.chatter},     {"failures", f.failures},
-          {"samples", samples}};
+          {"chatter", f.chatter},     {"jumps", f.jumps},
+          {"failures", f.failures},   {"samples", samples}};
 }
 
 StudyPart part(const std::shared_ptr<const TuningSetup>& setup, GainAxis axis, HandCourse course,

@@ -23,7 +23,7 @@ struct Trace {
   std::string course;
   double stiffness = 0, damping = 0;
   double force = 0, overshoot = 0, energy = 0, chatter = 0;
-  int failures = 0;
+  int jumps = 0, failures = 0;
   std::optional<double> settling_time;
   std::vector<std::array<double, 8>> samples;  ///< t, fx, fy, fz, tx, ty, tz, depth
 };
@@ -36,6 +36,7 @@ Trace trace_in(const std::string& text) {
       {"stiffness", &out.stiffness}, {"damping", &out.damping}, {"force", &out.force},
       {"overshoot", &out.overshoot}, {"energy", &out.energy},   {"chatter", &out.chatter}};
   for (const auto& [key, to] : numbers) *to = json.at(key).get<double>();
+  out.jumps = json.at("jumps").get<int>();
   out.failures = json.at("failures").get<int>();
   const Json& settling = json.at("settling_time");
   if (!settling.is_null()) out.settling_time = settling.get<double>();
@@ -72,12 +73,13 @@ std::string table(const std::vector<Trace>& traces) {
 }
 
 std::string summary_table(const std::vector<Trace>& traces) {
-  std::string out = "course,k,b,force,settling_time,overshoot,energy,chatter,failures\n";
+  std::string out = "course,k,b,force,settling_time,overshoot,energy,chatter,jumps,failures\n";
   for (const Trace& t : traces)
     out += t.course + "," + number_text(t.stiffness) + "," + number_text(t.damping) + "," +
            number_text(t.force) + "," + (t.settling_time ? number_text(*t.settling_time) : "") +
            "," + number_text(t.overshoot) + "," + number_text(t.energy) + "," +
-           number_text(t.chatter) + "," + std::to_string(t.failures) + "\n";
+           number_text(t.chatter) + "," + std::to_string(t.jumps) + "," +
+           std::to_string(t.failures) + "\n";
   return out;
 }
 
@@ -94,6 +96,7 @@ std::string note(const Trace& t) {
   if (!(t.force > 0)) return "out of contact";
   const std::string over = short_text(std::round(1000 * t.overshoot) / 10) + " % over";
   if (buzzes(t)) return "buzzes, " + over;
+  if (t.jumps > 0) return "slips to another place";
   if (!t.settling_time) return "does not settle, " + over;
   return "settles in " + short_text(1e3 * *t.settling_time) + " ms, " + over;
 }
