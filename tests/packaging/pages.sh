@@ -35,7 +35,7 @@ complete_words() {
 # shellcheck disable=SC1090
 source "$PREFIX/share/bash-completion/completions/sonde"
 same_output "$commands" complete_words sonde ""
-same_output "trade tune" complete_words sonde t
+same_output "trade traces tune" complete_words sonde t
 same_output "--budget-us --budget-steps" complete_words sonde query --bu
 same_output "pdg pdt" complete_words sonde query --method ""
 same_output "" complete_words sonde query scene

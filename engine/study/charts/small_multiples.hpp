@@ -25,7 +25,7 @@ struct SmallMultiples {
   std::string title, x_label;
   std::vector<CellQuantity> quantities = {};
   std::vector<std::string> columns = {}, rows = {};  ///< their names
-  std::vector<ChartTableCell> cells = {};       ///< row by row
+  std::vector<ChartTableCell> cells = {};            ///< row by row
 };
 
 /// The picture as an SVG file, the same bytes for the same charts. Throws std::invalid_argument
