@@ -66,7 +66,7 @@ QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 }  // namespace
 
 CouplingPanel::CouplingPanel(QUndoStack& undo, QWidget* parent)
-    : QDockWidget(QStringLiteral("Virtual coupling"), parent), undo_(undo) {
+    : QDockWidget(QStringLiteral("Coupling"), parent), undo_(undo) {
   setObjectName(QStringLiteral("coupling_panel"));
   build();
   take(Coupling{});

@@ -62,14 +62,14 @@ MainWindow::MainWindow(QWidget* parent)
   tabifyDockWidget(coupling_panel_, device_panel_);
   tabifyDockWidget(coupling_panel_, pose_panel_);
   start_page_->hide();
-  coupling_panel_->raise();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
-  accuracy_ = new AccuracyControl(*documents_, *this, *readout_);
+  accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
   seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
+  coupling_panel_->raise();
   readout_->raise();
   addDockWidget(Qt::BottomDockWidgetArea, log_);
   log_->hide();
@@ -178,7 +178,7 @@ void MainWindow::connect_documents() {
 void MainWindow::restore_window() {
   constexpr double part = 0.9;
   resize((QApplication::primaryScreen()->availableSize() * part).boundedTo({1440, 900}));
-  resizeDocks({coupling_panel_, readout_}, {300, 345}, Qt::Horizontal);
+  resizeDocks({coupling_panel_, readout_}, {320, 345}, Qt::Horizontal);
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   restoreState(settings.value(QStringLiteral("docks")).toByteArray());

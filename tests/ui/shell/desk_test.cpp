@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QSettings>
+#include <QStyle>
+#include <QTabBar>
 #include <QTest>
 #include <QTimer>
 
@@ -108,6 +110,22 @@ TEST_F(DeskTest, the_keyboard_comes_to_every_dock_and_back_to_the_view) {
   for (const char* dock : {"coupling_panel", "device_panel", "pose_panel", "seeing_panel"})
     EXPECT_TRUE(seen.contains(dock)) << dock << " of " << seen.join(' ').toStdString();
   EXPECT_EQ(seen.removeDuplicates(), 0);
+}
+
+TEST_F(DeskTest, the_names_on_the_tabs_can_be_read_on_a_small_screen) {
+  open_cubes();
+  window->resize(1280, 770);
+  wait(200);
+  int tabs = 0;
+  for (const QTabBar* bar : window->findChildren<QTabBar*>())
+    for (int i = 0; bar->isVisible() && i < bar->count(); ++i) {
+      const QString name = bar->tabText(i);
+      const int room = bar->style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, bar);
+      EXPECT_GE(bar->tabRect(i).width(), bar->fontMetrics().horizontalAdvance(name) + room)
+          << name.toStdString();
+      ++tabs;
+    }
+  EXPECT_GE(tabs, 8);
 }
 
 TEST_F(DeskTest, a_command_is_found_by_its_words) {
