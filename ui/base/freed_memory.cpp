@@ -10,7 +10,7 @@ namespace sonde::ui {
 
 void return_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int lies_together = 1 << 20;     // bytes
+  constexpr int lies_together = 1 << 20;  // bytes
   constexpr int heaps = 2;
   mallopt(M_ARENA_MAX, heaps);
   mallopt(M_TRIM_THRESHOLD, lies_together);  // which also ends the growth of the threshold of mmap
