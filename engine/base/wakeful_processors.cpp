@@ -17,8 +17,7 @@ const char* refusal(int error) {
     case EACCES:
     case EPERM:
       return "processors may sleep deeply: not permitted (a udev rule for /dev/cpu_dma_latency "
-             "would "
-             "allow it)";
+             "would allow it)";
     default:
       return "processors may sleep deeply: the system refused";
   }

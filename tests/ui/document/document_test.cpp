@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document in the window: what changes it, undone, saved, left, followed on the disk.
+// The document in the window: what changes it, undone, saved, left.
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -14,66 +14,18 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
-#include <QPlainTextEdit>
 #include <QTest>
 #include <QToolButton>
 #include <QUrl>
 #include <csignal>
 
-#include "tests/ui/window_fixture.hpp"
-#include "ui/actions/document_control.hpp"
+#include "tests/ui/document/document_fixture.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/document/recent_files.hpp"
-#include "ui/panels/typed_value.hpp"
 #include "ui/shell/start_page.hpp"
 
 namespace sonde::ui::test {
 namespace {
-
-class DocumentTest : public WindowTest {
- protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    if (HasFatalFailure()) return;
-    open_cubes();
-    window->activateWindow();
-    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
-  }
-  void act(const char* name) {
-    auto* action = window->findChild<QAction*>(name);
-    ASSERT_TRUE(action) << name;
-    action->trigger();
-  }
-  void key(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier) {
-    window->viewport().canvas()->setFocus();
-    QTest::keyClick(window->viewport().canvas(), key, with);
-  }
-  Document& document() { return window->documents().document(); }
-  Pose pose() { return window->session()->device_pose(); }
-  testing::AssertionResult comes_to(const Pose& wanted) {
-    const bool there = wait_until([&] {
-      return (pose().p - wanted.p).norm() < 1e-12 && pose().q.angularDistance(wanted.q) < 1e-12 &&
-             window->shown() && (shown().separation.device.p - wanted.p).norm() < 1e-12;
-    });
-    if (there) return testing::AssertionSuccess();
-    return testing::AssertionFailure()
-           << "it is at " << pose_text(pose()) << "and was to be at " << pose_text(wanted);
-  }
-  void type(const char* field, const QString& text) {
-    auto* edit = window->findChild<QLineEdit*>(field);
-    edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, text);
-    QTest::keyClick(edit, Qt::Key_Return);
-  }
-  void set_k(const QString& value) {
-    auto* typed = window->findChild<TypedValue*>("k_value");
-    typed->setFocus();
-    typed->selectAll();
-    QTest::keyClicks(typed, value);
-    QTest::keyClick(typed, Qt::Key_Return);
-  }
-};
 
 TEST_F(DocumentTest, a_drag_is_one_step_and_comes_back) {
   const Pose before = pose();
@@ -336,52 +288,6 @@ TEST_F(DropOnDocument, one_mesh_takes_the_place_of_a_body) {
   act("undo");
   EXPECT_TRUE(wait_until(
       [this] { return std::abs(window->session()->fixed().mass.radius - 0.0866) < 1e-3; }));
-}
-
-TEST_F(DocumentTest, a_scene_that_changes_on_the_disk_is_read_again) {
-  drag(Qt::LeftButton, {500, 400}, {40, 10});
-  const Pose here = pose();
-  std::string text = sonde::test::text_of(scene);
-  text.replace(text.find("500"), 3, "900");
-  folder.write("new.json", text);
-  std::filesystem::rename(folder / "new.json", scene);  // as editors do
-  ASSERT_TRUE(wait_until([this] { return window->session()->coupling().k == 900; }));
-  EXPECT_TRUE(comes_to(here)) << "the probe stays";
-  folder.write("cubes.sonde.json", "{ half written");
-  ASSERT_TRUE(wait_until([this] { return failed == 1; }));
-  EXPECT_TRUE(complaints.back().contains("cubes.sonde.json"));
-  EXPECT_EQ(window->session()->coupling().k, 900) << "what was open stays";
-}
-
-TEST_F(DocumentTest, with_changes_that_are_not_saved_it_asks) {
-  int asked = 0;
-  bool answer = false;
-  window->prompts().ask_reload = [&](const QString&) {
-    ++asked;
-    return answer;
-  };
-  set_k("650");
-  std::string text = sonde::test::text_of(scene);
-  text.replace(text.find("500"), 3, "900");
-  folder.write("cubes.sonde.json", text);
-  ASSERT_TRUE(wait_until([&] { return asked == 1; }));
-  EXPECT_EQ(window->session()->coupling().k, 650);
-  answer = true;
-  folder.write("cubes.sonde.json", text + "\n");
-  ASSERT_TRUE(wait_until([this] { return window->session()->coupling().k == 900; }));
-}
-
-TEST_F(DocumentTest, a_mesh_that_changes_is_read_again_and_one_that_goes_is_named) {
-  set_k("650");
-  folder.write("cube.off", cube(0.12));
-  ASSERT_TRUE(wait_until([this] { return window->session()->probe().mass.radius > 0.1; }));
-  EXPECT_EQ(window->session()->coupling().k, 650);
-  EXPECT_TRUE(document().modified()) << "as before";
-  std::filesystem::remove(folder / "cube.off");
-  auto* lines = window->findChild<QPlainTextEdit*>("log_lines");
-  EXPECT_TRUE(wait_until([&] { return lines->toPlainText().contains("no longer on the disk"); }));
-  const std::uint64_t tick = shown().tick;
-  EXPECT_TRUE(wait_until([&] { return shown().tick > tick + 10; })) << "what was open stays";
 }
 
 TEST_F(DocumentTest, new_leads_to_the_start_page_and_that_to_a_scene) {
