@@ -64,6 +64,7 @@ std::vector<TimedSeparation> follow_all(const Pair& pair, std::span<const Pose> 
                                         const SolverOptions& options, ProgressLine& progress) {
   std::vector<TimedSeparation> results(poses.size());
   CoherentSolver solver(pair, options.chosen_method());
+  solver.time_phases(options.time_phases);
   bool started = false;  // a search that failed leaves nothing to follow: search again
   for (std::size_t i = 0; i < poses.size(); ++i) {
     Separation& separation = results[i].separation;
@@ -94,24 +95,29 @@ void run(const QueryOptions& options) {
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
   inputs.emplace_back(options.poses);
   check_output(options.output, inputs);
+  check_picture(options.phases, options.output, inputs);
   const std::vector<Pose> poses = read_poses(options.poses);
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
-  const SolverOptions solver = accuracy.applied(options.solver, pair);
+  SolverOptions solver = accuracy.applied(options.solver, pair);
+  solver.time_phases = options.phases.timed();
   const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
                                          : search_all(pair, poses, solver, progress);
   const std::vector<Column> all_columns =
       with_phases(options.phases, accuracy.with_claims(columns));
   ResultTable table{all_columns, {}};
+  PhasePicture picture;
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);
     table.rows.push_back(row_of(results[i], i));
     accuracy.append_claim(table.rows.back(), results[i].separation);
     append_phases(options.phases, table.rows.back(), results[i].separation);
+    picture.add(results[i].separation, results[i].time_us);
   }
   if (!options.output.quiet) note_unfinished(results);
-  write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
+  picture.write_with(options.phases, "searches", options.output,
+                     options.output.json ? to_json(table) : to_csv(table));
 }
 
 }  // namespace

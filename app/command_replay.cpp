@@ -104,18 +104,21 @@ class Results {
     table_.rows.push_back(row_of(tick, scene_.servo.rate_hz));
     accuracy_.append_claim(table_.rows.back(), tick.separation);
     append_phases(options_.phases, table_.rows.back(), tick.separation);
+    picture_.add(tick.separation, tick.tick_us);
     if (!options_.record.empty()) log_.add(tick);
   }
 
   void write() {
+    const std::string what = options_.solver.coherent() ? "ticks" : "searches";
     for (const auto& [index, separation] : failures_) report_failure(separation, index);
     const std::string table = options_.output.json ? to_json(table_) : to_csv(table_);
-    if (options_.record.empty()) return write_result(options_.output, table);
+    if (options_.record.empty())
+      return picture_.write_with(options_.phases, what, options_.output, table);
     log_.seal();
     finish_despite_interrupts();
     // It takes its name once the table is written: both appear, or neither.
     PendingFile recording(options_.record, recording_bytes(options_.record, header_, log_));
-    write_result(options_.output, table);
+    picture_.write_with(options_.phases, what, options_.output, table);
     recording.commit();
   }
 
@@ -126,6 +129,7 @@ class Results {
   std::vector<Column> columns_;
   ResultTable table_{columns_, {}};
   std::vector<std::pair<std::size_t, Separation>> failures_;
+  PhasePicture picture_;
   RecordingHeader header_;
   TickLog log_;
 };
@@ -135,6 +139,7 @@ void run_in_step(const Pair& pair, const Job& job, const SolverOptions& options,
                  ProgressLine& progress, Results& results) {
   const LoopRun run{.budget = options.budget,
                     .search = options.static_options(),
+                    .time_phases = options.time_phases,
                     .rate_hz = job.scene.servo.rate_hz};
   std::size_t done = 0;
   run_loop(pair, job.steps, run, [&](const Snapshot& tick) {
@@ -258,6 +263,7 @@ void run(const ReplayOptions& options) {
   Accuracy accuracy(knob, options.solver);
   check_output(options.output, job.inputs);
   check_record(options, job);
+  check_picture(options.phases, options.output, job.inputs);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.
@@ -273,6 +279,7 @@ void run(const ReplayOptions& options) {
   header.probe_radius = pair.probe().mass.radius;
   header.along_path = job.along_path;
   solver = accuracy.applied(solver, pair);
+  solver.time_phases = options.phases.timed();
   Results results(options, scene, accuracy, std::move(header));
   if (solver.coherent())
     run_in_step(pair, job, solver, progress, results);

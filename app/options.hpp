@@ -36,6 +36,7 @@ struct SolverOptions {
   Budget budget;
   std::uint64_t seed = 1;
   std::optional<bool> bound;  ///< wanted or not; by default, where nothing limits the time
+  bool time_phases = false;   ///< say where the time of an answer went
   unsigned threads = 0;       ///< 0: as many as the machine runs at once
 
   bool coherent() const { return mode == "coherent"; }
@@ -45,7 +46,8 @@ struct SolverOptions {
             .budget = budget,
             .seed = seed,
             .want_lower_bound = bound.value_or(true),
-            .share_for_bound = bound.value_or(false) ? 0.3 : 0};
+            .share_for_bound = bound.value_or(false) ? 0.3 : 0,
+            .time_phases = time_phases};
   }
 };
 void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode);

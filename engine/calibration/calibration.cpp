@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -41,6 +42,13 @@ double between(double x, double x0, double y0, double x1, double y1) {
 }
 
 }  // namespace
+
+Calibration of_pair(const Calibration& calibration, const std::string& pair) {
+  Calibration out;
+  std::ranges::copy_if(calibration.series, std::back_inserter(out.series),
+                       [&](const CalibrationSeries& series) { return series.pair == pair; });
+  return out;
+}
 
 AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
                              bool sketched)

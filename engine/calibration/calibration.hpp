@@ -33,6 +33,8 @@ struct CalibrationSeries {
 struct Calibration {
   std::vector<CalibrationSeries> series;
 };
+/// The measurements on the pair of that name alone; none where there are none.
+Calibration of_pair(const Calibration& calibration, const std::string& pair);
 
 /// The accuracy that nine in ten answers of a kind reach, by their time.
 class AccuracyCurve {

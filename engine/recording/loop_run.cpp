@@ -16,6 +16,7 @@ class Runner {
  public:
   Runner(const Pair& pair, const LoopRun& run)
       : run_(run), loop_(pair, run.search.method, Coupling{}) {
+    loop_.time_phases(run.time_phases);
     tick_.rate_hz = run.rate_hz;
     tick_.hand.share = 1;
     tick_.hand.rows.in_step = true;

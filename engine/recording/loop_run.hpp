@@ -26,9 +26,10 @@ std::vector<LoopStep> steps_of(const TickLog& ticks, const Progress& progress = 
 std::vector<LoopStep> steps_of(std::span<const TimedPose> path, const Coupling& coupling);
 
 struct LoopRun {
-  Budget budget;          ///< of a tick
-  StaticOptions search;   ///< where the loop begins in contact; its method is that of the loop
-  double rate_hz = 1000;  ///< a tick that takes longer than its period is late
+  Budget budget;             ///< of a tick
+  StaticOptions search;      ///< where the loop begins in contact; its method is that of the loop
+  bool time_phases = false;  ///< say where the time of each tick went
+  double rate_hz = 1000;     ///< a tick that takes longer than its period is late
 };
 
 /// Runs the loop in step over the poses, as `replay` does, and passes on a tick for each, in order.

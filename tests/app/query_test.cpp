@@ -203,11 +203,15 @@ TEST_F(Query, one_knob_gives_two_columns_more) {
 // Reference: the depth of the first pose by hand, 0.01, which no turn makes less.
 TEST_F(Query, phases_are_columns_of_their_own_and_change_no_answer) {
   const Csv plain = query(scene), phases = query("--phases " + scene);
-  EXPECT_EQ(phases.header, std::string(header) + ",pdt,converged,limited");
+  EXPECT_EQ(phases.header, std::string(header) +
+                               ",pdt,converged,limited"
+                               ",sketch_us,look_us,solve_us,sweep_us,verify_us,bound_us,couple_us");
   for (const char* column : {"depth", "px", "qx", "lower_bound", "iterations"})
     EXPECT_EQ(phases.text(0, column), plain.text(0, column)) << column;
   EXPECT_NEAR(phases.number(0, "pdt"), 0.01, 5e-4);
   EXPECT_EQ(phases.text(0, "converged"), "1");
+  for (const char* column : {"sketch_us", "look_us", "solve_us", "verify_us", "bound_us"})
+    EXPECT_GT(phases.number(0, column), 0) << column;
   EXPECT_EQ(phases.text(1, "limited"), "0") << "a free probe is not searched for";
 }
 

@@ -95,11 +95,21 @@ TEST_F(Replay, static_mode_searches_every_row) {
 
 TEST_F(Replay, phases_are_columns_of_their_own_and_change_no_answer) {
   const Csv plain = replay("boxes.sonde.json"), phases = replay("--phases boxes.sonde.json");
-  EXPECT_EQ(phases.header, std::string(header) + ",pdt,limited");
+  EXPECT_EQ(phases.header, std::string(header) +
+                               ",pdt,limited"
+                               ",sketch_us,look_us,solve_us,sweep_us,verify_us,bound_us,couple_us");
   EXPECT_EQ(phases.text(last, "depth"), plain.text(last, "depth"));
   EXPECT_EQ(phases.text(last, "fx"), plain.text(last, "fx"));
   EXPECT_EQ(phases.text(last, "pdt"), "") << "a tick looks for no translation";
   EXPECT_EQ(phases.text(last, "limited"), "0");
+  EXPECT_GT(phases.number(last, "look_us"), 0);
+  EXPECT_GT(phases.number(last, "solve_us"), 0);
+  EXPECT_GT(phases.number(last, "couple_us"), 0);
+  EXPECT_EQ(phases.number(last, "sketch_us"), 0) << "a tick has no sketches";
+  double sum = 0;
+  for (const char* column : {"look_us", "solve_us", "sweep_us", "verify_us", "couple_us"})
+    sum += phases.number(last, column);
+  EXPECT_LE(sum, phases.number(last, "tick_us") + 0.01) << "no time counts twice";
 }
 
 TEST_F(Replay, the_scenes_wanted_accuracy_acts_unless_a_budget_is_given) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the static search on every pose of depths.csv and says how often it finds the reference.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/penetration/search/search_variation.hpp"
@@ -48,6 +50,7 @@ void add_options(CLI::App& app, Options& o) {
       },
       "NAME=VALUE: another value for a number of SearchTuning; may be given again; the names are " +
           list_of_search_tuning());
+  app.add_flag("--phases", o.search.time_phases, "say where the time went");
   app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
@@ -95,6 +98,29 @@ void print(const char* title, const bench::Table& table) {
   if (!table.rows.empty()) std::printf("%s\n\n%s\n", title, bench::to_text(table).c_str());
 }
 
+/// The mean time of each phase, over all searches and over the slower half of them.
+void print_phases(const std::vector<Measured>& all) {
+  std::vector<const Measured*> by_time;
+  for (const Measured& m : all) by_time.push_back(&m);
+  std::ranges::sort(by_time, {}, &Measured::time_us);
+  const auto line = [&](const char* name, std::span<const Measured* const> of) {
+    PhaseTimes sum;
+    double time_us = 0;
+    for (const Measured* m : of) sum += m->got.phases, time_us += m->time_us;
+    const double each = 1e-3 / static_cast<double>(of.size());
+    std::printf("%-12s", name);
+    for (std::size_t i = 0; i < phase_count; ++i)
+      if (sum.us[i] > 0) std::printf("  %s %.3f", phase_names[i], each * sum.us[i]);
+    std::printf("  all %.3f\n", each * time_us);
+  };
+  std::printf("mean ms of each phase\n\n");
+  line("all", by_time);
+  const std::span<const Measured* const> sorted(by_time);
+  line("faster half", sorted.first(sorted.size() / 2));
+  line("slower half", sorted.subspan(sorted.size() / 2));
+  std::printf("\n");
+}
+
 int calibrate_all(const Options& options) {
   check_writable(options.calibration);
   const std::vector<Row> rows = read_rows(options.in);
@@ -119,6 +145,7 @@ int run(const Options& options) {
   if (all.empty()) throw InputError(options.in + ": no rows to measure");
   const bench::Table table = summary(all, options.search.budget.microseconds);
   print("static search beside the reference", table);
+  if (options.search.time_phases) print_phases(all);
   print("better than the reference", better(all));
   print("furthest above the reference", worst(all, options.worst));
   if (!options.csv.empty()) write_whole(options.csv, bench::to_csv(details(all)));

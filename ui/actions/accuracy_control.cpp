@@ -27,6 +27,7 @@ AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window
   // What changed while nobody saw it.
   connect(panel_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     reached_.clear();
+    if (session_) session_->set_time_phases(visible);
     if (visible) show_knob();
   });
 }
@@ -35,6 +36,7 @@ void AccuracyControl::attach(Session* session) {
   session_ = session;
   curve_.reset();
   reached_.clear();
+  if (session_) session_->set_time_phases(panel_->isVisible());
   panel_->show_reached({});
   show_knob();
 }
@@ -53,10 +55,18 @@ const AccuracyCurve& AccuracyControl::curve() const {
   return *curve_;
 }
 
+/// As the calibration names pairs: the scene's file without its endings.
+std::string AccuracyControl::scene_name() const {
+  return documents_.document().file().stem().stem().string();
+}
+
 Expected AccuracyControl::expected(const ServoSettings& servo) const {
   const double time_us =
       servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
-  return {time_us, curve().within(time_us)};
+  const AccuracyCurve here(of_pair(default_calibration(), scene_name()), Answers::tick, Method::pdg,
+                           bool(session_->loaded().pair.sketches()));
+  return {time_us, curve().within(time_us),
+          here.known() ? std::optional(here.within(time_us)) : std::nullopt};
 }
 
 /// The value of the kind that was chosen is what the present one is worth.

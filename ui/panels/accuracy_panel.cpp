@@ -7,7 +7,11 @@
 #include <QLabel>
 #include <QRadioButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
@@ -44,6 +48,25 @@ QString words(const Expected& expected) {
   return expected.time_us > 0
              ? QStringLiteral("%1 in %2").arg(within, microseconds(expected.time_us))
              : within + QStringLiteral(", no limit of time");
+}
+
+/// The phases of a tick in the order of the bar, each in its colour.
+struct ShownPhase {
+  Phase phase;
+  const char* name;
+  QColor colour;
+};
+const std::array shown_phases{ShownPhase{Phase::look, "look", colour::contact},
+                              ShownPhase{Phase::solve, "solve", colour::ghost},
+                              ShownPhase{Phase::sweep, "sweep", colour::nearest},
+                              ShownPhase{Phase::couple, "couple", colour::turn}};
+
+QString words(const PhaseTimes& phases) {
+  QStringList out;
+  for (const ShownPhase& shown : shown_phases)
+    out += in_colour(shown.colour, QStringLiteral("■")) + QLatin1Char(' ') +
+           QLatin1String(shown.name) + QLatin1Char(' ') + microseconds(phases[shown.phase]);
+  return out.join(QStringLiteral("&nbsp; "));
 }
 
 }  // namespace
@@ -104,6 +127,8 @@ void AccuracyPanel::build_figures(QVBoxLayout& layout) {
   expected_ = value("expected", "expected_accuracy",
                     "Of ticks with this time, measured on the scenes that Sonde comes with, on "
                     "pairs of this kind: the error as a share of the largest depth of a path.");
+  here_ = value("on this scene", "expected_here",
+                "The same, measured on this scene alone when Sonde was built.");
   reached_ = value("reached", "reached_accuracy",
                    "What the last two seconds in contact leave open: how much too deep an answer "
                    "may be that its contacts do not hold altogether, as a share of its depth.");
@@ -116,8 +141,16 @@ void AccuracyPanel::build_figures(QVBoxLayout& layout) {
                 "Time of the servo's own tick: moving the rows to the newest pose of the hand, "
                 "the coupling, the safety of the hand.");
   parts_ = new Bar(group);
-  parts_->setToolTip(QStringLiteral("The share of the rows in that time, and of the tick"));
+  phases_ = new QLabel(group);
+  phases_->setObjectName(QStringLiteral("phases"));
+  phases_->setWordWrap(true);
+  for (QWidget* each : std::initializer_list<QWidget*>{parts_, phases_})
+    each->setToolTip(
+        QStringLiteral("Mean time of each phase in the last two seconds in contact: the geometry "
+                       "looks for near pairs, solves for the nearest pose, and sweeps the way "
+                       "there; the servo's own tick couples hand and probe."));
   form->addRow(parts_);
+  form->addRow(phases_);
   layout.addWidget(group);
 }
 
@@ -134,21 +167,26 @@ void AccuracyPanel::show_knob(const ServoSettings& servo, const Expected& expect
   if (kind == Knob::accuracy && accuracy_->value() != per_cent * servo.accuracy)
     accuracy_->set_value(per_cent * servo.accuracy);
   expected_->setText(words(expected));
+  here_->setText(expected.here ? QStringLiteral("within ") + percent(*expected.here)
+                               : QStringLiteral("not measured"));
 }
 
 void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
   if (!reached) {
     for (QLabel* label : {reached_, converged_, rows_, tick_}) label->setText(QStringLiteral("–"));
+    phases_->clear();
     return parts_->set({});
   }
   reached_->setText(QStringLiteral("within ") + percent(reached->within));
   converged_->setText(percent(reached->converged));
   rows_->setText(microseconds(reached->rows_us));
   tick_->setText(microseconds(reached->tick_us));
-  const double all = reached->rows_us + reached->tick_us;
-  if (all > 0)
-    parts_->set(
-        {{reached->rows_us / all, colour::contact}, {reached->tick_us / all, colour::turn}});
+  std::vector<Bar::Part> parts;
+  for (const ShownPhase& shown : shown_phases)
+    parts.push_back(
+        {reached->phases[shown.phase] / std::max(reached->phases.sum(), 1e-9), shown.colour});
+  parts_->set(parts);
+  phases_->setText(words(reached->phases));
 }
 
 }  // namespace sonde::ui

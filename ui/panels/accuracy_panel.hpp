@@ -21,6 +21,8 @@ class SliderRow;
 struct Expected {
   double time_us = 0;  ///< of a tick; 0: no limit
   double within = 0;   ///< of nine in ten ticks, share of the largest depth; infinite: not known
+  /// The same, measured on this very scene; none where it was not.
+  std::optional<double> here;
 };
 
 /// The dock of the one knob: the time of a tick or the accuracy that it should have, the accuracy
@@ -46,8 +48,9 @@ class AccuracyPanel : public QDockWidget {
 
   QButtonGroup* kinds_;
   SliderRow *time_, *accuracy_;
-  QLabel *expected_, *reached_, *converged_, *rows_, *tick_;
+  QLabel *expected_, *here_, *reached_, *converged_, *rows_, *tick_;
   Bar* parts_;
+  QLabel* phases_;
 };
 
 /// The range of the slider of time, µs, and of the slider of accuracy, as a share.

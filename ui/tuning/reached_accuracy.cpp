@@ -25,7 +25,8 @@ void ReachedAccuracy::add(const Snapshot& tick) {
   if (!ticks_.empty() && tick.time < ticks_.back().time) clear();
   if (!ticks_.empty() && tick.time == ticks_.back().time) return;
   ticks_.push_back({tick.time, too_deep(tick.hand.rows.residual), tick.hand.rows.refresh_us,
-                    tick.tick_us, s.converged});
+                    tick.tick_us, s.converged, tick.hand.rows.phases});
+  ticks_.back().phases[Phase::couple] = tick.tick_us;
   if (ticks_.size() > most) ticks_.pop_front();
 }
 
@@ -38,8 +39,11 @@ std::optional<Reached> ReachedAccuracy::reached() const {
     return quantile(all, nine_in_ten);
   };
   const auto converged = std::ranges::count_if(ticks_, &Tick::converged);
+  PhaseTimes mean;
+  for (const Tick& tick : ticks_) mean += tick.phases;
+  for (double& time : mean.us) time /= double(ticks_.size());
   return Reached{most_of(&Tick::within), most_of(&Tick::rows_us), most_of(&Tick::tick_us),
-                 double(converged) / double(ticks_.size())};
+                 double(converged) / double(ticks_.size()), mean};
 }
 
 }  // namespace sonde::ui

@@ -17,6 +17,8 @@ struct Reached {
   double rows_us = 0;    ///< time that the geometry took
   double tick_us = 0;    ///< time that the servo's own tick took
   double converged = 0;  ///< share of these ticks
+  /// The mean time of each phase in a tick: the geometry's, and as `couple` the servo's own tick.
+  PhaseTimes phases;
 };
 
 /// Collects the last ticks in contact, in order.
@@ -35,6 +37,7 @@ class ReachedAccuracy {
   struct Tick {
     double time, within, rows_us, tick_us;
     bool converged;
+    PhaseTimes phases;
   };
   std::deque<Tick> ticks_;
 };

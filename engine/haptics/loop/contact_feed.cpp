@@ -56,14 +56,21 @@ const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& opti
 const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, double time,
                                           const Budget& budget) noexcept {
   const double begin = now_us();
+  times_ = {};
   last_device_ = contacts_.separation.device;
   contacts_.separation = solver_.tick(X_FM, budget);
   contacts_.tick = tick;
   contacts_.time = time;
   if (contacts_.separation.jumped) ++contacts_.jumps;
   gather(budget);
+  contacts_.separation.phases += times_;
   contacts_.refresh_us = now_us() - begin;
   return contacts_;
+}
+
+void ContactFeed::time_phases(bool on) noexcept {
+  solver_.time_phases(on);
+  near_.time_into(on ? &times_ : nullptr);
 }
 
 void ContactFeed::gather(const Budget& budget) noexcept {

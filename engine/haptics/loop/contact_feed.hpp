@@ -26,6 +26,9 @@ class ContactFeed {
   /// lock, log, throw.
   const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
                                const Budget& budget) noexcept;
+  /// From the next refresh on, whether its separation says where the time went, with that of the
+  /// rows near by.
+  void time_phases(bool on) noexcept;
   const LocalContacts& contacts() const noexcept { return contacts_; }
 
  private:
@@ -44,6 +47,7 @@ class ContactFeed {
   CoherentSolver solver_;
   ContactRows near_;
   LocalContacts contacts_;
+  PhaseTimes times_;  ///< of the rows near by, where they are kept
   Pose last_device_;
   Pose gathered_at_;  ///< of the rows near by
   bool gathered_ = false;

@@ -68,6 +68,7 @@ void GeometryThread::run() noexcept {
     if (!requests_.update()) continue;
     const Request& request = requests_.front();
     budget_.microseconds = budget_us_.load(std::memory_order_relaxed);
+    feed_.time_phases(time_phases_.load(std::memory_order_relaxed));
     contacts_.write(feed_.refresh(request.X_FM, request.tick, request.time, budget_));
   }
 }

@@ -27,6 +27,9 @@ class GeometryThread {
     budget_us_.store(time_us, std::memory_order_relaxed);
   }
 
+  /// From the next refresh on, whether it says where its time went. From any thread.
+  void set_time_phases(bool on) noexcept { time_phases_.store(on, std::memory_order_relaxed); }
+
   // For one other thread, the servo: neither allocates, locks or waits.
   void ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept;
   /// The newest rows, valid until the next call.
@@ -43,6 +46,7 @@ class GeometryThread {
   ContactFeed feed_;
   Budget budget_;  ///< but for its time
   std::atomic<double> budget_us_;
+  std::atomic<bool> time_phases_{false};
   bool real_time_;  ///< ask for more than an ordinary share of the processor
   TripleBuffer<Request> requests_;
   TripleBuffer<LocalContacts> contacts_;

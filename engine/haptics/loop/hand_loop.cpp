@@ -100,6 +100,7 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
                     .reach = contacts.reach,
                     .refresh_us = contacts.refresh_us,
                     .residual = contacts.separation.residual,
+                    .phases = contacts.separation.phases,
                     .separated = contacts.separation.separated};
 }
 

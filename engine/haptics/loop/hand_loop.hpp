@@ -20,6 +20,7 @@ struct RowsUsed {
   double reach = 0;             ///< m
   double refresh_us = 0;        ///< time the geometry took to make them
   double residual = 0;          ///< of the geometry's answer (Separation::residual)
+  PhaseTimes phases;            ///< where that time went, if it was asked for
   Pose separated;  ///< the geometry's last separated pose, reached along a path swept free
 };
 

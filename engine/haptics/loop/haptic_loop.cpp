@@ -13,6 +13,7 @@ struct HapticLoop::State {
   Coupler coupler;
   Separation separation;
   Wrench wrench;
+  bool timed = false;
 
   State(const Pair& pair, Method m, const Coupling& coupling)
       : solver(pair, m), method(m), coupler(pair.probe().mass, coupling) {}
@@ -41,7 +42,13 @@ void HapticLoop::set_coupling(const Coupling& coupling) noexcept {
 
 void HapticLoop::tick(const Pose& X_FM, double dt, const Budget& budget) noexcept {
   state_->separation = state_->solver.tick(X_FM, budget);
+  const PhaseTimer timer(state_->timed ? &state_->separation.phases : nullptr, Phase::couple);
   state_->wrench = state_->coupler.wrench(state_->separation, dt);
+}
+
+void HapticLoop::time_phases(bool on) noexcept {
+  state_->timed = on;
+  state_->solver.time_phases(on);
 }
 
 const Separation& HapticLoop::separation() const { return state_->separation; }

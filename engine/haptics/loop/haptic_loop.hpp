@@ -24,6 +24,8 @@ class HapticLoop {
   /// dt is the time since the last tick, s (for the rates of the classic mode, see Coupler); 0
   /// where it is not known, and then there is no damping. No allocation, lock, log, throw.
   void tick(const Pose& X_FM, double dt, const Budget& budget) noexcept;
+  /// From the next tick on, whether a tick says where its time went (Separation::phases).
+  void time_phases(bool on) noexcept;
   const Separation& separation() const;
   const Wrench& wrench() const;  ///< zero where the separation failed
 

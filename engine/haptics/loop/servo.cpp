@@ -282,6 +282,8 @@ void Servo::set_passivity_control(bool on) {
 
 void Servo::set_budget_us(double time_us) { state_->geometry.set_budget_us(time_us); }
 
+void Servo::set_time_phases(bool on) { state_->geometry.set_time_phases(on); }
+
 void Servo::set_paused(bool paused) { state_->paused.store(paused, std::memory_order_relaxed); }
 
 void Servo::set_force(bool on) { state_->force.store(on, std::memory_order_relaxed); }

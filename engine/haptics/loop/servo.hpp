@@ -82,6 +82,8 @@ class Servo {
   void set_rate(double rate_hz);
   void set_passivity_control(bool on);
   void set_budget_us(double time_us);  ///< ServoSettings::budget.microseconds
+  /// Whether rows say where the geometry's time went (RowsUsed::phases); off at first.
+  void set_time_phases(bool on);
   /// A paused loop keeps its threads and its last snapshot, and computes nothing.
   void set_paused(bool paused);
   /// False: no force from the next tick on, whatever the contact. True: the force rises from zero.

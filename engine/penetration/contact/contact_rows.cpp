@@ -155,6 +155,7 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
 
 void ContactRows::prepare_next_list(Effort& effort) noexcept {
   if (!gathered_) return;
+  const PhaseTimer timer(times_, Phase::look);
   const double reach = std::max(least_asked_, tuned.least_share_of_reach * asked_);
   const Vec3 centre = least_moving_point(X_);
   lists_.prepare_next_list(
@@ -163,6 +164,7 @@ void ContactRows::prepare_next_list(Effort& effort) noexcept {
 
 bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double flat,
                          Effort& effort) noexcept {
+  const PhaseTimer timer(times_, Phase::look);
   const Transform X(chart.pose(y));
   asked_ = std::min(reach, reach_limit_);
   least_asked_ = tuned.least_reach_of_flat * flat;
@@ -211,6 +213,7 @@ void ContactRows::move_rows_with_probe(const Chart& chart, const Vec6& y) noexce
 
 ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
                                         double margin, Effort& effort) noexcept {
+  const PhaseTimer timer(times_, Phase::look);
   const double least = tuned.kept_share * margin;
   const Transform end = motion.at(1);
   lists_.note_path(motion);
@@ -269,11 +272,13 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
 
 Sweep ContactRows::sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept {
   if (!lists_.serving().covers(motion, clearance)) {
+    const PhaseTimer timer(times_, Phase::look);
     const Vec3 centre = least_moving_point(X_);
     lists_.renew(motion.at(0),
                  {clearance, near_of(clearance), clearance, centre, path_of(motion, centre)},
                  effort);
   }
+  const PhaseTimer timer(times_, Phase::sweep);
   NeighbourList& list = lists_.serving();
   if (list.covers(motion, clearance)) return list.sweep_along(motion, clearance, effort);
   return sweep(probe_, fixed_, motion, clearance, effort);
@@ -300,6 +305,7 @@ ContactSet ContactRows::holding(const LeastDistance& nearest) const noexcept {
 }
 
 LeastDistance ContactRows::solve(double margin, SmallGaps small_gaps, double rise) noexcept {
+  const PhaseTimer timer(times_, Phase::solve);
   for (std::size_t i = 0; i < count_; ++i) {
     const double room = contacts_[i].gap - margin;
     rows_[i].bound = at_[i] - (small_gaps == SmallGaps::widen ? room : std::max(0.0, room)) + rise;

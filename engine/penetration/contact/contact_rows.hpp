@@ -43,6 +43,8 @@ class ContactRows {
   static constexpr std::size_t capacity = contact_tuning.most_rows;
   ContactRows(const Body& probe, const Body& fixed, Method method, const Finding& finding);
 
+  /// Adds the time of looks, solutions and sweeps to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// Drops all rows, kept pairs and lists. Call it before a pose that is unrelated to the last one.
   void forget() noexcept;
 
@@ -161,7 +163,8 @@ class ContactRows {
   double reach_ = 0;
   Transform X_;            // of the last gather
   bool gathered_ = false;  // false: the last gather ran out of effort, or there was none
-  double turn_ = 0;        // rad: the turn that a step as long as the reach may make
+  PhaseTimes* times_ = nullptr;
+  double turn_ = 0;  // rad: the turn that a step as long as the reach may make
 };
 
 }  // namespace sonde

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/base/phase_times.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {
@@ -132,6 +133,7 @@ struct Separation {
   /// Static only: the translational depth that the search found on the way, m. None if the time ran
   /// out before that.
   std::optional<double> pdt;
+  PhaseTimes phases;  ///< where the time went, if it was asked for
 };
 
 /// The work that one query may do; 0 means no limit of that kind. `steps` counts iterations of the

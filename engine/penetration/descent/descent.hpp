@@ -50,6 +50,8 @@ class Descent {
     void move_to(const Vec6& to) noexcept;
   };
 
+  /// Adds the times of phases to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept { rows_.time_into(times); }
   /// Drops rows and lists. Call it before a run that is unrelated to the last one.
   void forget() noexcept;
 

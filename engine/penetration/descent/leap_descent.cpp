@@ -44,14 +44,25 @@ struct LeapDescent::Pace {
 LeapDescent::LeapDescent(const Body& probe, const Body& fixed, Method method)
     : probe_(probe), fixed_(fixed), method_(method) {}
 
+void LeapDescent::time_into(PhaseTimes* times) noexcept {
+  times_ = times;
+  for (std::optional<ContactRows>& rows : rows_)
+    if (rows) rows->time_into(times);
+}
+
 ContactRows& LeapDescent::rows(Guide guide) {
   std::optional<ContactRows>& rows = rows_[static_cast<std::size_t>(guide)];
   if (rows) return *rows;
-  if (guide == Guide::outlines) return rows.emplace(roughly(probe_), roughly(fixed_), method_, few);
-  return rows.emplace(probe_, fixed_, method_, guide == Guide::few ? few : many);
+  if (guide == Guide::outlines)
+    rows.emplace(roughly(probe_), roughly(fixed_), method_, few);
+  else
+    rows.emplace(probe_, fixed_, method_, guide == Guide::few ? few : many);
+  rows->time_into(times_);
+  return *rows;
 }
 
 bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {
+  const PhaseTimer timer(times_, Phase::verify);
   return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
 }
 

@@ -32,6 +32,8 @@ class LeapDescent {
  public:
   LeapDescent(const Body& probe, const Body& fixed, Method method);
 
+  /// Adds the times of phases to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept;
   /// From the free pose at y in the chart of the device pose. Its contacts, and the residual that
   /// they leave, are of meaning where it was guided by the bodies' own.
   Descent::Outcome run(const Chart& chart, const Vec6& y, const LeapGoal& goal,
@@ -59,6 +61,7 @@ class LeapDescent {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
+  PhaseTimes* times_ = nullptr;
   int limited_ = 0;
   std::array<std::optional<ContactRows>, 3> rows_;  // made when first asked for
 };

@@ -69,7 +69,13 @@ PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
   rows_.reserve(tuned.most_pairs);
 }
 
+bool PushApart::is_free(const Chart& chart, const Vec6& y) const {
+  const PhaseTimer timer(times_, Phase::verify);
+  return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
+}
+
 void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
+  const PhaseTimer timer(times_, Phase::look);
   const Transform X(chart.pose(y));
   Effort unlimited;
   const std::size_t count = find_violations(probe_, fixed_, X, margin, found_, unlimited);
@@ -88,6 +94,7 @@ void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
 
 /// By projected Gauss-Seidel on the dual, regularised: what contradicts each other is met halfway.
 Vec6 PushApart::compromise() {
+  const PhaseTimer timer(times_, Phase::solve);
   Vec6 step = Vec6::Zero();
   for (int sweep = 0; sweep < tuned.sweeps; ++sweep)
     for (auto& [row, push] : rows_) {
@@ -105,7 +112,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
   const double margin = tuned.margin * chart.mass().radius;
   Vec6 y = start;
   for (int looks = 0; looks < tuned.most_looks && !deadline.passed(); ++looks) {
-    if (!overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact)) return y;
+    if (is_free(chart, y)) return y;
     gather(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one is inside the other
     Vec6 step = compromise();

@@ -21,6 +21,8 @@ class PushApart {
  public:
   PushApart(const Body& probe, const Body& fixed, Method method);
 
+  /// Adds the times of phases to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// A free pose (by overlap with doubt as contact) near y, in the chart of the device pose. Given
   /// up where |y| reaches `farthest`, m.
   std::optional<Vec6> from(const Chart& chart, const Vec6& y, double farthest,
@@ -31,6 +33,7 @@ class PushApart {
     HalfSpace half_space;  ///< of the step
     double push;           ///< its multiplier
   };
+  bool is_free(const Chart& chart, const Vec6& y) const;
   /// Rows of the pairs that meet at y, or nearly do.
   void gather(const Chart& chart, const Vec6& y, double margin);
   /// A step that satisfies the rows about evenly.
@@ -39,6 +42,7 @@ class PushApart {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
+  PhaseTimes* times_ = nullptr;
   std::vector<Violation> found_;
   std::vector<Row> rows_;
 };

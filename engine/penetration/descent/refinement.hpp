@@ -12,6 +12,8 @@ class Refinement {
  public:
   Refinement(const Body& probe, const Body& fixed, Method method);
 
+  /// Adds the times of phases to `times` from now on; null: to nothing. The leaps have their own.
+  void time_into(PhaseTimes* times) noexcept { descent_.time_into(times); }
   /// From the free pose at y. Where the steps or the time run out, the nearest pose reached, let
   /// come into contact as far as there is time; or, where nothing is known of its contacts by then,
   /// as far as 0.1 ms more go.

@@ -42,6 +42,7 @@ SketchDescent::SketchDescent(const Sketch& probe, const Sketch& fixed,
       of_fixed_(fixed.more.size()) {}
 
 bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
+  const PhaseTimer timer(times_, Phase::sketch);
   const Frame frame(chart, y, R_FB_, com_B_);
   const auto all_out = [](const PointGroup& group, const DistanceField& field, const auto& place) {
     const Quad center = place(group.center);
@@ -151,6 +152,7 @@ LeastDistance SketchDescent::solve(double margin, bool open) {
 }
 
 SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, const Goal& goal) {
+  const PhaseTimer timer(times_, Phase::sketch);
   const double margin = goal.margin,
                shortest = goal.rough ? tuned.rough_tolerance : tuned.tolerance;
   for (auto* groups : {&of_probe_, &of_fixed_})

@@ -18,6 +18,8 @@ class SketchDescent {
  public:
   SketchDescent(const Sketch& probe, const Sketch& fixed, const MassProperties& fixed_mass);
 
+  /// Adds the times of descents to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept { times_ = times; }
   /// By few points. Those that lay too deep when last asked are looked at first.
   bool is_free(const Chart& chart, const Vec6& y);
 
@@ -64,6 +66,7 @@ class SketchDescent {
   Mat3 R_FB_;
   Vec3 com_B_;
   double spacing_;
+  PhaseTimes* times_ = nullptr;
   double travelled_ = 0;
   std::vector<Known> of_probe_, of_fixed_;
   std::size_t deep_of_probe_ = 0, deep_of_fixed_ = 0;  // groups of few points

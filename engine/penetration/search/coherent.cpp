@@ -32,6 +32,8 @@ struct CoherentSolver::State {
   Descent descent;
   ClusterIds ids;
   FarApart far_apart{probe, fixed};
+  PhaseTimes times;  ///< of this tick, where they are kept
+  bool timed = false;
   Separation last;
   Pose device;     ///< the last one that was not refused
   Pose separated;  ///< the last one, free
@@ -123,6 +125,12 @@ CoherentSolver& CoherentSolver::operator=(CoherentSolver&&) noexcept = default;
 
 const Separation& CoherentSolver::last() const { return state_->last; }
 
+void CoherentSolver::time_phases(bool on) noexcept {
+  state_->timed = on;
+  state_->times = {};
+  state_->descent.time_into(on ? &state_->times : nullptr);
+}
+
 const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& options) {
   State& s = *state_;
   StaticOptions search = options;
@@ -154,6 +162,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   }
   const Pose device{X_FM.q.normalized(), X_FM.p};
   if (s.stays_free(device)) return s.last;
+  s.times = {};
   const double moved = s.device_motion(device);
   Effort effort = s.effort_of(budget, moved);
   Chart chart(s.probe.mass, device);
@@ -178,8 +187,11 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
                   before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe.mass.radius, before);
   s.last.converged = s.last.converged && followed;
   // A probe that can spin at no cost is not where the device is.
-  if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0)
+  if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
+    const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
     s.far_apart.look(device, farthest_move(s.probe.mass, s.device, device), effort);
+  }
+  s.last.phases = s.times;
   s.device = device;
   s.separated = s.last.separated;
   s.ids.follow(s.separated, s.probe.mass.radius, s.last.clusters);

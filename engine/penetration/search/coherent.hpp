@@ -27,6 +27,9 @@ class CoherentSolver {
   /// reset the result is failed. A pose that is not finite is refused (failed) and changes nothing.
   const Separation& tick(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
+  /// From the next tick on, whether a tick says where its time went (Separation::phases).
+  void time_phases(bool on) noexcept;
+
   const Separation& last() const;
 
  private:

@@ -16,6 +16,11 @@ SearchWorker::SearchWorker(const Body& probe, const Body& fixed, const SearchTun
       push_pdg_(probe, fixed, Method::pdg),
       push_pdt_(probe, fixed, Method::pdt) {}
 
+void SearchWorker::time_into(PhaseTimes* times) noexcept {
+  for (LeapDescent* leaps : {&pdg_, &pdt_}) leaps->time_into(times);
+  for (PushApart* push : {&push_pdg_, &push_pdt_}) push->time_into(times);
+}
+
 LocalOptimum SearchWorker::descend(const Chart& chart, const Vec6& y, Method method,
                                    const Limits& limits) {
   const double beat = limits.beat;

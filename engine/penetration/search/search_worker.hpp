@@ -26,6 +26,9 @@ class SearchWorker {
   LocalOptimum descend_exactly(const Chart& chart, const Vec6& y, Method method,
                                const Limits& limits);
 
+  /// Adds the times of phases to `times` from now on; null: to nothing.
+  void time_into(PhaseTimes* times) noexcept;
+
   LeapDescent& leaps(Method method) { return method == Method::pdg ? pdg_ : pdt_; }
   PushApart& push(Method method) { return method == Method::pdg ? push_pdg_ : push_pdt_; }
   int limited() const { return pdg_.limited() + pdt_.limited(); }

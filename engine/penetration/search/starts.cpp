@@ -35,6 +35,18 @@ int Starts::limited() const {
   return out;
 }
 
+void Starts::time_phases() noexcept {
+  for (std::size_t k = 0; k < lanes_.size(); ++k) {
+    lanes_[k].time_into(&times_[k]);
+    if (!sketched_.empty()) sketched_[k].time_into(&times_[k]);
+  }
+}
+
+PhaseTimes Starts::phases() const {
+  PhaseTimes out = times_[0];
+  return out += times_[1];
+}
+
 std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, double radius,
                                         int tries, Method method, SearchWorker& lane) const {
   return lane.free_sample(chart_, random, center, radius, tries, method, before_);

@@ -32,6 +32,9 @@ class Starts {
   std::vector<SketchDescent>& sketched() { return sketched_; }
   const std::vector<SketchDescent>& sketched() const { return sketched_; }
   int limited() const;
+  /// From now on the lanes keep the times of their phases.
+  void time_phases() noexcept;
+  PhaseTimes phases() const;  ///< of both lanes; all 0 unless they are kept
 
   /// From the nearest free pose: random poses of ever larger balls, `tries` in each. This finds a
   /// way out close by, even in a tangle that no start from outside gets into.
@@ -71,6 +74,7 @@ class Starts {
   const Chart& chart_;
   Deadline before_;
   const SearchTuning& tuned_;
+  std::array<PhaseTimes, 2> times_;  // of each lane
   std::array<SearchWorker, 2> lanes_;
   std::vector<SketchDescent> sketched_;
 };

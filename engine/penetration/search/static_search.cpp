@@ -35,10 +35,12 @@ class Search {
         tuned_(tuning),
         budget_(options.budget, deadline, tuning),
         starts_(pair, chart_, budget_.searching(), tuning),
-        verified_(pair, chart_),
+        verified_(pair, chart_, options.time_phases ? &times_ : nullptr),
         threads_(options.two_threads && !budget_.is_short()),
         sketches_(chart_, sketch_goal(options.method), starts_.sketched(), threads_, tuning),
-        optima_(tuning.same) {}
+        optima_(tuning.same) {
+    if (options.time_phases) starts_.time_phases();
+  }
 
   Separation run() {
     if (rotates() && !budget_.is_limited()) finish_translation();
@@ -264,6 +266,7 @@ class Search {
     const Separation found = Search(pair_, chart_.device(), options, tuned_, {}).run();
     budget_.spend(found.iterations);
     limited_ += found.limited;
+    times_ += found.phases;
     if (found.status != Status::penetrating) return;
     translated_.y = chart_.coordinates(found.separated);
     translated_.y.head<3>().setZero();
@@ -322,6 +325,8 @@ class Search {
     Separation out = *verified_.best();
     out.iterations = budget_.steps_spent();
     out.limited = limited_ + starts_.limited();
+    out.phases = starts_.phases();
+    out.phases += times_;
     out.pdt = rotates() ? pdt : out.depth;
     return out;
   }
@@ -361,6 +366,7 @@ class Search {
   const SearchTuning& tuned_;
   SearchBudget budget_;
   Starts starts_;
+  PhaseTimes times_;  // of what is done outside of starts
   Verified verified_;
   ThreadPair threads_;
   SketchSearch sketches_;
@@ -382,8 +388,10 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) return *settled;
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
   Separation out = Search(pair, device, options, tuning, deadline.part(1 - kept)).run();
-  if (options.want_lower_bound && out.status == Status::penetrating)
+  if (options.want_lower_bound && out.status == Status::penetrating) {
+    const PhaseTimer timer(options.time_phases ? &out.phases : nullptr, Phase::bound);
     out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline);
+  }
   return out;
 }
 

@@ -26,6 +26,7 @@ struct StaticOptions {
   /// The share of a budget of time that is kept for the bound. 0: the bound gets what the search
   /// leaves.
   double share_for_bound = 0;
+  bool time_phases = false;  ///< say where the time went (Separation::phases)
   bool two_threads = false;  ///< the same bits; one works alone where a budget of time is short
 };
 

@@ -6,13 +6,13 @@
 
 namespace sonde {
 
-Verified::Verified(const Pair& pair, const Chart& chart)
-    : probe_(pair.probe()), fixed_(pair.fixed()), chart_(chart) {}
+Verified::Verified(const Pair& pair, const Chart& chart, PhaseTimes* times)
+    : probe_(pair.probe()), fixed_(pair.fixed()), chart_(chart), times_(times) {}
 
 Separation Verified::refined(Method method, const Vec6& y, LeapDescent& leaps, int steps,
                              const Deadline& deadline) {
   std::optional<Refinement>& refinement = refinements_[method == Method::pdg ? 0 : 1];
-  if (!refinement) refinement.emplace(probe_, fixed_, method);
+  if (!refinement) refinement.emplace(probe_, fixed_, method).time_into(times_);
   return make_separation(chart_, refinement->run(chart_, y, leaps, steps, deadline));
 }
 
@@ -22,6 +22,7 @@ void Verified::add(const Separation& answer) {
 }
 
 bool Verified::is_free(const Separation& answer) const {
+  const PhaseTimer timer(times_, Phase::verify);
   return !overlap(probe_, fixed_, Transform(answer.separated), Doubt::exact);
 }
 

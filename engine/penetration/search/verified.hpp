@@ -14,7 +14,8 @@ namespace sonde {
 /// poses that pass the exact test.
 class Verified {
  public:
-  Verified(const Pair& pair, const Chart& chart);
+  /// `times`: what the times of phases are added to; null: nothing.
+  Verified(const Pair& pair, const Chart& chart, PhaseTimes* times = nullptr);
 
   /// The free pose at y, refined to the last digit by at most `steps` steps.
   Separation refined(Method method, const Vec6& y, LeapDescent& leaps, int steps,
@@ -28,6 +29,7 @@ class Verified {
   const Body& probe_;
   const Body& fixed_;
   const Chart& chart_;
+  PhaseTimes* times_;
   std::array<std::optional<Refinement>, 2>
       refinements_;  // of each method, made when first asked for
   std::optional<Separation> best_;

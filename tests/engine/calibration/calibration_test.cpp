@@ -38,6 +38,19 @@ TEST(AccuracyCurve, is_the_ninth_of_ten_errors_and_logarithmic_in_between) {
   EXPECT_EQ(curve.within(900), infinite) << "less time than was measured";
 }
 
+TEST(AccuracyCurve, may_be_of_one_pair_alone) {
+  Calibration two = made_up();
+  two.series.push_back(two.series[0]);
+  two.series[1].pair = "another";
+  two.series[1].points[0].errors = nine_within(0.5);
+  const auto curve = [&](const char* pair) {
+    return AccuracyCurve(of_pair(two, pair), Answers::search, Method::pdg, true);
+  };
+  EXPECT_DOUBLE_EQ(curve("made up").within(1000), 0.16);
+  EXPECT_DOUBLE_EQ(curve("another").within(1000), 0.5);
+  EXPECT_FALSE(curve("a third").known());
+}
+
 TEST(AccuracyCurve, time_and_accuracy_are_each_other_s_inverse) {
   const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
   for (const double accuracy : {0.15, 0.1, 0.05, 0.02, 0.01})

@@ -12,6 +12,7 @@
 #include "engine/scene/scene.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/base/format.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
@@ -97,10 +98,24 @@ TEST_F(AccuracyTest, it_shows_what_the_ticks_reach_and_rests_where_nobody_looks)
   ASSERT_TRUE(wait_until([this] { return text("reached_accuracy").contains('%'); }));
   EXPECT_EQ(text("converged_share"), "100 %");
   EXPECT_TRUE(text("rows_time").contains("µs"));
+  for (const char* phase : {"look", "solve", "couple"})
+    EXPECT_TRUE(text("phases").contains(phase)) << phase;
+  EXPECT_GT(shown().hand.rows.phases[Phase::look], 0);
+  EXPECT_EQ(text("expected_here"), "not measured") << "these cubes are no scene of Sonde's";
   window->accuracy().panel().close();
   find<QLabel>("reached_accuracy")->setText("untouched");
   wait(600);
   EXPECT_EQ(text("reached_accuracy"), "untouched");
+  EXPECT_EQ(shown().hand.rows.phases.sum(), 0) << "nobody looks: nothing is timed";
+}
+
+TEST_F(AccuracyTest, a_scene_of_its_own_has_what_was_measured_on_it) {
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/linked-tori.sonde.json")});
+  const AccuracyCurve here(of_pair(default_calibration(), "linked-tori"), Answers::tick,
+                           Method::pdg, true);
+  ASSERT_TRUE(std::isfinite(here.within(running().budget.microseconds)));
+  EXPECT_EQ(text("expected_here"),
+            "within " + number(100 * here.within(running().budget.microseconds)) + " %");
 }
 
 TEST_F(AccuracyTest, the_accuracy_of_a_scene_is_shown) {

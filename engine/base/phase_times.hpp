@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/base/effort.hpp"
+
+namespace sonde {
+
+/// The phases of a search and of a tick.
+enum class Phase {
+  sketch,  ///< descents on the sketches of the bodies
+  look,    ///< for near pairs, and what makes rows of them
+  solve,   ///< the least-distance problem of the rows
+  sweep,   ///< a path of the probe
+  verify,  ///< whether a pose is free
+  bound,   ///< the certified lower bound
+  couple,  ///< from the separation to the wrench on the hand
+};
+/// The words for the phases in files, in the order of the enum.
+inline constexpr std::array<const char*, 7> phase_names{"sketch", "look",  "solve", "sweep",
+                                                        "verify", "bound", "couple"};
+inline constexpr std::size_t phase_count = phase_names.size();
+
+/// Where the time of an answer went, µs of each thread's clock; with two threads, the sum of both.
+/// What lies between the phases is in none of them. All 0 unless they were asked for.
+struct PhaseTimes {
+  std::array<double, phase_count> us{};  ///< in the order of Phase
+
+  /// The time of one phase, µs.
+  double& operator[](Phase phase) { return us[static_cast<std::size_t>(phase)]; }
+  double operator[](Phase phase) const { return us[static_cast<std::size_t>(phase)]; }
+  PhaseTimes& operator+=(const PhaseTimes& other) {
+    for (std::size_t i = 0; i < phase_count; ++i) us[i] += other.us[i];
+    return *this;
+  }
+  /// The time of all phases, µs.
+  double sum() const {
+    double out = 0;
+    for (const double t : us) out += t;
+    return out;
+  }
+};
+
+/// Adds the time of its life to a phase. Without times to add to it does not even look at the
+/// clock, which would cost some 50 ns. Timers must not nest: the inner time would count twice.
+class PhaseTimer {
+ public:
+  PhaseTimer(PhaseTimes* times, Phase phase) noexcept
+      : into_(times ? &(*times)[phase] : nullptr), begin_(into_ ? now_us() : 0) {}
+  ~PhaseTimer() {
+    if (into_) *into_ += now_us() - begin_;
+  }
+  PhaseTimer(const PhaseTimer&) = delete;
+  PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+ private:
+  double* into_;
+  double begin_;
+};
+
+}  // namespace sonde
