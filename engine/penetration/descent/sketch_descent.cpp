@@ -68,6 +68,14 @@ bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
   return true;
 }
 
+double SketchDescent::depth_of_points(const Chart& chart, const Vec6& y) {
+  const PhaseTimer timer(times_, Phase::sketch);
+  for (auto* groups : {&of_probe_, &of_fixed_})
+    for (Known& k : *groups) k = {-std::numeric_limits<double>::infinity(), 0};
+  travelled_ = 0;
+  return std::max(0.0, -find_near(Frame(chart, y, R_FB_, com_B_), 0, false));
+}
+
 /// The least gap of a group, or more than the reach; add(point, what is there) for all within.
 template <class Place, class Add>
 double SketchDescent::find_near_in(const PointGroup& group, const DistanceField& field,

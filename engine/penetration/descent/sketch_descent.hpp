@@ -23,6 +23,9 @@ class SketchDescent {
   /// By few points. Those that lay too deep when last asked are looked at first.
   bool is_free(const Chart& chart, const Vec6& y);
 
+  /// m: how far the deepest of more points lies in the other body at y; 0 where none does.
+  double depth_of_points(const Chart& chart, const Vec6& y);
+
   struct End {
     Vec6 y;
     double gap = 0;  ///< m, the least that is left at y; negative where points lie too deep

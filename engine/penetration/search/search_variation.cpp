@@ -35,6 +35,7 @@ constexpr Named all[] = {
     {"sketch_error", &SearchTuning::sketch_error},
     {"blind", &SearchTuning::blind},
     {"pushes", &SearchTuning::pushes},
+    {"narrow", &SearchTuning::narrow},
     {"most_after_sketches", &SearchTuning::most_after_sketches},
     {"tries_in_a_ball", &SearchTuning::tries_in_a_ball},
     {"near_tries", &SearchTuning::near_tries},

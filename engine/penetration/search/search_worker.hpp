@@ -30,6 +30,7 @@ class SearchWorker {
   void time_into(PhaseTimes* times) noexcept;
 
   LeapDescent& leaps(Method method) { return method == Method::pdg ? pdg_ : pdt_; }
+  const LeapDescent& leaps(Method method) const { return method == Method::pdg ? pdg_ : pdt_; }
   PushApart& push(Method method) { return method == Method::pdg ? push_pdg_ : push_pdt_; }
   int limited() const { return pdg_.limited() + pdt_.limited(); }
 

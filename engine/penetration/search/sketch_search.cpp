@@ -82,8 +82,9 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
 std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
                                                    const Balls& balls, Random& random,
                                                    SketchDescent& descent) const {
+  const bool must = ends_.empty() && made_ == 0;  // there is one end, however late
   for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
-    for (int tries = 0; tries < balls.tries && !goal_.deadline.passed(); ++tries) {
+    for (int tries = 0; tries < balls.tries && (must || !goal_.deadline.passed()); ++tries) {
       const Vec6 y = center + sample(random, ball);
       if (chart_.v(y).norm() > tuned_.largest_start_v || !descent.is_free(chart_, y)) continue;
       return descend(y, descent);

@@ -68,6 +68,20 @@ LocalOptimum Starts::sketched(const SketchEnd& end, const Aim& aim, std::size_t 
   return y ? lanes_[lane].descend_exactly(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
+LocalOptimum Starts::beyond(const SketchEnd& end, const Aim& aim, std::size_t lane) {
+  const auto y = first_free_beyond(end.y, aim.method, lane);
+  return y ? lanes_[lane].descend_exactly(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
+}
+
+std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
+                                              std::size_t lane) const {
+  for (const double part : tuned_.beyond)
+    if (const Vec6 y = part * end; chart_.v(y).norm() < tuned_.largest_start_v &&
+                                   lanes_[lane].leaps(method).is_free(chart_, y))
+      return y;
+  return std::nullopt;
+}
+
 /// A free pose near an end on the sketches: where they are further apart, or where the bodies push
 /// each other.
 std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
@@ -83,6 +97,9 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
               .y;
     if (lanes_[lane].leaps(method).is_free(chart_, y)) return y;
   }
+  // With little time, what is found for certain in a few tests comes first.
+  if (before_.microseconds > 0)
+    if (const auto out = first_free_beyond(end, method, lane)) return out;
   return lanes_[lane].push(method).from(chart_, end, std::numeric_limits<double>::infinity(),
                                         before_);
 }

@@ -41,6 +41,9 @@ class Starts {
   LocalOptimum near(Random random, int tries, const Aim& aim, std::size_t lane);
   /// From a pose where the sketches are apart, or near it.
   LocalOptimum sketched(const SketchEnd& end, const Aim& aim, std::size_t lane);
+  /// The same at once: from the first free pose straight out through that end, with no look at what
+  /// would be nearer. For a search whose time is over.
+  LocalOptimum beyond(const SketchEnd& end, const Aim& aim, std::size_t lane);
   /// Out of the overlap at y, pushed apart by the triangles that meet there, and then down.
   LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
   /// From a random overlap within `radius`, m.
@@ -65,6 +68,7 @@ class Starts {
     return {aim.steps, beat, before_};
   }
   SearchWorker::Limits limits(const Aim& aim) const { return limits(aim, aim.beat); }
+  std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;
   std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
   std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, int tries,
                                   Method method, SearchWorker& lane) const;

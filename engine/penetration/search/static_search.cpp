@@ -49,9 +49,10 @@ class Search {
       first_translation();
     }
     first_starts();
+    if (optima_.empty()) beyond_ends();
     more_sketches();
-    if (sketched() && !budget_.search_is_over()) pushed_starts();
-    if (!rotates()) starts_outside(per_round);
+    if (sketched() && !budget_.search_is_over() && may_be_narrow()) pushed_starts();
+    if (!rotates() && !settled()) starts_outside(per_round);
     if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
     if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
     random_rounds();
@@ -81,6 +82,12 @@ class Search {
   }
   /// By which depths on sketches may be wrong, m.
   double sketch_error() const { return tuned_.sketch_error * starts_.sketched()[0].spacing(); }
+  /// The way out that was found is much longer than what overlaps: there may be a shorter one, too
+  /// narrow for sketches to show.
+  bool may_be_narrow() {
+    return !settled() || optima_.best() > tuned_.narrow * starts_.sketched()[0].depth_of_points(
+                                                              chart_, Vec6::Zero());
+  }
   bool sketches_are_clear() {
     const SketchEnd* const first = sketches_.ends().data();
     return sketches_.is_clear(tuned_.clear) && first->came_to >= 0 &&
@@ -216,6 +223,15 @@ class Search {
             return out;
           },
           std::min(count_at_once, next.size() - first));
+    }
+  }
+
+  /// Time was over before the bodies were free anywhere, though sketches say where they nearly are.
+  void beyond_ends() {
+    if (!budget_.searching().passed()) return;
+    for (const SketchEnd& end : sketches_.ends()) {
+      add(starts_.beyond(end, aim(options_.method), 0));
+      if (!optima_.empty()) return;
     }
   }
 
