@@ -61,7 +61,9 @@ Wrench push_into(const TuningRequest& request, const Separation& s) {
   if (torque > 0 && request.device.max_torque.value > 0)
     scale = std::min(scale, 0.5 * request.device.max_torque.value / torque);
   if (!std::isfinite(scale)) return {};
-  return {-scale * spring.force, -scale * spring.torque};
+  // Where no motors resist a turn, a torque of the hand would only spin the handle.
+  const bool turns = request.device.max_torque.value > 0;
+  return {-scale * spring.force, turns ? Vec3(-scale * spring.torque) : Vec3::Zero()};
 }
 
 double theory_factor(const TuningRequest& request, const FeltStiffness& felt) {

@@ -19,7 +19,10 @@ struct TuningRequest {
   Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
   Method method = Method::pdg;
   double sample_time = 1e-3;   ///< s
-  Budget budget{.steps = 60};  ///< of a tick; counted work
+  /// Of a tick; counted work. What a tick after a jump may take, some 30 ms: where a loop that is
+  /// wild throws the probe about, one tick could otherwise take many seconds. It then ends early,
+  /// with a separation that is larger than it need be.
+  Budget budget{.steps = 60, .work = 3'000'000};
   DeviceProfile device = {};
   std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
   std::uint64_t seed = 1;
