@@ -3,8 +3,10 @@
 
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
+#include "app/tuning_notes.hpp"
 #include "app/tuning_options.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
+#include "engine/study/tuning/tuning_study.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde::app {
@@ -30,11 +32,16 @@ void run(const TuneOptions& options) {
   request.trusts_friction = options.trusts_friction;
   request.low = options.low;
   request.high = options.high;
-  const Study study =
-      plan_tuning(request, stop_on_interrupt(), progress.percent("tune, looking for contacts"));
+  const auto plan =
+      study_plan(request, stop_on_interrupt(), progress.percent("tune, looking for contacts"));
   progress.clear();
-  if (!output.quiet) note_skipped(study);
-  run_study(study, output, tuning_files);
+  const Study study = plan_tuning(plan);
+  if (output.quiet) return run_study(study, output, tuning_files);
+  note_skipped(study);
+  TuningNotes notes(plan, output);
+  notes.look_first();
+  run_study(study, output, tuning_files, [&](ProgressLine& line) { notes.look_again(line); });
+  notes.conclude();
 }
 
 std::string check_ratio(const std::string& text) {

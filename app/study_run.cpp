@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <mutex>
 #include <thread>
 
 #include "app/interrupt.hpp"
-#include "app/progress_line.hpp"
 #include "engine/base/error.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/text_file.hpp"
@@ -57,15 +57,22 @@ Stop stop_on_interrupt() {
   return [] { return interrupt_noted(); };
 }
 
-void run_study(const Study& study, const StudyOptions& options, StudyFiles join) {
+unsigned threads_of(const StudyOptions& options) {
+  return options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
+}
+
+void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
+               const std::function<void(ProgressLine&)>& on_part) {
   const Stop stop = stop_on_interrupt();
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard).value();
-  const unsigned threads =
-      options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
   ProgressLine progress(options.quiet);
-  compute_parts(options.out, study, shard, threads, stop, [&](std::size_t done, std::size_t total) {
-    progress.show(study.kind + ", parts", done, total);
-  });
+  std::mutex one_at_a_time;
+  compute_parts(options.out, study, shard, threads_of(options), stop,
+                [&](std::size_t done, std::size_t total) {
+                  const std::lock_guard lock(one_at_a_time);
+                  if (on_part) on_part(progress);
+                  progress.show(study.kind + ", parts", done, total);
+                });
   progress.clear();
   if (read_study(options.out).complete()) return join_study(options.out, join);
   if (!options.quiet)

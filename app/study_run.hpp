@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "app/bodies.hpp"
 #include "app/options.hpp"
+#include "app/progress_line.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/study/parts/study_parts.hpp"
 
@@ -33,8 +35,13 @@ std::vector<TimedPose> path_to_study(const std::filesystem::path& file);
 using StudyFiles = std::vector<StudyFile> (*)(const std::string& folder, const StudyFolder& study);
 
 /// Computes the missing parts in the folder and, once all are there, writes the joined result.
-/// Prints on stderr what remains to do, unless quiet.
-void run_study(const Study& study, const StudyOptions& options, StudyFiles join);
+/// Prints on stderr what remains to do, unless quiet. `on_part` is called after each finished part,
+/// from any thread, one at a time.
+void run_study(const Study& study, const StudyOptions& options, StudyFiles join,
+               const std::function<void(ProgressLine&)>& on_part = {});
+
+/// The threads to compute on: as asked for, or all of the machine's.
+unsigned threads_of(const StudyOptions& options);
 
 /// Reads a complete study and writes the joined result beside its parts. Throws InputError naming
 /// the missing parts.

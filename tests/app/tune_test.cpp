@@ -50,6 +50,21 @@ TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
   EXPECT_EQ(sonde("replay tuned.sonde.json").exit_code, 0);
 }
 
+TEST_F(Tune, says_a_first_result_that_gets_better_and_quiet_changes_no_file) {
+  const Outcome run = sonde(std::string(quick) + "--out out --threads 1");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto place = [&](const char* words) { return run.err.find(words); };
+  ASSERT_NE(place("parts: at most k "), std::string::npos) << run.err;
+  EXPECT_LT(place("first look, limits to a ratio of 1.3: k "), place("parts: at most k "));
+  EXPECT_NE(run.err.rfind("\nsonde: k "), std::string::npos) << run.err;
+  // What is finished is not looked for again.
+  const Outcome again = sonde(std::string(quick) + "--out out");
+  EXPECT_THAT(again.err, testing::Not(HasSubstr("first look")));
+  const Outcome quiet = sonde(std::string(quick) + "--out quiet --quiet");
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(files("out"), files("quiet"));
+}
+
 TEST_F(Tune, finished_parts_are_kept_and_shards_make_the_same_files) {
   ASSERT_EQ(sonde(std::string(quick) + "--out whole").exit_code, 0);
   for (const char* shard : {"2/2", "1/2"})

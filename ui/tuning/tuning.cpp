@@ -10,6 +10,7 @@
 #include "engine/study/tuning/tuning.hpp"
 #include "engine/study/tuning/tuning_inputs.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
+#include "engine/study/tuning/tuning_study.hpp"
 #include "engine/text/output_file.hpp"
 
 namespace sonde::ui {

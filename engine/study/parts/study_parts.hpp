@@ -65,6 +65,10 @@ using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,
                    unsigned threads, const Stop& stop, const PartsProgress& progress = {});
 
+/// The same in memory: all parts of a study that takes seconds, on `threads` threads. Throws
+/// Cancelled, and whatever a part throws.
+StudyFolder compute_at_once(const Study& study, unsigned threads, const Stop& stop);
+
 /// Reads a folder. Throws InputError where it holds no study, or a file that is not the study's.
 StudyFolder read_study(const std::filesystem::path& folder);
 

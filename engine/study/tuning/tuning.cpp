@@ -136,13 +136,6 @@ TuningContacts choose(const TuningRequest& request, const std::vector<ContactSit
   return out;
 }
 
-std::vector<GainAxis> axes_of(const TuningRequest& request) {
-  if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
-  if (request.device.max_torque.value > 0)
-    return {GainAxis::together, GainAxis::translation, GainAxis::rotation};
-  return {GainAxis::translation};
-}
-
 /// The least stiffness, over the contacts in a light hand, up to which theory has one axis stable
 /// or the driver goes. No damping; the other axis at half of what theory allows.
 double allowed_alone(const TuningRequest& request, const std::vector<TuningSituation>& situations,
@@ -239,96 +232,6 @@ Json about(const TuningPlan& plan) {
           {"skipped", skipped}};
 }
 
-/// A part of the study, as its file names it.
-struct PartOf {
-  std::size_t situation;
-  const HandGrip* grip;
-  GainAxis axis;
-  std::vector<double> shares;     ///< of the largest damping
-  const char* assumed = nullptr;  ///< a key of the profile that is not as it says
-  double times = 1;
-};
-
-std::string part_name(const TuningPlan& plan, const PartOf& part) {
-  std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
-  name += std::string(".") + part.grip->name + "." + name_of(part.axis);
-  if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
-  return name;
-}
-
-DeviceProfile changed(DeviceProfile device, const PartOf& part) {
-  for (const ProfileKey& key : profile_keys())
-    if (part.assumed && std::string_view(key.key) == part.assumed)
-      (device.*key.value).value *= part.times;
-  return device;
-}
-
-double coarser(double ratio, int times) { return std::min(2.0, std::pow(ratio, times)); }
-
-bool has_friction(const DeviceProfile& device) {
-  return device.friction.value > 0 || device.rotational_friction.value > 0;
-}
-
-StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf& part) {
-  return {part_name(*plan, part), [plan, part](const Stop& stop) {
-            const DeviceProfile device = changed(plan->request.device, part);
-            const TuningSituation& situation = plan->contacts.situations[part.situation];
-            const bool nominal = part.assumed == nullptr;
-            TuningSetup setup = setup_of(plan->request, device, situation, *part.grip, plan->joint);
-            // What an axis could do alone is for the map, and nothing is recommended by it.
-            const bool alone = part.axis != axes_of(plan->request).front();
-            if (alone) setup.ratio = coarser(setup.ratio, 4);
-            // Ends of an interval are known no better than their assumption.
-            if (!nominal) setup.ratio = coarser(setup.ratio, 2);
-            const SweepExtent extent{.beyond = nominal,
-                                     .without_friction = !alone && has_friction(device),
-                                     .harder_knocks = !alone && nominal && has_friction(device)};
-            Json json{{"situation", part.situation},
-                      {"kind", name_of(situation.contact.kind)},
-                      {"hand", part.grip->name},
-                      {"axis", name_of(part.axis)},
-                      {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
-                      {"times", part.times}};
-            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, extent, stop)));
-            return json.dump(1) + "\n";
-          }};
-}
-
-/// The share of the largest damping that theory likes best; of equal ones the least.
-double share_of_theory(const TuningSetup& setup, GainAxis axis) {
-  double best = 0, most = -1;
-  for (const double share : damping_shares(setup, axis))
-    if (const double stable = theory_limits(setup, axis, share).stable; stable > most) {
-      most = stable;
-      best = share;
-    }
-  return best;
-}
-
-std::vector<PartOf> parts_of(const TuningPlan& plan) {
-  std::vector<PartOf> parts;
-  const std::vector<GainAxis> axes = axes_of(plan.request);
-  for (const GainAxis axis : axes)
-    for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
-      for (const HandGrip& grip : hand_grips) {
-        const bool alone = axis != axes.front();
-        if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
-        std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
-        if (alone && shares.size() > 1) shares = {0, 0.25, 1};
-        parts.push_back({i, &grip, axis, shares});
-      }
-  // What is recommended is varied, not what each axis could do alone.
-  const std::size_t where = hardest(plan);
-  const double share = share_of_theory(tuning_setup(plan, where, hand_grips[0]), axes.front());
-  for (const ProfileKey& key : profile_keys()) {
-    const ProfileValue& value = plan.request.device.*key.value;
-    if (!value.assumed || value.value == 0) continue;
-    for (const double times : {0.5, 2.0})
-      parts.push_back({where, &hand_grips[0], axes.front(), {share}, key.key, times});
-  }
-  return parts;
-}
-
 }  // namespace
 
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
@@ -355,6 +258,13 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
   return setup_of(request, request.device, situation, grip);
 }
 
+std::vector<GainAxis> axes_of(const TuningRequest& request) {
+  if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
+  if (request.device.max_torque.value > 0)
+    return {GainAxis::together, GainAxis::translation, GainAxis::rotation};
+  return {GainAxis::translation};
+}
+
 GainAxis main_axis(const TuningRequest& request) { return axes_of(request).front(); }
 
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
@@ -371,18 +281,14 @@ std::size_t hardest(const TuningPlan& plan) {
 }
 
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip) {
-  return setup_of(plan.request, plan.request.device, plan.contacts.situations[situation], grip,
-                  plan.joint);
+  return tuning_setup(plan, situation, grip, plan.request.device);
+}
+
+TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
+                         const DeviceProfile& device) {
+  return setup_of(plan.request, device, plan.contacts.situations[situation], grip, plan.joint);
 }
 
 std::string tuning_facts(const TuningPlan& plan) { return about(plan).dump(); }
-
-Study plan_tuning(const TuningRequest& request, const Stop& stop,
-                  const std::function<void(double)>& progress) {
-  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
-  Study study{"tune", tuning_facts(*plan), {}};
-  for (const PartOf& part : parts_of(*plan)) study.parts.push_back(study_part(plan, part));
-  return study;
-}
 
 }  // namespace sonde

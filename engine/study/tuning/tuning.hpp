@@ -18,7 +18,7 @@ struct TuningRequest {
   Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
   Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
   Method method = Method::pdg;
-  double sample_time = 1e-3;   ///< s
+  double sample_time = 1e-3;  ///< s
   /// Of a tick; counted work. What a tick after a jump may take, some 30 ms: where a loop that is
   /// wild throws the probe about, one tick could otherwise take many seconds. It then ends early,
   /// with a separation that is larger than it need be.
@@ -70,23 +70,24 @@ struct TuningPlan {
   TuningRequest request;
   TuningContacts contacts;
   JointGains joint = {};  ///< where all gains of the classic coupling are changed together
+  /// Of the largest damping: at which assumed values are varied, and the first look is taken.
+  double damping_share = 0;
 };
 /// Looks for the situations. Errors as tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
                        const std::function<void(double)>& progress = {});
+/// What a study of these gains sweeps: what is recommended comes first.
+std::vector<GainAxis> axes_of(const TuningRequest& request);
 /// The gains that are recommended: of the object norm, of the classic coupling together, or of its
 /// translation where the device has no torque.
 GainAxis main_axis(const TuningRequest& request);
 /// The situation whose stiffness theory limits most.
 std::size_t hardest(const TuningPlan& plan);
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip);
+/// The same on another device than the plan's; hand, range and push stay those of the plan.
+TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
+                         const DeviceProfile& device);
 /// All that a study of this plan depends on, as JSON (Study::about).
 std::string tuning_facts(const TuningPlan& plan);
-
-/// Looks for the situations and makes the study. Each situation, hand and axis is a part. In the
-/// situation that theory calls the hardest, so is half and twice each assumed value of the profile.
-/// Errors as tuning_contacts.
-Study plan_tuning(const TuningRequest& request, const Stop& stop,
-                  const std::function<void(double)>& progress = {});
 
 }  // namespace sonde

@@ -10,6 +10,7 @@
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_map.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
 
 namespace sonde {
 namespace {
@@ -161,6 +162,7 @@ std::string recommendation(const TuningResults& results) {
                  {"stability_margin", stability_margin},
                  {"trusts_friction", results.trusts_friction},
                  {"harder_knocks", harder_knocks},
+                 {"in_words", recommendation_in_words(results)},
                  {"axes", axes},
                  {"situations", about.at("situations")},
                  {"skipped", about.value("skipped", Json::array())},

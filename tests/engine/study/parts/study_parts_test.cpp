@@ -57,6 +57,18 @@ TEST(StudyParts, finished_ones_are_not_computed_again) {
   EXPECT_THAT(texts(read_study(folder.path())), ElementsAre("0\n", "1\n", "4\n", "9\n"));
 }
 
+TEST(StudyParts, at_once_in_memory_are_what_a_folder_holds) {
+  const test::TempFolder folder;
+  Squares squares(5);
+  compute_parts(folder.path(), squares.study, {}, 1, never);
+  const StudyFolder written = read_study(folder.path());
+  const StudyFolder at_once = compute_at_once(squares.study, 3, never);
+  EXPECT_EQ(at_once.kind, written.kind);
+  EXPECT_EQ(at_once.about, written.about);
+  EXPECT_EQ(at_once.names, written.names);
+  EXPECT_EQ(texts(at_once), texts(written));
+}
+
 TEST(StudyParts, shards_together_are_the_whole) {
   for (const std::size_t count : {1u, 2u, 3u, 7u}) {
     const test::TempFolder folder;

@@ -11,6 +11,7 @@
 #include "engine/scene/scene.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
+#include "engine/study/tuning/tuning_study.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/temp_folder.hpp"
 
@@ -253,6 +254,12 @@ TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_kn
 }
 TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
+}
+
+TEST(Tuning, Full_so_do_those_of_the_classic_coupling_for_a_minute) {
+  TuningRequest request = spoon_in_cup();
+  request.coupling.mode = Coupling::Mode::classic;
+  expect_rest_in_every_situation(request, 60);
 }
 
 TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tuning_notes.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "engine/study/tuning/tuning_study.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde::app {
+
+bool TuningNotes::has_study() const {
+  return std::filesystem::exists(std::filesystem::path(options_.out) / "study.json");
+}
+
+void TuningNotes::look_first() {
+  const GainAxis axis = main_axis(plan_->request);
+  if (has_study() && tuning_so_far(options_.out, read_study(options_.out), axis)) return;
+  const Study study = plan_first_look(plan_);
+  const auto results =
+      read_tuning("", compute_at_once(study, threads_of(options_), stop_on_interrupt()));
+  std::cerr << "sonde: first look, limits to a ratio of " << number_text(first_look_ratio, 2)
+            << ": " << gains_in_words(results) << "; the study goes on\n";
+}
+
+void TuningNotes::look_again(ProgressLine& progress) {
+  const StudyFolder study = read_study(options_.out);
+  if (study.complete()) return;
+  const auto results = tuning_so_far(options_.out, study, main_axis(plan_->request));
+  if (!results) return;
+  const std::string words = gains_in_words(*results);
+  if (words == last_) return;
+  last_ = words;
+  progress.clear();
+  const auto done = std::ranges::count_if(study.results, [](const auto& r) { return !!r; });
+  std::cerr << "sonde: " << done << " of " << study.names.size() << " parts: at most " << words
+            << "\n";
+}
+
+void TuningNotes::conclude() const {
+  const StudyFolder study = read_study(options_.out);
+  if (!study.complete()) return;
+  for (const std::string& sentence : recommendation_in_words(read_tuning(options_.out, study)))
+    std::cerr << "sonde: " << sentence << "\n";
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "engine/settings/settings.hpp"
+#include "engine/study/tuning/gain_recommendation.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A part of the study, as its file names it.
+struct PartOf {
+  std::size_t situation;
+  const HandGrip* grip;
+  GainAxis axis;
+  std::vector<double> shares;     ///< of the largest damping
+  const char* assumed = nullptr;  ///< a key of the profile that is not as it says
+  double times = 1;
+  bool first_look = false;
+};
+
+std::string part_name(const TuningPlan& plan, const PartOf& part) {
+  std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
+  name += std::string(".") + part.grip->name + "." + name_of(part.axis);
+  if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
+  return name;
+}
+
+DeviceProfile changed(DeviceProfile device, const PartOf& part) {
+  for (const ProfileKey& key : profile_keys())
+    if (part.assumed && std::string_view(key.key) == part.assumed)
+      (device.*key.value).value *= part.times;
+  return device;
+}
+
+double coarser(double ratio, int times) { return std::min(2.0, std::pow(ratio, times)); }
+
+bool has_friction(const DeviceProfile& device) {
+  return device.friction.value > 0 || device.rotational_friction.value > 0;
+}
+
+StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf& part) {
+  return {part_name(*plan, part), [plan, part](const Stop& stop) {
+            const DeviceProfile device = changed(plan->request.device, part);
+            const TuningSituation& situation = plan->contacts.situations[part.situation];
+            const bool nominal = part.assumed == nullptr;
+            TuningSetup setup = tuning_setup(*plan, part.situation, *part.grip, device);
+            if (part.first_look) setup.ratio = std::max(setup.ratio, first_look_ratio);
+            // What an axis could do alone is for the map, and nothing is recommended by it.
+            const bool alone = part.axis != main_axis(plan->request);
+            if (alone) setup.ratio = coarser(setup.ratio, 4);
+            // Ends of an interval are known no better than their assumption.
+            if (!nominal) setup.ratio = coarser(setup.ratio, 2);
+            const SweepExtent extent{.beyond = nominal && !part.first_look,
+                                     .without_friction = !alone && has_friction(device),
+                                     .harder_knocks = !alone && nominal && has_friction(device)};
+            Json json{{"situation", part.situation},
+                      {"kind", name_of(situation.contact.kind)},
+                      {"hand", part.grip->name},
+                      {"axis", name_of(part.axis)},
+                      {"assumed", nominal ? Json(nullptr) : Json(part.assumed)},
+                      {"times", part.times}};
+            json.update(Json::parse(sweep_gains(setup, part.axis, part.shares, extent, stop)));
+            return json.dump(1) + "\n";
+          }};
+}
+
+std::vector<PartOf> parts_of(const TuningPlan& plan) {
+  std::vector<PartOf> parts;
+  const std::vector<GainAxis> axes = axes_of(plan.request);
+  for (const GainAxis axis : axes)
+    for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+      for (const HandGrip& grip : hand_grips) {
+        const bool alone = axis != axes.front();
+        if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
+        std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
+        if (alone && shares.size() > 1) shares = {0, 0.25, 1};
+        parts.push_back({i, &grip, axis, shares});
+      }
+  // What is recommended is varied, not what each axis could do alone.
+  const std::size_t where = hardest(plan);
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue& value = plan.request.device.*key.value;
+    if (!value.assumed || value.value == 0) continue;
+    for (const double times : {0.5, 2.0})
+      parts.push_back({where, &hand_grips[0], axes.front(), {plan.damping_share}, key.key, times});
+  }
+  return parts;
+}
+
+/// Coarse, in a light hand.
+PartOf first_look_at(const TuningPlan& plan, std::size_t situation, std::vector<double> shares) {
+  PartOf part{situation, &hand_grips[0], main_axis(plan.request), std::move(shares)};
+  part.first_look = true;
+  return part;
+}
+
+Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<PartOf>& parts) {
+  Study study{"tune", tuning_facts(*plan), {}};
+  for (const PartOf& part : parts) study.parts.push_back(study_part(plan, part));
+  return study;
+}
+
+/// The share of the largest damping at which a coarse sweep of the hardest situation allows most;
+/// of equal ones the least. Theory alone would take dampings at which the real loop chatters.
+double best_damping_share(const std::shared_ptr<const TuningPlan>& plan, const Stop& stop) {
+  const GainAxis axis = main_axis(plan->request);
+  const std::size_t where = hardest(*plan);
+  const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
+  const std::vector<double> shares = damping_shares(setup, axis);
+  if (shares.size() == 1) return shares.front();
+  const Study study = study_of(plan, {first_look_at(*plan, where, shares)});
+  const auto best = recommend(read_tuning("", compute_at_once(study, 1, stop)), axis);
+  return best->damping / setup.most_damping;
+}
+
+}  // namespace
+
+std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const Stop& stop,
+                                             const std::function<void(double)>& progress) {
+  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
+  plan->damping_share = best_damping_share(plan, stop);
+  return plan;
+}
+
+Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
+  return study_of(plan, parts_of(*plan));
+}
+
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress) {
+  return plan_tuning(study_plan(request, stop, progress));
+}
+
+Study plan_first_look(const std::shared_ptr<const TuningPlan>& plan) {
+  std::vector<PartOf> parts;
+  for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
+    parts.push_back(first_look_at(*plan, i, {plan->damping_share}));
+  return study_of(plan, parts);
+}
+
+}  // namespace sonde

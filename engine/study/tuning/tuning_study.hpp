@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/study/tuning/tuning.hpp"
+
+namespace sonde {
+
+/// Looks for the situations, and for the damping at which assumed values are varied. Errors as
+/// tuning_contacts.
+std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const Stop& stop,
+                                             const std::function<void(double)>& progress = {});
+
+/// The study of such a plan. Each situation, hand and axis is a part. In the situation that theory
+/// calls the hardest, so is half and twice each assumed value of the profile.
+Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan);
+/// Makes the plan too.
+Study plan_tuning(const TuningRequest& request, const Stop& stop,
+                  const std::function<void(double)>& progress = {});
+
+/// Limits of a first look are known to this ratio.
+constexpr double first_look_ratio = 1.3;
+/// The same study in a few seconds, for a first result: what is recommended alone, coarsely, in
+/// each situation in a light hand, at the plan's one damping.
+Study plan_first_look(const std::shared_ptr<const TuningPlan>& plan);
+
+}  // namespace sonde

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+const Stop never = [] { return false; };
+
+/// A box that comes down on a larger one.
+TuningRequest boxes(const std::string& device) {
+  TuningRequest request{
+      .pair = {test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({0.2, 0.2, 0.1}))}};
+  request.X_FM = {Quat::Identity(), {0, 0, 0.1}};
+  request.device = read_device_profile(SONDE_RESOURCES "/devices/" + device + ".json");
+  for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
+  for (int i = 0; i < 30; ++i)
+    request.path.push_back({i * 1e-3, {Quat::Identity(), {0.01, 0.005, 0.075 - i * 2e-4}}});
+  return request;
+}
+
+std::shared_ptr<const TuningPlan> plan_of(const TuningRequest& request) {
+  return study_plan(request, never);
+}
+
+AxisGains gains_of(const Study& study) {
+  return *recommend(read_tuning("", compute_at_once(study, 2, never)), GainAxis::object);
+}
+
+// Reference: the study itself. Both know a limit from below, each to its own ratio.
+TEST(TuningStudy, the_first_look_is_as_near_as_it_says) {
+  const auto plan = plan_of(boxes("sigma.7"));
+  const Study first = plan_first_look(plan), whole = plan_tuning(plan);
+  EXPECT_LT(first.parts.size(), whole.parts.size());
+  const AxisGains coarse = gains_of(first), fine = gains_of(whole);
+  EXPECT_GT(fine.stiffness, 0);
+  EXPECT_LE(coarse.stiffness, 1.02 * fine.stiffness);
+  EXPECT_GE(coarse.stiffness * first_look_ratio, fine.stiffness);
+}
+
+TEST(TuningStudy, what_finished_parts_allow_only_falls_as_parts_come_in) {
+  const auto plan = plan_of(boxes("sigma.7"));
+  const StudyFolder whole = compute_at_once(plan_tuning(plan), 2, never);
+  StudyFolder so_far = whole;
+  for (auto& result : so_far.results) result.reset();
+  EXPECT_FALSE(tuning_so_far("", so_far, GainAxis::object));
+  double before = INFINITY;
+  for (std::size_t i = whole.names.size(); i-- > 0;) {  // in any order; here from the last
+    so_far.results[i] = whole.results[i];
+    const auto results = tuning_so_far("", so_far, GainAxis::object);
+    ASSERT_TRUE(results);
+    const double now = recommend(*results, GainAxis::object)->stiffness;
+    EXPECT_LE(now, before);
+    before = now;
+  }
+  EXPECT_EQ(before, recommend(read_tuning("", whole), GainAxis::object)->stiffness);
+}
+
+// Theory prefers the largest damping here; a real loop chatters at it.
+TEST(TuningStudy, assumed_values_are_varied_at_a_damping_at_which_something_is_good) {
+  TuningRequest request = boxes("sigma.7");
+  request.coupling.mode = Coupling::Mode::classic;
+  const auto plan = plan_of(request);
+  const TuningSetup setup = tuning_setup(*plan, hardest(*plan), hand_grips[0]);
+  EXPECT_GT(theory_limits(setup, GainAxis::together, 1).stable,
+            theory_limits(setup, GainAxis::together, plan->damping_share).stable);
+  const TuningResults results = read_tuning("", compute_at_once(plan_first_look(plan), 2, never));
+  EXPECT_GT(recommend(results, GainAxis::together)->stiffness, 0);
+}
+
+// Where nothing resists a turn, a hand that pushes with a torque makes the handle spin ever faster.
+TEST(TuningStudy, a_device_without_torque_is_pushed_by_a_force_alone) {
+  const auto turns = plan_of(boxes("sigma.7")), slides = plan_of(boxes("touch"));
+  for (const TuningSituation& each : slides->contacts.situations) {
+    EXPECT_EQ(each.push.torque, Vec3(Vec3::Zero()));
+    // A quarter of the 3.3 N of its profile.
+    EXPECT_NEAR(each.push.force.norm(), 0.825, 1e-12);
+  }
+  bool any = false;
+  for (const TuningSituation& each : turns->contacts.situations)
+    any = any || each.push.torque.norm() > 0;
+  EXPECT_TRUE(any);
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/tuning/tuning_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/engine/study/tuning/made_up_results.hpp"
+
+namespace sonde {
+namespace {
+
+using test::column;
+using test::line;
+using test::results;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr auto unstable = HoldFault::unstable;
+
+TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  r.lines[1].columns[0].theory_stable = 1200;
+  // The lower boundary by the margin of 1.5.
+  EXPECT_THAT(recommendation_in_words(r),
+              ElementsAre("k 1000 N/m, limited by stability (edge contact, light hand)"));
+  r.lines[1].columns[0].theory_stable = 750;
+  EXPECT_THAT(recommendation_in_words(r).back(),
+              HasSubstr("above the limit in theory, which has no friction: 750 N/m"));
+  r.lines[1].columns[0].good.stiffness = 0;
+  r.lines[1].columns[0].good.fault = HoldFault::chattering;
+  EXPECT_EQ(gains_in_words(r),
+            "no stiffness is good, limited by chatter (edge contact, light hand)");
+}
+
+TEST(TuningWords, say_why_no_virtual_damping_is_best) {
+  TuningResults r = results();
+  r.joint = {1e-4, 2e-4};
+  r.mode = Coupling::Mode::classic;
+  r.lines = {line(0, GainAxis::together,
+                  {column(0, 900, 900, unstable), column(4, 3000, 300, HoldFault::chattering)})};
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains("no virtual damping is best: at b_t 4 N·s/m the stiffness may be "
+                                "300 N/m, limited by chatter (flat contact, light hand)"));
+  r.lines[0].columns[1] = column(4, 3000, 3000, unstable);
+  const auto words = recommendation_in_words(r);
+  EXPECT_THAT(words.front(), HasSubstr("b_t 4 N·s/m, b_r 0.0008 N·m·s/rad"));
+  EXPECT_THAT(words.front(), HasSubstr("k_t 2000 N/m, k_r 0.2 N·m/rad"));
+  EXPECT_THAT(words, testing::Not(testing::Contains(HasSubstr("no virtual damping"))));
+}
+
+TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  for (const auto& [times, stable] : {std::pair{0.5, 3000.0}, {2.0, 750.0}}) {
+    r.lines.push_back(line(0, GainAxis::object, {column(0, stable, stable, unstable)}));
+    r.lines.back().assumed = "max_force";
+    r.lines.back().times = times;
+  }
+  EXPECT_THAT(recommendation_in_words(r).back(),
+              testing::StrEq("the assumption that limits most is the max force: 2000 N/m at 5, "
+                             "500 N/m at 20"));
+}
+
+}  // namespace
+}  // namespace sonde
