@@ -113,7 +113,7 @@ ChartPanel object_panel(const TuningResults& results) {
   panel.y = {"", false, 0.0, double(lines.size())};
   panel.kinds = class_colors;
   panel.height = 34 * double(lines.size()) + 40;
-  ChartSeries measured = step("measured limit of stability", 3, ChartSeries::Form::line);
+  ChartSeries measured = step("measured limit of stability", 7, ChartSeries::Form::line);
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
   ChartSeries passive = step("passive in theory", 2, ChartSeries::Form::dashed);
   ChartSeries frictionless = step("limit without friction", 4, ChartSeries::Form::line);
@@ -208,7 +208,7 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   panel.x = {stiffness_label(axis), true};
   panel.y = {turns ? "damping b_r, N·m·s/rad" : "damping b_t, N·s/m"};
   panel.kinds = class_colors;
-  ChartSeries measured = step("measured limit of stability", 3, ChartSeries::Form::line);
+  ChartSeries measured = step("measured limit of stability", 7, ChartSeries::Form::line);
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
   ChartSeries passive = step("passive in theory", 2, ChartSeries::Form::dashed);
   ChartSeries frictionless = step("limit without friction", 4, ChartSeries::Form::line);
