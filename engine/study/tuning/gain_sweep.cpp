@@ -15,6 +15,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr double jolt_share = 0.25;  // of the largest torque
 
+/// No sweep goes further below the limit of theory than by this: what holds only there is of no
+/// use, and a probe that sinks in so deep takes most of a study's time. Lost: a limit that is lower
+/// counts as 0.
+constexpr double useful_range = 256;
+
 /// The range of an axis in its own unit.
 struct Range {
   double low, high, most_damping;
@@ -132,9 +137,9 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const TheoryLimits theory = theory_limits(setup, axis, share);
   const bool known = std::isfinite(theory.stable) && theory.stable > 0;
   const double start = known ? theory.stable : std::sqrt(range.low * range.high);
-  const SweepOptions options{axis,        std::clamp(start, range.low, range.high),
-                             range.low,   range.high,
-                             setup.ratio, extent.beyond};
+  const double low = known ? std::clamp(start / useful_range, range.low, range.high) : range.low;
+  const SweepOptions options{
+      axis, std::clamp(start, range.low, range.high), low, range.high, setup.ratio, extent.beyond};
   const auto run = [&](double stiffness) { return hold(setup, axis, stiffness, damping); };
   const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
   Json out = json_of(damping, theory, sweep, axis);

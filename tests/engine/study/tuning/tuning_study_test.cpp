@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
 #include "tests/support/shapes.hpp"
@@ -72,6 +74,18 @@ TEST(TuningStudy, assumed_values_are_varied_at_a_damping_at_which_something_is_g
             theory_limits(setup, GainAxis::together, plan->damping_share).stable);
   const TuningResults results = read_tuning("", compute_at_once(plan_first_look(plan), 2, never));
   EXPECT_GT(recommend(results, GainAxis::together)->stiffness, 0);
+}
+
+TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_no_use) {
+  TuningRequest request = boxes("sigma.7");
+  request.coupling.mode = Coupling::Mode::classic;
+  const auto plan = plan_of(request);
+  const TuningSetup setup = tuning_setup(*plan, hardest(*plan), hand_grips[0]);
+  const auto json = nlohmann::json::parse(sweep_gains(setup, GainAxis::together, {1}, {}, never));
+  const auto& column = json.at("columns").front();
+  EXPECT_EQ(column.at("good"), 0);
+  EXPECT_DOUBLE_EQ(column.at("runs").front().at("stiffness").get<double>(),
+                   column.at("theory_stable").get<double>() / 256);
 }
 
 // Where nothing resists a turn, a hand that pushes with a torque makes the handle spin ever faster.

@@ -256,10 +256,23 @@ TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
 
-TEST(Tuning, Full_so_do_those_of_the_classic_coupling_for_a_minute) {
+// Known, and said in the manual: there the motors drive the swing, whatever the stiffness.
+TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_contact) {
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
-  expect_rest_in_every_situation(request, 60);
+  const TuningPlan plan = tuning_plan(request, never);
+  ASSERT_EQ(plan.contacts.situations[0].contact.kind, ContactKind::flat);
+  for (const double k : {172.0, 551.0, 1801.0}) {
+    TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
+    set_gains(setup.loop.coupling, GainAxis::together, k, 0, plan.joint);
+    setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
+    Press press = press_of(setup, GainAxis::together);
+    press.window_time = 1.5;
+    ClosedLoop loop(setup.loop);
+    const HoldReport held = press_and_hold(loop, press);
+    EXPECT_FALSE(comes_to_rest(held)) << k << ' ' << held.growth;
+    EXPECT_GT(held.work, 0.05) << k;  // J
+  }
 }
 
 TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
