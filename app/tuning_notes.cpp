@@ -6,7 +6,6 @@
 
 #include "engine/study/tuning/tuning_study.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
-#include "engine/text/number_text.hpp"
 
 namespace sonde::app {
 
@@ -20,8 +19,8 @@ void TuningNotes::look_first() {
   const Study study = plan_first_look(plan_);
   const auto results =
       read_tuning("", compute_at_once(study, threads_of(options_), stop_on_interrupt()));
-  std::cerr << "sonde: first look, limits to a ratio of " << number_text(first_look_ratio, 2)
-            << ": " << gains_in_words(results) << "; the study goes on\n";
+  std::cerr << "sonde: first look, in large steps: " << gains_in_words(results)
+            << "; the study goes on\n";
 }
 
 void TuningNotes::look_again(ProgressLine& progress) {

@@ -55,7 +55,7 @@ TEST_F(Tune, says_a_first_result_that_gets_better_and_quiet_changes_no_file) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto place = [&](const char* words) { return run.err.find(words); };
   ASSERT_NE(place("parts: at most k "), std::string::npos) << run.err;
-  EXPECT_LT(place("first look, limits to a ratio of 1.3: k "), place("parts: at most k "));
+  EXPECT_LT(place("first look, in large steps: k "), place("parts: at most k "));
   EXPECT_NE(run.err.rfind("\nsonde: k "), std::string::npos) << run.err;
   // What is finished is not looked for again.
   const Outcome again = sonde(std::string(quick) + "--out out");
