@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/scene/poses.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/base/error.hpp"
 #include "engine/scene/pose_numbers.hpp"
+#include "engine/text/csv_rows.hpp"
 #include "engine/text/number_text.hpp"
-#include "engine/text/text_file.hpp"
 
 namespace sonde {
 
@@ -29,104 +27,21 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{1} << 30;
 constexpr std::string_view names[] = {"t", "px", "py", "pz", "qw", "qx", "qy", "qz"};
 
-/// Hands out the lines of a text, without their ends (LF or CRLF).
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {}
-  std::size_t number() const { return number_; }
-  bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    ++number_;
-    return true;
-  }
-  /// True where nothing but blank lines is left.
-  bool only_blank_left() const {
-    return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos;
-  }
-
- private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-};
-
-/// What a field says, cut where it is too long to be shown.
-std::string shown(std::string_view text) {
-  return text.size() <= 60 ? std::string(text) : std::string(text.substr(0, 57)) + "...";
-}
-
-double number_in(std::string_view field, std::string_view name) {
-  const auto value = parse_number(field);
-  if (!value || !std::isfinite(*value))
-    throw std::invalid_argument(std::string(name) + " is \"" + shown(field) +
-                                "\", which is not a finite number");
-  return *value;
-}
-
-/// The numbers of one line, as many as `columns` names.
-std::array<double, 8> numbers_in(std::string_view line, std::span<const std::string_view> columns) {
-  std::array<double, 8> numbers{};
-  std::size_t n = 0;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    if (n < columns.size()) numbers[n] = number_in(line.substr(0, comma), columns[n]);
-    ++n;
-    if (comma == std::string_view::npos) break;
-    line.remove_prefix(comma + 1);
-  }
-  if (n != columns.size())
-    throw std::invalid_argument(std::to_string(n) + " columns; expected " +
-                                std::to_string(columns.size()));
-  return numbers;
-}
-
-std::string header_of(std::span<const std::string_view> columns) {
-  std::string header;
-  for (const std::string_view name : columns) header.append(header.empty() ? "" : ",").append(name);
-  return header;
-}
-
-/// Calls take(numbers) for each line under the header; what it throws gets the line's number.
-template <class Take>
-void read_rows(const std::filesystem::path& file, std::span<const std::string_view> columns,
-               const Take& take) {
-  const std::string text = read_text(file, most_bytes);
-  Lines lines(text);
-  std::string_view line;
-  const std::string header = header_of(columns);
-  if (lines.next(line) && line != header)
-    throw InputError::at_line(file.string(), 1,
-                              "the header is \"" + shown(line) + "\"; expected \"" + header + "\"");
-  while (!lines.only_blank_left() && lines.next(line)) {
-    try {
-      if (line.empty()) throw std::invalid_argument("a blank line between rows");
-      take(numbers_in(line, columns));
-    } catch (const std::invalid_argument& error) {
-      throw InputError::at_line(file.string(), lines.number(), error.what());
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Pose> read_poses(const std::filesystem::path& file) {
   std::vector<Pose> poses;
-  read_rows(file, std::span(names).subspan(1), [&](const std::array<double, 8>& numbers) {
-    poses.push_back(pose_of_numbers(std::span(numbers).first<7>()));
+  read_csv_rows(file, std::span(names).subspan(1), most_bytes, [&](std::span<const double> row) {
+    poses.push_back(pose_of_numbers(row.first<7>()));
   });
   return poses;
 }
 
 std::vector<TimedPose> read_trajectory(const std::filesystem::path& file) {
   std::vector<TimedPose> path;
-  read_rows(file, names, [&](const std::array<double, 8>& numbers) {
-    if (!path.empty() && numbers[0] <= path.back().t)
-      throw std::invalid_argument("t = " + number_text(numbers[0]) + " does not come after " +
-                                  number_text(path.back().t) + ": t must rise from row to row");
-    path.push_back({numbers[0], pose_of_numbers(std::span(numbers).last<7>())});
+  read_csv_rows(file, names, most_bytes, [&](std::span<const double> row) {
+    if (!path.empty()) expect_later(row[0], path.back().t);
+    path.push_back({row[0], pose_of_numbers(row.last<7>())});
   });
   return path;
 }
