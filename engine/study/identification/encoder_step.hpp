@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/study/identification/estimate.hpp"
+
+namespace sonde {
+
+/// The step of an encoder, from positions that it gave (m | rad) in their order: the largest length
+/// of which nearly every change is a whole multiple. The interval is what these changes spread.
+/// None where there is no such length: the positions are exact, or noise or the mechanism's
+/// geometry has blurred the steps.
+std::optional<Estimate> encoder_step(std::span<const double> positions);
+
+}  // namespace sonde

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/identification/handle_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include "engine/study/identification/free_handle.hpp"
+
+namespace sonde {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+enum Parameter : Index { inertia, damping, friction, delay, offset, parameter_count };
+
+/// Sizes of the parameters, so that all are near one where they are solved for.
+using Scale = std::array<double, parameter_count>;
+
+/// The sizes count: so a parameter that is zero lies inside the range, not at its end.
+FreeHandle handle_of(const VectorXd& p, const Scale& scale) {
+  return {.inertia = std::max(std::abs(p[inertia]), 1e-6) * scale[inertia],
+          .damping = std::abs(p[damping]) * scale[damping],
+          .friction = std::abs(p[friction]) * scale[friction],
+          .delay = std::abs(p[delay]) * scale[delay],
+          .offset = p[offset] * scale[offset]};
+}
+
+VectorXd within(const std::vector<double>& of, const PulseWindow& w) {
+  const auto size = static_cast<Index>(w.end - w.begin);
+  return Eigen::Map<const VectorXd>(of.data() + w.begin, size);
+}
+VectorXd without_mean(const VectorXd& x) { return x.array() - x.mean(); }
+
+/// Measured less modelled motion, in shares of the whole motion's rms, for Eigen's solver.
+struct Residuals {
+  using Scalar = double;
+  using InputType = VectorXd;
+  using ValueType = VectorXd;
+  using JacobianType = MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  const AxisResponse* response;
+  const std::vector<PulseWindow>* windows;
+  Scale scale;
+  double unit;  ///< m | rad
+
+  int inputs() const { return parameter_count; }
+  int values() const {
+    std::size_t n = 0;
+    for (const PulseWindow& w : *windows) n += w.end - w.begin;
+    return static_cast<int>(n);
+  }
+  int operator()(const VectorXd& p, VectorXd& out) const {
+    const std::vector<double> modelled =
+        free_motion(handle_of(p, scale), response->times, response->commands);
+    Index at = 0;
+    for (const PulseWindow& w : *windows) {
+      const VectorXd left = without_mean(within(response->positions, w) - within(modelled, w));
+      out.segment(at, left.size()) = left / unit;
+      at += left.size();
+    }
+    return 0;
+  }
+  VectorXd at(const VectorXd& p) const {
+    VectorXd out(values());
+    (*this)(p, out);
+    return out;
+  }
+};
+
+double motion_rms(const AxisResponse& response, const std::vector<PulseWindow>& windows) {
+  double squares = 0, samples = 0;
+  for (const PulseWindow& w : windows) {
+    squares += without_mean(within(response.positions, w)).squaredNorm();
+    samples += static_cast<double>(w.end - w.begin);
+  }
+  return std::sqrt(squares / samples);
+}
+
+/// When the largest pulse begins to show: a hundredth of its excursion.
+double first_delay(const AxisResponse& r, const PulseWindow& w) {
+  const double shows = excursion(r.positions, w) / 100;
+  std::size_t i = w.first;
+  while (i + 1 < w.end && std::abs(r.positions[i] - r.positions[w.begin]) < shows) ++i;
+  return r.times[i] - r.times[w.first];
+}
+
+/// The inertia with which the largest pulse has the excursion that it has, without losses.
+double first_inertia(const AxisResponse& r, const PulseWindow& w) {
+  const std::vector<double> modelled = free_motion({.inertia = 1}, r.times, r.commands);
+  return excursion(modelled, w) / excursion(r.positions, w);
+}
+
+VectorXd solved(const Residuals& residuals, VectorXd p) {
+  Eigen::NumericalDiff<Residuals> numeric(residuals, 1e-12);
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(numeric);
+  solver.parameters.maxfev = 600;
+  solver.minimize(p);
+  return p;
+}
+
+/// From several shares of friction and delay, because a start or a stop that is missed is a hill
+/// between the data and the answer.
+VectorXd best_solution(const Residuals& residuals) {
+  VectorXd best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double rubs : {0.1, 0.5, 1.0})
+    for (const double late : {0.5, 1.0}) {
+      VectorXd start(Index{parameter_count});
+      start << 1 / (1 + rubs), 0.3, rubs, late, 0;
+      const VectorXd p = solved(residuals, start);
+      const double left = residuals.at(p).squaredNorm();
+      if (left < least) {
+        least = left;
+        best = p;
+      }
+    }
+  return best;
+}
+
+/// By the size of each parameter, away from zero, where the model has a kink.
+MatrixXd jacobian(const Residuals& residuals, const VectorXd& p) {
+  constexpr double step = 1e-5;
+  MatrixXd J(residuals.values(), Index{parameter_count});
+  for (Index i = 0; i < parameter_count; ++i) {
+    VectorXd less = p, more = p;
+    less[i] -= std::min(step, std::abs(p[i]));
+    more[i] += step;
+    J.col(i) = (residuals.at(more) - residuals.at(less)) / (more[i] - less[i]);
+  }
+  return J;
+}
+
+/// The covariance of the parameters: of the solutions that leave out one pulse each.
+MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
+                    const std::vector<PulseWindow>& windows) {
+  const MatrixXd information = J.transpose() * J;
+  MatrixXd spread = MatrixXd::Zero(Index{parameter_count}, Index{parameter_count});
+  Index at = 0;
+  for (const PulseWindow& w : windows) {
+    const auto size = static_cast<Index>(w.end - w.begin);
+    const MatrixXd own = J.middleRows(at, size);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> others(information - own.transpose() * own);
+    if (!(others.eigenvalues().minCoeff() > 1e-10 * others.eigenvalues().maxCoeff()))
+      throw std::invalid_argument("the pulses do not tell mass, damping and friction apart");
+    const VectorXd change =
+        others.eigenvectors() * others.eigenvalues().cwiseInverse().asDiagonal() *
+        others.eigenvectors().transpose() * (own.transpose() * left.segment(at, size));
+    spread += change * change.transpose();
+    at += size;
+  }
+  const auto pulses = static_cast<double>(windows.size());
+  return (pulses - 1) / pulses * spread;
+}
+
+/// What the encoder's rounding may do to the parameters: it goes with where the handle happens to
+/// stand between two steps, and that may be much the same in all pulses of a recording.
+MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, const VectorXd& p,
+                               double step) {
+  constexpr int phases = 16;
+  const AxisResponse& r = *residuals.response;
+  const std::vector<double> motion =
+      free_motion(handle_of(p, residuals.scale), r.times, r.commands);
+  const Eigen::LDLT<MatrixXd> information(J.transpose() * J);
+  MatrixXd spread = MatrixXd::Zero(Index{parameter_count}, Index{parameter_count});
+  for (int phase = 0; phase < phases && step > 0; ++phase) {
+    const double shift = (phase + 0.5) / phases;
+    VectorXd error(J.rows());
+    Index at = 0;
+    for (const PulseWindow& w : *residuals.windows) {
+      const Eigen::ArrayXd steps = within(motion, w).array() / step + shift;
+      const VectorXd rounded = without_mean((steps.round() - steps).matrix());
+      error.segment(at, rounded.size()) = rounded * (step / residuals.unit);
+      at += rounded.size();
+    }
+    const VectorXd change = information.solve(J.transpose() * error);
+    spread += change * change.transpose() / phases;
+  }
+  return spread;
+}
+
+}  // namespace
+
+double student_t_99(double degrees) {
+  constexpr double x = 2.5758293035489004;  // of the normal distribution
+  constexpr double x3 = x * x * x, x5 = x3 * x * x, x7 = x5 * x * x, x9 = x7 * x * x;
+  const double n = degrees;
+  return x + (x3 + x) / (4 * n) + (5 * x5 + 16 * x3 + 3 * x) / (96 * n * n) +
+         (3 * x7 + 19 * x5 + 17 * x3 - 15 * x) / (384 * n * n * n) +
+         (79 * x9 + 776 * x7 + 1482 * x5 - 1920 * x3 - 945 * x) / (92160 * n * n * n * n);
+}
+
+HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow>& windows,
+                     double encoder_step) {
+  if (windows.size() < 8) throw std::invalid_argument("fewer than eight pulses");
+  const PulseWindow& largest = *std::ranges::max_element(windows, {}, &PulseWindow::amplitude);
+  const double seen = first_inertia(response, largest);
+  const double lasts = response.times[largest.last - 1] - response.times[largest.first];
+  const double sample = lasts / static_cast<double>(largest.last - 1 - largest.first);
+  const double least = std::ranges::min_element(windows, {}, &PulseWindow::amplitude)->amplitude;
+  const Scale scale{seen, seen / lasts, least / 2, std::max(first_delay(response, largest), sample),
+                    least / 10};
+  const Residuals residuals{&response, &windows, scale, motion_rms(response, windows)};
+  const VectorXd p = best_solution(residuals);
+  const VectorXd left = residuals.at(p);
+  const MatrixXd J = jacobian(residuals, p);
+  const MatrixXd C =
+      covariance(J, left, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
+  const double t = student_t_99(static_cast<double>(windows.size() - 1));
+  const auto estimate = [&](Parameter i) {
+    const double value = std::abs(p[i]) * scale[i];
+    const double half = t * std::sqrt(std::max(0.0, C(i, i))) * scale[i];
+    return Estimate{value, std::max(0.0, value - half), value + half};
+  };
+  return {.inertia = estimate(inertia),
+          .damping = estimate(damping),
+          .friction = estimate(friction),
+          .delay = estimate(delay),
+          .offset = p[offset] * scale[offset],
+          .misfit = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()))};
+}
+
+}  // namespace sonde

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/identification/identification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/base/error.hpp"
+#include "engine/study/identification/encoder_step.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr std::size_t axis_count = 6;
+constexpr std::size_t least_pulses = 8;    // with fewer, an interval is a guess
+constexpr std::size_t least_samples = 20;  // of a pulse: its four parts are then of five or more
+constexpr double least_steps = 20;   // of the encoder: its rounding is then below 2 % of the way
+constexpr double least_ratio = 1.5;  // of amplitudes
+constexpr double most_misfit = 0.1;  // of the motion's rms
+constexpr double most_half = 0.25;   // of the inertia's interval, as a share
+constexpr double longest_gap = 2.5;  // sample times
+
+using Windows = std::vector<PulseWindow>;
+
+std::string with_unit(double value, std::size_t axis, const char* unit, const char* turning) {
+  return number_text(value, 3) + ' ' + (axis < 3 ? unit : turning);
+}
+
+double median_step(const Response& response) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < response.size(); ++i)
+    steps.push_back(response[i].t - response[i - 1].t);
+  if (steps.empty()) throw InputError("the recording has a single sample");
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  return *middle;
+}
+
+/// What is left of noise by second differences before the pulses: they are blind to a slow drift.
+/// In steps of an encoder that would be as coarse.
+double grain_of_noise(const AxisResponse& r, const Windows& windows) {
+  double squares = 0, count = 0;
+  for (const PulseWindow& w : windows)
+    for (std::size_t i = w.begin + 1; i + 1 <= w.first; ++i) {
+      const double bend = r.positions[i - 1] - 2 * r.positions[i] + r.positions[i + 1];
+      squares += bend * bend / 6;
+      ++count;
+    }
+  return count > 0 ? std::sqrt(12 * squares / count) : 0;
+}
+
+double largest(const Windows& windows) {
+  return std::ranges::max_element(windows, {}, &PulseWindow::amplitude)->amplitude;
+}
+
+/// The commands beside this axis are zero, and no sample is missing.
+void check_times(const Response& response, const PulseWindow& w, std::size_t axis, double step) {
+  const auto i = static_cast<Eigen::Index>(axis % 3);
+  for (std::size_t k = w.begin; k < w.end; ++k) {
+    Wrench others = response[k].command;
+    (axis < 3 ? others.force : others.torque)[i] = 0;
+    if (!others.force.isZero(0) || !others.torque.isZero(0))
+      throw std::invalid_argument(
+          "another axis is commanded too at t = " + number_text(response[k].t) + " s");
+    if (k > w.begin && response[k].t - response[k - 1].t > longest_gap * step)
+      throw std::invalid_argument("no sample for " +
+                                  number_text(1e3 * (response[k].t - response[k - 1].t), 3) +
+                                  " ms before t = " + number_text(response[k].t) + " s");
+  }
+}
+
+/// Those by which the handle moved far enough to tell something.
+Windows telling(const AxisResponse& r, const Windows& windows, double grain, std::size_t axis) {
+  Windows out;
+  for (const PulseWindow& w : windows)
+    if (excursion(r.positions, w) > least_steps * grain) out.push_back(w);
+  if (out.size() >= least_pulses) return out;
+  const std::string most = with_unit(largest(windows), axis, "N", "N·m");
+  if (out.empty() && grain == 0)
+    throw std::invalid_argument("the handle did not move under pulses of up to " + most);
+  throw std::invalid_argument("the handle moved by " + number_text(least_steps) +
+                              " steps of its encoder, or as far beyond its noise, in " +
+                              std::to_string(out.size()) + " of " + std::to_string(windows.size()) +
+                              " pulses of up to " + most + "; it takes " +
+                              std::to_string(least_pulses));
+}
+
+void check_pulses(const Response& response, const Windows& windows, std::size_t axis, double step) {
+  if (windows.size() < least_pulses)
+    throw std::invalid_argument(std::to_string(windows.size()) + " pulses; it takes " +
+                                std::to_string(least_pulses));
+  for (const PulseWindow& w : windows) {
+    if (w.last - w.first < least_samples)
+      throw std::invalid_argument("the pulse at t = " + number_text(response[w.first].t) +
+                                  " s has " + std::to_string(w.last - w.first) +
+                                  " samples; it takes " + std::to_string(least_samples));
+    check_times(response, w, axis, step);
+  }
+}
+
+void check_amplitudes(const Windows& windows, std::size_t axis) {
+  const double least = std::ranges::min_element(windows, {}, &PulseWindow::amplitude)->amplitude;
+  if (largest(windows) >= least_ratio * least) return;
+  throw std::invalid_argument(
+      "the handle moved under pulses of " + with_unit(least, axis, "N", "N·m") + " to " +
+      with_unit(largest(windows), axis, "N", "N·m") +
+      " alone: friction and damping are told apart only by amplitudes that differ by half");
+}
+
+void check_fit(const HandleFit& fit, std::size_t axis) {
+  if (!(fit.misfit <= most_misfit))
+    throw std::invalid_argument("a free handle does not move like this: it leaves " +
+                                number_text(100 * fit.misfit, 2) +
+                                " % of the motion. Was it held, or did it reach a stop?");
+  if (!(fit.inertia.high - fit.inertia.low <= 2 * most_half * fit.inertia.value))
+    throw std::invalid_argument("too much noise: " + std::string(axis < 3 ? "mass" : "inertia") +
+                                " is between " + with_unit(fit.inertia.low, axis, "kg", "kg·m²") +
+                                " and " + with_unit(fit.inertia.high, axis, "kg", "kg·m²"));
+}
+
+/// Where no step was seen, it may be as large as what noise and model leave.
+Estimate largest_step(const AxisResponse& r, const Windows& windows, const HandleFit& fit) {
+  double squares = 0, count = 0;
+  for (const PulseWindow& w : windows) {
+    double mean = 0;
+    const auto size = static_cast<double>(w.end - w.begin);
+    for (std::size_t i = w.begin; i < w.end; ++i) mean += r.positions[i] / size;
+    for (std::size_t i = w.begin; i < w.end; ++i) squares += std::pow(r.positions[i] - mean, 2);
+    count += size;
+  }
+  const double most = fit.misfit * std::sqrt(12 * squares / count);
+  return {most, 0, most};
+}
+
+/// Throws std::invalid_argument, saying why, where the pulses cannot tell.
+IdentifiedAxis identified(const Response& response, const AxisResponse& r, const Windows& all,
+                          std::size_t axis, double sample_time) {
+  check_pulses(response, all, axis, sample_time);
+  const std::optional<Estimate> step = encoder_step(r.positions);
+  const double grain = std::max(step ? step->value : 0, grain_of_noise(r, all));
+  const Windows windows = telling(r, all, grain, axis);
+  check_amplitudes(windows, axis);
+  IdentifiedAxis out{.axis = axis,
+                     .handle = fit_handle(r, windows, step ? step->value : 0),
+                     .resolution = {},
+                     .has_steps = step.has_value(),
+                     .pulses = windows.size(),
+                     .most = largest(windows)};
+  check_fit(out.handle, axis);
+  out.resolution = step ? *step : largest_step(r, windows, out.handle);
+  return out;
+}
+
+template <class Get>
+Estimate joined(const std::vector<const IdentifiedAxis*>& axes, const Get& get) {
+  Estimate out{0, get(*axes.front()).low, get(*axes.front()).high};
+  for (const IdentifiedAxis* axis : axes) {
+    const Estimate one = get(*axis);
+    out.value += one.value / static_cast<double>(axes.size());
+    out.low = std::min(out.low, one.low);
+    out.high = std::max(out.high, one.high);
+  }
+  return out;
+}
+
+std::optional<IdentifiedKind> kind_of(const std::vector<IdentifiedAxis>& axes, bool turning) {
+  std::vector<const IdentifiedAxis*> own;
+  for (const IdentifiedAxis& each : axes)
+    if ((each.axis >= 3) == turning) own.push_back(&each);
+  if (own.empty()) return std::nullopt;
+  return IdentifiedKind{joined(own, [](const IdentifiedAxis& a) { return a.handle.inertia; }),
+                        joined(own, [](const IdentifiedAxis& a) { return a.handle.damping; }),
+                        joined(own, [](const IdentifiedAxis& a) { return a.handle.friction; }),
+                        joined(own, [](const IdentifiedAxis& a) { return a.resolution; })};
+}
+
+void expect_any(const Identification& found) {
+  if (!found.axes.empty()) return;
+  if (found.refused.empty()) throw InputError("no pulse in the recording: no command is not zero");
+  std::string reasons = "no axis can be identified";
+  for (const RefusedAxis& each : found.refused)
+    reasons += (&each == &found.refused.front() ? ": " : "; ") + name_of_axis(each.axis) + ": " +
+               each.reason;
+  throw InputError(reasons);
+}
+
+}  // namespace
+
+Identification identify(const Response& response) {
+  if (response.empty()) throw InputError("the recording has no samples");
+  Identification out;
+  out.sample_time = median_step(response);
+  for (std::size_t axis = 0; axis < axis_count; ++axis) {
+    const AxisResponse r = axis_response(response, axis);
+    const Windows windows = pulse_windows(r);
+    if (windows.empty()) continue;
+    try {
+      out.axes.push_back(identified(response, r, windows, axis, out.sample_time));
+    } catch (const std::invalid_argument& reason) {
+      out.refused.push_back({axis, reason.what()});
+    }
+  }
+  expect_any(out);
+  out.translation = kind_of(out.axes, false);
+  out.rotation = kind_of(out.axes, true);
+  std::vector<const IdentifiedAxis*> all;
+  for (const IdentifiedAxis& each : out.axes) all.push_back(&each);
+  out.delay = joined(all, [](const IdentifiedAxis& a) { return a.handle.delay; });
+  return out;
+}
+
+std::string name_of_axis(std::size_t axis) {
+  constexpr const char* names[] = {"force along x",  "force along y",  "force along z",
+                                   "torque about x", "torque about y", "torque about z"};
+  return names[axis];
+}
+
+}  // namespace sonde

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/study/identification/response.hpp"
+
+namespace sonde {
+
+/// A pulse of a recording, in samples, and what around it is looked at: from shortly before it
+/// until the handle has had as long again to stop. `end` is one past the last.
+struct PulseWindow {
+  std::size_t begin = 0, first = 0, last = 0, end = 0;
+  double amplitude = 0;  ///< N | N·m, the largest size of its command
+};
+
+/// The recording along one axis (0 to 2: force, 3 to 5: torque).
+struct AxisResponse {
+  std::vector<double> times;      ///< s
+  std::vector<double> commands;   ///< N | N·m
+  std::vector<double> positions;  ///< m | rad, from the first pose
+};
+AxisResponse axis_response(const Response& response, std::size_t axis);
+
+/// The pulses of one axis, in their order: commands that are not zero, between rests.
+std::vector<PulseWindow> pulse_windows(const AxisResponse& response);
+
+/// The largest distance from where the pulse began, in the unit of the positions.
+double excursion(const std::vector<double>& positions, const PulseWindow& window);
+
+}  // namespace sonde

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/haptics/hand/simulated_device.hpp"
+#include "engine/study/identification/pulse_plan.hpp"
+#include "engine/study/identification/response.hpp"
+
+namespace sonde {
+
+/// The answer of a simulated device that nobody holds (its hand is left out) to a plan. Throws
+/// std::invalid_argument as SimulatedDevice.
+Response simulated_response(SimulatedDeviceParameters device, const PulsePlan& plan);
+
+}  // namespace sonde

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the truth of true_handle.hpp, and printed tables of Student's t.
+#include "engine/study/identification/handle_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/engine/study/identification/true_handle.hpp"
+
+namespace sonde {
+namespace {
+
+TEST(HandleFit, student_t_is_that_of_the_tables) {
+  const std::array<std::array<double, 2>, 5> table{
+      {{7, 3.499}, {10, 3.169}, {15, 2.947}, {30, 2.750}, {120, 2.617}}};
+  for (const auto& [degrees, t] : table) EXPECT_NEAR(student_t_99(degrees), t, 0.005 * t);
+}
+
+/// Pulses along x of up to 2 N, for a handle of this mass.
+PulsePlan plan_for(double mass) {
+  DeviceProfile device;
+  device.max_force.value = 10;
+  device.mass.value = mass;
+  PulsePlan plan = plan_pulses(device, {}, 1e-3);
+  std::erase_if(plan.pulses, [](const Pulse& p) { return p.axis != 0; });
+  return plan;
+}
+
+TEST(HandleFit, a_steady_force_beside_the_command_is_its_offset) {
+  const test::TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 0.0};
+  Response response = test::answer(truth, plan_for(0.1), 0);
+  // What hangs on the handle, as if it had been a part of the command.
+  for (ResponseSample& s : response)
+    if (s.command.force.x() != 0) s.command.force.x() -= 0.05;
+  const AxisResponse axis = axis_response(response, 0);
+  const HandleFit fit = fit_handle(axis, pulse_windows(axis), 0);
+  EXPECT_NEAR(fit.offset, 0.05, 0.05 * 0.05);
+  EXPECT_NEAR(fit.inertia.value, 0.1, 0.05 * 0.1);
+}
+
+TEST(HandleFit, fewer_than_eight_pulses_are_refused) {
+  PulsePlan plan = plan_for(0.1);
+  plan.pulses.resize(7);
+  const AxisResponse axis = axis_response(test::answer({}, plan, 0), 0);
+  EXPECT_THROW(fit_handle(axis, pulse_windows(axis), 3e-5), std::invalid_argument);
+}
+
+TEST(HandleFit, more_noise_widens_the_intervals) {
+  double before = 0;
+  for (const double noise : {0.0, 2e-5, 2e-4}) {
+    const AxisResponse axis = axis_response(test::answer({}, plan_for(0.1), 0, 1, noise), 0);
+    const HandleFit fit = fit_handle(axis, pulse_windows(axis), noise == 0 ? 3e-5 : 0);
+    EXPECT_GT(fit.damping.high - fit.damping.low, before);
+    before = fit.damping.high - fit.damping.low;
+  }
+}
+
+}  // namespace
+}  // namespace sonde

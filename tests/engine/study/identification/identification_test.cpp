@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the truth of true_handle.hpp, integrated there; a twentieth of it is what is
+// promised.
+#include "engine/study/identification/identification.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "engine/base/error.hpp"
+#include "tests/engine/study/identification/true_handle.hpp"
+
+namespace sonde {
+namespace {
+
+using test::TrueHandle;
+using testing::HasSubstr;
+
+const std::filesystem::path bundled = SONDE_RESOURCES "/devices";
+
+/// Pulses along one axis, for a device that may differ from the one that answers.
+PulsePlan plan_along(std::size_t axis, const DeviceProfile& device,
+                     const PulseLimits& limits = {}) {
+  PulsePlan plan = plan_pulses(device, limits, 1e-3);
+  std::erase_if(plan.pulses, [&](const Pulse& p) { return p.axis != axis; });
+  return plan;
+}
+DeviceProfile device_of_mass(double mass) {
+  DeviceProfile device;
+  device.max_force.value = 10;
+  device.mass.value = mass;
+  return device;
+}
+
+struct Figure {
+  const char* name;
+  double truth, smallest;  ///< an error is a share of the truth, or of this where that is more
+  Estimate found;
+};
+/// A sample time and a hundredth of the largest force are what 5 % of nothing would be.
+std::array<Figure, 5> figures(const TrueHandle& truth, const IdentifiedAxis& found) {
+  const HandleFit& h = found.handle;
+  return {{{"inertia", truth.inertia, 0, h.inertia},
+           {"damping", truth.damping, 0, h.damping},
+           {"friction", truth.friction, found.most / 100, h.friction},
+           {"delay", truth.delay, 1e-3, h.delay},
+           {"resolution", truth.step, 0, found.resolution}}};
+}
+
+void expect_recovered(const TrueHandle& truth, const Response& response) {
+  const Identification found = identify(response);
+  ASSERT_EQ(found.axes.size(), 1u);
+  EXPECT_TRUE(found.axes[0].has_steps);
+  for (const Figure& f : figures(truth, found.axes[0]))
+    EXPECT_NEAR(f.found.value, f.truth, 0.05 * std::max(f.truth, f.smallest)) << f.name;
+}
+
+TEST(Identification, a_grid_of_handles_is_recovered_within_a_twentieth) {
+  for (const double mass : {0.05, 0.15, 0.5})
+    for (const double damping : {0.5, 4.0})
+      for (const double friction : {0.0, 0.1, 0.4})
+        for (const double delay : {0.0, 1.4e-3, 6e-3}) {
+          const TrueHandle truth{mass, damping, friction, delay, 1e-5};
+          SCOPED_TRACE(testing::Message()
+                       << mass << ' ' << damping << ' ' << friction << ' ' << delay);
+          // The profile's mass is a guess: here off by a third.
+          const PulsePlan plan = plan_along(0, device_of_mass(1.33 * mass));
+          expect_recovered(truth, test::answer(truth, plan, 0));
+        }
+}
+
+TrueHandle translation_of(const DeviceProfile& p) {
+  return {p.mass.value, p.damping.value, p.friction.value, p.delay.value, p.resolution.value};
+}
+TrueHandle rotation_of(const DeviceProfile& p) {
+  return {p.inertia.value, p.rotational_damping.value, p.rotational_friction.value, p.delay.value,
+          p.rotational_resolution.value};
+}
+
+/// Of ten places between two steps of the encoder where the handle may begin.
+void expect_intervals(const TrueHandle& truth, const PulsePlan& plan, std::size_t axis) {
+  std::map<std::string, int> inside;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Identification found = identify(test::answer(truth, plan, axis, seed));
+    for (const Figure& f : figures(truth, found.axes.at(0))) {
+      EXPECT_NEAR(f.found.value, f.truth, 0.05 * std::max(f.truth, f.smallest)) << f.name;
+      EXPECT_LE(f.found.low, f.found.value) << f.name;
+      EXPECT_GE(f.found.high, f.found.value) << f.name;
+      inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
+    }
+  }
+  for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+TEST(Identification, intervals_hold_the_truth_of_the_profiles_in_nine_of_ten_runs) {
+  for (const std::string& id : device_profile_ids({&bundled, 1})) {
+    SCOPED_TRACE(id);
+    const DeviceProfile device = find_device_profile(id, {&bundled, 1});
+    expect_intervals(translation_of(device), plan_along(0, device), 0);
+    if (device.max_torque.value > 0)
+      expect_intervals(rotation_of(device), plan_along(4, device), 4);
+  }
+}
+
+TEST(Identification, intervals_hold_the_truth_behind_noise) {
+  const TrueHandle truth{0.1, 0.4, 0.1, 2e-3, 0.0};
+  const PulsePlan plan = plan_along(1, device_of_mass(0.1));
+  std::map<std::string, int> inside;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Identification found = identify(test::answer(truth, plan, 1, seed, 2e-5));
+    EXPECT_FALSE(found.axes.at(0).has_steps);
+    for (const Figure& f : figures(truth, found.axes[0]))
+      inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
+  }
+  for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+TEST(Identification, axes_that_differ_lie_within_the_interval_of_their_kind) {
+  const PulsePlan x = plan_along(0, device_of_mass(0.1)), z = plan_along(2, device_of_mass(0.1));
+  Response both = test::answer({0.1, 0.4, 0.05, 1e-3, 3e-5}, x, 0);
+  const double later = both.back().t + 1e-3;
+  const Pose end = both.back().X_BH;
+  for (ResponseSample s : test::answer({0.12, 0.5, 0.07, 1e-3, 3e-5}, z, 2)) {
+    s.t += later;
+    s.X_BH.p += end.p;
+    both.push_back(s);
+  }
+  const Identification found = identify(both);
+  ASSERT_EQ(found.axes.size(), 2u);
+  ASSERT_TRUE(found.translation);
+  EXPECT_FALSE(found.rotation);
+  EXPECT_NEAR(found.translation->inertia.value, 0.11, 0.005 * 0.11);
+  EXPECT_LE(found.translation->inertia.low, 0.1);
+  EXPECT_GE(found.translation->inertia.high, 0.12);
+}
+
+/// Why the recording tells nothing.
+std::string complaint(const Response& response) {
+  try {
+    identify(response);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class Refused : public testing::Test {
+ protected:
+  const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 3e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+};
+
+TEST_F(Refused, a_handle_that_does_not_move) {
+  EXPECT_THAT(complaint(test::answer({0.1, 0.4, 3, 1e-3, 3e-5}, plan, 0)),
+              HasSubstr("force along x: the handle did not move under pulses of up to 2 N"));
+  EXPECT_THAT(complaint(test::answer({0.1, 0.4, 0.1, 1e-3, 1e-3}, plan, 0)),
+              HasSubstr("20 steps of its encoder"));
+}
+
+TEST_F(Refused, too_few_and_too_short_pulses) {
+  PulsePlan few = plan;
+  few.pulses.resize(6);
+  EXPECT_THAT(complaint(test::answer(truth, few, 0)), HasSubstr("6 pulses; it takes 8"));
+  PulsePlan brief = plan;
+  for (Pulse& pulse : brief.pulses) pulse.part = 4;
+  EXPECT_THAT(complaint(test::answer(truth, brief, 0)),
+              HasSubstr("t = 0.25 s has 16 samples; it takes 20"));
+}
+
+TEST_F(Refused, one_amplitude) {
+  PulsePlan same = plan;
+  for (Pulse& pulse : same.pulses) pulse.amplitude = std::copysign(2.0, pulse.amplitude);
+  EXPECT_THAT(complaint(test::answer(truth, same, 0)), HasSubstr("friction and damping are told"));
+}
+
+TEST_F(Refused, noise_as_large_as_the_motion) {
+  EXPECT_THAT(complaint(test::answer(truth, plan, 0, 1, 0.01)), HasSubstr("beyond its noise"));
+}
+
+TEST_F(Refused, a_hand_that_holds_the_handle) {
+  TrueHandle held = truth;
+  held.hand = 300;
+  EXPECT_THAT(complaint(test::answer(held, plan, 0)), HasSubstr("Was it held"));
+}
+
+TEST_F(Refused, missing_samples) {
+  Response response = test::answer(truth, plan, 0);
+  response.erase(response.begin() + 270, response.begin() + 275);
+  EXPECT_THAT(complaint(response), HasSubstr("no sample for 6 ms before t = 0.275 s"));
+}
+
+TEST_F(Refused, two_axes_at_once) {
+  Response response = test::answer(truth, plan, 0);
+  for (ResponseSample& s : response) s.command.force.y() = 0.5 * s.command.force.x();
+  EXPECT_THAT(complaint(response), HasSubstr("another axis is commanded too at t = 0.25 s"));
+}
+
+TEST_F(Refused, a_recording_without_commands) {
+  Response response = test::answer(truth, plan, 0);
+  for (ResponseSample& s : response) s.command = {};
+  EXPECT_THAT(complaint(response), HasSubstr("no pulse in the recording"));
+  EXPECT_THAT(complaint({}), HasSubstr("no samples"));
+  response.resize(1);
+  EXPECT_THAT(complaint(response), HasSubstr("a single sample"));
+}
+
+TEST_F(Refused, an_axis_beside_one_that_tells) {
+  Response response = test::answer(truth, plan, 0);
+  const double later = response.back().t + 1e-3;
+  for (ResponseSample s :
+       test::answer({0.1, 0.4, 3, 1e-3, 3e-5}, plan_along(1, device_of_mass(0.1)), 1)) {
+    s.t += later;
+    s.X_BH.p.x() = response.back().X_BH.p.x();
+    response.push_back(s);
+  }
+  const Identification found = identify(response);
+  ASSERT_EQ(found.refused.size(), 1u);
+  EXPECT_EQ(found.refused[0].axis, 1u);
+  EXPECT_THAT(found.refused[0].reason, HasSubstr("did not move"));
+}
+
+}  // namespace
+}  // namespace sonde
