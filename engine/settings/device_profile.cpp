@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/base/error.hpp"
@@ -63,15 +64,32 @@ std::string text_of(const Path& file, const JsonNode& node) {
   return node.text;
 }
 
+/// Empty where the value is in its range.
+std::string out_of_range(double value, const ProfileKey& key) {
+  if (value >= key.minimum && value <= key.maximum) return "";
+  return in_quotes(key.key) + " is " + number_text(value) + "; it must be between " +
+         number_text(key.minimum) + " and " + number_text(key.maximum) + ' ' + key.unit;
+}
+
+std::optional<ProfileInterval> read_interval(const Path& file, const JsonNode& node, double value) {
+  if (!node.find("low") && !node.find("high")) return {};
+  const JsonNode& low = need_key(file, node, "low", "");
+  const JsonNode& high = need_key(file, node, "high", "");
+  expect_kind(file, low, Kind::number);
+  expect_kind(file, high, Kind::number);
+  if (!(low.number <= value && value <= high.number))
+    fail_at(file, low.line, in_quotes(node.key) + " is not between its \"low\" and its \"high\"");
+  return ProfileInterval{low.number, high.number};
+}
+
 ProfileValue read_value(const Path& file, const JsonNode& node, const ProfileKey& key) {
-  static constexpr std::array<std::string_view, 3> known{"value", "source", "assumed"};
+  static constexpr std::array<std::string_view, 5> known{"value", "low", "high", "source",
+                                                         "assumed"};
   expect_keys(file, node, known);
   const JsonNode& number = need_key(file, node, "value", "");
   expect_kind(file, number, Kind::number);
-  if (!(number.number >= key.minimum && number.number <= key.maximum))
-    fail_at(file, number.line,
-            in_quotes(key.key) + " is " + number_text(number.number) + "; it must be between " +
-                number_text(key.minimum) + " and " + number_text(key.maximum) + ' ' + key.unit);
+  if (const std::string reason = out_of_range(number.number, key); !reason.empty())
+    fail_at(file, number.line, reason);
   const JsonNode* source = node.find("source");
   const JsonNode* assumed = node.find("assumed");
   if (!source == !assumed)
@@ -80,7 +98,14 @@ ProfileValue read_value(const Path& file, const JsonNode& node, const ProfileKey
                 (source ? " has both a \"source\" and \"assumed\""
                         : " has neither a \"source\" nor \"assumed\"") +
                 "; it needs one of them");
-  return {number.number, text_of(file, source ? *source : *assumed), !source};
+  return {number.number, text_of(file, source ? *source : *assumed), !source,
+          read_interval(file, node, number.number)};
+}
+
+/// A file's name in an origin may be no UTF-8.
+std::string json_text(const std::string& text) {
+  using Json = nlohmann::json;
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -97,6 +122,22 @@ DeviceProfile read_device_profile(const Path& file) {
   for (const ProfileKey& key : table)
     profile.*key.value = read_value(file, need_key(file, root, key.key, "the profile"), key);
   return profile;
+}
+
+std::string device_profile_text(const DeviceProfile& profile) {
+  std::string text = "{\n  \"name\": " + json_text(profile.name);
+  for (const ProfileKey& key : table) {
+    const ProfileValue& value = profile.*key.value;
+    if (const std::string reason = out_of_range(value.value, key); !reason.empty())
+      throw InputError(reason);
+    text += ",\n  " + in_quotes(key.key) + ": {\"value\": " + number_text(value.value);
+    if (value.interval)
+      text += ", \"low\": " + number_text(value.interval->low) +
+              ", \"high\": " + number_text(value.interval->high);
+    text += value.assumed ? ", \"assumed\": " : ", \"source\": ";
+    text += json_text(value.origin) + '}';
+  }
+  return text + "\n}\n";
 }
 
 std::vector<std::string> device_profile_ids(std::span<const Path> folders) {

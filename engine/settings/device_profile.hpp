@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,11 +12,16 @@
 
 namespace sonde {
 
+/// What a measured figure may also be: `sonde identify` says how sure.
+struct ProfileInterval {
+  double low = 0, high = 0;
+};
 /// A number of a profile, and its origin.
 struct ProfileValue {
   double value = 0;
   std::string origin;    ///< its source, or why this figure was assumed
   bool assumed = false;  ///< the origin is a reason, not a source
+  std::optional<ProfileInterval> interval = {};
 };
 
 /// The limits of a haptic device and how it moves: ID.json in a folder of profiles.
@@ -55,8 +61,13 @@ std::span<const ProfileKey> profile_keys();
 
 /// Reads a profile. Throws InputError naming the file, the line and the reason: JSON that does not
 /// parse, a missing key, an unknown one (with the nearest known), a value out of range, with
-/// neither a source nor the reason why it is assumed, or with both.
+/// neither a source nor the reason why it is assumed, or with both; an interval with one end, or
+/// one that the value is not in.
 DeviceProfile read_device_profile(const std::filesystem::path& file);
+
+/// The text of a profile that reads back as this one, but for its id. Throws InputError where a
+/// value is out of its range.
+std::string device_profile_text(const DeviceProfile& profile);
 
 /// The ids of the profiles in these folders, sorted, each once. A folder that is not there has
 /// none.

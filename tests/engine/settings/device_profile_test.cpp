@@ -172,6 +172,48 @@ TEST(DeviceProfile, bad_files_are_named_with_their_line_and_reason) {
   EXPECT_THAT(complaint(""), HasSubstr("empty"));
 }
 
+TEST(DeviceProfile, an_interval_is_read_and_holds_the_value) {
+  ordered_json json = right();
+  json["mass"] = {{"value", 0.25}, {"low", 0.2}, {"high", 0.26}, {"source", "measured"}};
+  const TempFolder folder;
+  const DeviceProfile p = read_device_profile(folder.write("a.json", lines_of(json)));
+  ASSERT_TRUE(p.mass.interval);
+  EXPECT_EQ(p.mass.interval->low, 0.2);
+  EXPECT_EQ(p.mass.interval->high, 0.26);
+  EXPECT_FALSE(p.friction.interval);
+  const auto about_mass = [](const std::string& ends) {
+    return complaint_about("mass", R"({"value": 0.25, )" + ends + R"("source": "s"})");
+  };
+  EXPECT_EQ(about_mass(R"("low": 0.25, "high": 0.25, )"), "");
+  EXPECT_THAT(about_mass(R"("low": 0.2, )"),
+              AllOf(StartsWith("9: "), HasSubstr("\"high\" is missing from \"mass\"")));
+  EXPECT_THAT(about_mass(R"("high": 0.3, )"), HasSubstr("\"low\" is missing from \"mass\""));
+  EXPECT_THAT(about_mass(R"("low": 0.26, "high": 0.3, )"),
+              AllOf(StartsWith("9: "), HasSubstr("\"mass\" is not between its \"low\"")));
+  EXPECT_THAT(about_mass(R"("low": "0.2", "high": 0.3, )"), HasSubstr("\"low\" is a string"));
+}
+
+TEST(DeviceProfile, its_text_reads_back_as_it_was) {
+  ordered_json json = right();
+  json["mass"] = {{"value", 0.1 / 3}, {"low", 0.03}, {"high", 0.04}, {"source", "a \"scale\" µ"}};
+  json["delay"] = {{"value", 1e-3}, {"assumed", "a guess"}};
+  const TempFolder folder;
+  DeviceProfile p = read_device_profile(folder.write("a.json", lines_of(json)));
+  const DeviceProfile again = read_device_profile(folder.write("b.json", device_profile_text(p)));
+  EXPECT_EQ(again.id, "b");
+  EXPECT_EQ(again.name, p.name);
+  for (const ProfileKey& key : profile_keys()) {
+    const ProfileValue &was = p.*key.value, &is = again.*key.value;
+    EXPECT_EQ(is.value, was.value) << key.key;
+    EXPECT_EQ(is.origin, was.origin) << key.key;
+    EXPECT_EQ(is.assumed, was.assumed) << key.key;
+    EXPECT_EQ(is.interval.has_value(), was.interval.has_value()) << key.key;
+  }
+  EXPECT_EQ(again.mass.interval->high, 0.04);
+  p.mass.value = 1e-4;
+  EXPECT_THROW(device_profile_text(p), InputError);
+}
+
 TEST(DeviceProfile, the_users_own_come_first) {
   const TempFolder own;
   ordered_json json = right();
@@ -223,7 +265,8 @@ TEST(DeviceProfile, the_schema_says_what_the_reader_does) {
   const auto& value = schema["$defs"]["value"];
   EXPECT_EQ(value["additionalProperties"], false);
   EXPECT_EQ(value["required"], ordered_json({"value"}));
-  EXPECT_EQ(value["properties"].size(), 3u);
+  EXPECT_EQ(value["properties"].size(), 5u);
+  EXPECT_EQ(value["dependentRequired"], ordered_json({{"low", {"high"}}, {"high", {"low"}}}));
 }
 
 }  // namespace
