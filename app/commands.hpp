@@ -9,6 +9,7 @@ namespace sonde::app {
 Command add_calibrate_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_devices_command(CLI::App& program);
+Command add_identify_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_merge_command(CLI::App& program);
 Command add_query_command(CLI::App& program);

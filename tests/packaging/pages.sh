@@ -20,7 +20,7 @@ check_page() { # PROGRAM [COMMAND...]
   done
 }
 commands=$({ "$BUILD/bin/sonde" nothing 2>&1 || true; } | sed -n 's/.*the commands are //p' | tr -d ,)
-[[ $(wc -w <<<"$commands") -eq 10 ]] || complain "not the commands: $commands"
+[[ $(wc -w <<<"$commands") -eq 11 ]] || complain "not the commands: $commands"
 check_page sonde
 for command in $commands; do check_page sonde "$command"; done
 if [[ -x $BUILD/bin/sonde-view ]]; then check_page sonde-view; fi

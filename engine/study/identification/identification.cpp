@@ -55,18 +55,14 @@ double largest(const Windows& windows) {
 }
 
 /// The commands beside this axis are zero, and no sample is missing.
-void check_times(const Response& response, const PulseWindow& w, std::size_t axis, double step) {
-  const auto i = static_cast<Eigen::Index>(axis % 3);
+void check_times(const AxisResponse& r, const PulseWindow& w, double step) {
   for (std::size_t k = w.begin; k < w.end; ++k) {
-    Wrench others = response[k].command;
-    (axis < 3 ? others.force : others.torque)[i] = 0;
-    if (!others.force.isZero(0) || !others.torque.isZero(0))
-      throw std::invalid_argument(
-          "another axis is commanded too at t = " + number_text(response[k].t) + " s");
-    if (k > w.begin && response[k].t - response[k - 1].t > longest_gap * step)
-      throw std::invalid_argument("no sample for " +
-                                  number_text(1e3 * (response[k].t - response[k - 1].t), 3) +
-                                  " ms before t = " + number_text(response[k].t) + " s");
+    const std::string when = "t = " + number_text(r.times[k]) + " s";
+    if (r.others[k]) throw std::invalid_argument("another axis is commanded too at " + when);
+    const double since = k > w.begin ? r.times[k] - r.times[k - 1] : 0;
+    if (since > longest_gap * step)
+      throw std::invalid_argument("no sample for " + number_text(1e3 * since, 3) + " ms before " +
+                                  when);
   }
 }
 
@@ -86,16 +82,16 @@ Windows telling(const AxisResponse& r, const Windows& windows, double grain, std
                               std::to_string(least_pulses));
 }
 
-void check_pulses(const Response& response, const Windows& windows, std::size_t axis, double step) {
+void check_pulses(const AxisResponse& r, const Windows& windows, double step) {
   if (windows.size() < least_pulses)
     throw std::invalid_argument(std::to_string(windows.size()) + " pulses; it takes " +
                                 std::to_string(least_pulses));
   for (const PulseWindow& w : windows) {
     if (w.last - w.first < least_samples)
-      throw std::invalid_argument("the pulse at t = " + number_text(response[w.first].t) +
-                                  " s has " + std::to_string(w.last - w.first) +
-                                  " samples; it takes " + std::to_string(least_samples));
-    check_times(response, w, axis, step);
+      throw std::invalid_argument("the pulse at t = " + number_text(r.times[w.first]) + " s has " +
+                                  std::to_string(w.last - w.first) + " samples; it takes " +
+                                  std::to_string(least_samples));
+    check_times(r, w, step);
   }
 }
 
@@ -134,9 +130,9 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 }
 
 /// Throws std::invalid_argument, saying why, where the pulses cannot tell.
-IdentifiedAxis identified(const Response& response, const AxisResponse& r, const Windows& all,
-                          std::size_t axis, double sample_time) {
-  check_pulses(response, all, axis, sample_time);
+IdentifiedAxis identified(const AxisResponse& r, const Windows& all, std::size_t axis,
+                          double sample_time) {
+  check_pulses(r, all, sample_time);
   const std::optional<Estimate> step = encoder_step(r.positions);
   const double grain = std::max(step ? step->value : 0, grain_of_noise(r, all));
   const Windows windows = telling(r, all, grain, axis);
@@ -196,7 +192,7 @@ Identification identify(const Response& response) {
     const Windows windows = pulse_windows(r);
     if (windows.empty()) continue;
     try {
-      out.axes.push_back(identified(response, r, windows, axis, out.sample_time));
+      out.axes.push_back(identified(r, windows, axis, out.sample_time));
     } catch (const std::invalid_argument& reason) {
       out.refused.push_back({axis, reason.what()});
     }

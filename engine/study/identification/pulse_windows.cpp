@@ -26,6 +26,16 @@ std::size_t past_pulse(const AxisResponse& r, std::size_t first) {
   return last + 1;
 }
 
+/// The first sample from `earliest` on after which, until `first`, no other axis is commanded.
+std::size_t undisturbed_since(const AxisResponse& r, std::size_t first, std::size_t earliest) {
+  while (first > earliest && !r.others[first - 1]) --first;
+  return first;
+}
+std::size_t undisturbed_until(const AxisResponse& r, std::size_t last, std::size_t latest) {
+  while (last < latest && !r.others[last]) ++last;
+  return last;
+}
+
 }  // namespace
 
 AxisResponse axis_response(const Response& response, std::size_t axis) {
@@ -33,7 +43,10 @@ AxisResponse axis_response(const Response& response, std::size_t axis) {
   const auto i = static_cast<Eigen::Index>(axis % 3);
   const Pose& start = response.front().X_BH;
   for (const ResponseSample& sample : response) {
+    Wrench others = sample.command;
+    (axis < 3 ? others.force : others.torque)[i] = 0;
     out.times.push_back(sample.t);
+    out.others.push_back(!others.force.isZero(0) || !others.torque.isZero(0));
     out.commands.push_back((axis < 3 ? sample.command.force : sample.command.torque)[i]);
     out.positions.push_back(axis < 3 ? sample.X_BH.p[i] - start.p[i]
                                      : rotation_vector(sample.X_BH.q * start.q.conjugate())[i]);
@@ -48,8 +61,10 @@ std::vector<PulseWindow> pulse_windows(const AxisResponse& response) {
   for (std::size_t first = next_command(response, 0); first < size;) {
     PulseWindow window{.first = first, .last = past_pulse(response, first)};
     const std::size_t following = next_command(response, window.last);
-    window.begin = std::max(begin, first - std::min(lead, first));
-    window.end = std::min(following, window.last + (window.last - window.first));
+    window.begin =
+        undisturbed_since(response, first, std::max(begin, first - std::min(lead, first)));
+    window.end = undisturbed_until(response, window.last,
+                                   std::min(following, window.last + (window.last - window.first)));
     for (std::size_t i = first; i < window.last; ++i)
       window.amplitude = std::max(window.amplitude, std::abs(response.commands[i]));
     out.push_back(window);

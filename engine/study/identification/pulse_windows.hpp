@@ -9,7 +9,8 @@
 namespace sonde {
 
 /// A pulse of a recording, in samples, and what around it is looked at: from shortly before it
-/// until the handle has had as long again to stop. `end` is one past the last.
+/// until the handle has had as long again to stop, or another axis is commanded. `end` is one past
+/// the last.
 struct PulseWindow {
   std::size_t begin = 0, first = 0, last = 0, end = 0;
   double amplitude = 0;  ///< N | N·m, the largest size of its command
@@ -20,6 +21,7 @@ struct AxisResponse {
   std::vector<double> times;      ///< s
   std::vector<double> commands;   ///< N | N·m
   std::vector<double> positions;  ///< m | rad, from the first pose
+  std::vector<bool> others;       ///< another axis is commanded
 };
 AxisResponse axis_response(const Response& response, std::size_t axis);
 

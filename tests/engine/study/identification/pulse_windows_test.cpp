@@ -46,6 +46,15 @@ TEST(PulseWindows, a_short_pause_is_a_part_of_the_pulse) {
   EXPECT_EQ(windows[0].last, 90u);
 }
 
+TEST(PulseWindows, end_and_begin_with_the_commands_of_another_axis) {
+  Response response = with_pulses(300, {{100, 150}});
+  response[95].command.torque.x() = response[170].command.force.z() = 1;
+  const auto windows = pulse_windows(axis_response(response, 1));
+  ASSERT_EQ(windows.size(), 1u);
+  EXPECT_EQ(windows[0].begin, 96u);
+  EXPECT_EQ(windows[0].end, 170u);
+}
+
 TEST(PulseWindows, another_axis_has_none) {
   const Response response = with_pulses(300, {{50, 60}});
   EXPECT_TRUE(pulse_windows(axis_response(response, 0)).empty());

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/profiles.hpp"
+#include "engine/base/error.hpp"
+#include "engine/study/identification/identification_report.hpp"
+#include "engine/study/identification/identified_profile.hpp"
+#include "engine/study/identification/pulse_plan.hpp"
+#include "engine/study/identification/simulated_response.hpp"
+#include "engine/text/number_text.hpp"
+#include "engine/text/output_file.hpp"
+
+namespace sonde::app {
+namespace {
+
+constexpr double sample_time = 1e-3;  // s, of the simulated pulses: what drivers run at
+
+struct IdentifyOptions {
+  std::string recording, simulated, device;
+  std::string profile;  ///< to write; empty: none
+  std::string record;   ///< to write; empty: none
+  PulseLimits limits;
+  bool json = false;
+};
+
+void check(const IdentifyOptions& options) {
+  if (options.recording.empty() == options.simulated.empty())
+    throw UsageError("it takes either a RECORDING or --simulated");
+  if (options.device.empty() && options.simulated.empty())
+    throw UsageError("--device is missing: the profile whose other values are kept");
+  if (!options.record.empty() && options.simulated.empty())
+    throw UsageError("--record needs --simulated");
+  if (!options.record.empty() && options.record == options.profile)
+    throw UsageError("--record and --out name the same file");
+  std::vector<std::filesystem::path> inputs;
+  for (const std::string& file : {options.recording, options.device, options.simulated})
+    if (!file.empty()) inputs.emplace_back(file);
+  if (!options.profile.empty()) check_output("--out", options.profile, inputs);
+  if (!options.record.empty()) check_output("--record", options.record, inputs);
+}
+
+Response response_of(const IdentifyOptions& options) {
+  if (options.simulated.empty()) return read_response(options.recording);
+  const DeviceProfile device = device_named(options.simulated);
+  return simulated_response(simulated(device), plan_pulses(device, options.limits, sample_time));
+}
+
+/// What cannot be told from a recording is an error of that file.
+Identification identified(const IdentifyOptions& options, const Response& response) {
+  try {
+    return identify(response);
+  } catch (const InputError& error) {
+    throw InputError::in(options.recording.empty() ? options.simulated : options.recording,
+                         error.what());
+  }
+}
+
+std::string source_of(const IdentifyOptions& options, const Identification& found) {
+  std::size_t pulses = 0;
+  for (const IdentifiedAxis& axis : found.axes) pulses += axis.pulses;
+  const std::string from = options.recording.empty()
+                               ? "the simulated device " + options.simulated
+                               : std::filesystem::path(options.recording).filename().string();
+  return "sonde identify, " + std::to_string(pulses) + " pulses of " + from +
+         "; low and high: 99 %";
+}
+
+void run(const IdentifyOptions& options) {
+  check(options);
+  const DeviceProfile device =
+      device_named(options.device.empty() ? options.simulated : options.device);
+  const Response response = response_of(options);
+  const Identification found = identified(options, response);
+  const std::string profile =
+      device_profile_text(identified_profile(device, found, source_of(options, found)));
+  if (!options.record.empty()) write_whole(options.record, response_text(response));
+  if (!options.profile.empty()) write_whole(options.profile, profile);
+  write_result(
+      {}, options.json ? identification_json(found, device) : identification_text(found, device));
+}
+
+}  // namespace
+
+Command add_identify_command(CLI::App& program) {
+  const auto options = std::make_shared<IdentifyOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "identify",
+      "Measures a device's mass, damping, friction, delay and encoder step; writes a "
+      "profile");
+  parser->add_option("RECORDING", options->recording,
+                     "CSV of a device's answer to pulses: t, the commanded wrench, the pose");
+  parser->add_option("--simulated", options->simulated,
+                     "instead of a recording: give the pulses to the simulated device of this "
+                     "profile, an id or a file");
+  parser->add_option("--device", options->device,
+                     "profile whose other values are kept, an id or a file; without it the "
+                     "simulated one");
+  parser->add_option("--out", options->profile,
+                     "profile to write, NAME.json, whole or not at all; without it none");
+  parser->add_option("--record", options->record,
+                     "CSV to write: the simulated device's answer, whose commands are the pulses");
+  parser->add_option("--force", options->limits.force, "largest force of the simulated pulses, N")
+      ->check(check_positive)
+      ->capture_default_str();
+  parser
+      ->add_option("--torque", options->limits.torque,
+                   "largest torque of the simulated pulses, N·m")
+      ->check(check_positive)
+      ->capture_default_str();
+  parser->add_flag("--json", options->json, "write JSON instead of text");
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

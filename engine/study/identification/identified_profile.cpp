@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/identification/identified_profile.hpp"
+
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+/// More digits than any interval leaves.
+double rounded(double x) { return parse_number(number_text(x, 6)).value(); }
+
+}  // namespace
+
+std::vector<IdentifiedValue> identified_values(const Identification& identification) {
+  using Profile = DeviceProfile;
+  std::vector<IdentifiedValue> out;
+  if (const auto& kind = identification.translation) {
+    out.push_back({&Profile::mass, kind->inertia});
+    out.push_back({&Profile::damping, kind->damping});
+    out.push_back({&Profile::friction, kind->friction});
+    out.push_back({&Profile::resolution, kind->resolution});
+  }
+  if (const auto& kind = identification.rotation) {
+    out.push_back({&Profile::inertia, kind->inertia});
+    out.push_back({&Profile::rotational_damping, kind->damping});
+    out.push_back({&Profile::rotational_friction, kind->friction});
+    out.push_back({&Profile::rotational_resolution, kind->resolution});
+  }
+  out.push_back({&Profile::delay, identification.delay});
+  return out;
+}
+
+DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
+                                 const std::string& source) {
+  for (const auto& [value, estimate] : identified_values(identification))
+    profile.*value = {rounded(estimate.value), source, false,
+                      ProfileInterval{rounded(estimate.low), rounded(estimate.high)}};
+  return profile;
+}
+
+}  // namespace sonde

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/settings/device_profile.hpp"
+#include "engine/study/identification/identification.hpp"
+
+namespace sonde {
+
+/// A measured figure of a profile.
+struct IdentifiedValue {
+  ProfileValue DeviceProfile::*value;
+  Estimate estimate;
+};
+/// What was measured of mass, inertia, damping, friction, resolution
+/// and delay, each for translation and rotation where the recording tells it.
+std::vector<IdentifiedValue> identified_values(const Identification& identification);
+
+/// The profile with these values in the place of its own, with six digits, their intervals, and
+/// `source`, which says how they were measured. What was not measured stays.
+DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
+                                 const std::string& source);
+
+}  // namespace sonde

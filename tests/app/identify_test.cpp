@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: the profile that a device is simulated from.
+#include <nlohmann/json.hpp>
+
+#include "engine/settings/device_profile.hpp"
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class Identify : public AppTest {
+ protected:
+  DeviceProfile profile(const std::string& file) { return read_device_profile(folder / file); }
+};
+
+TEST_F(Identify, a_simulated_device_is_recovered_and_written_as_a_profile) {
+  const Outcome run = sonde("identify --simulated sigma.7 --out mine.json --record answer.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("rotational_friction"));
+  EXPECT_THAT(run.out, HasSubstr("force along z: 16 pulses of up to 2 N"));
+  const DeviceProfile mine = profile("mine.json");
+  EXPECT_NEAR(mine.mass.value, 0.3, 0.05 * 0.3);
+  EXPECT_NEAR(mine.damping.value, 2, 0.05 * 2);
+  EXPECT_NEAR(mine.friction.value, 0.4, 0.05 * 0.4);
+  EXPECT_NEAR(mine.delay.value, 1e-3, 0.05 * 1e-3);
+  EXPECT_NEAR(mine.resolution.value, 2e-6, 0.05 * 2e-6);
+  EXPECT_NEAR(mine.inertia.value, 2e-4, 0.05 * 2e-4);
+  ASSERT_TRUE(mine.mass.interval);
+  EXPECT_LT(mine.mass.interval->low, mine.mass.interval->high);
+  EXPECT_THAT(assumed_keys(mine), testing::IsEmpty());
+  EXPECT_THAT(mine.mass.origin, HasSubstr("96 pulses of the simulated device sigma.7"));
+  EXPECT_EQ(mine.max_force.value, 12);
+  EXPECT_THAT(mine.max_force.origin, HasSubstr("CHAI3D"));
+}
+
+TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
+  const Outcome first = sonde("identify --simulated touch --out a.json --record answer.csv");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const Outcome again = sonde("identify answer.csv --device touch --out b.json");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_THAT(text_of(folder / "b.json"), HasSubstr("48 pulses of answer.csv"));
+  EXPECT_EQ(profile("b.json").mass.value, profile("a.json").mass.value);
+  // No motors for torque: what was assumed of rotations stays so.
+  EXPECT_THAT(assumed_keys(profile("b.json")),
+              testing::ElementsAre("inertia", "rotational_damping", "rotational_friction",
+                                   "rotational_resolution"));
+}
+
+TEST_F(Identify, json_holds_every_axis_and_pulses_stay_within_the_limit) {
+  const Outcome run = sonde("identify --simulated omega.7 --force 1.5 --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json result = json::parse(run.out);
+  ASSERT_EQ(result["axes"].size(), 3u);
+  EXPECT_EQ(result["axes"][1]["axis"], "force along y");
+  EXPECT_EQ(result["axes"][1]["largest_command"], 1.5);
+  EXPECT_NEAR(result["values"]["mass"]["value"], 0.25, 0.05 * 0.25);
+  EXPECT_EQ(result["values"]["mass"]["profile"], 0.25);
+  EXPECT_EQ(result["values"]["mass"]["unit"], "kg");
+}
+
+TEST_F(Identify, a_recording_that_tells_nothing_is_refused_with_its_reason) {
+  folder.write("still.csv",
+               "t,fx,fy,fz,tx,ty,tz,px,py,pz,qw,qx,qy,qz\n"
+               "0,0,0,0,0,0,0,0,0,0,1,0,0,0\n0.001,0,0,0,0,0,0,0,0,0,1,0,0,0\n");
+  folder.write("bad.csv", "t,fx,fy,fz,tx,ty,tz,px,py,pz,qw,qx,qy,qz\n0,0,0,0,0,0,0,0,0,0,1,0,0\n");
+  expect_refused("identify still.csv --device touch --out p.json", 3,
+                 "still.csv: no pulse in the recording");
+  expect_refused("identify bad.csv --device touch --out p.json", 3, "bad.csv:2: 13 columns");
+  expect_refused("identify none.csv --device touch", 3, "none.csv");
+  expect_refused("identify --simulated touch --force 0.1 --out p.json", 3,
+                 "touch: no axis can be identified: force along x: the handle did not move");
+}
+
+TEST_F(Identify, flags_that_contradict_each_other_are_wrong_usage) {
+  folder.write("a.csv", "");
+  expect_refused("identify", 2, "either a RECORDING or --simulated");
+  expect_refused("identify a.csv --simulated touch", 2, "either a RECORDING or --simulated");
+  expect_refused("identify a.csv", 2, "--device is missing");
+  expect_refused("identify a.csv --device touch --record b.csv", 2, "--record needs --simulated");
+  expect_refused("identify a.csv --device touch --out a.csv", 2, "is one of the inputs");
+  expect_refused("identify --simulated touch --record b --out b", 2, "name the same file");
+  expect_refused("identify --simulated touch --force 0", 2, "above zero");
+  expect_refused("identify --simulated tuch", 3, "\"touch\"");
+}
+
+}  // namespace
+}  // namespace sonde::test
