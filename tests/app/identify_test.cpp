@@ -51,6 +51,16 @@ TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
                                    "rotational_resolution"));
 }
 
+TEST_F(Identify, tune_takes_the_profile_and_varies_nothing_that_was_measured) {
+  ASSERT_EQ(sonde("identify --simulated sigma.7 --out mine.json").exit_code, 0);
+  const Outcome run =
+      sonde("tune boxes.sonde.json --device mine.json --trajectory path.csv --ratio 2 --out tuned");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(text_of(folder / "tuned/coupling.json"), HasSubstr("\"k\""));
+  for (const auto& part : std::filesystem::directory_iterator(folder / "tuned/parts"))
+    EXPECT_THAT(part.path().filename().string(), Not(HasSubstr(".twice")));
+}
+
 TEST_F(Identify, json_holds_every_axis_and_pulses_stay_within_the_limit) {
   const Outcome run = sonde("identify --simulated omega.7 --force 1.5 --json");
   ASSERT_EQ(run.exit_code, 0) << run.err;
