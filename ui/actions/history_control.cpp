@@ -85,6 +85,7 @@ void HistoryControl::attach(Session* session) {
   plots_->forget();
   opened_.reset();
   replay_.reset();
+  second_.reset();
   shows_replay_ = false;
   if (session) {
     const double radius = session->probe().mass.radius;
@@ -112,6 +113,7 @@ void HistoryControl::frame(qint64 now) {
   if (log)
     plots_->show_state({.kept = curves(),
                         .replay = replay_ ? &replay_->curves : nullptr,
+                        .second = second_ ? &second_->curves : nullptr,
                         .time = looking_back() ? playback_.time() : log->last_time()},
                        now);
   if (now < state_due_) return;
@@ -273,34 +275,56 @@ std::optional<TickBlocks> HistoryControl::ticks_on_show() {
   return TickBlocks::of(*log);
 }
 
-void HistoryControl::run_again(Method method, const std::optional<Coupling>& gains) {
-  Session* session = view_.session();
-  if (!session || !kept() || kept()->empty()) return;
+/// False, and says why, while another run is going on.
+bool HistoryControl::may_run_again() const {
+  if (!view_.session() || !kept() || kept()->empty()) return false;
   if (job_.running())
-    return prompts_.report_error(
+    prompts_.report_error(
         QStringLiteral("It is being run again already: wait until that has ended, or cancel it."));
+  return !job_.running();
+}
+
+void HistoryControl::run_again(Method method, const std::optional<Coupling>& gains) {
+  if (may_run_again()) start_runs(method, {gains});
+}
+
+void HistoryControl::run_both(const Coupling& a, const Coupling& b) {
+  if (may_run_again()) start_runs(Method::pdg, {a, b});
+}
+
+void HistoryControl::start_runs(Method method, const std::vector<std::optional<Coupling>>& gains) {
   recorder_.seal();
-  const auto into = std::make_shared<KeptTicks>();
-  const auto order = std::make_shared<Order>(Order{.pair = session->loaded().pair,
+  const auto into = std::make_shared<std::vector<std::shared_ptr<KeptTicks>>>();
+  const auto order = std::make_shared<Order>(Order{.pair = view_.session()->loaded().pair,
                                                    .ticks = TickBlocks::of(*kept()),
                                                    .budget = {},
                                                    .method = method,
-                                                   .gains = gains});
+                                                   .gains = {}});
   job_.start(
       QStringLiteral("Running it again"),
-      [into, order](const Progress& progress) { run(*order, *into, progress); },
-      [this, into](const std::exception_ptr& error) {
-        if (error) {
-          const QString reason = reason_of(error);
-          if (!reason.isEmpty()) prompts_.report_error(reason);
-          return;
+      [into, order, gains](const Progress& progress) {
+        const auto all = double(gains.size());
+        for (std::size_t i = 0; i < gains.size(); ++i) {
+          order->gains = gains[i];
+          into->push_back(std::make_shared<KeptTicks>());
+          run(*order, *into->back(), part_of(progress, double(i) / all, double(i + 1) / all));
         }
-        plots_->forget();
-        // The one before may be on show until this one is.
-        const std::shared_ptr<KeptTicks> before = std::exchange(replay_, into);
-        show_replay(true);
-        if (replayed) replayed();
+      },
+      [this, into](const std::exception_ptr& error) {
+        if (!error) return show_runs(into->at(0), into->size() > 1 ? into->at(1) : nullptr);
+        const QString reason = reason_of(error);
+        if (!reason.isEmpty()) prompts_.report_error(reason);
       });
+}
+
+void HistoryControl::show_runs(std::shared_ptr<KeptTicks> first,
+                               std::shared_ptr<KeptTicks> second) {
+  plots_->forget();
+  second_ = std::move(second);
+  // The one before may be on show until this one is.
+  const std::shared_ptr<KeptTicks> before = std::exchange(replay_, std::move(first));
+  show_replay(true);
+  if (replayed) replayed();
 }
 
 void HistoryControl::show_state() {

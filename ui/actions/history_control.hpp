@@ -84,9 +84,13 @@ class HistoryControl : public QObject {
   /// The path of what is kept or was opened, with these gains; the method is Method::pdt for a run
   /// by translation alone. In a worker; ends in replayed().
   void run_again(Method method, const std::optional<Coupling>& gains);
+  /// The same path with two sets of gains, both beside the kept one in the plots; the timeline
+  /// leads over the first.
+  void run_both(const Coupling& a, const Coupling& b);
   /// All that the timeline leads over now; none where that is nothing.
   std::optional<TickBlocks> ticks_on_show();
   const KeptTicks* replay() const { return replay_.get(); }
+  const KeptTicks* second_replay() const { return second_.get(); }
   std::function<void()> replayed;
 
  private:
@@ -97,6 +101,9 @@ class HistoryControl : public QObject {
   void stop_recording();
   void report_ended();
   const Curves* curves() const;
+  bool may_run_again() const;
+  void start_runs(Method method, const std::vector<std::optional<Coupling>>& gains);
+  void show_runs(std::shared_ptr<KeptTicks> first, std::shared_ptr<KeptTicks> second);
   void show_state();
   void opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording);
 
@@ -110,7 +117,7 @@ class HistoryControl : public QObject {
   QTimer ending_timer_;  ///< while recordings that were stopped are written
   Playback playback_;
   std::shared_ptr<KeptTicks> opened_;  ///< of a file; null: the session's own
-  std::shared_ptr<KeptTicks> replay_;
+  std::shared_ptr<KeptTicks> replay_, second_;
   bool shows_replay_ = false;
   bool paused_before_ = false;
   qint64 last_frame_ = 0;

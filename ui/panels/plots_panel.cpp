@@ -126,7 +126,7 @@ void PlotsPanel::show_state(const PlotState& state, qint64 now) {
   const QVariant light = is_light(palette());
   if (property("light") != light) setProperty("light", light), dirty_ = true;
   const bool changed = state.kept != state_.kept || state.replay != state_.replay ||
-                       state.time != state_.time || dirty_;
+                       state.second != state_.second || state.time != state_.time || dirty_;
   if (!changed) return;
   due_ = now + draw_ms;
   dirty_ = false;
@@ -142,7 +142,10 @@ ChartView PlotsPanel::view() const {
   for (std::size_t i = 0; i < curve_count; ++i) {
     if (!shown_[i]->isChecked() || !state_.kept) continue;
     view.lines.push_back({state_.kept, static_cast<Curve>(i)});
-    if (state_.replay) view.lines.push_back({state_.replay, static_cast<Curve>(i), true});
+    if (state_.replay)
+      view.lines.push_back({state_.replay, static_cast<Curve>(i), ChartLine::Stroke::dashed});
+    if (state_.second)
+      view.lines.push_back({state_.second, static_cast<Curve>(i), ChartLine::Stroke::dotted});
   }
   return view;
 }
@@ -158,7 +161,10 @@ void PlotsPanel::read_out(double time) {
     };
     QString line = QStringLiteral("%1 %2").arg(
         in_colour(style.colour, QStringLiteral("━ ") + style.name), text(*state_.kept));
-    if (state_.replay) line += QStringLiteral(" / %1").arg(text(*state_.replay));
+    if (state_.second)
+      line += QStringLiteral(" / A %1 / B %2").arg(text(*state_.replay), text(*state_.second));
+    else if (state_.replay)
+      line += QStringLiteral(" / %1").arg(text(*state_.replay));
     texts.push_back(line + QLatin1Char(' ') + style.unit);
   }
   values_->setText(texts.join(QStringLiteral(" &nbsp; ")));

@@ -19,6 +19,7 @@ namespace sonde::ui {
 struct PlotState {
   const Curves* kept = nullptr;    ///< null: nothing yet
   const Curves* replay = nullptr;  ///< the same path with other gains; null: none
+  const Curves* second = nullptr;  ///< with the gains B, where `replay` is with A; null: none
   double time = 0;                 ///< s, the shown time
 };
 

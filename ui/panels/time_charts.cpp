@@ -22,6 +22,7 @@
 #include <QPalette>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -119,9 +120,12 @@ DrawnLine line_in(vtkChartXY& chart, const ChartLine& line, const CurveStyle& st
   DrawnLine drawn{line, empty_table(), chart.AddPlot(vtkChart::LINE)};
   drawn.plot->SetInputData(drawn.table, 0, 1);
   drawn.plot->SetLabel(
-      (style.name + (line.dashed ? QStringLiteral(", run again") : QString())).toStdString());
+      (style.name +
+       (line.stroke == ChartLine::Stroke::solid ? QString() : QStringLiteral(", run again")))
+          .toStdString());
   set_pen(*drawn.plot->GetPen(), readable(style.colour, palette));
-  drawn.plot->GetPen()->SetLineType(line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  constexpr std::array pens{vtkPen::SOLID_LINE, vtkPen::DASH_LINE, vtkPen::DOT_LINE};
+  drawn.plot->GetPen()->SetLineType(pens.at(static_cast<std::size_t>(line.stroke)));
   return drawn;
 }
 
@@ -206,7 +210,7 @@ struct TimeCharts::Scene {
   bool same_lines(const ChartView& other) const {
     return other.unit.name() == view.unit.name() &&
            std::ranges::equal(other.lines, view.lines, [](const ChartLine& a, const ChartLine& b) {
-             return a.curve == b.curve && a.dashed == b.dashed;
+             return a.curve == b.curve && a.stroke == b.stroke;
            });
   }
 
@@ -291,7 +295,7 @@ void TimeCharts::draw(const ChartView& view) {
     for (DrawnLine& drawn : chart.lines) drawn.line.of = nullptr;
     for (const ChartLine& line : view.lines) {
       const auto drawn = std::ranges::find_if(chart.lines, [&](const DrawnLine& d) {
-        return d.line.curve == line.curve && d.line.dashed == line.dashed;
+        return d.line.curve == line.curve && d.line.stroke == line.stroke;
       });
       if (drawn != chart.lines.end()) drawn->line.of = line.of;
     }

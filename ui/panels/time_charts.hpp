@@ -23,11 +23,12 @@ struct CurveStyle {
 /// In the order of Curve.
 std::vector<CurveStyle> curve_styles(const LengthUnit& unit);
 
-/// A curve to draw, solid or dashed.
+/// A curve to draw.
 struct ChartLine {
+  enum class Stroke { solid, dashed, dotted };
   const Curves* of;
   Curve curve;
-  bool dashed = false;
+  Stroke stroke = Stroke::solid;
 };
 
 /// What the charts show.

@@ -233,6 +233,10 @@ void add_history_menu(MainWindow& window) {
       [history, w](bool) {
         if (w->session()) history->run_again(Method::pdg, w->session()->coupling());
       });
+  add(window, menu, "run_both", QStringLiteral("Run again with &A and B"), {}, [history, w](bool) {
+    const GainSets& sets = w->stiffness().sets();
+    if (w->session()) history->run_both(sets.gains(0), sets.gains(1));
+  });
   add(window, menu, "run_again_pdt", QStringLiteral("Run again without turns (PD_&t)"), {},
       [history](bool) { history->run_again(Method::pdt, {}); });
 }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/history_control.hpp"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
 
 #include "tests/ui/window_fixture.hpp"
+#include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -273,6 +276,34 @@ TEST_F(HistoryTest, runs_again_with_other_gains_beside_the_first) {
   EXPECT_EQ(again.coupling.k, 50);
   EXPECT_NEAR(again.wrench.force.norm(), 50 * again.separation.depth, 1e-3);
   EXPECT_NEAR(again.separation.depth, first.separation.depth, 1e-4);
+}
+
+TEST_F(HistoryTest, runs_again_with_a_and_b_and_lays_both_over_what_was_felt) {
+  history().plots().show();
+  history().plots().raise();
+  settle();
+  bool ran = false;
+  history().replayed = [&] { ran = true; };
+  find<QPushButton>("gains_b")->click();
+  find<TypedValue>("k_value")->setValue(100);
+  find<QAction>("run_both")->trigger();
+  ASSERT_TRUE(wait_until([&] { return ran; }));
+  ASSERT_TRUE(history().replay() && history().second_replay());
+  const double end = history().replay()->log().last_time();
+  const double a = history().replay()->curves.at(Curve::force, end);
+  const double b = history().second_replay()->curves.at(Curve::force, end);
+  const double held = history().replay()->curves.at(Curve::held, end);
+  ASSERT_GT(held, 1e-3);
+  EXPECT_NEAR(a, 500 * held, 1e-3 * a) << "Hooke's law with the k of A";
+  EXPECT_NEAR(b, 100 * held, 1e-3 * a) << "and of B";
+  // In the dock: a third line of each curve, and both values.
+  const auto values = [&] { return find<QLabel>("plot_values")->text(); };
+  EXPECT_TRUE(wait_until([&] { return values().contains("/ A ") && values().contains("/ B "); }))
+      << values().toStdString();
+  ran = false;
+  history().run_again(Method::pdg, window->session()->coupling());
+  ASSERT_TRUE(wait_until([&] { return ran; }));
+  EXPECT_EQ(history().second_replay(), nullptr) << "one run takes the place of both";
 }
 
 TEST_F(HistoryTest, what_is_opened_next_has_a_history_of_its_own) {
