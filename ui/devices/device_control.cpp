@@ -86,7 +86,7 @@ void DeviceControl::hold() {
   const auto* simulating = std::get_if<SimulatedSource>(&source_);
   if (!simulating) return session_->hold_by_mouse();
   try {
-    session_->hold_by(simulated(simulating->profile), settings_.scaling);
+    session_->hold_by(held(simulated(simulating->profile), grip_), settings_.scaling);
   } catch (const std::invalid_argument& why) {
     source_ = MouseSource{};
     session_->hold_by_mouse();
@@ -182,6 +182,18 @@ void DeviceControl::keep_settings() {
     if (!std::exchange(keeping_failed_, true) && report_error)
       report_error(QString::fromUtf8(why.what()));
   }
+}
+
+void DeviceControl::set_grip(const SimulatedGrip& grip) {
+  grip_ = grip;
+  keep_grip(grip_);
+  const auto* simulating = std::get_if<SimulatedSource>(&source_);
+  if (session_ && simulating) try {
+      session_->set_simulated(held(simulated(simulating->profile), grip_));
+    } catch (const std::invalid_argument&) {
+      hold();  // says why
+    }
+  if (changed) changed();
 }
 
 void DeviceControl::set_led(bool on) {

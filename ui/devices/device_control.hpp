@@ -13,6 +13,7 @@
 #include "engine/devices/device_settings.hpp"
 #include "engine/devices/hotplug_monitor.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "ui/devices/hand_grip.hpp"
 #include "ui/devices/input_source.hpp"
 
 namespace sonde::ui {
@@ -50,6 +51,9 @@ class DeviceControl : public QObject {
   bool settings_from_scene() const { return from_scene_; }
   /// Acts at once. Stored for the device a moment later, unless the settings come from the scene.
   void set_settings(const DeviceSettings& settings);
+  /// How the hand holds a simulated device; acts at once, and is kept.
+  const SimulatedGrip& grip() const { return grip_; }
+  void set_grip(const SimulatedGrip& grip);
   void set_led(bool on);
   /// The present settings of the loop: the device's, else the scene's.
   ServoSettings servo() const;
@@ -86,6 +90,7 @@ class DeviceControl : public QObject {
   InputSource source_;
   std::shared_ptr<InputDevice> input_;  ///< of a connected device
   DeviceSettings settings_;
+  SimulatedGrip grip_ = chosen_grip();
   bool from_scene_ = false;
   std::filesystem::path damaged_;  ///< the file of settings, where it cannot be read
   QTimer keep_timer_;

@@ -118,6 +118,11 @@ void Session::pace_simulated() {
     simulated->set_period(1 / loaded_.servo.rate_hz);
 }
 
+void Session::set_simulated(const SimulatedDeviceParameters& device) {
+  if (SimulatedHand* simulated = holding_->simulated())
+    simulated->set_parameters(device, 1 / loaded_.servo.rate_hz);
+}
+
 void Session::set_passivity_control(bool on) {
   loaded_.servo.passivity.control = on;
   servo_.set_passivity_control(on);

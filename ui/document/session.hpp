@@ -60,6 +60,9 @@ class Session {
 
   /// Where the probe is wanted: by the mouse, or else where the device has it. X_FM.
   Pose device_pose();
+  /// A simulated device that holds the probe has other parameters from the next tick on, and goes
+  /// on as it moves. Throws as hold_by; then all stays.
+  void set_simulated(const SimulatedDeviceParameters& device);
   /// By the mouse. Nothing, where something else holds the probe.
   void set_device_pose(const Pose& X_FM);
 

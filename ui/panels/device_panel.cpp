@@ -17,6 +17,7 @@
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/axis_table.hpp"
+#include "ui/panels/grip_box.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
 
@@ -75,6 +76,8 @@ DevicePanel::DevicePanel(QWidget* parent) : QDockWidget(QStringLiteral("Device")
   const auto [scroll, content, layout] = scrolled(*this);
   build_choice(*layout);
   build_state(*layout);
+  grip_ = new GripBox(this);
+  layout->addWidget(grip_);
   build_motion(*layout);
   build_loop(*layout);
   build_axes(*layout);
@@ -283,6 +286,7 @@ void DevicePanel::show_settings(const InputSource& source, const DeviceSettings&
                                 bool from_scene) {
   connected_ = std::holds_alternative<ConnectedSource>(source);
   adjustable_ = connected_ || std::holds_alternative<SimulatedSource>(source);
+  grip_->setVisible(adjustable_ && !connected_);
   settings_ = settings;
   usual_ = usual_settings(source);
   from_scene_->setVisible(adjustable_ && from_scene);

@@ -19,6 +19,7 @@ class QVBoxLayout;
 namespace sonde::ui {
 
 class AxisTable;
+class GripBox;
 class SliderRow;
 
 /// The dock of the device: what holds the probe, what else could hold it, the state of a connected
@@ -44,6 +45,8 @@ class DevicePanel : public QDockWidget {
   /// Called immediately with every change.
   std::function<void(const DeviceSettings&)> settings_changed;
   std::function<void(bool)> led_switched;
+  /// The hand on a simulated device; hidden while something else holds the probe.
+  GripBox& grip() { return *grip_; }
 
  private:
   void build_choice(QVBoxLayout& layout);
@@ -71,6 +74,7 @@ class DevicePanel : public QDockWidget {
   SliderRow* rate_row_;
   std::vector<SliderRow*> rows_, axis_rows_;
   AxisTable* axes_;
+  GripBox* grip_;
 };
 
 }  // namespace sonde::ui

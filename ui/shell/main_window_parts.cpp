@@ -20,6 +20,7 @@
 #include "ui/devices/mouse_probe.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
+#include "ui/panels/grip_box.hpp"
 #include "ui/panels/log_panel.hpp"
 #include "ui/panels/pose_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
@@ -120,6 +121,8 @@ void MainWindow::connect_devices() {
   device_panel_->settings_changed = [this](const DeviceSettings& settings) {
     documents_->set_device_settings(settings);
   };
+  device_panel_->grip().changed = [this](const SimulatedGrip& grip) { devices_->set_grip(grip); };
+  device_panel_->grip().show_grip(devices_->grip());
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
 }
 

@@ -47,6 +47,19 @@ void SimulatedHand::set_period(double period) {
   paces_.write(Pace{SimulatedDevice(parameters_, period), share_of(period)});
 }
 
+void SimulatedHand::set_parameters(const SimulatedDeviceParameters& parameters, double period) {
+  SimulatedDeviceParameters wanted = parameters_;
+  const auto take = [](HandleMotion& to, const HandleMotion& from) {
+    to.inertia = from.inertia;
+    to.hand_stiffness = from.hand_stiffness;
+    to.hand_damping = from.hand_damping;
+  };
+  take(wanted.translation, parameters.translation);
+  take(wanted.rotation, parameters.rotation);
+  paces_.write(Pace{SimulatedDevice(wanted, period), share_of(period)});
+  parameters_ = wanted;
+}
+
 HandSample SimulatedHand::sample() noexcept {
   if (paces_.update() && paces_.front()) {
     Pace next = *paces_.front();

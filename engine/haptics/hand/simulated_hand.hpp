@@ -37,6 +37,9 @@ class SimulatedHand {
   /// For another period of the servo, in s: the handle, the hand and its push go on as they are.
   /// Throws as SimulatedDevice; then all stays.
   void set_period(double period);
+  /// The same with other parameters of the hand and the handle's inertia; the mechanism's damping,
+  /// delay and limits are those of before.
+  void set_parameters(const SimulatedDeviceParameters& parameters, double period);
 
  private:
   HandSample sample() noexcept;

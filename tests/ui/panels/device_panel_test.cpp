@@ -5,11 +5,16 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
 #include <utility>
 
 #include "engine/settings/device_settings_file.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/devices/hand_grip.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
@@ -337,6 +342,38 @@ TEST_F(SimulatedDeviceTest, a_recorded_path_is_played) {
   window->reset();
   EXPECT_TRUE(wait_until([&] { return window->shown() && probe().x() < 0.35; })) << "again";
   EXPECT_TRUE(wait_until([&] { return probe().x() == 0.4; }));
+}
+
+/// The window's dock. A firm hand comes nearer to where the mouse wants the probe, against the same
+/// wall, and so gets more force.
+TEST_F(DevicePanelTest, the_hand_on_a_simulated_device_has_grips_with_names_and_sliders) {
+  open_cubes();
+  window->show_device_dock();
+  auto& dock = *window->findChild<QDockWidget*>("device_panel");
+  auto* box = dock.findChild<QWidget*>("grip_box");
+  EXPECT_FALSE(box->isVisible()) << "the mouse alone has no hand on a device";
+  auto* sources = dock.findChild<QComboBox*>("holder");
+  emit sources->activated(sources->findText("sigma.7 (simulated)"));
+  ASSERT_TRUE(wait_until([&] { return box->isVisible(); }));
+  const auto button = [&](const char* name) { return dock.findChild<QPushButton*>(name); };
+  EXPECT_TRUE(button("grip_usual")->isChecked());
+  const auto settled_force = [&] {
+    wait(1500);
+    return shown().wrench.force.norm();
+  };
+  QTest::mouseClick(button("grip_light"), Qt::LeftButton);
+  EXPECT_EQ(dock.findChild<TypedValue*>("hand_stiffness_value")->value(), 200);
+  EXPECT_FALSE(button("grip_usual")->isChecked());
+  const double light = settled_force();
+  QTest::mouseClick(button("grip_firm"), Qt::LeftButton);
+  EXPECT_EQ(dock.findChild<TypedValue*>("hand_damping_value")->value(), 10);
+  // In series with k = 500 N/m: 143 and 333 N per metre; friction, 0.4 N, may hold either back.
+  EXPECT_GT(settled_force(), light + 0.3);
+  auto* mass = dock.findChild<QSlider*>("hand_mass_slider");
+  mass->setValue(mass->maximum() / 2);
+  EXPECT_EQ(window->devices().grip().mass, 1);
+  EXPECT_FALSE(button("grip_firm")->isChecked()) << "it has no name any more";
+  EXPECT_EQ(chosen_grip(), window->devices().grip()) << "kept for the next time";
 }
 
 }  // namespace

@@ -88,6 +88,31 @@ TEST(SimulatedHand, another_rate_in_contact_keeps_handle_hand_and_push) {
   }
 }
 
+/// As above, two springs balance: with each hand's own. No tick between jumps.
+TEST(SimulatedHand, a_change_of_grip_in_contact_moves_the_handle_to_the_new_balance) {
+  SimulatedDeviceParameters device;
+  device.translation.damping = 3;
+  SimulatedHand simulated(device, period, 1, com, start);
+  const Hand hand = simulated.hand();
+  const double wall = (start * com).x();
+  simulated.set_target(moved(start, Vec3(0.02, 0, 0)));
+  double before = (run(hand, 4000, 200, wall) * com).x();
+  for (const double stiffness : {1000., 200.}) {
+    device.translation.hand_stiffness = stiffness;
+    device.translation.inertia = 0.4;
+    simulated.set_parameters(device, period);
+    for (int i = 0; i < 4000; ++i) {
+      const double now = (run(hand, 1, 200, wall) * com).x();
+      ASSERT_LT(std::abs(now - before), 2e-4) << "tick " << i;  // 0.2 m/s: no hand's jerk
+      before = now;
+    }
+    EXPECT_NEAR(before - wall, 0.02 * stiffness / (stiffness + 200), 1e-7);
+  }
+  device.translation.inertia = 0;
+  EXPECT_THROW(simulated.set_parameters(device, period), std::invalid_argument);
+  EXPECT_NEAR((run(hand, 1, 200, wall) * com).x(), before, 1e-7) << "and all stays";
+}
+
 TEST(SimulatedHand, another_rate_on_the_way_keeps_the_velocity) {
   SimulatedHand simulated({}, period, 1, com, start);
   const Hand hand = simulated.hand();
