@@ -20,8 +20,8 @@ inline std::string run_json(double stiffness, bool stable) {
 }
 
 inline StudyPart canned_part(int situation, double stable, const std::string& assumed = "null",
-                             double times = 1) {
-  const std::string kind = situation == 0 ? "flat" : "edge";
+                             double times = 1, const std::string& second = "edge") {
+  const std::string kind = situation == 0 ? "flat" : second;
   const std::string text =
       R"({"situation": )" + std::to_string(situation) + R"(, "kind": ")" + kind +
       R"(", "hand": "light", "axis": "object", "assumed": )" + assumed + R"(, "times": )" +
@@ -39,7 +39,8 @@ inline StudyPart canned_part(int situation, double stable, const std::string& as
 inline void write_canned_study(const std::filesystem::path& folder,
                                const std::filesystem::path& probe,
                                const std::filesystem::path& fixed,
-                               const std::string& device = "sigma.7") {
+                               const std::string& device = "sigma.7",
+                               const std::string& second = "edge") {
   const auto file = [](const std::filesystem::path& path) {
     return R"({"file": ")" + path.filename().string() + R"(", "fingerprint": ")" +
            fingerprint(read_text(path, 1 << 20)) + "\"}";
@@ -56,8 +57,9 @@ inline void write_canned_study(const std::filesystem::path& folder,
       "rotational_stiffness_per_translational": 0, "rotational_damping_per_translational": 0,
       "situations": [{"largest_translational_stiffness": 1, "largest_rotational_stiffness": 1e-3},
       {"largest_translational_stiffness": 1, "largest_rotational_stiffness": 1e-3}]})";
-  study.parts = {canned_part(0, 1500), canned_part(1, 900), canned_part(1, 450, "\"mass\"", 0.5),
-                 canned_part(1, 1000, "\"mass\"", 2)};
+  study.parts = {canned_part(0, 1500), canned_part(1, 900, "null", 1, second),
+                 canned_part(1, 450, "\"mass\"", 0.5, second),
+                 canned_part(1, 1000, "\"mass\"", 2, second)};
   compute_parts(folder, study, {}, 1, [] { return false; });
 }
 

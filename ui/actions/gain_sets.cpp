@@ -25,6 +25,13 @@ void GainSets::take(const Coupling& coupling) {
   if (switched) switched();
 }
 
+void GainSets::restore(const std::array<Coupling, 2>& sets, std::size_t active) {
+  sets_ = sets;
+  active_ = active;
+  panel_.apply(sets_.at(active_));
+  if (switched) switched();
+}
+
 Coupling GainSets::gains(std::size_t set) const {
   return set == active_ ? panel_.coupling() : sets_.at(set);
 }

@@ -21,6 +21,8 @@ class GainSets {
 
   /// A pair was opened: both sets are its gains, and A is active.
   void take(const Coupling& coupling);
+  /// Both as they were kept; no step to undo.
+  void restore(const std::array<Coupling, 2>& sets, std::size_t active);
   std::size_t active() const { return active_; }
   Coupling gains(std::size_t set) const;
   /// Changes to the other set; can be undone.

@@ -4,15 +4,21 @@
 #include <utility>
 
 #include "engine/settings/settings.hpp"
+#include "engine/study/stability/press_and_hold.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "ui/document/kept_gains.hpp"
 #include "ui/document/session.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/stiffness_panel.hpp"
+#include "ui/tuning/present_contact.hpp"
+#include "ui/tuning/stability_map.hpp"
 
 namespace sonde::ui {
 namespace {
 
-constexpr qint64 buzz_ms = 250;  // it takes milliseconds: not with each frame
+constexpr int keep_ms = 300;            // a slider that moves writes no file for each step
+constexpr qint64 buzz_ms = 250;         // it takes milliseconds: not with each frame
+constexpr double course_seconds = 0.1;  // of the force: five swings at 50 Hz, where buzzing begins
 
 /// The gains of now with what the study recommends in their place.
 Coupling with_recommended(Coupling gains, const TuningResults& results) {
@@ -38,37 +44,99 @@ StiffnessControl::StiffnessControl(std::vector<std::filesystem::path> profile_fo
       panel_(new StiffnessPanel(device_profile_ids(profile_folders_), &window)),
       tuner_(window, prompts),
       sets_(coupling, undo) {
-  tuner_.ready = [this](Tuning tuning) {
-    tuning_ = std::move(tuning);
-    panel_->show_tuning(tuning_);
+  tuner_.ready = [this](Tuning tuning) { take(std::move(tuning)); };
+  tuner_.progressed = [this](const std::optional<StudyProgress>& progress) {
+    panel_->show_progress(progress);
   };
   tuner_.failed = [this](const QString& reason) {
     if (failed) failed(reason);
   };
   sets_.switched = [this] { show_sets(); };
   panel_->load_asked = [this] { ask_load(); };
-  panel_->compute_asked = [this] { ask_compute(); };
+  panel_->compute_asked = [this] { compute(); };
+  panel_->stop_asked = [this] { stop(); };
+  panel_->save_asked = [this] { ask_save(); };
+  panel_->gains_asked = [this](GainAxis axis, double stiffness, double damping) {
+    set_gains(axis, stiffness, damping);
+  };
   panel_->apply_asked = [this] { apply_recommended(); };
   panel_->switch_asked = [this] { switch_gains(); };
+  keep_timer_.setSingleShot(true);
+  connect(&keep_timer_, &QTimer::timeout, this, [this] { write_gains(); });
   show_gains(coupling_.coupling());
 }
 
 void StiffnessControl::attach(Session* session, bool same_gains) {
+  keep_timer_.stop();  // the panel has other gains by now
   tuner_.abandon();
   session_ = session;
   tuning_.reset();
   buzz_.reset();
+  note_ = {};
+  contact_.clear();
+  newest_contact_.clear();
   panel_->show_tuning(tuning_);
+  panel_->show_contact({});
   panel_->clear_history();
   if (!session_) return;
   last_second_.take(session_->probe().mass);
-  if (!same_gains) sets_.take(session_->coupling());
+  if (!same_gains) {
+    gains_of_.clear();
+    gains_file_.clear();
+    of_scene_ = session_->coupling();
+    sets_.take(session_->coupling());
+  }
   show_gains(session_->coupling());
 }
 
-void StiffnessControl::set_device(const std::optional<DeviceProfile>& device) {
+void StiffnessControl::set_device(const std::optional<DeviceProfile>& device,
+                                  const std::string& name) {
   device_ = device;
   panel_->show_device(device_ ? device_->id : std::string());
+  if (!session_ || name == gains_of_) return;
+  keep_gains();
+  gains_of_ = name;
+  gains_file_ = kept_gains_file(session_->loaded().scene, name);
+  restore_gains();
+}
+
+void StiffnessControl::restore_gains() {
+  kept_ = {sets_.gains(0), sets_.gains(1)};
+  kept_active_ = sets_.active();
+  try {
+    const auto kept = read_kept_gains(gains_file_, of_scene_);
+    if (!kept) return;
+    kept_ = kept->sets;
+    kept_active_ = kept->active;
+    const bool others = !same(kept_[kept_active_], sets_.gains(sets_.active()));
+    sets_.restore(kept_, kept_active_);
+    keep_timer_.stop();
+    if (others && say)
+      say(QStringLiteral(
+          "Gains as they were last, here and with this device; the Coupling dock has "
+          "those of the scene."));
+  } catch (const InputError& bad) {
+    prompts_.report_error(QString::fromUtf8(bad.what()));
+  }
+}
+
+void StiffnessControl::keep_gains() {
+  if (!keep_timer_.isActive()) return;
+  keep_timer_.stop();
+  write_gains();
+}
+
+void StiffnessControl::write_gains() {
+  const std::array<Coupling, 2> now{sets_.gains(0), sets_.gains(1)};
+  const bool as_kept = same(now[0], kept_[0]) && same(now[1], kept_[1]);
+  if (gains_file_.empty() || (as_kept && sets_.active() == kept_active_)) return;
+  kept_ = now;
+  kept_active_ = sets_.active();
+  try {
+    write_kept_gains(gains_file_, {now, kept_active_, of_scene_});
+  } catch (const InputError& bad) {  // a full disk: what is felt is not affected
+    if (say) say(QString::fromUtf8(bad.what()));
+  }
 }
 
 void StiffnessControl::show_gains(const Coupling& gains) {
@@ -78,6 +146,12 @@ void StiffnessControl::show_gains(const Coupling& gains) {
 
 void StiffnessControl::show_sets() {
   panel_->show_sets({sets_.gains(0), sets_.gains(1)}, sets_.active());
+  if (session_ && !gains_file_.empty()) keep_timer_.start(keep_ms);
+}
+
+void StiffnessControl::take(Tuning tuning) {
+  tuning_ = std::move(tuning);
+  panel_->show_tuning(tuning_);
 }
 
 void StiffnessControl::frame(qint64 now) {
@@ -86,13 +160,44 @@ void StiffnessControl::frame(qint64 now) {
     last_second_.add(tick);
     if (ticked) ticked(tick);
     newest_ = tick.time;
+    if (std::string kind = kind_of_contact(tick.separation); !kind.empty())
+      newest_contact_ = std::move(kind);
   }
   if (now < buzz_due_) return;
   buzz_due_ = now + buzz_ms;
-  buzz_.reset();
-  if (!panel_->isVisible() || session_->paused()) return;
+  if (session_->paused()) {
+    buzz_.reset();
+    return;
+  }
+  // A probe that jumps in and out of a contact is in it.
+  contact_ = std::exchange(newest_contact_, {});
   buzz_ = last_second_.buzz();
-  panel_->show_buzz(buzz_, newest_);
+  note_ = note_now();
+  panel_->show_contact(contact_);
+  if (panel_->isVisible()) panel_->show_buzz(buzz_, newest_);
+}
+
+bool StiffnessControl::is_of_what_is_open() const {
+  return tuning_ && tuning_->doubt.isEmpty() &&
+         (!device_ || device_->id == tuning_->results.device_id) &&
+         session_->coupling().mode == tuning_->results.mode;
+}
+
+ForceNote StiffnessControl::note_now() const {
+  ForceNote note;
+  if (contact_.empty()) return note;
+  if (is_of_what_is_open()) {
+    const GainAxis axis = axes_of(tuning_->results).front();
+    const MapPoint gains = point_of(session_->coupling(), axis);
+    const auto boundary = boundary_in(tuning_->results, axis, contact_, gains.damping);
+    const QString distance = boundary ? distance_text(gains.stiffness, *boundary) : QString();
+    if (!distance.isEmpty())
+      note.text = QStringLiteral("%1: %2").arg(QString::fromStdString(contact_), distance);
+  }
+  if (!buzz_ || buzz_->chatter <= chatter_limit) return note;
+  note.text = QStringLiteral("buzzing") + (note.text.isEmpty() ? note.text : "\n" + note.text);
+  note.course = last_second_.forces(course_seconds);
+  return note;
 }
 
 void StiffnessControl::ask_load() {
@@ -104,18 +209,13 @@ void StiffnessControl::load(const QString& folder) {
   if (session_) tuner_.load(folder, session_->loaded());
 }
 
-void StiffnessControl::ask_compute() {
-  const QString folder = session_ ? prompts_.ask_tuning_folder() : QString();
-  if (!folder.isEmpty()) compute(folder);
-}
-
-void StiffnessControl::compute(const QString& folder) {
+void StiffnessControl::compute() {
   if (!session_) return;
   const std::string id = panel_->device_id();
   try {
     const DeviceProfile device =
         device_ && device_->id == id ? *device_ : find_device_profile(id, profile_folders_);
-    tuner_.compute({.folder = folder.toStdString(),
+    tuner_.compute({.within = computed_studies_folder(),
                     .device = device,
                     .mode = session_->coupling().mode,
                     .kind = panel_->kind()},
@@ -125,10 +225,26 @@ void StiffnessControl::compute(const QString& folder) {
   }
 }
 
+void StiffnessControl::ask_save() {
+  if (!session_ || !tuning_ || !tuning_->finished()) return;
+  const QString folder = prompts_.ask_tuning_folder();
+  if (!folder.isEmpty()) tuner_.save(*tuning_, folder, session_->loaded());
+}
+
 void StiffnessControl::apply_recommended() {
   if (tuning_)
     coupling_.request(with_recommended(coupling_.coupling(), tuning_->results),
                       "Recommended gains");
+}
+
+void StiffnessControl::set_gains(GainAxis axis, double stiffness, double damping) {
+  if (!tuning_) return;
+  Coupling wanted = coupling_.coupling();
+  wanted.mode = tuning_->results.mode;
+  sonde::set_gains(wanted, axis, stiffness, damping, tuning_->results.joint);
+  for (const Setting& setting : coupling_settings())  // into its range
+    set(wanted, setting.key, get(wanted, setting.key));
+  coupling_.request(wanted, "Gains from the map");
 }
 
 void StiffnessControl::switch_gains() {

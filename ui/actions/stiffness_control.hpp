@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "ui/actions/gain_sets.hpp"
 #include "ui/actions/tuner.hpp"
 #include "ui/tuning/last_second.hpp"
+#include "ui/views/force_note.hpp"
 
 class QUndoStack;
 
@@ -29,8 +32,11 @@ class StiffnessControl : public QObject {
   StiffnessPanel& panel() { return *panel_; }
   const std::optional<Tuning>& tuning() const { return tuning_; }
   const GainSets& sets() const { return sets_; }
-  /// The newest figures; none before a second of ticks, or while the dock is not visible.
+  /// The newest figures; none before a second of ticks, or in a pause.
   const std::optional<Buzz>& buzz() const { return buzz_; }
+  /// What the view says of it beside the force: whether it buzzes, and how far the gains are from
+  /// the boundary of the present contact, where a map of this pair and device tells.
+  const ForceNote& note() const { return note_; }
 
   /// Called with each tick of the session, in its order.
   std::function<void(const Snapshot&)> ticked;
@@ -40,8 +46,13 @@ class StiffnessControl : public QObject {
   /// Another session was opened; null for none. `same_gains`: of the same scene, so that A and B
   /// stay.
   void attach(Session* session, bool same_gains = false);
-  /// The device that is simulated; none: another, or none.
-  void set_device(const std::optional<DeviceProfile>& device);
+  /// The device that is simulated (none: another, or none), and the name under which gains are kept
+  /// for what holds the probe. After attach(), and where it is another: the sets are those that
+  /// were kept for the open scene and it, if there are any.
+  void set_device(const std::optional<DeviceProfile>& device, const std::string& name);
+  /// Writes what a timer would in a moment: before the session, or the coupling's panel, has gone.
+  void keep_gains();
+  std::function<void(const QString&)> say;  ///< in passing
   /// The gains have changed, by whatever.
   void show_gains(const Coupling& gains);
   /// With each frame, at so many ms.
@@ -49,13 +60,24 @@ class StiffnessControl : public QObject {
 
   void ask_load();
   void load(const QString& folder);
-  void ask_compute();
-  void compute(const QString& folder);
+  /// Beside everything else, into a folder that nobody need know.
+  void compute();
+  bool computing() const { return tuner_.computing(); }
+  void stop() { tuner_.stop(); }
+  void ask_save();
   void apply_recommended();
+  /// Stiffness and damping of an axis, in the units of StabilityMap; together with k_t and b_t,
+  /// k_r and b_r follow as in the study.
+  void set_gains(GainAxis axis, double stiffness, double damping);
   void switch_gains();
 
  private:
   void show_sets();
+  void take(Tuning tuning);
+  bool is_of_what_is_open() const;
+  void restore_gains();
+  void write_gains();
+  ForceNote note_now() const;
 
   std::vector<std::filesystem::path> profile_folders_;
   CouplingPanel& coupling_;
@@ -65,9 +87,17 @@ class StiffnessControl : public QObject {
   GainSets sets_;
   Session* session_ = nullptr;
   std::optional<DeviceProfile> device_;
+  Coupling of_scene_;
+  std::filesystem::path gains_file_;  ///< of the open scene and what holds the probe
+  std::string gains_of_;              ///< what holds the probe, for which they were restored
+  std::array<Coupling, 2> kept_{};    ///< what the file has, or what it need not have
+  std::size_t kept_active_ = 0;
+  QTimer keep_timer_;
   std::optional<Tuning> tuning_;
   LastSecond last_second_;
   std::optional<Buzz> buzz_;
+  std::string contact_, newest_contact_;  ///< kinds; empty: none
+  ForceNote note_;
   double newest_ = 0;  ///< s, of the last tick
   qint64 buzz_due_ = 0;
 };

@@ -2,24 +2,61 @@
 #include "ui/actions/tuner.hpp"
 
 #include <QFileInfo>
-#include <memory>
+#include <cmath>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace sonde::ui {
 
-Tuner::Tuner(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
+/// What crosses from the worker: the newest of it.
+struct Tuner::Found {
+  void put(const Tuning& tuning) {
+    const std::scoped_lock lock(mutex);
+    newest = tuning;
+  }
+  std::optional<Tuning> take() {
+    const std::scoped_lock lock(mutex);
+    return std::exchange(newest, std::nullopt);
+  }
+  std::mutex mutex;
+  std::optional<Tuning> newest;
+};
+
+QString time_left_text(double seconds, std::size_t computed, std::size_t missing, double since) {
+  if (computed == 0) return {};
+  const double left = std::max(0.0, seconds / double(computed) * double(missing) - since);
+  if (left < 100) return QStringLiteral("about %1 s left").arg(std::max(1.0, std::round(left)));
+  return QStringLiteral("about %1 min left").arg(std::round(left / 60));
+}
+
+Tuner::Tuner(QWidget& window, Prompts& prompts)
+    : prompts_(prompts), job_(&window), computing_(&window) {
+  computing_.watched = [this](double fraction) { look(fraction); };
+}
+
+Tuner::~Tuner() = default;
+
+void Tuner::abandon() {
+  job_.abandon();
+  if (!computing()) return;
+  computing_.abandon();
+  if (progressed) progressed({});
+}
 
 void Tuner::load(const QString& folder, const LoadedScene& opened) {
+  stop();
   begin(QStringLiteral("Reading %1").arg(QFileInfo(folder).fileName()),
         [path = std::filesystem::path(folder.toStdString()), opened](const Progress&) {
           return load_tuning(path, opened);
         });
 }
 
-void Tuner::compute(const TuningOrder& order, const LoadedScene& opened) {
-  begin(QStringLiteral("Studying the gains of %1").arg(QString::fromStdString(order.device.name)),
-        [order, opened](const Progress& progress) {
-          return compute_tuning(order, opened, progress);
+void Tuner::save(const Tuning& tuning, const QString& folder, const LoadedScene& opened) {
+  begin(QStringLiteral("Writing %1").arg(QFileInfo(folder).fileName()),
+        [tuning, path = std::filesystem::path(folder.toStdString()), opened](const Progress&) {
+          save_tuning(tuning, path);
+          return load_tuning(path, opened);
         });
 }
 
@@ -29,11 +66,60 @@ void Tuner::begin(const QString& what, std::function<Tuning(const Progress&)> wo
       what,
       [tuning, work = std::move(work)](const Progress& progress) { *tuning = work(progress); },
       [this, tuning](const std::exception_ptr& error) {
-        if (!error) return ready(std::move(*tuning));
-        const QString reason = reason_of(error);
-        if (!reason.isEmpty() && prompts_.report_error) prompts_.report_error(reason);
-        if (failed) failed(reason);
+        if (error) return complain(error);
+        ready(std::move(*tuning));
       });
+}
+
+void Tuner::compute(const TuningOrder& order, const LoadedScene& opened) {
+  const auto found = std::make_shared<Found>();
+  found_ = found;
+  rows_ = of_rows_ = first_ = 0;
+  device_ = QString::fromStdString(order.device.id);
+  computing_.start(
+      {},
+      [found, order, opened](const Progress& progress) {
+        found->put(compute_tuning(order, opened, progress,
+                                  [found](const Tuning& so_far) { found->put(so_far); }));
+      },
+      [this, found](const std::exception_ptr& error) {
+        if (progressed) progressed({});
+        if (auto last = found->take()) ready(std::move(*last));
+        if (error) complain(error);
+      });
+  look(0);
+}
+
+/// The newest rows, and how long the rest will take.
+void Tuner::look(double fraction) {
+  if (auto so_far = found_->take()) {
+    rows_ = so_far->rows;
+    of_rows_ = so_far->of_rows;
+    if (first_ == 0) {
+      first_ = rows_;
+      since_first_.start();
+    }
+    newest_at_ = 1e-3 * double(since_first_.elapsed());
+    ready(std::move(*so_far));
+  }
+  if (!progressed) return;
+  if (rows_ == 0)
+    return progressed(StudyProgress{
+        fraction, QStringLiteral("For %1: looking for contacts, then the first row").arg(device_)});
+  const double now = 1e-3 * double(since_first_.elapsed());
+  const QString left =
+      time_left_text(newest_at_, rows_ - first_, of_rows_ - rows_, now - newest_at_);
+  progressed(StudyProgress{fraction, QStringLiteral("For %1: %2 of %3 rows%4")
+                                         .arg(device_)
+                                         .arg(rows_)
+                                         .arg(of_rows_)
+                                         .arg(left.isEmpty() ? left : ", " + left)});
+}
+
+void Tuner::complain(const std::exception_ptr& error) {
+  const QString reason = reason_of(error);
+  if (!reason.isEmpty() && prompts_.report_error) prompts_.report_error(reason);
+  if (failed) failed(reason);
 }
 
 }  // namespace sonde::ui

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/job.hpp"
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <QElapsedTimer>
 #include <atomic>
 #include <utility>
@@ -12,6 +16,13 @@ namespace {
 
 constexpr int patience_ms = 600;  // before a dialog appears
 constexpr int poll_ms = 8;
+constexpr int politeness = 10;  // a tenth of the processor where the servo or the picture want it
+
+/// This thread, and those that it will start. Without the right to, it runs as any other.
+void stand_back() {
+  const auto self = static_cast<id_t>(syscall(SYS_gettid));
+  setpriority(PRIO_PROCESS, self, politeness);
+}
 
 }  // namespace
 
@@ -54,11 +65,13 @@ void Job::start(const QString& what, std::function<void(const Progress&)> work,
   auto task = std::make_shared<Task>();
   task->since.start();
   done_ = std::move(done);
-  dialog_ = new ProgressDialog(what, window_);
-  connect(dialog_, &QDialog::rejected, this,
-          [this] { finish(std::make_exception_ptr(Cancelled())); });
+  if (!watched) {
+    dialog_ = new ProgressDialog(what, window_);
+    connect(dialog_, &QDialog::rejected, this, [this] { cancel(); });
+  }
   Task* shared = task.get();  // outlives the thread: its destructor joins
-  task->thread = std::thread([shared, work = std::move(work)] {
+  task->thread = std::thread([shared, stands_back = bool(watched), work = std::move(work)] {
+    if (stands_back) stand_back();
     try {
       work([shared](double fraction) {
         shared->fraction = fraction;
@@ -84,9 +97,14 @@ void Job::poll() {
     finish(error);
     return;
   }
+  if (watched) return watched(current_->fraction);
   if (current_->since.elapsed() < patience_ms) return;
   if (!dialog_->isVisible()) dialog_->show();
   dialog_->set_fraction(current_->fraction);
+}
+
+void Job::cancel() {
+  if (current_) finish(std::make_exception_ptr(Cancelled()));
 }
 
 void Job::finish(std::exception_ptr error) {

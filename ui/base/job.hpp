@@ -21,8 +21,9 @@ class ProgressDialog;
 QString reason_of(const std::exception_ptr& error);
 
 /// Long work in its own thread, with a progress dialog that can cancel it once it takes longer than
-/// a moment. One piece of work at a time: starting another abandons the first, and its end is not
-/// reported.
+/// a moment, or, where `watched` is set, with none: then everything else goes on, and the work has
+/// a lower priority than that. One piece of work at a time: starting another abandons the first,
+/// and its end is not reported.
 class Job : public QObject {
  public:
   explicit Job(QWidget* window);
@@ -35,6 +36,10 @@ class Job : public QObject {
   bool running() const { return current_ != nullptr; }
   /// Abandons the work: its end is not reported.
   void abandon();
+  /// As the dialog's button: ends in `done` with Cancelled. Nothing where nothing runs.
+  void cancel();
+  /// Set before the start, it gets the fraction done in the window's thread, in place of a dialog.
+  std::function<void(double fraction)> watched;
 
  private:
   struct Task;

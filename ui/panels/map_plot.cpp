@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/map_plot.hpp"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -43,6 +44,14 @@ void paint_diamond(QPainter& painter, const QPointF& at) {
       {at + QPointF(0, -6), at + QPointF(6, 0), at + QPointF(0, 6), at + QPointF(-6, 0)}));
 }
 
+void paint_outline(QPainter& painter, const QRectF& box) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(Qt::black, 3.5));
+  painter.drawRect(box.adjusted(1, 1, -1, -1));
+  painter.setPen(QPen(colour::contact, 1.8));
+  painter.drawRect(box.adjusted(1, 1, -1, -1));
+}
+
 void paint_disc(QPainter& painter, const QPointF& at) {
   painter.setPen(QPen(Qt::black, 1.2));
   painter.setBrush(Qt::white);
@@ -81,6 +90,8 @@ struct MapPlot::Scales {
 MapPlot::MapPlot(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("map_plot"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setMouseTracking(true);
+  setToolTip(QStringLiteral("A click sets the gains there; Undo takes them back."));
 }
 
 void MapPlot::set_map(const StabilityMap& map) {
@@ -95,6 +106,12 @@ void MapPlot::set_now(std::optional<MapPoint> point) {
 
 void MapPlot::set_recommended(std::optional<MapPoint> point) {
   recommended_ = point;
+  update();
+}
+
+void MapPlot::set_contact(const std::string& kind, const StabilityMap& of_kind) {
+  contact_ = of_kind.rows.empty() ? std::string() : kind;
+  of_contact_ = of_kind;
   update();
 }
 
@@ -115,6 +132,40 @@ QPointF MapPlot::place(const MapPoint& point) const {
                          : (map_.rows.front().from + map_.rows.front().to) / 2;
   return {scales.to_x(point.stiffness), scales.to_y(row)};
 }
+
+double MapPlot::bottom() const { return area().bottom(); }
+
+MapPoint MapPlot::point_at(const QPointF& at) const {
+  const QRectF within = area();
+  const auto part = [](double of, double whole) {
+    return whole > 0 ? std::clamp(of / whole, 0.0, 1.0) : 0;
+  };
+  const double x = part(at.x() - within.left(), within.width());
+  const double y = part(within.bottom() - at.y(), within.height());
+  const double stiffness = map_.low * std::pow(map_.high / map_.low, x);
+  const double digit = std::pow(10, std::floor(std::log10(stiffness)) - 2);
+  MapPoint point{std::clamp(std::round(stiffness / digit) * digit, map_.low, map_.high), 0};
+  if (map_.over_damping && !map_.rows.empty())
+    point.damping = map_.rows.front().from + y * (map_.rows.back().to - map_.rows.front().from);
+  return point;
+}
+
+void MapPlot::mousePressEvent(QMouseEvent* event) {
+  const bool on_map = !map_.rows.empty() && area().contains(event->localPos());
+  if (event->button() != Qt::LeftButton || !on_map) return QWidget::mousePressEvent(event);
+  dragging_ = true;
+  if (asked) asked(point_at(event->localPos()));
+}
+
+void MapPlot::mouseMoveEvent(QMouseEvent* event) {
+  const bool held = event->buttons() & Qt::LeftButton;
+  if (held && dragging_ && asked) asked(point_at(event->localPos()));
+  dragging_ = dragging_ && held;
+  setCursor(!map_.rows.empty() && area().contains(event->localPos()) ? Qt::CrossCursor
+                                                                     : Qt::ArrowCursor);
+}
+
+void MapPlot::mouseReleaseEvent(QMouseEvent* /*event*/) { dragging_ = false; }
 
 std::optional<MapClass> MapPlot::map_class(const MapPoint& point) const {
   std::optional<MapClass> worst;
@@ -140,6 +191,7 @@ void MapPlot::paintEvent(QPaintEvent* /*event*/) {
   paint_limit(painter, scales, &MapRow::stable, Qt::SolidLine);
   paint_limit(painter, scales, &MapRow::theory_stable, Qt::DashLine);
   paint_limit(painter, scales, &MapRow::theory_passive, Qt::DotLine);
+  if (!contact_.empty()) paint_contact(painter, scales);
   paint_points(painter);
   paint_legend(painter);
 }
@@ -172,8 +224,7 @@ void MapPlot::paint_rows(QPainter& painter, const Scales& scales) const {
   const QRectF& area = scales.area;
   const QFontMetrics metrics(painter.font());
   const double line = metrics.height();
-  const auto mark = [&](double y, const QString& text) {
-    painter.setPen(faint_text(palette()));
+  const auto label = [&](double y, const QString& text) {
     painter.drawText(QRectF(0, y - line / 2, area.left() - 5, line),
                      Qt::AlignRight | Qt::AlignVCenter, text);
   };
@@ -184,25 +235,34 @@ void MapPlot::paint_rows(QPainter& painter, const Scales& scales) const {
   if (!map_.over_damping) {
     for (const MapRow& row : map_.rows) {
       grid(scales.to_y(row.to));
-      mark((scales.to_y(row.from) + scales.to_y(row.to)) / 2, row.label);
+      const double y = (scales.to_y(row.from) + scales.to_y(row.to)) / 2;
+      const bool present = !contact_.empty() && row.kind == contact_;
+      if (present) {
+        painter.fillRect(QRectF(0, y - line / 2, area.left() - 2, line), colour::contact);
+        painter.setPen(Qt::black);
+      } else {
+        painter.setPen(faint_text(palette()));
+      }
+      label(y, row.label);
     }
     return;
   }
   for (const ChartScale::Tick& tick : scales.y.ticks()) {
     const double y = area.bottom() - tick.place * area.height();
     grid(y);
-    mark(y, QString::fromStdString(tick.text));
+    painter.setPen(faint_text(palette()));
+    label(y, QString::fromStdString(tick.text));
   }
   painter.drawText(QPointF(4, metrics.ascent()),
                    label_of(map_.axis, "damping", damping_key(map_.axis), damping_unit(map_.axis)));
 }
 
 /// Through the dampings; over situations, an upright stroke in each row. None off the map.
-void MapPlot::paint_limit(QPainter& painter, const Scales& scales, double MapRow::*limit,
-                          Qt::PenStyle style) const {
+QPainterPath MapPlot::path_of(const StabilityMap& map, const Scales& scales,
+                              double MapRow::*limit) const {
   QPainterPath path;
   bool broken = true;
-  for (const MapRow& row : map_.rows) {
+  for (const MapRow& row : map.rows) {
     const double stiffness = row.*limit;
     const bool drawn = std::isfinite(stiffness) && stiffness >= map_.low && stiffness <= map_.high;
     const double x = drawn ? scales.to_x(stiffness) : 0;
@@ -220,7 +280,31 @@ void MapPlot::paint_limit(QPainter& painter, const Scales& scales, double MapRow
       broken = false;
     }
   }
-  paint_stroke(painter, path, style);
+  return path;
+}
+
+void MapPlot::paint_limit(QPainter& painter, const Scales& scales, double MapRow::*limit,
+                          Qt::PenStyle style) const {
+  paint_stroke(painter, path_of(map_, scales, limit), style);
+}
+
+/// Its boundary in the colour of contacts; over situations a frame about its rows too.
+void MapPlot::paint_contact(QPainter& painter, const Scales& scales) const {
+  StabilityMap own = of_contact_;
+  if (!map_.over_damping) {
+    own.rows.clear();
+    for (const MapRow& row : map_.rows)
+      if (row.kind == contact_) own.rows.push_back(row);
+    for (const MapRow& row : own.rows)
+      paint_outline(painter, QRectF(QPointF(scales.area.left(), scales.to_y(row.to)),
+                                    QPointF(scales.area.right(), scales.to_y(row.from))));
+  }
+  const QPainterPath path = path_of(own, scales, &MapRow::stable);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(Qt::black, 6));
+  painter.drawPath(path);
+  painter.setPen(QPen(colour::contact, 3.5, Qt::SolidLine, Qt::FlatCap));
+  painter.drawPath(path);
 }
 
 void MapPlot::paint_points(QPainter& painter) const {
@@ -275,6 +359,10 @@ void MapPlot::paint_legend(QPainter& painter) const {
   entry(QStringLiteral("limit, measured"), stroke(Qt::SolidLine));
   entry(QStringLiteral("in theory"), stroke(Qt::DashLine));
   entry(QStringLiteral("passive in theory"), stroke(Qt::DotLine));
+  if (!contact_.empty())
+    entry(QStringLiteral("contact now"), [&](const QPointF& at) {
+      paint_outline(painter, QRectF(at.x() - 8, at.y() - 5, 16, 10));
+    });
   entry(QStringLiteral("gains now"), [&](const QPointF& at) { paint_disc(painter, at); });
   entry(QStringLiteral("recommended"), [&](const QPointF& at) { paint_diamond(painter, at); });
 }

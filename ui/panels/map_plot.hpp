@@ -2,24 +2,21 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "ui/tuning/stability_map.hpp"
 
 class QPainter;
+class QPainterPath;
 
 namespace sonde::ui {
-
-/// Gains as a place on a map.
-struct MapPoint {
-  double stiffness = 0;
-  double damping = 0;
-};
 
 /// A stability map: coloured cells of stiffness by damping, the measured and the theoretical limits
 /// as lines, the present and the recommended gains as points. Where rows are situations, the points
 /// are lines across, because the gains are the same in each. A point outside the map is drawn at
-/// its edge.
+/// its edge. The contact that holds the probe now is marked: the names of its rows, and its own
+/// boundary. A click, or a drag with the left button, asks for the gains there.
 class MapPlot : public QWidget {
  public:
   explicit MapPlot(QWidget* parent);
@@ -28,11 +25,20 @@ class MapPlot : public QWidget {
   const StabilityMap& map() const { return map_; }
   void set_now(std::optional<MapPoint> point);
   void set_recommended(std::optional<MapPoint> point);
+  /// The map of the present contact's kind alone; no rows: there is none, or it was not studied.
+  void set_contact(const std::string& kind, const StabilityMap& of_kind);
+  const std::string& contact() const { return contact_; }
   const std::optional<MapPoint>& now() const { return now_; }
   const std::optional<MapPoint>& recommended() const { return recommended_; }
 
   /// Where a point is drawn, px; on a map of situations in the lowest row.
   QPointF place(const MapPoint& point) const;
+  /// Where the cells end below, px.
+  double bottom() const;
+  /// The gains at a place, px, brought into the map; stiffness to three digits, as it is shown. On
+  /// a map of situations the damping is 0.
+  MapPoint point_at(const QPointF& at) const;
+  std::function<void(const MapPoint&)> asked;
   /// The map's class at that place; on a map of situations the worst; none outside the map.
   std::optional<MapClass> map_class(const MapPoint& point) const;
 
@@ -41,6 +47,9 @@ class MapPlot : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   struct Scales;
@@ -50,11 +59,15 @@ class MapPlot : public QWidget {
   void paint_rows(QPainter& painter, const Scales& scales) const;
   void paint_limit(QPainter& painter, const Scales& scales, double MapRow::*limit,
                    Qt::PenStyle style) const;
+  void paint_contact(QPainter& painter, const Scales& scales) const;
+  QPainterPath path_of(const StabilityMap& map, const Scales& scales, double MapRow::*limit) const;
   void paint_points(QPainter& painter) const;
   void paint_legend(QPainter& painter) const;
 
-  StabilityMap map_;
+  StabilityMap map_, of_contact_;
+  std::string contact_;
   std::optional<MapPoint> now_, recommended_;
+  bool dragging_ = false;
 };
 
 }  // namespace sonde::ui

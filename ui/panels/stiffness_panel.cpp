@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/press_and_hold.hpp"
@@ -17,18 +19,14 @@
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/scrolled.hpp"
+#include "ui/panels/study_box.hpp"
+#include "ui/tuning/present_contact.hpp"
 #include "ui/tuning/recommendation_text.hpp"
 
 namespace sonde::ui {
 namespace {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-MapPoint point_of(const Coupling& gains, GainAxis axis) {
-  if (axis == GainAxis::object) return {gains.k, 0};
-  return axis == GainAxis::rotation ? MapPoint{gains.k_r, gains.b_r}
-                                    : MapPoint{gains.k_t, gains.b_t};
-}
 
 QString words_of(GainAxis axis) {
   if (axis == GainAxis::object) return QStringLiteral("object norm");
@@ -56,11 +54,17 @@ StiffnessPanel::StiffnessPanel(const std::vector<std::string>& device_ids, QWidg
   setObjectName(QStringLiteral("stiffness_panel"));
   const auto [scroll, content, layout] = scrolled(*this);
   layout->setSpacing(4);
-  build_last_second(*layout);
   build_sets(*layout);
+  progress_ = new StudyProgressRow(this);
+  progress_->stop_asked = [this] {
+    if (stop_asked) stop_asked();
+  };
+  layout->addWidget(progress_);
+  build_last_second(*layout);
   build_map(*layout);
-  build_recommendation(*layout);
-  build_source(*layout, device_ids);
+  words_ = wrapped("recommendation", this);
+  layout->addWidget(words_);
+  build_study(*layout, device_ids);
   layout->addStretch();
   show_tuning({});
   show_buzz({}, 0);
@@ -104,8 +108,10 @@ void StiffnessPanel::build_last_second(QVBoxLayout& layout) {
 
 void StiffnessPanel::build_sets(QVBoxLayout& layout) {
   auto* group = new QGroupBox(QStringLiteral("Gains A and B"), this);
-  auto* row = new QHBoxLayout(group);
-  row->setContentsMargins(0, 4, 0, 0);
+  auto* box = new QVBoxLayout(group);
+  box->setContentsMargins(0, 4, 0, 0);
+  auto* row = new QHBoxLayout;
+  box->addLayout(row);
   for (std::size_t i = 0; i < sets_.size(); ++i) {
     sets_[i] = button({}, i == 0 ? "gains_a" : "gains_b",
                       QStringLiteral("Two sets of gains to feel one after the other (B). The "
@@ -120,6 +126,14 @@ void StiffnessPanel::build_sets(QVBoxLayout& layout) {
     });
     row->addWidget(sets_[i]);
   }
+  apply_ =
+      button({}, "apply_recommended",
+             QStringLiteral("The recommended gains act at once in the set that is pressed, and "
+                            "can be undone."));
+  connect(apply_, &QPushButton::clicked, this, [this] {
+    if (apply_asked) apply_asked();
+  });
+  box->addWidget(apply_);
   layout.addWidget(group);
 }
 
@@ -142,59 +156,27 @@ void StiffnessPanel::build_map(QVBoxLayout& layout) {
   for (QComboBox* list : {axes_, shown_kinds_})
     connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_map(); });
   plot_ = new MapPlot(map_box_);
+  plot_->asked = [this](const MapPoint& point) {
+    if (gains_asked) gains_asked(axis(), point.stiffness, point.damping);
+  };
   box->addWidget(plot_);
   place_ = wrapped("map_place", map_box_);
   box->addWidget(place_);
   layout.addWidget(map_box_);
 }
 
-void StiffnessPanel::build_recommendation(QVBoxLayout& layout) {
-  words_ = wrapped("recommendation", this);
-  layout.addWidget(words_);
-  apply_ = button(QStringLiteral("Apply the recommended gains"), "apply_recommended",
-                  QStringLiteral("They act at once, and can be undone."));
-  connect(apply_, &QPushButton::clicked, this, [this] {
-    if (apply_asked) apply_asked();
-  });
-  layout.addWidget(apply_);
-}
-
-void StiffnessPanel::build_source(QVBoxLayout& layout, const std::vector<std::string>& device_ids) {
-  auto* group = new QGroupBox(QStringLiteral("Study"), this);
-  auto* box = new QVBoxLayout(group);
-  box->setContentsMargins(0, 4, 0, 0);
-  source_ = wrapped("tuning_source", group);
-  box->addWidget(source_);
-  auto* row = new QHBoxLayout;
-  devices_ = new QComboBox(group);
-  devices_->setObjectName(QStringLiteral("tuning_device"));
-  devices_->setToolTip(QStringLiteral("The device to compute for."));
-  for (const std::string& id : device_ids) devices_->addItem(text(id));
-  kinds_ = new QComboBox(group);
-  kinds_->setObjectName(QStringLiteral("tuning_kind"));
-  kinds_->setToolTip(QStringLiteral("The contacts to compute for. One kind is quicker than all."));
-  kinds_->addItem(QStringLiteral("all contacts"));
-  for (const std::string& kind : situation_kinds()) kinds_->addItem(text(kind));
-  row->addWidget(devices_);
-  row->addWidget(kinds_);
-  box->addLayout(row);
-  auto* buttons = new QHBoxLayout;
-  auto* compute = button(
-      QStringLiteral("Compute…"), "compute_tuning",
-      QStringLiteral("Computes as sonde tune does, into a folder; finished parts are kept."));
-  compute->setEnabled(!device_ids.empty());
-  auto* load = button(QStringLiteral("Load…"), "load_tuning",
-                      QStringLiteral("A folder that sonde tune has written."));
-  connect(compute, &QPushButton::clicked, this, [this] {
-    if (compute_asked) compute_asked();
-  });
-  connect(load, &QPushButton::clicked, this, [this] {
+void StiffnessPanel::build_study(QVBoxLayout& layout, const std::vector<std::string>& device_ids) {
+  study_ = new StudyBox(device_ids, this);
+  study_->load_asked = [this] {
     if (load_asked) load_asked();
-  });
-  buttons->addWidget(compute);
-  buttons->addWidget(load);
-  box->addLayout(buttons);
-  layout.addWidget(group);
+  };
+  study_->compute_asked = [this] {
+    if (compute_asked) compute_asked();
+  };
+  study_->save_asked = [this] {
+    if (save_asked) save_asked();
+  };
+  layout.addWidget(study_);
 }
 
 void StiffnessPanel::clear_history() {
@@ -206,20 +188,46 @@ void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
   tuning_ = tuning;
   map_box_->setVisible(tuning_.has_value());
   words_->setVisible(tuning_.has_value());
-  apply_->setVisible(tuning_ && has_recommendation(tuning_->results));
-  source_->setText(tuning_ ? QStringLiteral("%1, for %2.")
-                                 .arg(QFileInfo(text(tuning_->folder.string())).fileName(),
-                                      text(tuning_->results.device_id))
-                           : QStringLiteral("There is no map yet: compute one for what is open, or "
-                                            "load what sonde tune has written."));
-  source_->setToolTip(tuning_ ? text(tuning_->folder.string()) : QString());
+  const bool any = recommends();
+  apply_->setVisible(any);
+  if (any)
+    apply_->setText(QStringLiteral("Use recommended: %1")
+                        .arg(words_of(recommended_coupling(tuning_->results)).replace('\n', ", ")));
+  show_source();
   choose_axes();
   show_doubt();
   show_map();
 }
 
+/// Not before every row is known: one of those to come may be the one that limits.
+bool StiffnessPanel::recommends() const {
+  return tuning_ && tuning_->finished() && has_recommendation(tuning_->results);
+}
+
+void StiffnessPanel::show_source() {
+  study_->set_unsaved(tuning_ && tuning_->finished() && tuning_->computed);
+  if (!tuning_)
+    return study_->set_source(
+        QStringLiteral("There is no map yet: compute one for what is open, or load what sonde tune "
+                       "has written."),
+        {});
+  const QString device = text(tuning_->results.device_id);
+  const QString rows = QStringLiteral("%1 of %2 rows").arg(tuning_->rows).arg(tuning_->of_rows);
+  if (!tuning_->finished())
+    return study_->set_source(
+        QStringLiteral("%1, for %2. Compute goes on from these.").arg(rows, device), {});
+  const QString folder = text(tuning_->folder.string());
+  if (tuning_->computed)
+    return study_->set_source(QStringLiteral("Computed here, for %1; not saved.").arg(device),
+                              folder);
+  study_->set_source(QStringLiteral("%1, for %2.").arg(QFileInfo(folder).fileName(), device),
+                     folder);
+}
+
+/// What was chosen stays where it is to be had: rows are added while one looks at some of them.
 void StiffnessPanel::choose_axes() {
   const QSignalBlocker quiet_axes(axes_), quiet_kinds(shown_kinds_);
+  const QString axis_before = axes_->currentText(), kind_before = shown_kinds_->currentText();
   axes_->clear();
   shown_kinds_->clear();
   if (!tuning_) return;
@@ -228,6 +236,8 @@ void StiffnessPanel::choose_axes() {
   axes_->setVisible(axes_->count() > 1);
   shown_kinds_->addItem(QStringLiteral("all contacts"));
   for (const std::string& kind : kinds_of(tuning_->results)) shown_kinds_->addItem(text(kind));
+  axes_->setCurrentIndex(std::max(0, axes_->findText(axis_before)));
+  shown_kinds_->setCurrentIndex(std::max(0, shown_kinds_->findText(kind_before)));
 }
 
 GainAxis StiffnessPanel::axis() const {
@@ -239,16 +249,19 @@ void StiffnessPanel::show_map() {
   const std::string kind =
       shown_kinds_->currentIndex() > 0 ? shown_kinds_->currentText().toStdString() : std::string();
   plot_->set_map(stability_map(tuning_->results, axis(), kind));
-  const bool any = has_recommendation(tuning_->results);
   plot_->set_recommended(
-      any ? std::optional(point_of(recommended_coupling(tuning_->results), axis())) : std::nullopt);
-  words_->setText(recommendation_text(tuning_->results, axis()));
+      recommends() ? std::optional(point_of(recommended_coupling(tuning_->results), axis()))
+                   : std::nullopt);
+  words_->setText(tuning_->finished()
+                      ? recommendation_text(tuning_->results, axis())
+                      : QStringLiteral("A recommendation follows when all rows are found."));
+  mark_contact();
   show_point();
 }
 
 void StiffnessPanel::show_device(const std::string& id) {
   simulated_ = id;
-  if (const int at = devices_->findText(text(id)); at >= 0) devices_->setCurrentIndex(at);
+  study_->choose_device(id);
   show_doubt();
 }
 
@@ -281,7 +294,38 @@ void StiffnessPanel::show_point() {
                            stiffness_unit(axis()),
                            found ? QLatin1String(name_of(*found)) : QStringLiteral("off the map"));
   const QString margin = gains ? margin_text(*gains, point.stiffness) : QString();
-  place_->setText(words + (margin.isEmpty() ? QString() : QStringLiteral("; ") + margin));
+  if (!margin.isEmpty()) words += QStringLiteral("; ") + margin;
+  const QString contact = contact_words(point);
+  place_->setText(words + '.' + (contact.isEmpty() ? QString() : '\n' + contact));
+}
+
+QString StiffnessPanel::contact_words(const MapPoint& point) const {
+  if (contact_.empty()) return {};
+  const QString name = QStringLiteral("Contact now: %1, ").arg(text(contact_));
+  const auto boundary = boundary_in(tuning_->results, axis(), contact_, point.damping);
+  if (!boundary) return name + QStringLiteral("which the study has not.");
+  if (!std::isfinite(*boundary)) return name + QStringLiteral("stable in the range studied.");
+  return name + QStringLiteral("boundary %1 %2: %3.")
+                    .arg(number(*boundary), stiffness_unit(axis()),
+                         distance_text(point.stiffness, *boundary));
+}
+
+void StiffnessPanel::show_contact(const std::string& kind) {
+  if (kind == contact_) return;
+  contact_ = kind;
+  if (!tuning_) return;
+  mark_contact();
+  show_point();
+}
+
+void StiffnessPanel::mark_contact() {
+  plot_->set_contact(contact_, contact_.empty()
+                                   ? StabilityMap{}
+                                   : stability_map(tuning_->results, axis(), contact_));
+}
+
+void StiffnessPanel::show_progress(const std::optional<StudyProgress>& progress) {
+  progress_->show_progress(progress);
 }
 
 void StiffnessPanel::show_sets(const std::array<Coupling, 2>& sets, std::size_t active) {
@@ -306,10 +350,8 @@ void StiffnessPanel::show_buzz(const std::optional<Buzz>& buzz, double time) {
   chatter_plot_->update();
 }
 
-std::string StiffnessPanel::device_id() const { return devices_->currentText().toStdString(); }
+std::string StiffnessPanel::device_id() const { return study_->device_id(); }
 
-std::string StiffnessPanel::kind() const {
-  return kinds_->currentIndex() > 0 ? kinds_->currentText().toStdString() : std::string();
-}
+std::string StiffnessPanel::kind() const { return study_->kind(); }
 
 }  // namespace sonde::ui

@@ -20,6 +20,10 @@ namespace sonde::ui {
 
 class HistoryPlot;
 class MapPlot;
+class StudyBox;
+class StudyProgressRow;
+struct MapPoint;
+struct StudyProgress;
 
 /// The dock of stiffness: the map that `sonde tune` measured with the present gains on it, the
 /// recommended gains and the reason, the figures of the last second, and two sets of gains to
@@ -35,6 +39,10 @@ class StiffnessPanel : public QDockWidget {
   /// The device that is simulated now, which is then the one to compute for; empty: none.
   void show_device(const std::string& id);
   void show_gains(const Coupling& now);
+  /// The kind of the contact that holds the probe; empty: none.
+  void show_contact(const std::string& kind);
+  /// Of a study that is computed; none: none is.
+  void show_progress(const std::optional<StudyProgress>& progress);
   void show_sets(const std::array<Coupling, 2>& sets, std::size_t active);
   /// At the time (s) of the newest tick; none: nothing has run for a second.
   void show_buzz(const std::optional<Buzz>& buzz, double time);
@@ -43,28 +51,36 @@ class StiffnessPanel : public QDockWidget {
   std::string device_id() const;
   std::string kind() const;  ///< empty: all
 
-  std::function<void()> load_asked, compute_asked, apply_asked, switch_asked;
+  std::function<void()> load_asked, compute_asked, save_asked, stop_asked, apply_asked,
+      switch_asked;
+  /// A click on the map: stiffness and damping of an axis, in the units of StabilityMap.
+  std::function<void(GainAxis, double stiffness, double damping)> gains_asked;
 
  private:
   QPushButton* button(const QString& text, const char* object, const QString& doc);
-  void build_source(QVBoxLayout& layout, const std::vector<std::string>& device_ids);
+  void build_study(QVBoxLayout& layout, const std::vector<std::string>& device_ids);
   void build_map(QVBoxLayout& layout);
-  void build_recommendation(QVBoxLayout& layout);
   void build_sets(QVBoxLayout& layout);
   void build_last_second(QVBoxLayout& layout);
   void choose_axes();
   void show_map();
   void show_point();
   void show_doubt();
+  void show_source();
+  void mark_contact();
+  bool recommends() const;
+  QString contact_words(const MapPoint& point) const;
   GainAxis axis() const;
 
   std::optional<Tuning> tuning_;
   Coupling now_;
-  std::string simulated_;
-  QComboBox *devices_, *kinds_, *axes_, *shown_kinds_;
+  std::string simulated_, contact_;
+  QComboBox *axes_, *shown_kinds_;
+  StudyBox* study_;
+  StudyProgressRow* progress_;
   QWidget* map_box_;
   MapPlot* plot_;
-  QLabel *source_, *doubt_, *place_, *words_, *chatter_, *energy_;
+  QLabel *doubt_, *place_, *words_, *chatter_, *energy_;
   QPushButton* apply_;
   std::array<QPushButton*, 2> sets_;
   HistoryPlot* chatter_plot_;

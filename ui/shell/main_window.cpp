@@ -49,6 +49,7 @@ constexpr double swing_seconds = 1.6;
 }  // namespace
 
 MainWindow::~MainWindow() {
+  stiffness_->keep_gains();
   documents_->changed = nullptr;  // what goes now is not shown any more
   force_log_.end();               // the session ends with the window
 }
@@ -104,6 +105,7 @@ void MainWindow::ask_path() {
 void MainWindow::show_start_page() { start_page_->present(); }
 
 void MainWindow::show_nothing() {
+  stiffness_->keep_gains();
   devices_->attach(nullptr);
   stiffness_->attach(nullptr);
   history_->attach(nullptr);
@@ -119,6 +121,7 @@ void MainWindow::show_nothing() {
 }
 
 void MainWindow::show_session(DrawnSession drawn, bool same_document) {
+  stiffness_->keep_gains();  // of what was open
   statusBar()->clearMessage();
   start_page_->hide();
   endings_.add(std::move(drawn_.session));
@@ -166,7 +169,10 @@ void MainWindow::show_holder() {
                                devices_->settings_from_scene());
   device_panel_->show_servo(devices_->servo());
   const auto* simulating = std::get_if<SimulatedSource>(&devices_->source());
-  stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt);
+  // A connected device by its serial number or port, a simulated one by its profile.
+  std::string name = settings_name_of(devices_->source());
+  if (name.empty()) name = name_of(devices_->source());
+  stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt, name);
   show_device();
 }
 
@@ -222,6 +228,7 @@ void MainWindow::on_frame() {
     status_.show_happening(QStringLiteral("Searching the way out at the new place …"));
   stiffness_->frame(clock_.elapsed());
   history_->frame(clock_.elapsed());
+  viewport_->set_force_note(history_->looking_back() ? ForceNote{} : stiffness_->note());
   draw_if_changed();
   frame_rate_.frame();
   if (!shown_) return;

@@ -98,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
     log_->add(force_log_.add(tick));
     history_->add(tick);
   };
+  stiffness_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
   stiffness_->failed = [this](const QString& reason) { log_->add(reason); };
   opener_->ready = [this](DrawnSession drawn) { show_session(std::move(drawn)); };
   opener_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };

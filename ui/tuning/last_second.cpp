@@ -44,4 +44,11 @@ std::optional<Buzz> LastSecond::buzz() const {
               ticks_.back().given - ticks_.front().given};
 }
 
+std::vector<double> LastSecond::forces(double seconds) const {
+  std::vector<double> out;
+  for (const Tick& tick : ticks_)
+    if (tick.time >= ticks_.back().time - seconds) out.push_back(tick.wrench.head<3>().norm());
+  return out;
+}
+
 }  // namespace sonde::ui

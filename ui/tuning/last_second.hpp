@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/mass.hpp"
@@ -25,6 +26,8 @@ class LastSecond {
   void add(const Snapshot& tick);
   /// None before there is about a second of ticks. Takes some milliseconds.
   std::optional<Buzz> buzz() const;
+  /// |F| on the hand of the ticks of the last so many seconds, N, the oldest first.
+  std::vector<double> forces(double seconds) const;
 
  private:
   struct Tick {

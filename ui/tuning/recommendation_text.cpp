@@ -10,6 +10,7 @@
 
 #include "engine/study/tuning/assumptions.hpp"
 #include "ui/base/format.hpp"
+#include "ui/tuning/present_contact.hpp"
 #include "ui/tuning/stability_map.hpp"
 
 namespace sonde::ui {
@@ -195,9 +196,9 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
 
 QString margin_text(const AxisGains& recommended, double stiffness) {
   if (!std::isfinite(recommended.boundary) || recommended.boundary <= 0) return {};
-  return QStringLiteral("%1 of the boundary, %2")
-      .arg(number(stiffness / recommended.boundary),
-           with_unit(recommended.boundary, stiffness_unit(recommended.axis)));
+  return QStringLiteral("the boundary is %1: %2")
+      .arg(with_unit(recommended.boundary, stiffness_unit(recommended.axis)),
+           distance_text(stiffness, recommended.boundary));
 }
 
 }  // namespace sonde::ui

@@ -82,6 +82,7 @@ void add_situations(const Lines& lines, StabilityMap& map) {
     MapRow row = worst_of({&line->columns.front()}, map.low, map.high);
     row.from = double(map.rows.size());
     row.to = row.from + 1;
+    row.kind = line->kind;
     row.label = QString::fromStdString(line->kind + ", " + line->hand);
     map.rows.push_back(row);
   }
@@ -117,6 +118,12 @@ StabilityMap stability_map(const TuningResults& results, GainAxis axis, const st
   else
     add_situations(lines, map);
   return map;
+}
+
+MapPoint point_of(const Coupling& gains, GainAxis axis) {
+  if (axis == GainAxis::object) return {gains.k, 0};
+  return axis == GainAxis::rotation ? MapPoint{gains.k_r, gains.b_r}
+                                    : MapPoint{gains.k_t, gains.b_t};
 }
 
 std::vector<std::string> kinds_of(const TuningResults& results) {

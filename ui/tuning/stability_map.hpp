@@ -18,6 +18,7 @@ struct MapRow {
   double from = 0, to = 1;  ///< its place along y
   double damping = 0;
   QString label;                                 ///< of a row that is no damping
+  std::string kind;                              ///< of the contact; the same
   std::vector<Stretch> stretches;                ///< from below, without gaps
   double stable = 0;                             ///< the measured limit
   double theory_stable = 0, theory_passive = 0;  ///< infinite where theory sees no end
@@ -35,6 +36,13 @@ struct StabilityMap {
 /// For the unchanged profile, in situations of one kind or (empty) of every kind. A row that stands
 /// for several situations and hands shows the worst of them, and the least of each limit.
 StabilityMap stability_map(const TuningResults& results, GainAxis axis, const std::string& kind);
+
+/// Gains as a place on a map.
+struct MapPoint {
+  double stiffness = 0;
+  double damping = 0;
+};
+MapPoint point_of(const Coupling& gains, GainAxis axis);
 
 /// The kinds of situations studied, in their order.
 std::vector<std::string> kinds_of(const TuningResults& results);

@@ -3,8 +3,12 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStandardPaths>
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "engine/study/tuning/tuning.hpp"
@@ -19,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double looking = 0.1;  // of the time, for contacts
+/// Of some MB each at most. Of older ones the finished rows are lost, which takes minutes to
+/// repeat.
+constexpr std::size_t studies_kept = 12;
 
 std::string inputs_of(const LoadedScene& opened) {
   return tuning_inputs(SONDE_VERSION, {opened.probe_file, opened.fixed_file, {}},
@@ -67,15 +74,53 @@ void keep_kind(Study& study, const std::string& kind) {
   if (study.parts.empty()) throw InputError("no contact of the kind \"" + kind + "\" was found");
 }
 
+/// Of a study that may not be finished; no value before its first row.
+std::optional<Tuning> tuning_in(const fs::path& folder, const LoadedScene& opened) {
+  const StudyFolder all = read_study(folder);
+  StudyFolder finished{all.kind, all.about, {}, {}};
+  for (std::size_t i = 0; i < all.names.size(); ++i) {
+    if (!all.results[i]) continue;
+    finished.names.push_back(all.names[i]);
+    finished.results.push_back(all.results[i]);
+  }
+  if (finished.names.empty()) return {};
+  Tuning tuning{.folder = folder, .results = read_tuning(folder.string(), finished)};
+  tuning.doubt = doubt_of(tuning.results, opened);
+  tuning.rows = finished.names.size();
+  tuning.of_rows = all.names.size();
+  return tuning;
+}
+
+void write_reports(const fs::path& folder) {
+  for (const StudyFile& file : tuning_files(folder.string(), read_study(folder)))
+    write_whole(folder / file.name, file.text);
+}
+
+/// Removes the oldest studies, by their last row. Another program may be at one of the newest.
+void keep_newest(const fs::path& within) {
+  const auto age = [](const fs::path& study) {
+    std::error_code none;
+    return fs::last_write_time(study / "parts", none);
+  };
+  std::error_code none;
+  std::vector<fs::path> studies;
+  for (const fs::directory_entry& entry : fs::directory_iterator(within, none))
+    studies.push_back(entry.path());
+  if (studies.size() <= studies_kept) return;
+  std::ranges::sort(studies, std::greater{}, age);
+  for (std::size_t i = studies_kept; i < studies.size(); ++i) fs::remove_all(studies[i], none);
+}
+
 }  // namespace
 
 Tuning load_tuning(const fs::path& folder_or_file, const LoadedScene& opened) {
   std::error_code none;
   const fs::path folder =
       fs::is_regular_file(folder_or_file, none) ? folder_or_file.parent_path() : folder_or_file;
-  Tuning tuning{.folder = folder, .results = {}, .doubt = {}};
-  tuning.results = read_tuning(folder.string(), read_study(folder));
+  const StudyFolder study = read_study(folder);
+  Tuning tuning{.folder = folder, .results = read_tuning(folder.string(), study)};
   tuning.doubt = doubt_of(tuning.results, opened);
+  tuning.rows = tuning.of_rows = study.names.size();
   return tuning;
 }
 
@@ -87,20 +132,45 @@ std::vector<std::string> situation_kinds() {
   return out;
 }
 
-Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened,
-                      const Progress& progress) {
+fs::path computed_studies_folder() {
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  return fs::path(data.toStdString()) / "studies";
+}
+
+Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const Progress& progress,
+                      const std::function<void(const Tuning&)>& found) {
   std::atomic<double> fraction = 0;
   const Stop stop = [&] { return progress && !progress(fraction); };
   Study study =
       plan_tuning(request_of(order, opened), stop, [&](double done) { fraction = looking * done; });
   keep_kind(study, order.kind);
-  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-  compute_parts(order.folder, study, {}, threads, stop, [&](std::size_t done, std::size_t total) {
+  const fs::path folder = order.within / fingerprint(study.about);
+  std::mutex one_at_a_time;
+  std::size_t told = 0;
+  const auto tell = [&](std::size_t done, std::size_t total) {
     fraction = looking + (1 - looking) * double(done) / double(total);
-  });
-  for (const StudyFile& file : tuning_files(order.folder.string(), read_study(order.folder)))
-    write_whole(order.folder / file.name, file.text);
-  return load_tuning(order.folder, opened);
+    const std::scoped_lock lock(one_at_a_time);
+    if (!found || done <= told || done == total) return;
+    told = done;
+    if (auto so_far = tuning_in(folder, opened)) found(*so_far);
+  };
+  const unsigned all = std::max(2u, std::thread::hardware_concurrency());
+  compute_parts(folder, study, {}, all - 1, stop, tell);
+  write_reports(folder);
+  keep_newest(order.within);
+  Tuning tuning = load_tuning(folder, opened);
+  tuning.computed = true;
+  return tuning;
+}
+
+void save_tuning(const Tuning& tuning, const fs::path& folder) {
+  const StudyFolder from = read_study(tuning.folder);
+  Study study{from.kind, from.about, {}};
+  for (std::size_t i = 0; i < from.names.size(); ++i)
+    study.parts.push_back(
+        {from.names[i], [&text = from.results[i].value()](const Stop&) { return text; }});
+  compute_parts(folder, study, {}, 1, [] { return false; });
+  write_reports(folder);
 }
 
 }  // namespace sonde::ui

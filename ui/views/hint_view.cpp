@@ -14,6 +14,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr int margin = 14;
+constexpr double course_width = 150, course_height = 34;  // pixels
 const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 205);
 
 /// A body has its own colour on either background.
@@ -55,6 +56,17 @@ void draw_mark(QPainter& painter, const QRectF& box, const LegendLine& entry,
   if (mark != LegendMark::mesh && mark != LegendMark::wires) return;
   painter.drawLine(box.topLeft(), box.bottomRight());
   painter.drawLine(box.topRight(), box.bottomLeft());
+}
+
+/// In the painter's pen, the largest value at the top.
+void draw_course(QPainter& painter, const QRectF& box, const std::vector<double>& course) {
+  const double largest = *std::ranges::max_element(course);
+  const double last = std::max(double(course.size()) - 1, 1.0);
+  QPolygonF line;
+  for (std::size_t i = 0; i < course.size(); ++i)
+    line << QPointF(box.left() + box.width() * double(i) / last,
+                    box.bottom() - (largest > 0 ? course[i] / largest : 0) * box.height());
+  painter.drawPolyline(line);
 }
 
 }  // namespace
@@ -209,7 +221,9 @@ std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
   std::vector<LabelToPlace> labels;
   for (const PlacedLabel& label : labels_) {
-    const QSizeF size(metrics.horizontalAdvance(label.text) + 12, metrics.height() + 4);
+    QSizeF size = metrics.size(0, label.text) + QSizeF(12, 4);
+    if (!label.course.empty())
+      size = {std::max(size.width(), course_width + 12), size.height() + course_height + 4};
     labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
   }
   std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_), scale_box()};
@@ -225,14 +239,15 @@ QRegion HintView::label_region() const {
 }
 
 void HintView::draw_labels(QPainter& painter) const {
-  const QFontMetricsF metrics(font());
   const std::vector<QRectF> boxes = label_boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (labels_[i].text.isEmpty()) continue;
     draw_plate(painter, boxes[i], palette());
     painter.setPen(readable(labels_[i].colour, palette()));
-    painter.drawText(QPointF(boxes[i].left() + 6, boxes[i].top() + 2 + metrics.ascent()),
-                     labels_[i].text);
+    painter.drawText(boxes[i].adjusted(6, 2, 6, 0), Qt::AlignLeft | Qt::AlignTop, labels_[i].text);
+    if (!labels_[i].course.empty())
+      draw_course(painter, boxes[i].adjusted(6, boxes[i].height() - course_height - 4, -6, -4),
+                  labels_[i].course);
   }
 }
 

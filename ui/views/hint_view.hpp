@@ -21,12 +21,14 @@ struct LegendLine {
   LegendMark mark = LegendMark::filled;
 };
 
-/// A label, its point on screen, and the line there that it must not cover.
+/// A label, its point on screen, and the line there that it must not cover. Its text may have
+/// several lines; below them is a small curve, from 0 up, where it has a course.
 struct PlacedLabel {
   QPointF at;
   QString text;
   QColor colour;
   QPolygonF stroke{};
+  std::vector<double> course{};
 };
 
 /// The meaning of colours over a range: the first at the first tick, the last at the last.

@@ -32,6 +32,7 @@ struct Label {
   QString text;
   QColor colour;
   std::vector<Vec3> stroke{};
+  std::vector<double> course{};  ///< a small curve below the text, from 0 up; empty: none
 };
 
 /// Draws something from a snapshot. It makes its actors once and hides them while there is nothing
@@ -58,8 +59,8 @@ class Overlay {
   virtual void draw(const Frame& frame) = 0;
   virtual void hide() = 0;
   void label(const Vec3& at, const QString& text, const QColor& colour,
-             std::vector<Vec3> stroke = {}) {
-    labels_.push_back({at, text, colour, std::move(stroke)});
+             std::vector<Vec3> stroke = {}, std::vector<double> course = {}) {
+    labels_.push_back({at, text, colour, std::move(stroke), std::move(course)});
   }
 
  private:

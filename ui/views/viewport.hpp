@@ -16,6 +16,7 @@
 #include "ui/document/loaded_scene.hpp"
 #include "ui/views/camera.hpp"
 #include "ui/views/drawn_bodies.hpp"
+#include "ui/views/force_note.hpp"
 #include "ui/views/measure_view.hpp"
 #include "ui/views/seeing.hpp"
 
@@ -74,6 +75,8 @@ class Viewport : public QWidget {
   void show_bodies(const DrawnBodies& drawn, bool same_view = false);
   /// The limits of the device changed: so do the scales of force and torque.
   void set_coupling(const Coupling& coupling);
+  /// What stands below the force; a picture of the past has none.
+  void set_force_note(const ForceNote& note);
   /// Draws one picture. `swing`: position of the ghost on its way, 1 at its end.
   void draw(const Instant& now, double swing);
 

@@ -128,4 +128,10 @@ void Viewport::update_scale() {
   s.hints->set_scale(std::move(scale));
 }
 
+void Viewport::set_force_note(const ForceNote& note) {
+  if (note == scenery_->wrench.note()) return;
+  scenery_->wrench.set_note(note);
+  invalidate();
+}
+
 }  // namespace sonde::ui

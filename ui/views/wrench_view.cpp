@@ -32,7 +32,9 @@ void WrenchView::draw(const Frame& frame) {
   if (force * scale_.metres_per_newton > least_shown * frame.mass.radius) {
     const Vec3 tip = com + wrench.force * scale_.metres_per_newton;
     force_.set(com, tip, 3 * frame.pixel);
-    label(tip, QStringLiteral("%1 N%2").arg(number(force), limited), colour::force, {com, tip});
+    const QString note = note_.text.isEmpty() ? QString() : '\n' + note_.text;
+    label(tip, QStringLiteral("%1 N%2%3").arg(number(force), limited, note), colour::force,
+          {com, tip}, note_.course);
   }
   const double angle = std::min(torque / scale_.newton_metres_per_quarter * std::numbers::pi / 2,
                                 1.9 * std::numbers::pi);

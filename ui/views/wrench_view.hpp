@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/views/force_note.hpp"
 #include "ui/views/glyphs.hpp"
 #include "ui/views/overlay.hpp"
 
@@ -22,6 +23,8 @@ class WrenchView : public Overlay {
  public:
   WrenchView(vtkRenderer& renderer, GlyphShapes& shapes);
   void set_scale(const WrenchScale& scale) { scale_ = scale; }
+  void set_note(ForceNote note) { note_ = std::move(note); }
+  const ForceNote& note() const { return note_; }
   QString force_legend(const LengthUnit& unit) const;
   QString torque_legend() const;
 
@@ -31,6 +34,7 @@ class WrenchView : public Overlay {
   Arrow force_;
   Arc torque_;
   WrenchScale scale_;
+  ForceNote note_;
 };
 
 }  // namespace sonde::ui

@@ -10,13 +10,17 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <cmath>
 
 #include "engine/study/stability/press_and_hold.hpp"
 #include "tests/ui/canned_study.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/document_control.hpp"
+#include "ui/base/theme.hpp"
 #include "ui/panels/map_plot.hpp"
 #include "ui/panels/stiffness_panel.hpp"
 #include "ui/panels/typed_value.hpp"
+#include "ui/tuning/present_contact.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -28,6 +32,8 @@ class StiffnessTest : public WindowTest {
     if (HasFatalFailure()) return;
     open_cubes();
     write_canned_study(folder / "tuned", folder / "cube.off", folder / "cube.off");
+    write_canned_study(folder / "fitting", folder / "cube.off", folder / "cube.off", "sigma.7",
+                       "conforming");
     window->stiffness().panel().raise();
   }
   template <class T>
@@ -48,6 +54,7 @@ class StiffnessTest : public WindowTest {
              (stiffness().tuning() && stiffness().tuning()->folder.string() != was);
     }));
   }
+  std::string first_kind() { return stiffness().tuning()->results.lines.front().kind; }
   double k() const { return window->session()->coupling().k; }
   QString text(const char* label) { return find<QLabel>(label)->text(); }
 };
@@ -59,7 +66,7 @@ TEST_F(StiffnessTest, the_point_on_the_map_moves_with_the_slider) {
   ASSERT_TRUE(wait_until([&] { return plot->isVisible(); }));
   ASSERT_TRUE(plot->now());
   EXPECT_EQ(plot->now()->stiffness, 500);
-  EXPECT_TRUE(text("map_place").contains("0.556 of the boundary, 900 N/m"))
+  EXPECT_TRUE(text("map_place").contains("the boundary is 900 N/m: could be 1.80 times as stiff"))
       << text("map_place").toStdString();
   const double before = plot->place(*plot->now()).x();
   auto* slider = find<QSlider>("k_slider");
@@ -67,6 +74,7 @@ TEST_F(StiffnessTest, the_point_on_the_map_moves_with_the_slider) {
   EXPECT_EQ(plot->now()->stiffness, k());
   EXPECT_GT(plot->place(*plot->now()).x(), before + 20);
   EXPECT_TRUE(text("map_place").contains("unstable")) << k();
+  EXPECT_TRUE(text("map_place").contains(" times too stiff")) << text("map_place").toStdString();
   EXPECT_EQ(plot->recommended()->stiffness, 600);
 }
 
@@ -190,36 +198,216 @@ TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_do
   EXPECT_GT(loud.chatter, 10 * quiet.chatter);
   EXPECT_TRUE(wait_until([&] { return text("chatter_value").contains("buzzing"); }));
   EXPECT_TRUE(text("energy_value").endsWith("mJ"));
+  EXPECT_TRUE(wait_until([&] { return stiffness().note().text.startsWith("buzzing"); }))
+      << "in the view too";
+  EXPECT_GT(stiffness().note().course.size(), 50u) << "of a tenth of a second at 1 kHz";
   typed->setValue(400);
   EXPECT_LT(settled().chatter, loud.chatter / 10) << "and is quiet again";
 }
 
-TEST_F(StiffnessTest, computing_writes_a_folder_and_shows_it_and_can_be_cancelled) {
-  // All kinds of contact take long enough to be shown at work; one of them may not.
+TEST_F(StiffnessTest, the_present_contact_is_marked_on_the_map_with_its_own_boundary) {
+  load("tuned");
+  auto* plot = find<MapPlot>("map_plot");
+  // Two cubes face to face: which the study has not.
+  ASSERT_EQ(kind_of_contact(shown().separation), "conforming");
+  EXPECT_TRUE(wait_until([&] { return text("map_place").contains("conforming, which the study"); }))
+      << text("map_place").toStdString();
+  EXPECT_EQ(plot->contact(), "");
+  // The lower half is the row of flat contacts, the upper one that of the others.
+  const auto yellow = [&](bool lower) {
+    const QImage image = plot->grab().toImage();
+    const double low = plot->place({1, 0}).y(), apart = 2 * (plot->bottom() - low);
+    const int y = int(lower ? low : low - apart);
+    int count = 0;
+    for (int x = 0; x < image.width(); ++x)
+      for (int dy = -2; dy <= 2; ++dy) count += image.pixelColor(x, y + dy) == colour::contact;
+    return count;
+  };
+  EXPECT_EQ(yellow(false), 0);
+  load("fitting");
+  ASSERT_TRUE(wait_until([&] { return plot->contact() == "conforming"; }));
+  EXPECT_TRUE(
+      text("map_place")
+          .contains("Contact now: conforming, boundary 900 N/m: could be 1.80 times as stiff"))
+      << text("map_place").toStdString();
+  EXPECT_GT(yellow(false), 20) << "the name's plate, and the boundary";
+  EXPECT_EQ(yellow(true), 0);
+  window->documents().place({Quat::Identity(), Vec3(0.3, 0.02, 0.013)}, "Away");
+  EXPECT_TRUE(wait_until([&] { return plot->contact().empty(); })) << "no contact, no mark";
+  EXPECT_FALSE(text("map_place").contains("Contact now"));
+}
+
+TEST_F(StiffnessTest, a_click_on_the_map_sets_k_there_and_can_be_undone) {
+  load("tuned");
+  auto* plot = find<MapPlot>("map_plot");
+  ASSERT_TRUE(wait_until([&] { return plot->isVisible(); }));
+  const QPoint at = plot->place({800, 0}).toPoint();
+  QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, at);
+  // To a pixel of the axis, and as it is shown: three digits.
+  const double step = plot->point_at(at + QPoint(1, 0)).stiffness / plot->point_at(at).stiffness;
+  EXPECT_NEAR(std::log(k() / 800), 0, std::log(step) + 0.005);
+  EXPECT_EQ(k(), std::round(k()));
+  EXPECT_EQ(find<TypedValue>("k_value")->value(), k());
+  EXPECT_EQ(plot->now()->stiffness, k());
+  find<QAction>("undo")->trigger();
+  EXPECT_EQ(k(), 500);
+  // Beside the cells nothing happens.
+  QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, QPoint(3, 3));
+  EXPECT_EQ(k(), 500);
+}
+
+TEST_F(StiffnessTest, use_recommended_is_in_sight_at_1280_by_800) {
+  auto* use = find<QPushButton>("apply_recommended");
+  EXPECT_FALSE(use->isVisible());
+  load("tuned");
+  ASSERT_EQ(window->size(), QSize(1280, 800));
+  ASSERT_TRUE(wait_until([&] { return use->isVisible(); }));
+  wait(100);  // the layout
+  EXPECT_EQ(use->visibleRegion().boundingRect(), use->rect()) << "all of it, without scrolling";
+  EXPECT_TRUE(use->text().contains("600 N/m"));
+  QTest::mouseClick(use, Qt::LeftButton);
+  EXPECT_EQ(k(), 600);
+}
+
+TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
+  const auto said = [&] { return stiffness().note().text; };
+  load("fitting");
+  EXPECT_TRUE(wait_until([&] { return said() == "conforming: could be 1.80 times as stiff"; }))
+      << said().toStdString();
+  auto* hints = find<QWidget>("hint_view");
+  wait(300);
+  const QImage within = hints->grab().toImage();
+  find<TypedValue>("k_value")->setValue(1800);
+  EXPECT_TRUE(wait_until([&] { return said() == "conforming: 2.00 times too stiff"; }))
+      << said().toStdString();
+  wait(300);
+  EXPECT_GT(pixels_between(within, hints->grab().toImage()), 50);
+  EXPECT_TRUE(stiffness().note().course.empty()) << "it does not buzz with the mouse alone";
+  // Of another pair, it tells nothing of this one.
+  write_canned_study(folder / "other", folder / "large.off", folder / "cube.off");
+  load("other");
+  EXPECT_TRUE(wait_until([&] { return said().isEmpty(); })) << said().toStdString();
+}
+
+/// What the window does at its end is not needed: the first one is still there when the next opens
+/// the scene, as after a kill.
+TEST_F(StiffnessTest, typed_gains_are_there_again_after_a_kill_for_their_scene_and_device) {
+  const auto hold_by = [](MainWindow& by, const char* what) {
+    auto* sources = by.findChild<QComboBox*>("holder");
+    emit sources->activated(sources->findText(what));
+  };
+  const auto type_k = [&](const char* digits) {
+    auto* value = find<TypedValue>("k_value");
+    value->setFocus();
+    value->selectAll();
+    QTest::keyClicks(value, digits);
+    QTest::keyClick(value, Qt::Key_Return);
+  };
+  type_k("800");
+  QTest::mouseClick(find<QPushButton>("gains_b"), Qt::LeftButton);
+  type_k("650");
+  ASSERT_EQ(k(), 650);
+  hold_by(*window, "omega.7 (simulated)");
+  EXPECT_EQ(k(), 650) << "nothing was kept for that one yet";
+  type_k("90");
+  hold_by(*window, "Mouse");
+  EXPECT_EQ(k(), 650);
+  hold_by(*window, "omega.7 (simulated)");
+  EXPECT_EQ(k(), 90);
+  wait(600);
+
+  MainWindow next;
+  int opened_there = 0;
+  QObject::connect(&next, &MainWindow::opened, [&] { ++opened_there; });
+  next.prompts().report_error = [this](const QString& text) { complaints.push_back(text); };
+  next.open({QString::fromStdString(scene.string())});
+  ASSERT_TRUE(wait_until([&] { return opened_there > 0; }));
+  const auto k_there = [&] { return next.session()->coupling().k; };
+  EXPECT_EQ(k_there(), 650);
+  EXPECT_EQ(next.stiffness().sets().active(), 1u);
+  EXPECT_EQ(next.stiffness().sets().gains(0).k, 800);
+  hold_by(next, "omega.7 (simulated)");
+  EXPECT_EQ(k_there(), 90);
+  next.findChild<QPushButton*>("gains_as_opened")->click();
+  EXPECT_EQ(k_there(), 500) << "the scene's own are one click away";
+  // A scene that somebody has changed counts.
+  hold_by(next, "Mouse");
+  folder.write("cubes.sonde.json", R"({"unit": "m",
+      "probe": {"mesh": "cube.off", "pose": [0.09, 0.02, 0.013, 1, 0, 0, 0]},
+      "fixed": {"mesh": "cube.off"}, "coupling": {"mode": "object", "k": 300}})");
+  MainWindow after;
+  opened_there = 0;
+  QObject::connect(&after, &MainWindow::opened, [&] { ++opened_there; });
+  after.open({QString::fromStdString(scene.string())});
+  ASSERT_TRUE(wait_until([&] { return opened_there > 0; }));
+  EXPECT_EQ(after.session()->coupling().k, 300);
+  EXPECT_TRUE(complaints.empty()) << complaints[0].toStdString();
+}
+
+/// All kinds of contact: it takes tens of seconds, and something is found before the end.
+TEST_F(StiffnessTest, a_study_is_computed_beside_everything_else_and_is_saved_where_asked) {
+  int asked = 0;
+  window->prompts().ask_tuning_folder = [&] { return ++asked, path("saved"); };
   auto* kinds = find<QComboBox>("tuning_kind");
   kinds->setCurrentIndex(kinds->findText("all contacts"));
   auto* devices = find<QComboBox>("tuning_device");
   devices->setCurrentIndex(devices->findText("sigma.7"));
-  stiffness().compute(path("new"));
-  QDialog* dialog = nullptr;
-  ASSERT_TRUE(wait_until([&] {
-    dialog = window->findChild<QDialog*>("progress_dialog");
-    return dialog && dialog->isVisible();
-  }));
-  dialog->reject();
-  wait(50);
-  EXPECT_FALSE(stiffness().tuning());
-  EXPECT_TRUE(complaints.empty());
-  load("tuned");
-  kinds->setCurrentIndex(kinds->findText("flat"));
-  stiffness().compute(path("new"));
-  ASSERT_TRUE(wait_until(
-      [&] { return !complaints.empty() || stiffness().tuning()->folder == folder / "new"; }));
+  auto* compute = find<QPushButton>("compute_tuning");
+  auto* progress = find<QWidget>("study_progress");
+  EXPECT_FALSE(progress->isVisible());
+  QTest::mouseClick(compute, Qt::LeftButton);
+  EXPECT_TRUE(stiffness().computing());
+  EXPECT_TRUE(progress->isVisible());
+  ASSERT_TRUE(wait_until([&] { return stiffness().tuning().has_value() || !complaints.empty(); }));
   ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  EXPECT_EQ(stiffness().tuning()->results.device_id, "sigma.7");
-  EXPECT_TRUE(std::filesystem::exists(folder / "new/recommendation.json"));
-  EXPECT_FALSE(find<QLabel>("tuning_doubt")->isVisible());
+  const std::size_t first = stiffness().tuning()->rows;
+  EXPECT_FALSE(stiffness().tuning()->finished()) << "rows come as they are found";
   EXPECT_GE(find<MapPlot>("map_plot")->map().rows.size(), 1u);
+  EXPECT_FALSE(find<QPushButton>("apply_recommended")->isVisible()) << "not before all are there";
+  EXPECT_TRUE(wait_until([&] { return stiffness().tuning()->rows > first; }));
+  EXPECT_TRUE(text("study_progress_words").contains(" left"))
+      << text("study_progress_words").toStdString();
+  // Meanwhile the servo runs, the probe moves, the force comes and goes, and nothing is modal.
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+  EXPECT_EQ(window->findChild<QDialog*>("progress_dialog"), nullptr);
+  const double force = shown().wrench.force.norm();
+  EXPECT_GT(force, 0);
+  QApplication::setActiveWindow(window.get());
+  QTest::keyClick(window->viewport().canvas(), Qt::Key_Escape);
+  EXPECT_FALSE(window->session()->force_on());
+  EXPECT_TRUE(wait_until([&] { return shown().wrench.force.norm() == 0; }));
+  EXPECT_TRUE(stiffness().computing()) << "Esc is about the force alone";
+  EXPECT_EQ(asked, 0);
+  QTest::mouseClick(find<QPushButton>("stop_tuning"), Qt::LeftButton);
+  EXPECT_FALSE(stiffness().computing());
+  EXPECT_FALSE(progress->isVisible());
+  EXPECT_TRUE(complaints.empty());
+  const std::size_t stopped_at = stiffness().tuning()->rows;
+  EXPECT_FALSE(find<QPushButton>("save_tuning")->isEnabled()) << "half a study is none to save";
+  // It goes on from there: another kind's rows are taken over.
+  kinds->setCurrentIndex(kinds->findText(QString::fromStdString(first_kind())));
+  QTest::mouseClick(compute, Qt::LeftButton);
+  ASSERT_TRUE(wait_until([&] { return !stiffness().computing(); }));
+  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
+  ASSERT_TRUE(stiffness().tuning()->finished());
+  EXPECT_GE(stopped_at, 1u);
+  EXPECT_EQ(stiffness().tuning()->results.device_id, "sigma.7");
+  EXPECT_FALSE(find<QLabel>("tuning_doubt")->isVisible());
+  EXPECT_EQ(asked, 0) << "a folder is asked for only to save";
+  QTest::mouseClick(find<QPushButton>("save_tuning"), Qt::LeftButton);
+  EXPECT_EQ(asked, 1);
+  ASSERT_TRUE(wait_until([&] { return stiffness().tuning()->folder == folder / "saved"; }));
+  for (const char* file : {"study.json", "recommendation.json", "map.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "saved" / file)) << file;
+  EXPECT_FALSE(find<QPushButton>("save_tuning")->isEnabled());
+}
+
+TEST(TimeLeft, is_told_from_the_rows_that_were_computed_and_not_before_one) {
+  EXPECT_EQ(time_left_text(3, 0, 7, 3), "");
+  EXPECT_EQ(time_left_text(20, 2, 4, 0), "about 40 s left");
+  EXPECT_EQ(time_left_text(20, 2, 4, 15), "about 25 s left");
+  EXPECT_EQ(time_left_text(20, 2, 4, 500), "about 1 s left");
+  EXPECT_EQ(time_left_text(60, 1, 5, 0), "about 5 min left");
 }
 
 }  // namespace

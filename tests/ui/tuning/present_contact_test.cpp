@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/present_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/study/tuning/made_up_results.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+using sonde::test::column;
+using sonde::test::line;
+using sonde::test::results;
+
+/// By hand: the least of the situations of a kind, at the nearest damping.
+TEST(PresentContact, has_the_least_boundary_of_its_kind_at_the_nearest_damping) {
+  TuningResults r = results();
+  r.lines = {
+      line(0, GainAxis::translation,
+           {column(0, 100, 100, HoldFault::unstable), column(2, 300, 300, HoldFault::unstable)}),
+      line(1, GainAxis::translation,
+           {column(0, 40, 40, HoldFault::unstable), column(2, 500, 500, HoldFault::none)})};
+  r.lines[1].columns[1].stable.fault = HoldFault::none;
+  const std::string flat = r.lines[0].kind, edge = r.lines[1].kind;
+  ASSERT_NE(flat, edge);
+  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 0.4), 100);
+  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 1.6), 300);
+  EXPECT_EQ(boundary_in(r, GainAxis::translation, edge, 0), 40);
+  EXPECT_TRUE(std::isinf(*boundary_in(r, GainAxis::translation, edge, 2))) << "nothing failed";
+  EXPECT_FALSE(boundary_in(r, GainAxis::translation, "jammed", 0));
+  EXPECT_FALSE(boundary_in(r, GainAxis::rotation, flat, 0));
+  r.lines.push_back(r.lines[0]);
+  r.lines.back().assumed = "mass";
+  r.lines.back().columns[0].stable.stiffness = 7;
+  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 0), 100) << "of the profile as it is";
+}
+
+TEST(PresentContact, the_words_say_on_which_side_of_the_boundary_it_is) {
+  EXPECT_EQ(distance_text(450, 900), "could be 2.00 times as stiff");
+  EXPECT_EQ(distance_text(63'270, 900), "70.3 times too stiff");
+  EXPECT_EQ(distance_text(900, INFINITY), "");
+}
+
+TEST(PresentContact, nothing_holds_a_probe_that_is_free) {
+  Separation free;
+  EXPECT_EQ(kind_of_contact(free), "");
+  free.status = Status::penetrating;
+  EXPECT_EQ(kind_of_contact(free), "") << "without contacts";
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

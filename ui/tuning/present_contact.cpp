@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/present_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/study/stability/contact_situations.hpp"
+#include "ui/base/format.hpp"
+
+namespace sonde::ui {
+
+std::string kind_of_contact(const Separation& separation) {
+  const bool holds = separation.status == Status::penetrating && separation.contacts.size > 0;
+  return holds ? name_of(contact_kind(separation)) : std::string();
+}
+
+std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
+                                  const std::string& kind, double damping) {
+  std::optional<double> least;
+  for (const TuningLine& line : results.lines) {
+    if (line.axis != axis || line.kind != kind || !line.assumed.empty() || line.columns.empty())
+      continue;
+    const TuningColumn& column = *std::ranges::min_element(
+        line.columns, {},
+        [&](const TuningColumn& each) { return std::abs(each.damping - damping); });
+    const double own = column.stable.fault == HoldFault::none
+                           ? std::numeric_limits<double>::infinity()
+                           : column.stable.stiffness;
+    least = std::min(least.value_or(own), own);
+  }
+  return least;
+}
+
+QString distance_text(double stiffness, double boundary) {
+  if (!std::isfinite(boundary) || boundary <= 0 || stiffness <= 0) return {};
+  return stiffness > boundary
+             ? QStringLiteral("%1 times too stiff").arg(number(stiffness / boundary))
+             : QStringLiteral("could be %1 times as stiff").arg(number(boundary / stiffness));
+}
+
+}  // namespace sonde::ui
