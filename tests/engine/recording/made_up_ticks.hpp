@@ -66,6 +66,7 @@ inline std::vector<Snapshot> made_up_ticks(std::size_t count, std::uint64_t seed
                       .held_back = i % 23 == 0,
                       .reach = 1e-3 * (1 + number()),
                       .refresh_us = 100 * (1.5 + number()),
+                      .phases = {},  // of a running loop alone
                       .separated = s.separated};
     tick.tick_us = 10 * (1.5 + number());
     tick.rate_hz = 1000 + number();
