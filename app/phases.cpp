@@ -91,8 +91,9 @@ std::string PhasePicture::svg(const std::string& what) const {
   std::vector<Answer> sorted = answers_;
   std::ranges::stable_sort(sorted, std::greater{}, &Answer::time_us);
   bar("all " + what, sorted);
-  const auto free = std::ranges::stable_partition(sorted, &Answer::penetrates);
-  const std::span<const Answer> deep(sorted.begin(), free.begin());
+  const auto free = std::stable_partition(sorted.begin(), sorted.end(),
+                                          [](const Answer& answer) { return answer.penetrates; });
+  const std::span<const Answer> deep(sorted.begin(), free);
   bar("in contact", deep);
   for (const auto& [name, part] : {std::pair{"slowest tenth of these", 10UL},
                                    {"slowest hundredth", 100UL},

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
+#include "engine/base/phase_times.hpp"                  // Phase, PhaseTimes
 #include "engine/calibration/knob.hpp"                  // Knob, Claim
 #include "engine/geometry/mass.hpp"                     // MassProperties
 #include "engine/geometry/model.hpp"                    // Model

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/base/effort.hpp"
-
 namespace sonde {
 
 /// The phases of a search and of a tick.
@@ -21,6 +19,7 @@ enum class Phase {
 /// The words for the phases in files, in the order of the enum.
 inline constexpr std::array<const char*, 7> phase_names{"sketch", "look",  "solve", "sweep",
                                                         "verify", "bound", "couple"};
+/// How many there are.
 inline constexpr std::size_t phase_count = phase_names.size();
 
 /// Where the time of an answer went, µs of each thread's clock; with two threads, the sum of both.
@@ -30,7 +29,9 @@ struct PhaseTimes {
 
   /// The time of one phase, µs.
   double& operator[](Phase phase) { return us[static_cast<std::size_t>(phase)]; }
+  /// The same.
   double operator[](Phase phase) const { return us[static_cast<std::size_t>(phase)]; }
+  /// Adds the times of each phase.
   PhaseTimes& operator+=(const PhaseTimes& other) {
     for (std::size_t i = 0; i < phase_count; ++i) us[i] += other.us[i];
     return *this;
@@ -41,23 +42,6 @@ struct PhaseTimes {
     for (const double t : us) out += t;
     return out;
   }
-};
-
-/// Adds the time of its life to a phase. Without times to add to it does not even look at the
-/// clock, which would cost some 50 ns. Timers must not nest: the inner time would count twice.
-class PhaseTimer {
- public:
-  PhaseTimer(PhaseTimes* times, Phase phase) noexcept
-      : into_(times ? &(*times)[phase] : nullptr), begin_(into_ ? now_us() : 0) {}
-  ~PhaseTimer() {
-    if (into_) *into_ += now_us() - begin_;
-  }
-  PhaseTimer(const PhaseTimer&) = delete;
-  PhaseTimer& operator=(const PhaseTimer&) = delete;
-
- private:
-  double* into_;
-  double begin_;
 };
 
 }  // namespace sonde

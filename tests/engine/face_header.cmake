@@ -7,6 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(allowed
     engine/base/error.hpp
+    engine/base/phase_times.hpp
     engine/calibration/knob.hpp
     engine/geometry/mass.hpp
     engine/geometry/model.hpp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/loop/haptic_loop.hpp"
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/penetration/search/coherent.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/penetration/contact/face_overlap.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"

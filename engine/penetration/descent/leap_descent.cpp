@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/penetration/descent/leap_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"

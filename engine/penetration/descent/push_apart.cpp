@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/penetration/descent/descent_tuning.hpp"
 #include "engine/penetration/descent/push_apart_tuning.hpp"
 #include "engine/proximity/queries/intersect.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/penetration/descent/sketch_descent_tuning.hpp"
 
 namespace sonde {

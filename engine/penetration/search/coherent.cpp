@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/search/coherent.hpp"
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/descent/descent.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/base/thread_pair.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/search/verified.hpp"
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/penetration/descent/result.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 

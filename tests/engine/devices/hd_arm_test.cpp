@@ -113,7 +113,11 @@ TEST_F(HdArms, no_number_and_no_rotation_are_faults_and_a_clock_that_stands_give
   standin->frozen = true;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   arm.read();
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(arm.read().kind, Kind::nothing);
+  // Where the test itself is held up it may be gone by then; it gives no pose either way.
+  for (int i = 0; i < 5; ++i) {
+    const Kind kind = arm.read().kind;
+    EXPECT_TRUE(kind == Kind::nothing || kind == Kind::gone);
+  }
 }
 
 TEST_F(HdArms, one_that_is_unplugged_is_gone) {
