@@ -99,7 +99,7 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
   }
   // With little time, what is found for certain in a few tests comes first.
   if (before_.microseconds > 0)
-    if (const auto out = first_free_beyond(end, method, lane)) return out;
+    if (auto out = first_free_beyond(end, method, lane)) return out;
   return lanes_[lane].push(method).from(chart_, end, std::numeric_limits<double>::infinity(),
                                         before_);
 }
