@@ -182,6 +182,7 @@ void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
   rows_->setText(microseconds(reached->rows_us));
   tick_->setText(microseconds(reached->tick_us));
   std::vector<Bar::Part> parts;
+  parts.reserve(shown_phases.size());
   for (const ShownPhase& shown : shown_phases)
     parts.push_back(
         {reached->phases[shown.phase] / std::max(reached->phases.sum(), 1e-9), shown.colour});

@@ -166,9 +166,9 @@ Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const
 void save_tuning(const Tuning& tuning, const fs::path& folder) {
   const StudyFolder from = read_study(tuning.folder);
   Study study{from.kind, from.about, {}};
-  for (std::size_t i = 0; i < from.names.size(); ++i)
-    study.parts.push_back(
-        {from.names[i], [&text = from.results[i].value()](const Stop&) { return text; }});
+  auto result = from.results.begin();
+  for (const std::string& name : from.names)
+    study.parts.push_back({name, [&text = (result++)->value()](const Stop&) { return text; }});
   compute_parts(folder, study, {}, 1, [] { return false; });
   write_reports(folder);
 }
