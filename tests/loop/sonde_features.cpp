@@ -103,7 +103,7 @@ std::vector<double> servo_ticks(const TickCase& c, const Pair& pair, bool contro
     clock.now += clock.dt;
     const LocalContacts& rows = feed.refresh(at.pose, clock.tick, clock.now, {});
     const double begin = thread_us();
-    loop.tick({.X_FM = at.pose}, rows, clock);
+    loop.tick({.X_FM = at.pose}, rows, clock, Withheld::nothing);
     out.push_back(thread_us() - begin);
   }
   return out;
@@ -172,7 +172,8 @@ void measure(const TickCase& c, const Options& o) {
         compare(
             o.runs, [&] { return servo_ticks(c, pair, false); },
             [&] { return servo_ticks(c, pair, true); }));
-  StaticOptions search{.want_lower_bound = false};
+  StaticOptions search;
+  search.want_lower_bound = false;
   const auto searched = [&](const StaticOptions& options) {
     return [&, options] { return searches(c, pair, o.searches, options); };
   };
