@@ -34,6 +34,7 @@ AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window
 
 void AccuracyControl::attach(Session* session) {
   session_ = session;
+  sketched_ = session && session->loaded().pair.sketches();
   curve_.reset();
   reached_.clear();
   if (session_) session_->set_time_phases(panel_->isVisible());
@@ -49,9 +50,7 @@ void AccuracyControl::show_knob() {
 }
 
 const AccuracyCurve& AccuracyControl::curve() const {
-  if (!curve_)
-    curve_ = AccuracyCurve(default_calibration(), Answers::tick, Method::pdg,
-                           bool(session_->loaded().pair.sketches()));
+  if (!curve_) curve_ = AccuracyCurve(default_calibration(), Answers::tick, Method::pdg, sketched_);
   return *curve_;
 }
 
@@ -64,7 +63,7 @@ Expected AccuracyControl::expected(const ServoSettings& servo) const {
   const double time_us =
       servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
   const AccuracyCurve here(of_pair(default_calibration(), scene_name()), Answers::tick, Method::pdg,
-                           bool(session_->loaded().pair.sketches()));
+                           sketched_);
   return {time_us, curve().within(time_us),
           here.known() ? std::optional(here.within(time_us)) : std::nullopt};
 }

@@ -40,6 +40,7 @@ class AccuracyControl : public QObject {
   DocumentControl& documents_;
   AccuracyPanel* panel_;
   Session* session_ = nullptr;
+  bool sketched_ = false;  ///< the open pair has sketches
   mutable std::optional<AccuracyCurve> curve_;
   ReachedAccuracy reached_;
   qint64 due_ = 0;

@@ -52,6 +52,7 @@ MainWindow::~MainWindow() {
   stiffness_->keep_gains();
   documents_->changed = nullptr;  // what goes now is not shown any more
   force_log_.end();               // the session ends with the window
+  accuracy_->attach(nullptr);     // its dock is hidden after that
 }
 
 void MainWindow::show_document() {
@@ -122,6 +123,7 @@ void MainWindow::show_nothing() {
 
 void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   stiffness_->keep_gains();  // of what was open
+  accuracy_->attach(nullptr);
   statusBar()->clearMessage();
   start_page_->hide();
   endings_.add(std::move(drawn_.session));
