@@ -71,6 +71,14 @@ QString margin(const AxisGains& gains) {
   if (std::isfinite(gains.without_friction))
     line +=
         QStringLiteral(" Without friction, up to %1.").arg(with_unit(gains.without_friction, unit));
+  if (!gains.swings_without_friction.empty()) {
+    QStringList places;
+    for (const GainLimit& each : gains.swings_without_friction)
+      places << QStringLiteral("%1 contact, %2 hand").arg(text(each.kind), text(each.hand));
+    line += QStringLiteral(
+                " Relies on friction: without it the probe swings on at every stiffness (%1).")
+                .arg(places.join(QStringLiteral("; ")));
+  }
   if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)
     line +=
         QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
@@ -131,7 +139,7 @@ QString not_varied(const TuningResults& results) {
                                .arg(names.join(QStringLiteral(", ")));
 }
 
-/// The assumed value that limits most, with both ends.
+/// The value that limits most of those that are not sure, with both ends.
 QString limiting_assumption(const TuningResults& results, GainAxis axis) {
   const std::vector<AssumedInterval> intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
@@ -143,7 +151,8 @@ QString limiting_assumption(const TuningResults& results, GainAxis axis) {
                                      : QStringLiteral("beyond the range studied"),
              number(each.value));
   };
-  return QStringLiteral(" The assumed %1 limits most: the boundary is %2, and %3.")
+  return QStringLiteral(
+             " Of the values that are not sure, the %1 limits most: the boundary is %2, and %3.")
       .arg(text(worst.key).replace('_', ' '), end(worst.low), end(worst.high));
 }
 
@@ -161,12 +170,13 @@ QString rests_on(const TuningResults& results, GainAxis axis) {
   }
   QString line;
   if (!strong.isEmpty())
-    line =
-        QStringLiteral("Rests on assumed values; half or twice of each makes of the stiffness: %1.")
-            .arg(strong.join(QStringLiteral(", ")));
+    line = QStringLiteral(
+               "Rests on values that are not sure; the ends of each (half and twice of "
+               "what is assumed) make of the stiffness: %1.")
+               .arg(strong.join(QStringLiteral(", ")));
   if (!weak.isEmpty())
     line +=
-        QStringLiteral("%1Hardly on assumed %2.")
+        QStringLiteral("%1Hardly on the %2.")
             .arg(line.isEmpty() ? QString() : QStringLiteral(" "), weak.join(QStringLiteral(", ")));
   return line + limiting_assumption(results, axis);
 }

@@ -14,7 +14,8 @@ struct AssumedEnd {
   double value = 0;
   AxisGains gains;
 };
-/// An assumed value of the profile, from half to twice what it says.
+/// A value of the profile that is not sure: an assumed one from half to twice what it says, a
+/// measured one over its interval.
 struct AssumedInterval {
   std::string key;
   AssumedEnd low, high;
@@ -23,7 +24,7 @@ struct AssumedInterval {
 /// The boundary that counts: without friction where that is lower, unless it is trusted.
 double boundary_that_counts(const TuningResults& results, const AxisGains& gains);
 
-/// Of each assumed value that the study varied, in the one situation where it did: the one at whose
+/// Of each value that the study varied, in the one situation where it did: the one at whose
 /// worse end the boundary that counts is least comes first.
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis);
 

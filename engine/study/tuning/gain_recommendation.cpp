@@ -117,6 +117,7 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
                 .boundary = infinity,
                 .without_friction = infinity,
                 .harder_knocks = infinity,
+                .swings_without_friction = {},
                 .passive = infinity,
                 .theory = infinity,
                 .limit = {},
@@ -126,6 +127,9 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     const TuningColumn& column = *column_at(*line, damping);
     add_measured_limits(*line, column, limits);
     add_hard_conditions(*line, column, results.trusts_friction, limits);
+    if (column.swings_without_friction && !results.trusts_friction)
+      out.swings_without_friction.push_back(
+          {"friction", column.without_friction->stiffness, line->kind, line->hand});
     lower(out.boundary, column.stable);
     lower(out.without_friction, column.without_friction);
     lower(out.harder_knocks, column.harder_knocks);

@@ -33,6 +33,9 @@ struct AxisGains {
   /// The same on a device without friction, and at harder_knocks; infinite also where the study did
   /// not search for them.
   double without_friction = 0, harder_knocks = 0;
+  /// Where a device without friction comes to rest at no stiffness, with what theory allows there:
+  /// whatever gains are taken, they rely on friction. Empty where friction is trusted.
+  std::vector<GainLimit> swings_without_friction;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction
   GainLimit limit;     ///< the one that holds: its stiffness is the recommended one

@@ -94,17 +94,29 @@ HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, doubl
   return press_and_hold(closed, press);
 }
 
-/// Theory ignores friction: the walk to the limit begins close below it, and where a probe without
-/// friction slides at every stiffness, theory alone has a limit.
-SweepLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
-                            const TheoryLimits& theory, const Stop& stop) {
+struct FrictionlessLimit {
+  SweepLimit limit;
+  bool swings = false;  ///< at no stiffness did it come to rest
+};
+
+/// Theory ignores friction: the walk to the limit begins close below it. Where a probe without
+/// friction holds still at no stiffness, theory alone has a limit. There it slides away to where it
+/// rests, or swings on wherever it is.
+FrictionlessLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
+                                   const TheoryLimits& theory, const Stop& stop) {
   setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
   options.start = std::clamp(0.8 * options.start, options.low, options.high);
-  const auto run = [&](double stiffness) { return hold(setup, options.axis, stiffness, damping); };
+  bool rests = false;
+  const auto run = [&](double stiffness) {
+    const HoldReport report = hold(setup, options.axis, stiffness, damping);
+    rests |= comes_to_rest(report);
+    return report;
+  };
   const auto holds = [](const HoldReport& report) { return report.stable; };
   const SweepLimit found = search_limit(run, holds, options, stop);
-  if (found.stiffness > 0 || !std::isfinite(theory.stable)) return found;
-  return {theory.stable, HoldFault::unstable};
+  if (found.stiffness > 0) return {found, false};
+  if (!std::isfinite(theory.stable)) return {found, !rests};
+  return {{theory.stable, HoldFault::unstable}, !rests};
 }
 
 /// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
@@ -144,8 +156,11 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
   Json out = json_of(damping, theory, sweep, axis);
   if (sweep.good.stiffness == 0) return out;  // nothing to recommend, so nothing to cap
-  if (extent.without_friction)
-    add_limit(out, "without_friction", without_friction(setup, options, damping, theory, stop));
+  if (extent.without_friction) {
+    const auto frictionless = without_friction(setup, options, damping, theory, stop);
+    add_limit(out, "without_friction", frictionless.limit);
+    out["swings_without_friction"] = frictionless.swings;
+  }
   if (extent.harder_knocks)
     add_limit(out, "harder_knocks", at_harder_knocks(setup, options, damping, sweep.stable, stop));
   return out;

@@ -199,7 +199,9 @@ Json about(const DeviceProfile& device) {
   Json out{{"id", device.id}, {"name", device.name}};
   for (const ProfileKey& key : profile_keys()) {
     const ProfileValue& value = device.*key.value;
-    out[key.key] = {{"value", value.value}, {value.assumed ? "assumed" : "source", value.origin}};
+    Json& json = out[key.key];
+    json = {{"value", value.value}, {value.assumed ? "assumed" : "source", value.origin}};
+    if (value.interval) json.update({{"low", value.interval->low}, {"high", value.interval->high}});
   }
   return out;
 }

@@ -29,6 +29,10 @@ Json json_of(const GainLimit& limit) {
 Json json_of(const AxisGains& gains) {
   Json limits = Json::array();
   for (const GainLimit& limit : gains.limits) limits.push_back(json_of(limit));
+  Json swings = Json::array();
+  for (const GainLimit& each : gains.swings_without_friction)
+    swings.push_back(
+        {{"situation", each.kind}, {"hand", each.hand}, {"theory_stable", number(each.stiffness)}});
   return {{"stiffness", gains.stiffness},
           {"damping", gains.damping},
           {"limited_by", json_of(gains.limit)},
@@ -38,6 +42,7 @@ Json json_of(const AxisGains& gains) {
           {"boundary_at_harder_knocks", number(gains.harder_knocks)},
           {"theory_stable", number(gains.theory)},
           {"theory_passive", number(gains.passive)},
+          {"swings_without_friction_in", swings},
           {"limits", limits}};
 }
 
@@ -153,6 +158,17 @@ Json json_of(const TuningResults& results, GainAxis axis) {
   return out;
 }
 
+/// Measured values whose interval is too narrow for the search to tell its ends apart.
+Json closely_measured(const TuningResults& results, const Json& about) {
+  Json out = Json::array();
+  if (!about.contains("device")) return out;
+  for (const auto& [key, value] : about.at("device").items())
+    if (value.is_object() && value.contains("low") &&
+        std::ranges::find(results.lines, key, &TuningLine::assumed) == results.lines.end())
+      out.push_back(key);
+  return out;
+}
+
 std::string recommendation(const TuningResults& results) {
   Json axes = Json::array();
   for (const GainAxis axis : axes_of(results)) axes.push_back(json_of(results, axis));
@@ -164,6 +180,7 @@ std::string recommendation(const TuningResults& results) {
                  {"harder_knocks", harder_knocks},
                  {"in_words", recommendation_in_words(results)},
                  {"axes", axes},
+                 {"measured_closely", closely_measured(results, about)},
                  {"situations", about.at("situations")},
                  {"skipped", about.value("skipped", Json::array())},
                  {"study", about}};

@@ -21,6 +21,8 @@ struct TuningColumn {
   /// The limits of stability on a device without friction, and at harder_knocks; no value where a
   /// study did not search for them.
   std::optional<SweepLimit> without_friction, harder_knocks;
+  /// Without friction it came to rest at no stiffness: theory's limit stands for the measured one.
+  bool swings_without_friction = false;
   std::vector<SweepPoint> runs;
 };
 

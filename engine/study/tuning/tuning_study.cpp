@@ -23,13 +23,14 @@ struct PartOf {
   std::vector<double> shares;     ///< of the largest damping
   const char* assumed = nullptr;  ///< a key of the profile that is not as it says
   double times = 1;
+  const char* end = "";  ///< of that: how a file's name has it
   bool first_look = false;
 };
 
 std::string part_name(const TuningPlan& plan, const PartOf& part) {
   std::string name = name_of(plan.contacts.situations[part.situation].contact.kind);
   name += std::string(".") + part.grip->name + "." + name_of(part.axis);
-  if (part.assumed) name += std::string(".") + part.assumed + (part.times < 1 ? ".half" : ".twice");
+  if (part.assumed) name += std::string(".") + part.assumed + part.end;
   return name;
 }
 
@@ -41,6 +42,23 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
 }
 
 double coarser(double ratio, int times) { return std::min(2.0, std::pow(ratio, times)); }
+/// To which limits are known where a value of the profile is varied: its ends are known no better.
+double varied_ratio(double ratio) { return coarser(ratio, 2); }
+
+/// Where a value of the profile may be instead, as multiples of it.
+struct VariedEnd {
+  double times;
+  const char* name;
+};
+/// An assumed value may be half or twice what it says, a measured one where its interval ends. None
+/// where that is nearer than `resolved`: the searches would not tell the ends apart.
+std::vector<VariedEnd> varied_ends(const ProfileValue& value, double resolved) {
+  if (value.value == 0) return {};
+  if (value.assumed) return {{0.5, ".half"}, {2, ".twice"}};
+  if (!value.interval || !(value.interval->high > resolved * value.interval->low)) return {};
+  return {{value.interval->low / value.value, ".low"},
+          {value.interval->high / value.value, ".high"}};
+}
 
 bool has_friction(const DeviceProfile& device) {
   return device.friction.value > 0 || device.rotational_friction.value > 0;
@@ -56,8 +74,7 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             // What an axis could do alone is for the map, and nothing is recommended by it.
             const bool alone = part.axis != main_axis(plan->request);
             if (alone) setup.ratio = coarser(setup.ratio, 4);
-            // Ends of an interval are known no better than their assumption.
-            if (!nominal) setup.ratio = coarser(setup.ratio, 2);
+            if (!nominal) setup.ratio = varied_ratio(setup.ratio);
             const SweepExtent extent{.beyond = nominal && !part.first_look,
                                      .without_friction = !alone && has_friction(device),
                                      .harder_knocks = !alone && nominal && has_friction(device)};
@@ -86,12 +103,16 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
       }
   // What is recommended is varied, not what each axis could do alone.
   const std::size_t where = hardest(plan);
-  for (const ProfileKey& key : profile_keys()) {
-    const ProfileValue& value = plan.request.device.*key.value;
-    if (!value.assumed || value.value == 0) continue;
-    for (const double times : {0.5, 2.0})
-      parts.push_back({where, &hand_grips[0], axes.front(), {plan.damping_share}, key.key, times});
-  }
+  for (const ProfileKey& key : profile_keys())
+    for (const VariedEnd& end :
+         varied_ends(plan.request.device.*key.value, varied_ratio(plan.request.ratio)))
+      parts.push_back({where,
+                       &hand_grips[0],
+                       axes.front(),
+                       {plan.damping_share},
+                       key.key,
+                       end.times,
+                       end.name});
   return parts;
 }
 

@@ -15,7 +15,9 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const
                                              const std::function<void(double)>& progress = {});
 
 /// The study of such a plan. Each situation, hand and axis is a part. In the situation that theory
-/// calls the hardest, so is half and twice each assumed value of the profile.
+/// calls the hardest, so is half and twice each assumed value of the profile, and both ends of each
+/// measured one's interval, unless the search (to the square of its ratio) would not tell them
+/// apart.
 Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan);
 /// Makes the plan too.
 Study plan_tuning(const TuningRequest& request, const Stop& stop,

@@ -78,6 +78,19 @@ std::string beyond_theory(const AxisGains& gains) {
          stiffness_unit(gains.axis);
 }
 
+std::string reliance_on_friction(const AxisGains& gains) {
+  if (gains.swings_without_friction.empty() || gains.stiffness <= 0) return {};
+  std::string out =
+      "these gains rely on friction: without it, the probe swings on at every "
+      "stiffness in";
+  const char* separator = " ";
+  for (const GainLimit& each : gains.swings_without_friction) {
+    out += separator + ("the " + each.kind + " contact (" + each.hand + " hand)");
+    separator = ", ";
+  }
+  return out + "; theory's limit stands for the measured one there";
+}
+
 std::string limiting_assumption(const TuningResults& results, GainAxis axis) {
   const auto intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
@@ -87,8 +100,8 @@ std::string limiting_assumption(const TuningResults& results, GainAxis axis) {
   };
   std::string name = worst.key;
   std::ranges::replace(name, '_', ' ');
-  return "the assumption that limits most is the " + name + ": " + end(worst.low) + ", " +
-         end(worst.high);
+  return "of the device's values that are not sure, the " + name +
+         " limits most: " + end(worst.low) + ", " + end(worst.high);
 }
 
 }  // namespace
@@ -128,6 +141,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
   for (const GainAxis axis : recommended_axes(results)) {
     const auto gains = recommend(results, axis);
     if (!gains) continue;
+    add(reliance_on_friction(*gains));
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption(results, axis));

@@ -19,8 +19,9 @@ std::optional<TuningResults> tuning_so_far(const std::string& folder, const Stud
 /// (flat contact, light hand)"; or that no stiffness is good, and why.
 std::string gains_in_words(const TuningResults& results);
 
-/// The same as a sentence; and where they apply, why no virtual damping is best, that theory has a
-/// lower limit, and which assumption limits, with the recommendation at both ends.
+/// The same as a sentence; and where they apply, that the gains rely on friction, why no virtual
+/// damping is best, that theory has a lower limit, and which assumption limits, with the
+/// recommendation at both ends.
 std::vector<std::string> recommendation_in_words(const TuningResults& results);
 
 }  // namespace sonde

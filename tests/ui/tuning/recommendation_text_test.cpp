@@ -29,7 +29,7 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
   const std::string text = recommendation_text(r, GainAxis::object).toStdString();
   for (const char* words : {"k = 600 N/m", "Limited by stability (edge contact, light hand)",
                             "900 N/m: a margin of 1.5", "Passive in theory up to 225 N/m",
-                            "mass 0.500 to 2.00 times", "Hardly on assumed friction"})
+                            "mass 0.500 to 2.00 times", "Hardly on the friction"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   const auto gains = recommend(r, GainAxis::object);
   EXPECT_EQ(margin_text(*gains, 450), "the boundary is 900 N/m: could be 2.00 times as stiff");
@@ -46,8 +46,20 @@ TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_lim
   for (const char* words :
        {"k = 200 N/m", "Limited by stability without friction", "Without friction, up to 300 N/m.",
         "At harder knocks, up to 600 N/m.",
-        "The assumed mass limits most: the boundary is 450 N/m at 0.100, and 1800 N/m at 0.400."})
+        "Of the values that are not sure, the mass limits most: the boundary is 450 N/m at 0.100, "
+        "and 1800 N/m at 0.400."})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
+  EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("Relies on friction"));
+  r.lines[0].columns[0].without_friction = {1200, HoldFault::unstable};
+  r.lines[0].columns[0].swings_without_friction = true;
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object)
+                  .contains("Relies on friction: without it the probe swings on at every stiffness "
+                            "(edge contact, light hand)."));
 }
 
 TEST(RecommendationText, says_why_no_damping_is_best) {

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
 #include "tests/support/shapes.hpp"
@@ -74,6 +76,30 @@ TEST(TuningStudy, assumed_values_are_varied_at_a_damping_at_which_something_is_g
             theory_limits(setup, GainAxis::together, plan->damping_share).stable);
   const TuningResults results = read_tuning("", compute_at_once(plan_first_look(plan), 2, never));
   EXPECT_GT(recommend(results, GainAxis::together)->stiffness, 0);
+}
+
+// An interval that the search cannot tell apart is left out.
+TEST(TuningStudy, a_measured_value_is_varied_between_the_ends_of_its_interval) {
+  TuningRequest request = boxes("sigma.7");
+  const double delay = request.device.delay.value;
+  request.device.delay.interval = {0.8 * delay, 1.5 * delay};
+  request.device.mass.interval = {0.99 * request.device.mass.value,
+                                  1.005 * request.device.mass.value};
+  const Study study = plan_tuning(plan_of(request));
+  std::vector<std::string> varied;
+  for (const StudyPart& part : study.parts)
+    if (std::ranges::count(part.name, '.') > 2) varied.push_back(part.name);
+  ASSERT_EQ(varied.size(), 2u);
+  EXPECT_TRUE(varied[0].ends_with(".delay.low")) << varied[0];
+  EXPECT_TRUE(varied[1].ends_with(".delay.high")) << varied[1];
+  const TuningResults results = read_tuning("", compute_at_once(study, 2, never));
+  const auto intervals = assumed_intervals(results, GainAxis::object);
+  ASSERT_EQ(intervals.size(), 1u);
+  EXPECT_DOUBLE_EQ(intervals[0].low.value, 0.8 * delay);
+  EXPECT_DOUBLE_EQ(intervals[0].high.value, 1.5 * delay);
+  EXPECT_GT(boundary_that_counts(results, intervals[0].low.gains),
+            boundary_that_counts(results, intervals[0].high.gains))
+      << "a longer delay holds less";
 }
 
 TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_no_use) {

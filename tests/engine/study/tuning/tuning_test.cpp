@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
 #include "engine/scene/scene.hpp"
@@ -256,7 +257,8 @@ TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
 
-// Known, and said in the manual: there the motors drive the swing, whatever the stiffness.
+// Known, and said with the recommendation: there the motors drive the swing, whatever the
+// stiffness.
 TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_contact) {
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
@@ -273,6 +275,18 @@ TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_co
     EXPECT_FALSE(comes_to_rest(held)) << k << ' ' << held.growth;
     EXPECT_GT(held.work, 0.05) << k;  // J
   }
+  const auto swings = [](const TuningSetup& setup, GainAxis axis) {
+    const SweepExtent extent{.without_friction = true};
+    return nlohmann::json::parse(sweep_gains(setup, axis, {0}, extent, never))
+        .at("columns")
+        .at(0)
+        .at("swings_without_friction")
+        .get<bool>();
+  };
+  EXPECT_TRUE(swings(tuning_setup(plan, 0, hand_grips[0]), GainAxis::together));
+  request.coupling.mode = Coupling::Mode::object;
+  EXPECT_FALSE(
+      swings(tuning_setup(tuning_plan(request, never), 0, hand_grips[0]), GainAxis::object));
 }
 
 TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
@@ -292,6 +306,7 @@ TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
     EXPECT_NEAR(column.without_friction->stiffness / reference.stable.stiffness, 1, 0.02)
         << results.lines[i].kind << ' ' << results.lines[i].hand;
     EXPECT_LT(column.without_friction->stiffness, column.stable.stiffness);
+    EXPECT_FALSE(column.swings_without_friction);
     EXPECT_LE(column.harder_knocks->stiffness, column.stable.stiffness);
   }
 }

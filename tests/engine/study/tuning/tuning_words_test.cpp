@@ -50,6 +50,21 @@ TEST(TuningWords, say_why_no_virtual_damping_is_best) {
   EXPECT_THAT(words, testing::Not(testing::Contains(HasSubstr("no virtual damping"))));
 }
 
+TEST(TuningWords, say_where_the_gains_rely_on_friction) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
+             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  const auto relies = testing::Contains(
+      "these gains rely on friction: without it, the probe swings on at every stiffness in the "
+      "flat contact (light hand); theory's limit stands for the measured one there");
+  EXPECT_THAT(recommendation_in_words(r), testing::Not(relies));
+  r.lines[0].columns[0].without_friction = {1500, unstable};
+  r.lines[0].columns[0].swings_without_friction = true;
+  EXPECT_THAT(recommendation_in_words(r), relies);
+  r.trusts_friction = true;
+  EXPECT_THAT(recommendation_in_words(r), testing::Not(relies)) << "as asked";
+}
+
 TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
   TuningResults r = results();
   r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
@@ -59,8 +74,8 @@ TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
     r.lines.back().times = times;
   }
   EXPECT_THAT(recommendation_in_words(r).back(),
-              testing::StrEq("the assumption that limits most is the max force: 2000 N/m at 5, "
-                             "500 N/m at 20"));
+              testing::StrEq("of the device's values that are not sure, the max force limits most: "
+                             "2000 N/m at 5, 500 N/m at 20"));
 }
 
 }  // namespace
