@@ -11,6 +11,7 @@
 #include "engine/body/body.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/evidence.hpp"
 #include "engine/penetration/search/search_budget.hpp"
 #include "engine/penetration/search/search_tuning.hpp"
 #include "engine/penetration/search/sketch_search.hpp"
@@ -39,7 +40,9 @@ class Search {
         verified_(pair, chart_, options.time_phases ? &times_ : nullptr),
         threads_(options.two_threads && !budget_.is_short()),
         sketches_(chart_, sketch_goal(options.method), starts_.sketched(), threads_, tuning),
-        optima_(tuning.same) {
+        optima_(tuning.same),
+        evidence_(chart_, {options.agreement, options.by_evidence, tuning}, optima_, sketches_,
+                  starts_.sketched()) {
     if (options.time_phases) starts_.time_phases();
   }
 
@@ -52,8 +55,8 @@ class Search {
     first_starts();
     if (optima_.empty()) beyond_ends();
     more_sketches();
-    if (sketched() && !budget_.search_is_over() && may_be_narrow()) pushed_starts();
-    if (!rotates() && !settled()) starts_outside(per_round);
+    if (sketched() && !budget_.search_is_over() && evidence_.may_be_narrow()) pushed_starts();
+    if (!rotates() && !evidence_.settles()) starts_outside(per_round);
     if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
     if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
     random_rounds();
@@ -66,39 +69,6 @@ class Search {
   using Round = std::array<LocalOptimum, per_round>;
   bool rotates() const { return options_.method == Method::pdg; }
   bool sketched() const { return !starts_.sketched().empty(); }
-
-  /// Independent starts that ended at the best depth: of the bodies, and of sketches where the
-  /// bodies came to it from their ends.
-  int agreeing() {
-    int out = optima_.agreeing();
-    for (const SketchEnd& end : sketches_.ends())
-      if (end.came_to >= 0 && optima_.is_best(end.came_to)) out += end.starts;
-    return out;
-  }
-  /// What has been found is thought to be the best there is.
-  bool settled() {
-    if (optima_.empty()) return false;
-    if (agreeing() >= options_.agreement) return true;
-    return options_.by_evidence && sketches_see() && sketches_are_clear();
-  }
-  /// By which depths on sketches may be wrong, m.
-  double sketch_error() const { return tuned_.sketch_error * starts_.sketched()[0].spacing(); }
-  /// The way out that was found is much longer than what overlaps: there may be a shorter one, too
-  /// narrow for sketches to show.
-  bool may_be_narrow() {
-    return !settled() || optima_.best() > tuned_.narrow * starts_.sketched()[0].depth_of_points(
-                                                              chart_, Vec6::Zero());
-  }
-  bool sketches_are_clear() {
-    const SketchEnd* const first = sketches_.ends().data();
-    return sketches_.is_clear(tuned_.clear) && first->came_to >= 0 &&
-           optima_.is_best(first->came_to);
-  }
-  /// What the bodies have come to is about what sketches say.
-  bool sketches_see() {
-    if (!sketched() || sketches_.ends().empty()) return false;
-    return optima_.best() < tuned_.blind * sketches_.ends().front().depth + sketch_error();
-  }
 
   SketchGoal sketch_goal(Method method) const {
     return {.method = method,
@@ -172,7 +142,7 @@ class Search {
                                                               : tuned_.first_ends);
     }
     push_device_pose(options_.method);
-    if (!sketches_see()) near_starts(options_.method);
+    if (!evidence_.sketches_see()) near_starts(options_.method);
   }
 
   void push_device_pose(Method method) {
@@ -214,7 +184,7 @@ class Search {
     for (std::size_t first = 0; first < next.size() && !budget_.search_is_over();
          first += count_at_once) {
       const Aim at = aim(method);
-      if (next[first]->depth - sketch_error() > (1 + tuned_.same) * at.beat) break;
+      if (next[first]->depth - evidence_.sketch_error() > (1 + tuned_.same) * at.beat) break;
       round(
           [&](std::size_t k, std::size_t lane) {
             SketchEnd& end = *next[first + k];
@@ -271,7 +241,7 @@ class Search {
     if (!sketched()) return near_starts(Method::pdt);
     SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketched(), threads_, tuned_);
     sketches.make_starts(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
-    from_ends(sketches, Method::pdt, settled() ? 1 : 2);
+    from_ends(sketches, Method::pdt, evidence_.settles() ? 1 : 2);
   }
 
   /// By translation alone to the end: what a search for it gives, and on from there by all six. So
@@ -316,7 +286,7 @@ class Search {
     for (; start < most && goes_on(); start += int{per_round}) random_starts(start);
     if (start >= most && goes_on()) ++limited_;
   }
-  bool goes_on() { return !budget_.search_is_over() && !settled(); }
+  bool goes_on() { return !budget_.search_is_over() && !evidence_.settles(); }
 
   void random_starts(int first) {
     const std::vector<Vec6> ends = optima_.nearest(tuned_.ends_for_starts);
@@ -388,6 +358,7 @@ class Search {
   ThreadPair threads_;
   SketchSearch sketches_;
   LocalOptima optima_;
+  Evidence evidence_;
   LocalOptimum translated_;
   std::optional<Separation> finished_;  // the translation, from a search of its own
   double settled_ = std::numeric_limits<double>::infinity();  // m: what has come into contact

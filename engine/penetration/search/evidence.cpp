@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/evidence.hpp"
+
+namespace sonde {
+
+/// Independent starts that ended at the best depth: of the bodies, and of sketches where the bodies
+/// came to it from their ends.
+int Evidence::agreeing() const {
+  int out = optima_.agreeing();
+  for (const SketchEnd& end : sketches_.ends())
+    if (end.came_to >= 0 && optima_.is_best(end.came_to)) out += end.starts;
+  return out;
+}
+
+bool Evidence::settles() const {
+  if (optima_.empty()) return false;
+  if (agreeing() >= rules_.agreement) return true;
+  return rules_.by_sketches && sketches_see() && sketches_are_clear();
+}
+
+bool Evidence::sketches_are_clear() const {
+  const SketchEnd& first = sketches_.ends().front();
+  return sketches_.is_clear(rules_.tuned.clear) && first.came_to >= 0 &&
+         optima_.is_best(first.came_to);
+}
+
+bool Evidence::sketches_see() const {
+  if (sketched_.empty() || sketches_.ends().empty()) return false;
+  return optima_.best() < rules_.tuned.blind * sketches_.ends().front().depth + sketch_error();
+}
+
+bool Evidence::may_be_narrow() const {
+  if (!settles()) return true;
+  return optima_.best() > rules_.tuned.narrow * sketched_[0].depth_of_points(chart_, Vec6::Zero());
+}
+
+}  // namespace sonde
