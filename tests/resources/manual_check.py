@@ -3,14 +3,18 @@
 """Checks of the manual's pages, as a reader would find out:
 
 manual_check.py links SOURCE             every link leads to a page, a heading or a file
-manual_check.py commands SOURCE BUILD    the commands of `sonde` run, and every flag is known
+manual_check.py commands SOURCE BUILD    the commands of `sonde` run, and every flag is known; of all
+                                         others the program, its flags, the preset, the target and
+                                         the tests they choose are there
 manual_check.py full SOURCE BUILD        the same for blocks marked <!-- full: WHY -->
 manual_check.py diagram SOURCE           the diagram of folders is what its script draws
 
 A block of commands is indented by four. It is not run where <!-- not run: WHY --> stands above it, or
 where it holds a word for the reader to fill in (SCENE); its flags are looked at all the same."""
+import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -90,7 +94,89 @@ def unknown_flags(command, build):
     return [flag for flag in flags if not re.search(re.escape(flag) + r"(?![a-z-])", text)]
 
 
+class Tree:
+    """What a command of the pages may name."""
+
+    def __init__(self, source, build):
+        self.source, self.build = source, build
+        makes = [source / "CMakeLists.txt", *source.glob("*/**/CMakeLists.txt"),
+                 *source.glob("packaging/cmake/*.cmake")]
+        self.makes = "\n".join(path.read_text("utf-8") for path in makes
+                               if "build" not in path.relative_to(source).parts[:-1])
+        sources = [*source.glob("tests/**/*.cpp"), *source.glob("app/*.cpp")]
+        self.mains = {path.stem for path in sources}
+        self.sources = "\n".join(path.read_text("utf-8") for path in sources)
+        presets = json.loads((source / "CMakePresets.json").read_text("utf-8"))
+        self.presets = {preset["name"] for preset in presets["configurePresets"]}
+
+    def has_target(self, name):
+        return re.search(rf"\b{re.escape(name)}\b", self.makes) or self.has_program(name)
+
+    def has_program(self, name):
+        return (self.build / "bin" / name).exists() or name.replace("-", "_") in self.mains
+
+    def chosen(self, program, pattern):
+        """Whether a test program has tests of this name."""
+        listed = subprocess.run([self.build / "bin" / program, f"--gtest_filter={pattern}",
+                                 "--gtest_list_tests"], capture_output=True, text=True, check=False)
+        return listed.returncode == 0 and "  " in listed.stdout
+
+
+def unknown_to_cmake(words, tree):
+    for flag, name in zip(words, words[1:]):
+        if flag == "--preset" and name not in tree.presets:
+            yield f"no preset is called {name}"
+        if flag in ("--build", "--install") and not name.startswith("--"):
+            if name.removeprefix("build/") not in tree.presets:
+                yield f"no preset builds under {name}"
+    if "--target" in words:
+        for name in words[words.index("--target") + 1:]:
+            if not tree.has_target(name):
+                yield f"no target is called {name}"
+
+
+def unknown_to_others(words, tree):
+    flags = [word.split("=")[0] for word in words[1:] if re.match(r"--[a-z]", word)]
+    if words[0].startswith("packaging/"):
+        script = tree.source / words[0]
+        if not os.access(script, os.X_OK):
+            yield f"no script is {words[0]}"
+        else:
+            text = script.read_text("utf-8") + tree.sources
+            yield from (f"{words[0]} does not know {flag}" for flag in flags if flag not in text)
+        return
+    program = os.path.basename(words[0])
+    if not tree.has_program(program):
+        yield f"no program is called {program}"
+        return
+    for word in words[1:]:
+        if word.startswith("--gtest_filter="):
+            for pattern in word.partition("=")[2].split(":"):
+                if not tree.chosen(program, pattern):
+                    yield f"{program} has no test {pattern}"
+        elif word.split("=")[0] in flags and word.split("=")[0] not in tree.sources:
+            yield f"{program} does not know {word}"
+
+
+def unknown_in(command, tree):
+    """What a command that is not sonde's names and the tree does not have."""
+    for part in command.split("&&"):
+        if part.startswith("sonde "):
+            continue
+        words = shlex.split(part.split("|")[0], comments=True)
+        if not words:
+            continue
+        program = os.path.basename(words[0])
+        if program == "cmake":
+            yield from unknown_to_cmake(words, tree)
+        elif words[0].startswith(("packaging/", "build/", "test_")) or program.startswith("sonde-"):
+            if program not in ("sonde", "sonde-view"):  # their flags are looked at with their help
+                yield from unknown_to_others(words, tree)
+
+
 def check_commands(source, build, wanted):
+    tree = Tree(source, build)
+    others = 0
     ran = 0
     environment = dict(os.environ, PATH=f"{build}/bin:{os.environ['PATH']}")
     for page in pages_of(source):
@@ -102,6 +188,9 @@ def check_commands(source, build, wanted):
                 for command in commands:
                     for flag in unknown_flags(command, build):
                         yield f"{where}: {flag} is no flag of: {command}"
+                    for complaint in unknown_in(command, tree):
+                        yield f"{where}: {complaint}"
+                    others += bool(re.match(r"cmake |packaging/|build/|test_", command))
                 if not all(re.match(r"(sonde|sed|export) ", c) for c in commands):
                     continue
                 if mark == "not run" or any(PLACEHOLDER.search(c) for c in commands):
@@ -115,8 +204,8 @@ def check_commands(source, build, wanted):
                                       text=True, check=False)
                 if done.returncode != 0:
                     yield f"{where}: exit code {done.returncode}: {commands}\n{done.stderr}"
-    if ran < 5:
-        yield f"{ran} commands were run: they are not found"
+    if ran < 5 or others < 20:
+        yield f"{ran} commands were run, {others} others looked at: they are not found"
 
 
 def check_diagram(source):
