@@ -35,16 +35,20 @@ function(sonde_layer FOLDER)
                      COMMAND "${check}" ${top} ${colons} ${sources}
                      COMMAND "${CMAKE_COMMAND}" -E touch "${checked}"
                      DEPENDS "${check}" ${sources} COMMENT "Includes of ${top}/${FOLDER}" VERBATIM)
+  # A target apart: as a source of the layer, the check would wait for all that the layer sees.
+  add_custom_target(${target}_includes DEPENDS "${checked}")
 
   list(TRANSFORM ARG_CGAL PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/")
   if(ARG_CGAL)
     list(REMOVE_ITEM sources ${ARG_CGAL})
-    add_library(${target}_cgal OBJECT ${ARG_CGAL} "${checked}")
+    add_library(${target}_cgal OBJECT ${ARG_CGAL})
+    add_dependencies(${target}_cgal ${target}_includes)
     target_link_libraries(${target}_cgal PRIVATE sonde_options CGAL::CGAL ${seen})
     target_include_directories(${target}_cgal PRIVATE "${PROJECT_SOURCE_DIR}")
     set_property(DIRECTORY APPEND PROPERTY SONDE_LAYERS ${target}_cgal)
   endif()
-  add_library(${target} OBJECT ${sources} "${checked}")
+  add_library(${target} OBJECT ${sources})
+  add_dependencies(${target} ${target}_includes)
   # LINKER_LANGUAGE: a folder may hold headers alone.
   set_target_properties(${target} PROPERTIES SONDE_SEES "${sees}" LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC ${seen} ${ARG_LIBRARIES} PRIVATE sonde_options)
