@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/profiles.hpp"
@@ -21,6 +23,7 @@ struct IdentifyOptions {
   std::string profile;  ///< to write; empty: none
   std::string record;   ///< to write; empty: none
   PulseLimits limits;
+  bool has_limits = false;  ///< they were asked for
   bool json = false;
 };
 
@@ -31,7 +34,13 @@ void check(const IdentifyOptions& options) {
     throw UsageError("--device is missing: the profile whose other values are kept");
   if (!options.record.empty() && options.simulated.empty())
     throw UsageError("--record needs --simulated");
-  if (!options.record.empty() && options.record == options.profile)
+  if (options.simulated.empty() && options.has_limits)
+    throw UsageError("--force and --torque need --simulated: a recording has its own pulses");
+  const auto place = [](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (!options.record.empty() && !options.profile.empty() &&
+      place(options.record) == place(options.profile))
     throw UsageError("--record and --out name the same file");
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : {options.recording, options.device, options.simulated})
@@ -74,8 +83,13 @@ void run(const IdentifyOptions& options) {
   const Identification found = identified(options, response);
   const std::string profile =
       device_profile_text(identified_profile(device, found, source_of(options, found)));
-  if (!options.record.empty()) write_whole(options.record, response_text(response));
-  if (!options.profile.empty()) write_whole(options.profile, profile);
+  // Both or none.
+  std::vector<std::unique_ptr<PendingFile>> files;
+  if (!options.record.empty())
+    files.push_back(std::make_unique<PendingFile>(options.record, response_text(response)));
+  if (!options.profile.empty())
+    files.push_back(std::make_unique<PendingFile>(options.profile, profile));
+  for (const auto& file : files) file->commit();
   write_result(
       {}, options.json ? identification_json(found, device) : identification_text(found, device));
 }
@@ -100,16 +114,21 @@ Command add_identify_command(CLI::App& program) {
                      "profile to write, NAME.json, whole or not at all; without it none");
   parser->add_option("--record", options->record,
                      "CSV to write: the simulated device's answer, whose commands are the pulses");
-  parser->add_option("--force", options->limits.force, "largest force of the simulated pulses, N")
-      ->check(check_positive)
-      ->capture_default_str();
-  parser
-      ->add_option("--torque", options->limits.torque,
-                   "largest torque of the simulated pulses, N·m")
-      ->check(check_positive)
-      ->capture_default_str();
+  const CLI::Option* const force =
+      parser
+          ->add_option("--force", options->limits.force, "largest force of the simulated pulses, N")
+          ->check(check_positive)
+          ->capture_default_str();
+  const CLI::Option* const torque = parser
+                                        ->add_option("--torque", options->limits.torque,
+                                                     "largest torque of the simulated pulses, N·m")
+                                        ->check(check_positive)
+                                        ->capture_default_str();
   parser->add_flag("--json", options->json, "write JSON instead of text");
-  return {parser, [options] { run(*options); }};
+  return {parser, [options, force, torque] {
+            options->has_limits = force->count() + torque->count() > 0;
+            run(*options);
+          }};
 }
 
 }  // namespace sonde::app

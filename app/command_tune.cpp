@@ -38,6 +38,7 @@ void run(const TuneOptions& options) {
   const Study study = plan_tuning(plan);
   if (output.quiet) return run_study(study, output, tuning_files);
   note_skipped(study);
+  claim_folder(output.out, study);  // before the first look, which takes seconds
   TuningNotes notes(plan, output);
   notes.look_first();
   run_study(study, output, tuning_files, [&](ProgressLine& line) { notes.look_again(line); });

@@ -71,12 +71,20 @@ std::string out_of_range(double value, const ProfileKey& key) {
          number_text(key.minimum) + " and " + number_text(key.maximum) + ' ' + key.unit;
 }
 
-std::optional<ProfileInterval> read_interval(const Path& file, const JsonNode& node, double value) {
+/// Of a value or an end of its interval, the same.
+void check_range(const Path& file, const JsonNode& number, const ProfileKey& key) {
+  expect_kind(file, number, Kind::number);
+  if (const std::string reason = out_of_range(number.number, key); !reason.empty())
+    fail_at(file, number.line, reason);
+}
+
+std::optional<ProfileInterval> read_interval(const Path& file, const JsonNode& node,
+                                             const ProfileKey& key, double value) {
   if (!node.find("low") && !node.find("high")) return {};
   const JsonNode& low = need_key(file, node, "low", "");
   const JsonNode& high = need_key(file, node, "high", "");
-  expect_kind(file, low, Kind::number);
-  expect_kind(file, high, Kind::number);
+  check_range(file, low, key);
+  check_range(file, high, key);
   if (!(low.number <= value && value <= high.number))
     fail_at(file, low.line, in_quotes(node.key) + " is not between its \"low\" and its \"high\"");
   return ProfileInterval{low.number, high.number};
@@ -87,9 +95,7 @@ ProfileValue read_value(const Path& file, const JsonNode& node, const ProfileKey
                                                          "assumed"};
   expect_keys(file, node, known);
   const JsonNode& number = need_key(file, node, "value", "");
-  expect_kind(file, number, Kind::number);
-  if (const std::string reason = out_of_range(number.number, key); !reason.empty())
-    fail_at(file, number.line, reason);
+  check_range(file, number, key);
   const JsonNode* source = node.find("source");
   const JsonNode* assumed = node.find("assumed");
   if (!source == !assumed)
@@ -99,7 +105,7 @@ ProfileValue read_value(const Path& file, const JsonNode& node, const ProfileKey
                         : " has neither a \"source\" nor \"assumed\"") +
                 "; it needs one of them");
   return {number.number, text_of(file, source ? *source : *assumed), !source,
-          read_interval(file, node, number.number)};
+          read_interval(file, node, key, number.number)};
 }
 
 /// A file's name in an origin may be no UTF-8.
@@ -128,8 +134,11 @@ std::string device_profile_text(const DeviceProfile& profile) {
   std::string text = "{\n  \"name\": " + json_text(profile.name);
   for (const ProfileKey& key : table) {
     const ProfileValue& value = profile.*key.value;
-    if (const std::string reason = out_of_range(value.value, key); !reason.empty())
-      throw InputError(reason);
+    const ProfileInterval interval =
+        value.interval.value_or(ProfileInterval{value.value, value.value});
+    for (const double each : {value.value, interval.low, interval.high})
+      if (const std::string reason = out_of_range(each, key); !reason.empty())
+        throw InputError(reason);
     text += ",\n  " + in_quotes(key.key) + ": {\"value\": " + number_text(value.value);
     if (value.interval)
       text += ", \"low\": " + number_text(value.interval->low) +

@@ -158,7 +158,6 @@ TEST(Depths, Full_the_lower_bound_is_below_all) {
   check_bounds(1, 0.73, {.work = 5000});
 }
 
-// Reference: the committed depths. Measured on all of them: 99 % within 5 %.
 /// Time is over before the bodies are looked at, on any machine. Where rings are linked, the
 /// nearest way out that starts outside is 5 to 12 times as deep as the reference.
 TEST(Depths, without_any_time_the_answer_is_where_sketches_say) {

@@ -4,16 +4,26 @@
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/base/resources.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr qint64 figures_ms = 250;
 constexpr double usual_share = 0.01;
+
+/// In that folder of what came with Sonde.
+bool lies_in(const std::filesystem::path& file, const char* folder) {
+  const std::filesystem::path bundled = resource(QLatin1String(folder)).toStdString();
+  std::error_code none;
+  return !bundled.empty() && !file.empty() &&
+         std::filesystem::equivalent(file.parent_path(), bundled, none);
+}
 
 }  // namespace
 
@@ -54,16 +64,21 @@ const AccuracyCurve& AccuracyControl::curve() const {
   return *curve_;
 }
 
-/// As the calibration names pairs: the scene's file without its endings.
-std::string AccuracyControl::scene_name() const {
-  return documents_.document().file().stem().stem().string();
+/// As the calibration names pairs: of a scene that came with Sonde, with its own bodies, the file
+/// without its endings. Empty for every other, whatever its name.
+std::string AccuracyControl::bundled_scene() const {
+  const Document& document = documents_.document();
+  const Scene& scene = document.content().scene;
+  const bool bundled = lies_in(document.file(), "scenes") && lies_in(scene.probe.mesh, "models") &&
+                       lies_in(scene.fixed.mesh, "models");
+  return bundled ? document.file().stem().stem().string() : std::string();
 }
 
 Expected AccuracyControl::expected(const ServoSettings& servo) const {
   const double time_us =
       servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
-  const AccuracyCurve here(of_pair(default_calibration(), scene_name()), Answers::tick, Method::pdg,
-                           sketched_);
+  const AccuracyCurve here(of_pair(default_calibration(), bundled_scene()), Answers::tick,
+                           Method::pdg, sketched_);
   return {time_us, curve().within(time_us),
           here.known() ? std::optional(here.within(time_us)) : std::nullopt};
 }

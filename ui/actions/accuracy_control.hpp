@@ -32,7 +32,7 @@ class AccuracyControl : public QObject {
  private:
   void choose(AccuracyPanel::Knob kind);
   void change(double time_us, double accuracy);
-  std::string scene_name() const;
+  std::string bundled_scene() const;
   Expected expected(const ServoSettings& servo) const;
   /// Of the open pair; the calibration is read with its first use.
   const AccuracyCurve& curve() const;

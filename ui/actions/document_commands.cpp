@@ -13,19 +13,13 @@
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/document/kept_gains.hpp"
 #include "ui/document/pose_text.hpp"
 
 namespace sonde::ui {
 namespace {
 
 bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
-
-bool same(const Coupling& a, const Coupling& b) {
-  const auto all = coupling_settings();
-  return a.mode == b.mode && std::ranges::all_of(all, [&](const Setting& setting) {
-           return get(a, setting.key) == get(b, setting.key);
-         });
-}
 
 bool same(const std::optional<DeviceSettings>& a, const std::optional<DeviceSettings>& b) {
   return a.has_value() == b.has_value() &&

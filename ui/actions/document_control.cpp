@@ -123,6 +123,7 @@ bool DocumentControl::write(const std::filesystem::path& file) {
   }
   watch();
   tell();
+  if (written && saved) saved(document_.content().scene);
   return written;
 }
 

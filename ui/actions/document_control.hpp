@@ -76,6 +76,7 @@ class DocumentControl : public QObject {
 
   /// The title, the recent files or what can be done has changed.
   std::function<void()> changed;
+  std::function<void(const Scene&)> saved;  ///< as it is in its file now
 
  private:
   Content now() const;

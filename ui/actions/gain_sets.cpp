@@ -19,6 +19,31 @@ class GainSwitch : public QUndoCommand {
   GainSets& sets_;
 };
 
+/// Also its own inverse: another device's sets take the place of these.
+class GainExchange : public QUndoCommand {
+ public:
+  GainExchange(GainSets& sets, const std::array<Coupling, 2>& others, std::size_t active)
+      : QUndoCommand(QStringLiteral("Gains of another device")),
+        sets_(sets),
+        others_(others),
+        active_(active) {}
+  void redo() override { exchange(); }
+  void undo() override { exchange(); }
+
+ private:
+  void exchange() {
+    const std::array<Coupling, 2> now{sets_.gains(0), sets_.gains(1)};
+    const std::size_t active = sets_.active();
+    sets_.set(others_, active_);
+    others_ = now;
+    active_ = active;
+  }
+
+  GainSets& sets_;
+  std::array<Coupling, 2> others_;
+  std::size_t active_;
+};
+
 void GainSets::take(const Coupling& coupling) {
   sets_ = {coupling, coupling};
   active_ = 0;
@@ -26,6 +51,11 @@ void GainSets::take(const Coupling& coupling) {
 }
 
 void GainSets::restore(const std::array<Coupling, 2>& sets, std::size_t active) {
+  if (undo_.count() == 0) return set(sets, active);
+  undo_.push(new GainExchange(*this, sets, active));
+}
+
+void GainSets::set(const std::array<Coupling, 2>& sets, std::size_t active) {
   sets_ = sets;
   active_ = active;
   panel_.apply(sets_.at(active_));

@@ -21,7 +21,8 @@ class GainSets {
 
   /// A pair was opened: both sets are its gains, and A is active.
   void take(const Coupling& coupling);
-  /// Both as they were kept; no step to undo.
+  /// Both as they were kept. A step to undo where there are steps already: what they change is
+  /// gains of before.
   void restore(const std::array<Coupling, 2>& sets, std::size_t active);
   std::size_t active() const { return active_; }
   Coupling gains(std::size_t set) const;
@@ -33,7 +34,9 @@ class GainSets {
 
  private:
   friend class GainSwitch;
+  friend class GainExchange;
   void swap();
+  void set(const std::array<Coupling, 2>& sets, std::size_t active);
 
   CouplingPanel& panel_;
   QUndoStack& undo_;

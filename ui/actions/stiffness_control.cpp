@@ -83,28 +83,36 @@ void StiffnessControl::attach(Session* session, bool same_gains) {
   if (!same_gains) {
     gains_of_.clear();
     gains_file_.clear();
-    of_scene_ = session_->coupling();
+    scene_ = session_->loaded().scene;
+    scene_.coupling = session_->coupling();
     sets_.take(session_->coupling());
   }
   show_gains(session_->coupling());
 }
 
-void StiffnessControl::set_device(const std::optional<DeviceProfile>& device,
-                                  const std::string& name) {
-  device_ = device;
-  panel_->show_device(device_ ? device_->id : std::string());
-  if (!session_ || name == gains_of_) return;
+void StiffnessControl::set_holder(const Holder& holder) {
+  holder_ = holder;
+  panel_->show_device(holder.simulated ? holder.simulated->id : std::string(), holder.connected);
+  if (!session_ || holder.name == gains_of_) return;
   keep_gains();
-  gains_of_ = name;
-  gains_file_ = kept_gains_file(session_->loaded().scene, name);
+  gains_of_ = holder.name;
+  gains_file_ = kept_gains_file(scene_, gains_of_);
   restore_gains();
+}
+
+void StiffnessControl::saved(const Scene& scene) {
+  if (!session_ || gains_of_.empty()) return;
+  keep_timer_.stop();
+  scene_ = scene;
+  gains_file_ = kept_gains_file(scene_, gains_of_);
+  write_gains_now();
 }
 
 void StiffnessControl::restore_gains() {
   kept_ = {sets_.gains(0), sets_.gains(1)};
   kept_active_ = sets_.active();
   try {
-    const auto kept = read_kept_gains(gains_file_, of_scene_);
+    const auto kept = read_kept_gains(gains_file_, scene_.coupling);
     if (!kept) return;
     kept_ = kept->sets;
     kept_active_ = kept->active;
@@ -127,13 +135,16 @@ void StiffnessControl::keep_gains() {
 }
 
 void StiffnessControl::write_gains() {
-  const std::array<Coupling, 2> now{sets_.gains(0), sets_.gains(1)};
-  const bool as_kept = same(now[0], kept_[0]) && same(now[1], kept_[1]);
+  const bool as_kept = same(sets_.gains(0), kept_[0]) && same(sets_.gains(1), kept_[1]);
   if (gains_file_.empty() || (as_kept && sets_.active() == kept_active_)) return;
-  kept_ = now;
+  write_gains_now();
+}
+
+void StiffnessControl::write_gains_now() {
+  kept_ = {sets_.gains(0), sets_.gains(1)};
   kept_active_ = sets_.active();
   try {
-    write_kept_gains(gains_file_, {now, kept_active_, of_scene_});
+    write_kept_gains(gains_file_, {kept_, kept_active_, scene_.coupling});
   } catch (const InputError& bad) {  // a full disk: what is felt is not affected
     if (say) say(QString::fromUtf8(bad.what()));
   }
@@ -146,7 +157,8 @@ void StiffnessControl::show_gains(const Coupling& gains) {
 
 void StiffnessControl::show_sets() {
   panel_->show_sets({sets_.gains(0), sets_.gains(1)}, sets_.active());
-  if (session_ && !gains_file_.empty()) keep_timer_.start(keep_ms);
+  // Not started anew: what a drag has come to is written while it goes on.
+  if (session_ && !gains_file_.empty() && !keep_timer_.isActive()) keep_timer_.start(keep_ms);
 }
 
 void StiffnessControl::take(Tuning tuning) {
@@ -178,8 +190,9 @@ void StiffnessControl::frame(qint64 now) {
 }
 
 bool StiffnessControl::is_of_what_is_open() const {
-  return tuning_ && tuning_->doubt.isEmpty() &&
-         (!device_ || device_->id == tuning_->results.device_id) &&
+  const auto& simulated = holder_.simulated;
+  return tuning_ && tuning_->doubt.isEmpty() && holder_.connected.isEmpty() &&
+         (!simulated || simulated->id == tuning_->results.device_id) &&
          session_->coupling().mode == tuning_->results.mode;
 }
 
@@ -213,8 +226,9 @@ void StiffnessControl::compute() {
   if (!session_) return;
   const std::string id = panel_->device_id();
   try {
+    const auto& simulated = holder_.simulated;
     const DeviceProfile device =
-        device_ && device_->id == id ? *device_ : find_device_profile(id, profile_folders_);
+        simulated && simulated->id == id ? *simulated : find_device_profile(id, profile_folders_);
     tuner_.compute({.within = computed_studies_folder(),
                     .device = device,
                     .mode = session_->coupling().mode,

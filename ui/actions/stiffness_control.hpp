@@ -46,10 +46,17 @@ class StiffnessControl : public QObject {
   /// Another session was opened; null for none. `same_gains`: of the same scene, so that A and B
   /// stay.
   void attach(Session* session, bool same_gains = false);
-  /// The device that is simulated (none: another, or none), and the name under which gains are kept
-  /// for what holds the probe. After attach(), and where it is another: the sets are those that
-  /// were kept for the open scene and it, if there are any.
-  void set_device(const std::optional<DeviceProfile>& device, const std::string& name);
+  /// What holds the probe.
+  struct Holder {
+    std::optional<DeviceProfile> simulated;  ///< none: another, or none
+    std::string name;                        ///< under which gains are kept for it
+    QString connected;  ///< the name of a real force device; empty: there is none
+  };
+  /// After attach(), and where it is another: the sets are those that were kept for the open scene
+  /// and it, if there are any.
+  void set_holder(const Holder& holder);
+  /// The document was saved as this scene: what is kept is kept for that from now on.
+  void saved(const Scene& scene);
   /// Writes what a timer would in a moment: before the session, or the coupling's panel, has gone.
   void keep_gains();
   std::function<void(const QString&)> say;  ///< in passing
@@ -77,6 +84,7 @@ class StiffnessControl : public QObject {
   bool is_of_what_is_open() const;
   void restore_gains();
   void write_gains();
+  void write_gains_now();
   ForceNote note_now() const;
 
   std::vector<std::filesystem::path> profile_folders_;
@@ -86,9 +94,9 @@ class StiffnessControl : public QObject {
   Tuner tuner_;
   GainSets sets_;
   Session* session_ = nullptr;
-  std::optional<DeviceProfile> device_;
-  Coupling of_scene_;
-  std::filesystem::path gains_file_;  ///< of the open scene and what holds the probe
+  Holder holder_;
+  Scene scene_;                       ///< for which gains are kept, with its own
+  std::filesystem::path gains_file_;  ///< of that scene and what holds the probe
   std::string gains_of_;              ///< what holds the probe, for which they were restored
   std::array<Coupling, 2> kept_{};    ///< what the file has, or what it need not have
   std::size_t kept_active_ = 0;

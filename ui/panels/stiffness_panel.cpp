@@ -259,8 +259,9 @@ void StiffnessPanel::show_map() {
   show_point();
 }
 
-void StiffnessPanel::show_device(const std::string& id) {
+void StiffnessPanel::show_device(const std::string& id, const QString& connected) {
   simulated_ = id;
+  connected_ = connected;
   study_->choose_device(id);
   show_doubt();
 }
@@ -271,6 +272,11 @@ void StiffnessPanel::show_doubt() {
   if (tuning_ && !simulated_.empty() && simulated_ != tuning_->results.device_id)
     doubts << QStringLiteral("This map is of another device: %1, not %2.")
                   .arg(text(tuning_->results.device_id), text(simulated_));
+  if (tuning_ && !connected_.isEmpty())
+    doubts << QStringLiteral(
+                  "This map is of %1. Whether %2 is one is not known: the view says "
+                  "nothing of its boundary.")
+                  .arg(text(tuning_->results.device_id), connected_);
   doubt_->setText(doubts.join('\n'));
   doubt_->setVisible(!doubts.isEmpty());
 }

@@ -37,7 +37,8 @@ class StiffnessPanel : public QDockWidget {
   /// None: there is nothing to show yet.
   void show_tuning(const std::optional<Tuning>& tuning);
   /// The device that is simulated now, which is then the one to compute for; empty: none.
-  void show_device(const std::string& id);
+  /// `connected`: the name of a force device that is not simulated; empty: there is none.
+  void show_device(const std::string& id, const QString& connected);
   void show_gains(const Coupling& now);
   /// The kind of the contact that holds the probe; empty: none.
   void show_contact(const std::string& kind);
@@ -75,6 +76,7 @@ class StiffnessPanel : public QDockWidget {
   std::optional<Tuning> tuning_;
   Coupling now_;
   std::string simulated_, contact_;
+  QString connected_;
   QComboBox *axes_, *shown_kinds_;
   StudyBox* study_;
   StudyProgressRow* progress_;

@@ -51,8 +51,9 @@ constexpr double swing_seconds = 1.6;
 MainWindow::~MainWindow() {
   stiffness_->keep_gains();
   documents_->changed = nullptr;  // what goes now is not shown any more
-  force_log_.end();               // the session ends with the window
-  accuracy_->attach(nullptr);     // its dock is hidden after that
+  documents_->saved = nullptr;
+  force_log_.end();            // the session ends with the window
+  accuracy_->attach(nullptr);  // its dock is hidden after that
 }
 
 void MainWindow::show_document() {
@@ -174,7 +175,11 @@ void MainWindow::show_holder() {
   // A connected device by its serial number or port, a simulated one by its profile.
   std::string name = settings_name_of(devices_->source());
   if (name.empty()) name = name_of(devices_->source());
-  stiffness_->set_device(simulating ? std::optional(simulating->profile) : std::nullopt, name);
+  const auto* connected = std::get_if<ConnectedSource>(&devices_->source());
+  const bool feels = connected && (connected->kind == DeviceKind::force_device ||
+                                   connected->kind == DeviceKind::arm);
+  stiffness_->set_holder({simulating ? std::optional(simulating->profile) : std::nullopt, name,
+                          feels ? QString::fromStdString(connected->name) : QString()});
   show_device();
 }
 

@@ -166,6 +166,7 @@ DocumentView MainWindow::document_view() {
 void MainWindow::connect_documents() {
   DocumentControl* documents = documents_.get();
   documents->changed = [this] { show_document(); };
+  documents->saved = [this](const Scene& scene) { stiffness_->saved(scene); };
   pose_panel_->placed = [documents](const Pose& pose) {
     documents->place(pose, QStringLiteral("Place the probe"));
   };

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/study/stability/contact_situations.hpp"
+#include "engine/study/tuning/assumptions.hpp"
 #include "ui/base/format.hpp"
 
 namespace sonde::ui {
@@ -24,9 +24,7 @@ std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
     const TuningColumn& column = *std::ranges::min_element(
         line.columns, {},
         [&](const TuningColumn& each) { return std::abs(each.damping - damping); });
-    const double own = column.stable.fault == HoldFault::none
-                           ? std::numeric_limits<double>::infinity()
-                           : column.stable.stiffness;
+    const double own = boundary_that_counts(results, column);
     least = std::min(least.value_or(own), own);
   }
   return least;

@@ -14,8 +14,9 @@ namespace sonde::ui {
 /// where there is none.
 std::string kind_of_contact(const Separation& separation);
 
-/// The measured boundary of stability in contacts of one kind, the least of all situations and
-/// hands, at the swept damping nearest to `damping`: N/m or N·m/rad, by the axis. Infinite where
+/// The boundary of stability that counts (boundary_that_counts) in contacts of one kind, the least
+/// of all situations and hands, at the swept damping nearest to `damping`: N/m or N·m/rad, by the
+/// axis. Infinite where
 /// nothing in the range studied fails; no value where the study has no such contact.
 std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
                                   const std::string& kind, double damping);

@@ -171,8 +171,8 @@ QString rests_on(const TuningResults& results, GainAxis axis) {
   QString line;
   if (!strong.isEmpty())
     line = QStringLiteral(
-               "Rests on values that are not sure; the ends of each (half and twice of "
-               "what is assumed) make of the stiffness: %1.")
+               "Rests on values that are not sure; the ends of each (half and twice, if it is "
+               "assumed) make of the stiffness: %1.")
                .arg(strong.join(QStringLiteral(", ")));
   if (!weak.isEmpty())
     line +=
@@ -204,11 +204,15 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   return lines.join('\n');
 }
 
-QString margin_text(const AxisGains& recommended, double stiffness) {
-  if (!std::isfinite(recommended.boundary) || recommended.boundary <= 0) return {};
-  return QStringLiteral("the boundary is %1: %2")
-      .arg(with_unit(recommended.boundary, stiffness_unit(recommended.axis)),
-           distance_text(stiffness, recommended.boundary));
+QString margin_text(const TuningResults& results, const AxisGains& recommended, double stiffness) {
+  const double boundary = boundary_that_counts(results, recommended);
+  if (!std::isfinite(boundary) || boundary <= 0) return {};
+  const char* condition = boundary == recommended.boundary           ? ""
+                          : boundary == recommended.without_friction ? " without friction"
+                                                                     : " at harder knocks";
+  return QStringLiteral("the boundary%1 is %2: %3")
+      .arg(QLatin1String(condition), with_unit(boundary, stiffness_unit(recommended.axis)),
+           distance_text(stiffness, boundary));
 }
 
 }  // namespace sonde::ui

@@ -77,12 +77,7 @@ void keep_kind(Study& study, const std::string& kind) {
 /// Of a study that may not be finished; no value before its first row.
 std::optional<Tuning> tuning_in(const fs::path& folder, const LoadedScene& opened) {
   const StudyFolder all = read_study(folder);
-  StudyFolder finished{all.kind, all.about, {}, {}};
-  for (std::size_t i = 0; i < all.names.size(); ++i) {
-    if (!all.results[i]) continue;
-    finished.names.push_back(all.names[i]);
-    finished.results.push_back(all.results[i]);
-  }
+  const StudyFolder finished = all.finished();
   if (finished.names.empty()) return {};
   Tuning tuning{.folder = folder, .results = read_tuning(folder.string(), finished)};
   tuning.doubt = doubt_of(tuning.results, opened);

@@ -14,10 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Row = std::array<std::string, 6>;
 
-const ProfileKey& key_of(ProfileValue DeviceProfile::*value) {
-  return *std::ranges::find(profile_keys(), value, &ProfileKey::value);
-}
-
 /// Characters, not bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(

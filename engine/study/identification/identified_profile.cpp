@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/identification/identified_profile.hpp"
 
+#include <algorithm>
+
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -10,6 +12,10 @@ namespace {
 double rounded(double x) { return parse_number(number_text(x, 6)).value(); }
 
 }  // namespace
+
+const ProfileKey& key_of(ProfileValue DeviceProfile::*value) {
+  return *std::ranges::find(profile_keys(), value, &ProfileKey::value);
+}
 
 std::vector<IdentifiedValue> identified_values(const Identification& identification) {
   using Profile = DeviceProfile;
@@ -32,9 +38,12 @@ std::vector<IdentifiedValue> identified_values(const Identification& identificat
 
 DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
                                  const std::string& source) {
-  for (const auto& [value, estimate] : identified_values(identification))
+  for (const auto& [value, estimate] : identified_values(identification)) {
+    const ProfileKey& key = key_of(value);
+    const auto end = [&](double x) { return rounded(std::clamp(x, key.minimum, key.maximum)); };
     profile.*value = {rounded(estimate.value), source, false,
-                      ProfileInterval{rounded(estimate.low), rounded(estimate.high)}};
+                      ProfileInterval{end(estimate.low), end(estimate.high)}};
+  }
   return profile;
 }
 

@@ -18,8 +18,11 @@ struct IdentifiedValue {
 /// and delay, each for translation and rotation where the recording tells it.
 std::vector<IdentifiedValue> identified_values(const Identification& identification);
 
-/// The profile with these values in the place of its own, with six digits, their intervals, and
-/// `source`, which says how they were measured. What was not measured stays.
+const ProfileKey& key_of(ProfileValue DeviceProfile::*value);
+
+/// The profile with these values in the place of its own, with six digits, their intervals (no
+/// wider than a profile allows), and `source`, which says how they were measured. What was not
+/// measured stays.
 DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
                                  const std::string& source);
 

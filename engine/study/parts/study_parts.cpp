@@ -83,11 +83,23 @@ bool has_all(const StudyFolder& folder, const Study& study) {
          });
 }
 
-/// Writes study.json, or finds that the one there will do. Parts depend on nothing but `about` and
-/// their name, so where only the list of parts is another (contacts of one kind, or of all) the
-/// folder becomes the study asked for, with what is finished of it; but one that is finished and
-/// has all that is asked for stays as it is.
-void claim(const fs::path& folder, const Study& study) {
+/// The parts of the shard that have no file yet.
+std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study, Shard shard,
+                                      std::size_t& total) {
+  std::vector<const StudyPart*> parts;
+  total = 0;
+  for (std::size_t i = shard.index; i < study.parts.size(); i += shard.count) {
+    ++total;
+    if (!fs::exists(part_file(folder, study.parts[i].name))) parts.push_back(&study.parts[i]);
+  }
+  return parts;
+}
+
+}  // namespace
+
+// Parts depend on nothing but `about` and their name: another list of parts (contacts of one kind,
+// or of all) can take over what is finished.
+void claim_folder(const fs::path& folder, const Study& study) {
   const std::string text = study_text(study);
   const fs::path file = study_file(folder);
   bool stays = false;
@@ -104,22 +116,18 @@ void claim(const fs::path& folder, const Study& study) {
   if (!stays) write_whole(file, text);
 }
 
-/// The parts of the shard that have no file yet.
-std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study, Shard shard,
-                                      std::size_t& total) {
-  std::vector<const StudyPart*> parts;
-  total = 0;
-  for (std::size_t i = shard.index; i < study.parts.size(); i += shard.count) {
-    ++total;
-    if (!fs::exists(part_file(folder, study.parts[i].name))) parts.push_back(&study.parts[i]);
-  }
-  return parts;
-}
-
-}  // namespace
-
 bool StudyFolder::complete() const {
   return std::ranges::all_of(results, [](const auto& result) { return result.has_value(); });
+}
+
+StudyFolder StudyFolder::finished() const {
+  StudyFolder out{kind, about, {}, {}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!results[i]) continue;
+    out.names.push_back(names[i]);
+    out.results.push_back(results[i]);
+  }
+  return out;
 }
 
 std::optional<Shard> shard_of(std::string_view text) {
@@ -138,7 +146,7 @@ std::optional<Shard> shard_of(std::string_view text) {
 
 void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsigned threads,
                    const Stop& stop, const PartsProgress& progress) {
-  claim(folder, study);
+  claim_folder(folder, study);
   std::size_t total = 0;
   const std::vector<const StudyPart*> parts = missing(folder, study, shard, total);
   std::atomic<std::size_t> done{total - parts.size()};

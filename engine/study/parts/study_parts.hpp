@@ -37,6 +37,7 @@ struct StudyFolder {
   std::vector<std::string> names;                   ///< of all parts, in order
   std::vector<std::optional<std::string>> results;  ///< of each, where it is finished
   bool complete() const;
+  StudyFolder finished() const;  ///< the same with the finished parts alone
 };
 
 /// A final file of a study: its name in the folder, and its text.
@@ -56,12 +57,15 @@ std::optional<Shard> shard_of(std::string_view text);
 /// `done` parts of `total` in the shard are finished.
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Computes the parts of a shard that are not yet in the folder, on `threads` threads, and writes
-/// each, whole, as soon as it is finished. Makes the folder if necessary. A folder with other parts
-/// of the same study (the same kind and `about`) becomes the requested study and keeps its finished
-/// parts; where it is finished and has all of them, it stays as it is. Throws InputError where the
-/// folder holds another study, or other things and no study, or cannot be written, Cancelled where
-/// `stop` returns true (finished parts stay), and whatever a part throws.
+/// Makes the folder the study's: writes its study.json. A folder with other parts of the same study
+/// (the same kind and `about`) becomes the requested study and keeps its finished parts; where it
+/// is finished and has all of them, it stays as it is. Throws InputError where the folder holds
+/// another study, or other things and no study, or cannot be written.
+void claim_folder(const std::filesystem::path& folder, const Study& study);
+
+/// Claims the folder, computes the parts of a shard that are not yet in the folder, on `threads`
+/// threads, and writes each, whole, as soon as it is finished. Throws as claim_folder, Cancelled
+/// where `stop` returns true (finished parts stay), and whatever a part throws.
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,
                    unsigned threads, const Stop& stop, const PartsProgress& progress = {});
 

@@ -33,8 +33,19 @@ std::map<std::string, std::pair<double, double>> varied_times(const TuningResult
 }  // namespace
 
 double boundary_that_counts(const TuningResults& results, const AxisGains& gains) {
-  return results.trusts_friction ? gains.boundary
-                                 : std::min(gains.boundary, gains.without_friction);
+  const double least = std::min(gains.boundary, gains.harder_knocks);
+  return results.trusts_friction ? least : std::min(least, gains.without_friction);
+}
+
+double boundary_that_counts(const TuningResults& results, const TuningColumn& column) {
+  double least = infinity;
+  const auto take = [&](const std::optional<SweepLimit>& limit) {
+    if (limit && limit->fault != HoldFault::none) least = std::min(least, limit->stiffness);
+  };
+  take(column.stable);
+  take(column.harder_knocks);
+  if (!results.trusts_friction) take(column.without_friction);
+  return least;
 }
 
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis) {

@@ -21,8 +21,11 @@ struct AssumedInterval {
   AssumedEnd low, high;
 };
 
-/// The boundary that counts: without friction where that is lower, unless it is trusted.
+/// The boundary that counts: at harder knocks or, unless it is trusted, without friction, where
+/// that is lower. Infinite where nothing was unstable.
 double boundary_that_counts(const TuningResults& results, const AxisGains& gains);
+/// The same in one situation, hand and damping.
+double boundary_that_counts(const TuningResults& results, const TuningColumn& column);
 
 /// Of each value that the study varied, in the one situation where it did: the one at whose
 /// worse end the boundary that counts is least comes first.

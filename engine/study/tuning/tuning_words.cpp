@@ -108,12 +108,7 @@ std::string limiting_assumption(const TuningResults& results, GainAxis axis) {
 
 std::optional<TuningResults> tuning_so_far(const std::string& folder, const StudyFolder& study,
                                            GainAxis axis) {
-  StudyFolder finished{study.kind, study.about, {}, {}};
-  for (std::size_t i = 0; i < study.names.size(); ++i) {
-    if (!study.results[i]) continue;
-    finished.names.push_back(study.names[i]);
-    finished.results.push_back(study.results[i]);
-  }
+  const StudyFolder finished = study.finished();
   if (finished.names.empty()) return std::nullopt;
   TuningResults results = read_tuning(folder, finished);
   std::erase_if(results.lines,

@@ -191,6 +191,12 @@ TEST(DeviceProfile, an_interval_is_read_and_holds_the_value) {
   EXPECT_THAT(about_mass(R"("low": 0.26, "high": 0.3, )"),
               AllOf(StartsWith("9: "), HasSubstr("\"mass\" is not between its \"low\"")));
   EXPECT_THAT(about_mass(R"("low": "0.2", "high": 0.3, )"), HasSubstr("\"low\" is a string"));
+  // What is simulated at its ends must be a device there too.
+  for (const char* ends : {R"("low": 0, "high": 0.3, )", R"("low": -1, "high": 0.3, )",
+                           R"("low": 0.2, "high": 1000, )"})
+    EXPECT_THAT(about_mass(ends),
+                AllOf(StartsWith("9: "), HasSubstr("it must be between 0.001 and 100 kg")))
+        << ends;
 }
 
 TEST(DeviceProfile, its_text_reads_back_as_it_was) {
@@ -210,6 +216,8 @@ TEST(DeviceProfile, its_text_reads_back_as_it_was) {
     EXPECT_EQ(is.interval.has_value(), was.interval.has_value()) << key.key;
   }
   EXPECT_EQ(again.mass.interval->high, 0.04);
+  p.mass.interval->low = 1e-4;
+  EXPECT_THROW(device_profile_text(p), InputError);
   p.mass.value = 1e-4;
   EXPECT_THROW(device_profile_text(p), InputError);
 }
@@ -255,7 +263,10 @@ TEST(DeviceProfile, the_schema_says_what_the_reader_does) {
     required.emplace_back(key.key);
     const auto& property = schema["properties"][key.key];
     EXPECT_EQ(property["description"], std::string(key.unit) + ". " + key.doc);
-    EXPECT_EQ(property["properties"]["value"]["minimum"], key.minimum) << key.key;
+    for (const char* each : {"value", "low", "high"}) {
+      EXPECT_EQ(property["properties"][each]["minimum"], key.minimum) << key.key;
+      EXPECT_EQ(property["properties"][each]["maximum"], key.maximum) << key.key;
+    }
     EXPECT_EQ(property["properties"]["value"]["maximum"], key.maximum) << key.key;
   }
   std::vector<std::string> named;

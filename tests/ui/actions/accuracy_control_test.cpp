@@ -118,6 +118,14 @@ TEST_F(AccuracyTest, a_scene_of_its_own_has_what_was_measured_on_it) {
             "within " + number(100 * here.within(running().budget.microseconds)) + " %");
 }
 
+TEST_F(AccuracyTest, a_foreign_scene_of_the_same_name_has_none_of_that) {
+  const auto file = folder.write("linked-tori.sonde.json", R"({"unit": "m",
+        "probe": {"mesh": "cube.off", "pose": [0.09, 0.02, 0.013, 1, 0, 0, 0]},
+        "fixed": {"mesh": "cube.off"}})");
+  open({QString::fromStdString(file.string())});
+  EXPECT_EQ(text("expected_here"), "not measured");
+}
+
 TEST_F(AccuracyTest, the_accuracy_of_a_scene_is_shown) {
   const auto file = folder.write("wanted.sonde.json", R"({"unit": "m",
         "probe": {"mesh": "cube.off", "pose": [0.09, 0.02, 0.013, 1, 0, 0, 0]},

@@ -37,6 +37,20 @@ TEST(PresentContact, has_the_least_boundary_of_its_kind_at_the_nearest_damping) 
   EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 0), 100) << "of the profile as it is";
 }
 
+TEST(PresentContact, its_boundary_does_not_rest_on_friction_or_on_soft_knocks) {
+  TuningResults r = results();
+  r.lines = {line(0, GainAxis::object, {column(0, 1400, 1400, HoldFault::unstable)})};
+  TuningColumn& column = r.lines[0].columns[0];
+  column.harder_knocks = {900, HoldFault::unstable};
+  column.without_friction = {500, HoldFault::unstable};
+  const std::string flat = r.lines[0].kind;
+  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 500);
+  r.trusts_friction = true;
+  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 900) << "as asked; knocks still count";
+  column.harder_knocks = {1e5, HoldFault::none};
+  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 1400);
+}
+
 TEST(PresentContact, the_words_say_on_which_side_of_the_boundary_it_is) {
   EXPECT_EQ(distance_text(450, 900), "could be 2.00 times as stiff");
   EXPECT_EQ(distance_text(63'270, 900), "70.3 times too stiff");

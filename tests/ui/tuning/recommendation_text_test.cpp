@@ -51,6 +51,17 @@ TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_lim
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
+TEST(RecommendationText, the_margin_is_to_the_boundary_that_counts) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
+  r.lines[0].columns[0].without_friction = {600, HoldFault::unstable};
+  EXPECT_EQ(margin_text(r, *recommend(r, GainAxis::object), 400),
+            "the boundary without friction is 600 N/m: could be 1.50 times as stiff");
+  r.lines[0].columns[0].harder_knocks = {300, HoldFault::unstable};
+  EXPECT_EQ(margin_text(r, *recommend(r, GainAxis::object), 400),
+            "the boundary at harder knocks is 300 N/m: 1.33 times too stiff");
+}
+
 TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
   TuningResults r = sonde::test::results();
   r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
