@@ -36,12 +36,6 @@ class StiffnessTest : public WindowTest {
                        "conforming");
     window->stiffness().panel().raise();
   }
-  template <class T>
-  T* find(const char* name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_TRUE(found) << name;
-    return found;
-  }
   StiffnessControl& stiffness() { return window->stiffness(); }
   /// Ends with the tuning read, or with a complaint.
   void load(const char* name) {
@@ -296,20 +290,13 @@ TEST_F(StiffnessTest, typed_gains_are_there_again_after_a_kill_for_their_scene_a
     auto* sources = by.findChild<QComboBox*>("holder");
     emit sources->activated(sources->findText(what));
   };
-  const auto type_k = [&](const char* digits) {
-    auto* value = find<TypedValue>("k_value");
-    value->setFocus();
-    value->selectAll();
-    QTest::keyClicks(value, digits);
-    QTest::keyClick(value, Qt::Key_Return);
-  };
-  type_k("800");
+  type("k_value", "800");
   QTest::mouseClick(find<QPushButton>("gains_b"), Qt::LeftButton);
-  type_k("650");
+  type("k_value", "650");
   ASSERT_EQ(k(), 650);
   hold_by(*window, "omega.7 (simulated)");
   EXPECT_EQ(k(), 650) << "nothing was kept for that one yet";
-  type_k("90");
+  type("k_value", "90");
   hold_by(*window, "Mouse");
   EXPECT_EQ(k(), 650);
   hold_by(*window, "omega.7 (simulated)");

@@ -4,12 +4,10 @@
 
 #include <QCoreApplication>
 #include <QProcess>
-#include <QTest>
 #include <csignal>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/document/kept_gains.hpp"
-#include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -18,20 +16,6 @@ constexpr const char* home = "SONDE_TEST_HOME";  // of both processes
 
 class KilledGains : public WindowTest {
  protected:
-  /// From now on settings are those of `folder`.
-  static void live_in(const std::string& folder) {
-    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder));
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                       QString::fromStdString(folder));
-  }
-  void type_k(const char* digits) {
-    auto* typed = window->findChild<TypedValue*>("k_value");
-    ASSERT_TRUE(typed);
-    typed->setFocus();
-    typed->selectAll();
-    QTest::keyClicks(typed, digits);
-    QTest::keyClick(typed, Qt::Key_Return);
-  }
   /// The file of the scene that is open, held by the mouse.
   static std::filesystem::path kept(const std::filesystem::path& home_folder) {
     std::error_code none;
@@ -47,9 +31,9 @@ class KilledGains : public WindowTest {
 TEST_F(KilledGains, DISABLED_child) {
   ASSERT_TRUE(qEnvironmentVariableIsSet(home));
   const std::string folder_of_both = qgetenv(home).toStdString();
-  live_in(folder_of_both);
+  keep_settings_in(folder_of_both);
   open({QString::fromStdString(folder_of_both + "/cubes.sonde.json")});
-  type_k("800");
+  type("k_value", "800");
   wait(2 * patience_ms);
 }
 
