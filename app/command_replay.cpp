@@ -245,16 +245,6 @@ AccuracyOptions knob_of(const ReplayOptions& options, const Scene& scene) {
   return knob;
 }
 
-void check_record(const ReplayOptions& options, const Job& job) {
-  if (options.record.empty()) return;
-  check_output("--record", options.record, job.inputs);
-  const auto place = [](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (options.output.to_file() && place(options.record) == place(options.output.out))
-    throw UsageError("--record and --out name the same file: " + options.record);
-}
-
 void run(const ReplayOptions& options) {
   if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
@@ -262,7 +252,7 @@ void run(const ReplayOptions& options) {
   const AccuracyOptions knob = knob_of(options, scene);
   Accuracy accuracy(knob, options.solver);
   check_output(options.output, job.inputs);
-  check_record(options, job);
+  check_beside(options.output, "--record", options.record, job.inputs);
   check_picture(options.phases, options.output, job.inputs);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its

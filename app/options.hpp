@@ -71,6 +71,10 @@ void check_output(const OutputOptions& options, const std::vector<std::filesyste
 /// The same for a file that another flag names.
 void check_output(const std::string& flag, const std::string& file,
                   const std::vector<std::filesystem::path>& inputs);
+/// The same for a file that is written beside the result, and must not be the result's own; there
+/// is none where it is empty.
+void check_beside(const OutputOptions& result, const std::string& flag, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs);
 /// Writes the result, whole.
 void write_result(const OutputOptions& options, const std::string& text);
 

@@ -57,13 +57,7 @@ void append_phases(const PhaseOptions& options, Row& row, const Separation& answ
 
 void check_picture(const PhaseOptions& options, const OutputOptions& output,
                    const std::vector<std::filesystem::path>& others) {
-  if (options.picture.empty()) return;
-  const auto place = [](const std::filesystem::path& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (output.to_file() && place(options.picture) == place(output.out))
-    throw UsageError("--phases-picture and --out name the same file: " + options.picture);
-  check_output("--phases-picture", options.picture, others);
+  check_beside(output, "--phases-picture", options.picture, others);
 }
 
 void PhasePicture::add(const Separation& answer, double time_us) {
