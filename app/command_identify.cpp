@@ -36,11 +36,7 @@ void check(const IdentifyOptions& options) {
     throw UsageError("--record needs --simulated");
   if (options.simulated.empty() && options.has_limits)
     throw UsageError("--force and --torque need --simulated: a recording has its own pulses");
-  const auto place = [](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (!options.record.empty() && !options.profile.empty() &&
-      place(options.record) == place(options.profile))
+  if (same_file(options.record, options.profile))
     throw UsageError("--record and --out name the same file");
   std::vector<std::filesystem::path> inputs;
   for (const std::string& file : {options.recording, options.device, options.simulated})

@@ -188,6 +188,8 @@ std::unique_ptr<Recording> read(const ReplayOptions& options) {
 void write_as_recorded(const ReplayOptions& options) {
   if (!is_recording(options.bodies.scene))
     throw UsageError("--as-recorded is for a recording: " + options.bodies.scene + " is none");
+  if (options.phases.timed())
+    throw UsageError("--as-recorded runs nothing: there are no --phases, and no picture of them");
   check_output(options.output, {options.bodies.scene});
   const std::unique_ptr<Recording> recording = read(options);
   const TickLog& ticks = recording->ticks;
@@ -245,16 +247,6 @@ AccuracyOptions knob_of(const ReplayOptions& options, const Scene& scene) {
   return knob;
 }
 
-void check_record(const ReplayOptions& options, const Job& job) {
-  if (options.record.empty()) return;
-  check_output("--record", options.record, job.inputs);
-  const auto place = [](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (options.output.to_file() && place(options.record) == place(options.output.out))
-    throw UsageError("--record and --out name the same file: " + options.record);
-}
-
 void run(const ReplayOptions& options) {
   if (options.as_recorded) return write_as_recorded(options);
   const Job job = job_for(options);
@@ -262,8 +254,10 @@ void run(const ReplayOptions& options) {
   const AccuracyOptions knob = knob_of(options, scene);
   Accuracy accuracy(knob, options.solver);
   check_output(options.output, job.inputs);
-  check_record(options, job);
+  check_beside(options.output, "--record", options.record, job.inputs);
   check_picture(options.phases, options.output, job.inputs);
+  if (!options.record.empty() && same_file(options.record, options.phases.picture))
+    throw UsageError("--record and --phases-picture name the same file: " + options.record);
 
   // The scene's wall-clock budget is left out, so that the same input gives the same bits; its
   // budget of counted work holds where the command line gives none.

@@ -125,6 +125,21 @@ void check_output(const std::string& flag, const std::string& file,
   check_writable(file);
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  const auto place = [](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
+  };
+  return !a.empty() && !b.empty() && place(a) == place(b);
+}
+
+void check_beside(const OutputOptions& result, const std::string& flag, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs) {
+  if (file.empty()) return;
+  check_output(flag, file, inputs);
+  if (result.to_file() && same_file(file, result.out))
+    throw UsageError(flag + " and --out name the same file: " + file);
+}
+
 void write_result(const OutputOptions& options, const std::string& text) {
   finish_despite_interrupts();
   if (options.to_file()) return write_whole(options.out, text);

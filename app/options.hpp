@@ -71,6 +71,12 @@ void check_output(const OutputOptions& options, const std::vector<std::filesyste
 /// The same for a file that another flag names.
 void check_output(const std::string& flag, const std::string& file,
                   const std::vector<std::filesystem::path>& inputs);
+/// True where both name one file; false where one is empty.
+bool same_file(const std::string& a, const std::string& b);
+/// The same for a file that is written beside the result, and must not be the result's own; there
+/// is none where it is empty.
+void check_beside(const OutputOptions& result, const std::string& flag, const std::string& file,
+                  const std::vector<std::filesystem::path>& inputs);
 /// Writes the result, whole.
 void write_result(const OutputOptions& options, const std::string& text);
 

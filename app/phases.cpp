@@ -19,26 +19,34 @@ namespace {
 /// The time of each phase, and last what is in none.
 constexpr std::size_t part_count = phase_count + 1;
 
+/// The names of the columns of times. They last: a column's name is a pointer.
+const std::array<std::string, phase_count>& time_columns() {
+  static const auto names = [] {
+    std::array<std::string, phase_count> out;
+    for (std::size_t i = 0; i < phase_count; ++i) out[i] = std::string(phase_names[i]) + "_us";
+    return out;
+  }();
+  return names;
+}
+
 }  // namespace
 
 void add_flags(CLI::App& parser, PhaseOptions& options) {
   parser.add_flag("--phases", options.columns,
                   "columns that say how an answer came about: the depth by translation alone "
                   "(pdt), converged, how many limits acted on the way (limited), and the time of "
-                  "each phase (sketch_us to couple_us)");
+                  "each phase (" +
+                      time_columns().front() + " to " + time_columns().back() + ")");
   parser.add_option("--phases-picture", options.picture,
                     "file NAME.svg to write: the time of each phase, as bars");
 }
 
 std::vector<Column> with_phases(const PhaseOptions& options, std::vector<Column> columns) {
   if (!options.columns) return columns;
-  // A column's name is a pointer that has to last.
-  static constexpr std::array<const char*, phase_count> times{
-      "sketch_us", "look_us", "solve_us", "sweep_us", "verify_us", "bound_us", "couple_us"};
   columns.push_back({"pdt", "m"});
   if (options.with_converged) columns.push_back({"converged", ""});
   columns.push_back({"limited", ""});
-  for (const char* name : times) columns.push_back({name, "us"});
+  for (const std::string& name : time_columns()) columns.push_back({name.c_str(), "us"});
   return columns;
 }
 
@@ -57,13 +65,7 @@ void append_phases(const PhaseOptions& options, Row& row, const Separation& answ
 
 void check_picture(const PhaseOptions& options, const OutputOptions& output,
                    const std::vector<std::filesystem::path>& others) {
-  if (options.picture.empty()) return;
-  const auto place = [](const std::filesystem::path& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (output.to_file() && place(options.picture) == place(output.out))
-    throw UsageError("--phases-picture and --out name the same file: " + options.picture);
-  check_output("--phases-picture", options.picture, others);
+  check_beside(output, "--phases-picture", options.picture, others);
 }
 
 void PhasePicture::add(const Separation& answer, double time_us) {

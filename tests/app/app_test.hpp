@@ -29,6 +29,12 @@ class AppTest : public testing::Test {
 
   Outcome sonde(const std::string& arguments) const { return sonde_in(folder.path(), arguments); }
 
+  /// A run that has to succeed.
+  Outcome expect_done(const std::string& arguments) const {
+    Outcome run = sonde(arguments);
+    EXPECT_EQ(run.exit_code, 0) << arguments << ": " << run.err;
+    return run;
+  }
   /// The program refuses, says why, and writes nothing.
   void expect_refused(const std::string& arguments, int exit_code,
                       const std::string& reason) const {

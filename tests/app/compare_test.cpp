@@ -24,8 +24,7 @@ TEST_F(Compare, a_path_without_poses_is_refused) {
 }
 
 TEST_F(Compare, writes_pictures_tables_and_a_summary) {
-  const Outcome run = sonde(boxes + "--out c");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(boxes + "--out c");
   const auto written = files("c");
   for (const char* name :
        {"study.json", "parts/pdt.json", "parts/pdg.json", "parts/analytic.json", "wrench.svg",

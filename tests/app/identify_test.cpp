@@ -18,8 +18,8 @@ class Identify : public AppTest {
 };
 
 TEST_F(Identify, a_simulated_device_is_recovered_and_written_as_a_profile) {
-  const Outcome run = sonde("identify --simulated sigma.7 --out mine.json --record answer.csv");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run =
+      expect_done("identify --simulated sigma.7 --out mine.json --record answer.csv");
   EXPECT_THAT(run.out, HasSubstr("rotational_friction"));
   EXPECT_THAT(run.out, HasSubstr("force along z: 16 pulses of up to 2 N"));
   const DeviceProfile mine = profile("mine.json");
@@ -38,10 +38,8 @@ TEST_F(Identify, a_simulated_device_is_recovered_and_written_as_a_profile) {
 }
 
 TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
-  const Outcome first = sonde("identify --simulated touch --out a.json --record answer.csv");
-  ASSERT_EQ(first.exit_code, 0) << first.err;
-  const Outcome again = sonde("identify answer.csv --device touch --out b.json");
-  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Outcome first = expect_done("identify --simulated touch --out a.json --record answer.csv");
+  const Outcome again = expect_done("identify answer.csv --device touch --out b.json");
   EXPECT_EQ(again.out, first.out);
   EXPECT_THAT(text_of(folder / "b.json"), HasSubstr("48 pulses of answer.csv"));
   EXPECT_EQ(profile("b.json").mass.value, profile("a.json").mass.value);
@@ -52,10 +50,9 @@ TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
 }
 
 TEST_F(Identify, tune_takes_the_profile_and_varies_nothing_that_was_measured) {
-  ASSERT_EQ(sonde("identify --simulated sigma.7 --out mine.json").exit_code, 0);
-  const Outcome run =
-      sonde("tune boxes.sonde.json --device mine.json --trajectory path.csv --ratio 2 --out tuned");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expect_done("identify --simulated sigma.7 --out mine.json");
+  expect_done(
+      "tune boxes.sonde.json --device mine.json --trajectory path.csv --ratio 2 --out tuned");
   EXPECT_THAT(text_of(folder / "tuned/coupling.json"), HasSubstr("\"k\""));
   for (const auto& part : std::filesystem::directory_iterator(folder / "tuned/parts"))
     EXPECT_LE(std::ranges::count(part.path().filename().string(), '.'), 3)
@@ -63,8 +60,7 @@ TEST_F(Identify, tune_takes_the_profile_and_varies_nothing_that_was_measured) {
 }
 
 TEST_F(Identify, json_holds_every_axis_and_pulses_stay_within_the_limit) {
-  const Outcome run = sonde("identify --simulated omega.7 --force 1.5 --json");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done("identify --simulated omega.7 --force 1.5 --json");
   const json result = json::parse(run.out);
   ASSERT_EQ(result["axes"].size(), 3u);
   EXPECT_EQ(result["axes"][1]["axis"], "force along y");

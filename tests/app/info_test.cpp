@@ -12,8 +12,7 @@ using testing::HasSubstr;
 using Info = AppTest;
 
 TEST_F(Info, text_has_numbers_and_units) {
-  const Outcome run = sonde("info small.off large.off");
-  EXPECT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("info small.off large.off");
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, AllOf(HasSubstr("small.off\n"), HasSubstr("large.off\n"),
                              HasSubstr("triangles       12\n"), HasSubstr("solid ("),
@@ -22,8 +21,7 @@ TEST_F(Info, text_has_numbers_and_units) {
 }
 
 TEST_F(Info, json_has_every_digit) {
-  const Outcome run = sonde("info --json --unit mm small.off");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done("info --json --unit mm small.off");
   const json mesh = json::parse(run.out).at("meshes").at(0);
   EXPECT_EQ(mesh.at("triangles"), 12);
   EXPECT_EQ(mesh.at("vertices"), 8);
@@ -60,7 +58,7 @@ TEST_F(Info, one_bad_mesh_among_good_ones_and_nothing_is_written) {
 TEST_F(Info, a_model_that_does_not_fit_is_refused) {
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   expect_refused("info --model solid open.off", 3, "open.off");
-  EXPECT_EQ(sonde("info --model surface small.off").exit_code, 0);
+  expect_done("info --model surface small.off");
 }
 
 TEST_F(Info, out_writes_a_file) {

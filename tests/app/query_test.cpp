@@ -19,9 +19,7 @@ class Query : public AppTest {
  protected:
   /// The result of a run that has to succeed.
   Csv query(const std::string& arguments) const {
-    const Outcome run = sonde("query " + arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return Csv(run.out);
+    return Csv(expect_done("query " + arguments).out);
   }
   const std::string scene = "boxes.sonde.json --poses poses.csv ";
 };
@@ -50,8 +48,7 @@ TEST_F(Query, columns_statuses_and_numbers) {
 }
 
 TEST_F(Query, out_is_what_stdout_would_be) {
-  const Outcome run = sonde("query --out r.csv " + scene);
-  EXPECT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("query --out r.csv " + scene);
   EXPECT_EQ(run.out, "");
   const Csv file(text_of(folder / "r.csv"));
   EXPECT_EQ(file.without({"time_us"}), query("--out - " + scene).without({"time_us"}));
@@ -86,8 +83,7 @@ TEST_F(Query, the_poses_of_a_scene_are_not_used_but_its_scales_and_unit_are) {
 }
 
 TEST_F(Query, json_holds_the_same_numbers) {
-  const Outcome run = sonde("query --json " + scene);
-  ASSERT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("query --json " + scene);
   const json result = json::parse(run.out);
   EXPECT_EQ(result.at("units").at("depth"), "m");
   const Csv csv = query(scene);
@@ -135,8 +131,7 @@ TEST_F(Query, the_seed_is_any_64_bit_number) {
 
 TEST_F(Query, no_poses_give_a_header) {
   folder.write("none.csv", "px,py,pz,qw,qx,qy,qz\n");
-  const Outcome run = sonde("query boxes.sonde.json --poses none.csv");
-  EXPECT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("query boxes.sonde.json --poses none.csv");
   EXPECT_EQ(run.out, std::string(header) + "\n");
   EXPECT_TRUE(json::parse(sonde("query boxes.sonde.json --poses none.csv --json").out)
                   .at("results")
@@ -216,16 +211,14 @@ TEST_F(Query, phases_are_columns_of_their_own_and_change_no_answer) {
 }
 
 TEST_F(Query, a_calibration_of_its_own_is_measured_and_used) {
-  const Outcome made = sonde("calibrate boxes.sonde.json --count 2 --out c.json");
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_done("calibrate boxes.sonde.json --count 2 --out c.json");
   const Csv csv = query("--accuracy 20% --calibration c.json " + scene);
   EXPECT_LE(csv.number(0, "within"), 0.2);
 }
 
 TEST_F(Query, a_calibration_is_added_to_another) {
   const auto series = [&](const std::string& flags) {
-    const Outcome run = sonde("calibrate " + flags);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Outcome run = expect_done("calibrate " + flags);
     std::set<std::string> names;
     const json made = json::parse(run.out);
     for (const auto& one : made.at("series"))

@@ -16,9 +16,7 @@ class Recordings : public AppTest {
  protected:
   Recordings() : original(replay("boxes.sonde.json --record boxes.sonderec")) {}
   Csv replay(const std::string& arguments) const {
-    const Outcome run = sonde("replay " + arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return Csv(run.out);
+    return Csv(expect_done("replay " + arguments).out);
   }
   void cut(std::size_t bytes) const {
     const std::string whole = text_of(folder / "boxes.sonderec");
@@ -68,11 +66,13 @@ TEST_F(Recordings, are_a_table_as_they_were_without_their_meshes) {
   }
   EXPECT_EQ(sonde("replay boxes.sonde.json --as-recorded").exit_code, 2);
   EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --record x.sonderec").exit_code, 2);
+  EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --phases").exit_code, 2);
+  EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --phases-picture x.svg").exit_code, 2);
+  EXPECT_EQ(sonde("replay boxes.sonde.json --record x.svg --phases-picture ./x.svg").exit_code, 2);
 }
 
 TEST_F(Recordings, are_described_by_info) {
-  const Outcome text = sonde("info boxes.sonderec");
-  EXPECT_EQ(text.exit_code, 0) << text.err;
+  const Outcome text = expect_done("info boxes.sonderec");
   for (const char* part : {"recording of    boxes", "ticks           40", "duration        0.039 s",
                            "as recorded", "ends            whole"})
     EXPECT_THAT(text.out, HasSubstr(part));
@@ -85,8 +85,7 @@ TEST_F(Recordings, are_described_by_info) {
 
 TEST_F(Recordings, cut_ones_are_replayed_up_to_there_and_say_so) {
   cut(3);  // of the last block, which says that all is there
-  const Outcome run = sonde("replay cut.sonderec");
-  EXPECT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("replay cut.sonderec");
   EXPECT_THAT(run.err, HasSubstr("cut.sonderec: byte "));
   EXPECT_EQ(Csv(run.out).without(time_columns), original.without(time_columns));
   EXPECT_THAT(sonde("info cut.sonderec").out, HasSubstr("ends            cut: byte "));

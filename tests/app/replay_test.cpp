@@ -16,9 +16,7 @@ const std::vector<std::string> time_columns{"tick_us", "late"};
 class Replay : public AppTest {
  protected:
   Csv replay(const std::string& arguments) const {
-    const Outcome run = sonde("replay " + arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return Csv(run.out);
+    return Csv(expect_done("replay " + arguments).out);
   }
   static constexpr std::size_t last = 39;  // the end of the path, 19 mm deep
   static constexpr double deepest = 0.019;
@@ -134,7 +132,7 @@ TEST_F(Replay, json_has_units) {
 }
 
 TEST_F(Replay, out_is_written_whole) {
-  EXPECT_EQ(sonde("replay boxes.sonde.json --out r.csv").exit_code, 0);
+  expect_done("replay boxes.sonde.json --out r.csv");
   EXPECT_EQ(Csv(text_of(folder / "r.csv")).without(time_columns),
             replay("boxes.sonde.json").without(time_columns));
 }

@@ -24,10 +24,6 @@ class StudyTest : public AppTest {
             text_of(entry.path());
     return out;
   }
-  void expect_done(const std::string& arguments) const {
-    const Outcome run = sonde(arguments);
-    EXPECT_EQ(run.exit_code, 0) << arguments << ": " << run.err;
-  }
   /// A path of so many ticks to and fro in contact.
   void write_long_path(int ticks) const {
     std::string path = "t,px,py,pz,qw,qx,qy,qz\n";

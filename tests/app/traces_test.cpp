@@ -13,8 +13,7 @@ class Traces : public AppTest {
 };
 
 TEST_F(Traces, writes_a_table_a_summary_and_a_picture) {
-  const Outcome run = sonde(std::string(quick) + "--out out --quiet");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(std::string(quick) + "--out out --quiet");
   EXPECT_THAT(run.out, HasSubstr("| step | 200 | 0 |"));
   const Csv table(text_of(folder / "out/traces.csv"));
   EXPECT_EQ(table.header, "course,k,b,t,fx,fy,fz,tx,ty,tz,depth");
@@ -24,11 +23,10 @@ TEST_F(Traces, writes_a_table_a_summary_and_a_picture) {
 }
 
 TEST_F(Traces, shards_are_merged_into_the_same_files) {
-  ASSERT_EQ(sonde(std::string(quick) + "--out whole").exit_code, 0);
+  expect_done(std::string(quick) + "--out whole");
   for (const char* shard : {"2/2", "1/2"})
-    ASSERT_EQ(sonde(std::string(quick) + "--out part" + shard[0] + " --shard " + shard).exit_code,
-              0);
-  ASSERT_EQ(sonde("merge part1 part2 --out joined").exit_code, 0);
+    expect_done(std::string(quick) + "--out part" + shard[0] + " --shard " + shard);
+  expect_done("merge part1 part2 --out joined");
   for (const char* file : {"traces.csv", "summary.csv", "summary.md", "traces.svg"})
     EXPECT_EQ(text_of(folder / "joined" / file), text_of(folder / "whole" / file)) << file;
 }

@@ -46,20 +46,17 @@ class Trade : public StudyTest {
 
 // Reference: `sonde query`, which reads the file.
 TEST_F(Trade, measures_the_mapping_of_time_and_accuracy) {
-  const Outcome run = sonde(boxes + "--calibrate --out c");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(boxes + "--calibrate --out c");
   ASSERT_TRUE(fs::exists(folder / "c/calibration.json"));
-  const Outcome used = sonde(
+  const Outcome used = expect_done(
       "query boxes.sonde.json --poses c/poses.csv --accuracy 20% --calibration c/calibration.json");
-  ASSERT_EQ(used.exit_code, 0) << used.err;
   EXPECT_THAT(used.out, HasSubstr("within"));
   EXPECT_EQ(sonde(boxes + "--calibrate --shard 1/2 --out d").exit_code, 2);
   EXPECT_FALSE(fs::exists(folder / "d"));
 }
 
 TEST_F(Trade, writes_a_picture_tables_and_a_summary) {
-  const Outcome run = sonde(boxes + "--out t");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(boxes + "--out t");
   const auto written = files("t");
   for (const char* name : {"study.json", "parts/pose-2.json", "parts/coherent-pdg-converged.json",
                            "trade.svg", "trade.csv", "poses.csv", "summary.json", "summary.csv"})
@@ -189,7 +186,7 @@ TEST_F(Trade, a_folder_of_scenes_has_a_front_and_is_joined_from_shards) {
                  R"({"probe": {"mesh": "../small.off"}, "fixed": {"mesh": "../large.off"},
                      "trajectory": "../path.csv"})");
   const std::string pairs = "trade pairs --count 2 ";
-  ASSERT_EQ(sonde(pairs + "--out whole").exit_code, 0);
+  expect_done(pairs + "--out whole");
   const auto whole = but_for_times("whole");
   for (const char* name :
        {"front.svg", "pairs.csv", "summary.json", "one/trade.svg", "two/poses.csv"})
@@ -211,7 +208,7 @@ TEST_F(Trade, a_folder_of_scenes_has_a_front_and_is_joined_from_shards) {
 
 TEST_F(Trade, answers_of_another_program_are_in_the_picture) {
   folder.write("s.csv", "series,pose,depth,time_us\nPeer,0,0.01,3\nPeer,1,,4\n");
-  ASSERT_EQ(sonde(boxes + "--series s.csv --out t").exit_code, 0);
+  expect_done(boxes + "--series s.csv --out t");
   EXPECT_THAT(text_of(folder / "t/trade.svg"), HasSubstr("Peer, median"));
   folder.write("bad.csv", "series,pose,depth,time_us\nPeer,9,0.01,3\n");
   const Outcome bad = sonde(boxes + "--series bad.csv --out t");

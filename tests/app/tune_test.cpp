@@ -36,8 +36,7 @@ class Tune : public StudyTest {
 };
 
 TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
-  const Outcome run = sonde(std::string(quick) + "--out out --threads 2");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(std::string(quick) + "--out out --threads 2");
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err, HasSubstr("left out: jammed contact: no such contact was found"));
   EXPECT_THAT(text_of(folder / "out/map.svg"), HasSubstr("<svg"));
@@ -47,12 +46,11 @@ TEST_F(Tune, writes_a_map_and_a_coupling_that_a_scene_can_include) {
   folder.write("tuned.sonde.json",
                R"({"probe": {"mesh": "small.off"}, "fixed": {"mesh": "large.off"},
                    "trajectory": "path.csv", "coupling": "out/coupling.json"})");
-  EXPECT_EQ(sonde("replay tuned.sonde.json").exit_code, 0);
+  expect_done("replay tuned.sonde.json");
 }
 
 TEST_F(Tune, says_a_first_result_that_gets_better_and_quiet_changes_no_file) {
-  const Outcome run = sonde(std::string(quick) + "--out out --threads 1");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(std::string(quick) + "--out out --threads 1");
   const auto place = [&](const char* words) { return run.err.find(words); };
   ASSERT_NE(place("parts: at most k "), std::string::npos) << run.err;
   EXPECT_LT(place("first look, in large steps: k "), place("parts: at most k "));
@@ -66,9 +64,9 @@ TEST_F(Tune, says_a_first_result_that_gets_better_and_quiet_changes_no_file) {
 }
 
 TEST_F(Tune, finished_parts_are_kept_and_shards_make_the_same_files) {
-  ASSERT_EQ(sonde(std::string(quick) + "--out whole").exit_code, 0);
+  expect_done(std::string(quick) + "--out whole");
   for (const char* shard : {"2/2", "1/2"})
-    ASSERT_EQ(sonde(std::string(quick) + "--out shards --shard " + shard).exit_code, 0);
+    expect_done(std::string(quick) + "--out shards --shard " + shard);
   for (const char* file : {"map.csv", "map.svg", "coupling.json", "recommendation.json"})
     EXPECT_EQ(text_of(folder / "shards" / file), text_of(folder / "whole" / file)) << file;
   // Another study does not go into the same folder.
@@ -78,7 +76,7 @@ TEST_F(Tune, finished_parts_are_kept_and_shards_make_the_same_files) {
 }
 
 TEST_F(Tune, a_damaged_part_is_named_and_nothing_is_joined) {
-  ASSERT_EQ(sonde(std::string(quick) + "--out whole --quiet").exit_code, 0);
+  expect_done(std::string(quick) + "--out whole --quiet");
   const auto part = std::filesystem::directory_iterator(folder / "whole/parts")->path();
   const std::string whole = text_of(part);
   const std::size_t columns = whole.find("\"columns\":");
@@ -90,7 +88,7 @@ TEST_F(Tune, a_damaged_part_is_named_and_nothing_is_joined) {
     EXPECT_FALSE(std::filesystem::exists(folder / "joined")) << damaged;
   }
   folder.write("whole/parts/" + part.filename().string(), whole);
-  EXPECT_EQ(sonde("merge whole --out joined").exit_code, 0);
+  expect_done("merge whole --out joined");
   EXPECT_EQ(text_of(folder / "joined/map.csv"), text_of(folder / "whole/map.csv"));
 }
 
@@ -119,8 +117,7 @@ TEST_F(Tune, no_contact_on_the_trajectory_is_an_error) {
 }
 
 TEST_F(Tune, stiffness_beyond_all_reason_ends_in_an_honest_map) {
-  const Outcome run = sonde(std::string(quick) + "--out out --from 1e11 --to 1e12");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome run = expect_done(std::string(quick) + "--out out --from 1e11 --to 1e12");
   const Csv map(text_of(folder / "out/map.csv"));
   ASSERT_FALSE(map.rows.empty());
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
@@ -159,8 +156,8 @@ TEST_F(Tune, interrupted_it_keeps_what_is_finished_and_goes_on_from_there) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "out")) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
   }
-  ASSERT_EQ(sonde(fine + "--out out").exit_code, 0);
-  ASSERT_EQ(sonde(fine + "--out whole").exit_code, 0);
+  expect_done(fine + "--out out");
+  expect_done(fine + "--out whole");
   EXPECT_EQ(text_of(folder / "out/map.csv"), text_of(folder / "whole/map.csv"));
 }
 

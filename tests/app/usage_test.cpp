@@ -15,8 +15,7 @@ TEST_F(Usage, help_and_version) {
     EXPECT_THAT(run.out, HasSubstr("Usage: sonde"));
     EXPECT_EQ(run.err, "");
   }
-  const Outcome version = sonde("--version");
-  EXPECT_EQ(version.exit_code, 0);
+  const Outcome version = expect_done("--version");
   EXPECT_THAT(version.out, testing::MatchesRegex("sonde [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
@@ -83,7 +82,7 @@ TEST_F(Usage, paths_of_a_scene_lead_anywhere_unless_they_are_kept_in_a_folder) {
       "{\n\"probe\": {\"mesh\": \"../small.off\"},\n\"fixed\": {\"mesh\": \"../large.off\"}}");
   const std::string query = "query scenes/up.sonde.json --poses poses.csv";
   EXPECT_EQ(sonde(query).exit_code, 0) << "as bundled scenes do";
-  EXPECT_EQ(sonde(query + " --paths-within .").exit_code, 0);
+  expect_done(query + " --paths-within .");
   const std::string reason = "scenes/up.sonde.json:2: \"mesh\" leads out of the folder scenes";
   expect_refused(query + " --paths-within scenes", 3, reason);
   expect_refused("calibrate scenes/up.sonde.json --paths-within scenes", 3, reason);
@@ -100,8 +99,7 @@ TEST_F(Usage, a_mesh_that_is_missing_is_told_with_the_scenes_line) {
 TEST_F(Usage, control_characters_in_a_name_are_written_out) {
   folder.write("\x1b[31mred\n.off", box_off(0.05));
   folder.write("\x1b[31mbad.off", "no mesh");
-  const Outcome run = sonde("info '\x1b[31mred\n.off'");
-  EXPECT_EQ(run.exit_code, 0);
+  const Outcome run = expect_done("info '\x1b[31mred\n.off'");
   EXPECT_THAT(run.out, testing::StartsWith("\\x1b[31mred\\x0a.off\n"));
   expect_refused("info '\x1b[31mbad.off'", 3, "sonde: \\x1b[31mbad.off:1: ");
   expect_refused("info '\x1b[31mnone.off'", 3, "sonde: \\x1b[31mnone.off: no such file");

@@ -5,12 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "engine/base/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
@@ -30,12 +30,6 @@ struct Options {
   int runs = 5;
   int searches = 12;
 };
-
-double thread_us() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
 
 /// The times of one run, µs of each tick or search.
 using Run = std::function<std::vector<double>()>;
@@ -78,11 +72,11 @@ std::vector<double> ticks(const TickCase& c, const Pair& pair, bool phases, cons
   std::vector<double> out;
   double last = c.path.front().t;
   for (const TimedPose& at : c.path) {
-    double begin = thread_us();
+    double begin = processor_time_us();
     const Separation& s = solver.tick(at.pose);
-    if (!with_solver) begin = thread_us();
+    if (!with_solver) begin = processor_time_us();
     if (then) then(s, at.t - last);
-    out.push_back(thread_us() - begin);
+    out.push_back(processor_time_us() - begin);
     last = at.t;
   }
   return out;
@@ -102,9 +96,8 @@ std::vector<double> servo_ticks(const TickCase& c, const Pair& pair, bool contro
     ++clock.tick;
     clock.now += clock.dt;
     const LocalContacts& rows = feed.refresh(at.pose, clock.tick, clock.now, {});
-    const double begin = thread_us();
-    loop.tick({.X_FM = at.pose}, rows, clock, Withheld::nothing);
-    out.push_back(thread_us() - begin);
+    out.push_back(
+        processor_time_us([&] { loop.tick({.X_FM = at.pose}, rows, clock, Withheld::nothing); }));
   }
   return out;
 }
@@ -119,9 +112,7 @@ std::vector<double> searches(const TickCase& c, const Pair& pair, int count,
   std::vector<double> out;
   for (int i = 0; i < count && !poses.empty(); ++i) {
     const std::size_t which = static_cast<std::size_t>(i) * poses.size() / std::size_t(count);
-    const double begin = thread_us();
-    separate_static(pair, poses[which], options);
-    out.push_back(thread_us() - begin);
+    out.push_back(processor_time_us([&] { separate_static(pair, poses[which], options); }));
   }
   return out;
 }

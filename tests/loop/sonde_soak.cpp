@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The haptic loop in its real threads, along the path of a scene, there and back, for as long as is
 // asked: how it keeps its deadlines, and whether it ever allocates.
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <thread>
 
+#include "engine/base/processor_time.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
@@ -25,13 +24,6 @@ struct Options {
   bool histogram = false;
 };
 
-/// µs of processor time that this thread has had.
-double cpu_us() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
-}
-
 /// A hand that follows a path in real time, forwards and backwards in turn.
 class PathThereAndBack {
  public:
@@ -39,14 +31,14 @@ class PathThereAndBack {
 
   Hand hand() {
     return {.sample = [this](double dt) { return sample(dt); },
-            .render = [this](const Wrench&) { cpu_.add(cpu_us() - begin_); }};
+            .render = [this](const Wrench&) { cpu_.add(processor_time_us() - begin_); }};
   }
   /// Processor time from sample to render; read when the servo has stopped.
   const TimeHistogram& cpu() const { return cpu_; }
 
  private:
   HandSample sample(double dt) {
-    begin_ = cpu_us();
+    begin_ = processor_time_us();
     const double length = path_.back().t - path_.front().t;
     time_ = std::fmod(time_ + dt, 2 * length);
     const double t = path_.front().t + (time_ < length ? time_ : 2 * length - time_);

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <stdexcept>
 
+#include "engine/base/processor_time.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/loop/real_cases.hpp"
 #include "tests/loop/tick_cases.hpp"
@@ -28,12 +28,6 @@ struct Options {
   int knots = 0;
 };
 
-double thread_us() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
-}
-
 std::vector<Tick> follow(const TickCase& c, const Options& o) {
   const Method method = method_named(o.method).value();
   std::vector<Tick> ticks(c.path.size());
@@ -43,9 +37,8 @@ std::vector<Tick> follow(const TickCase& c, const Options& o) {
     if (solver.reset(c.path.front().pose).status == Status::failed)
       throw std::runtime_error(solver.last().reason);
     for (std::size_t i = 0; i < c.path.size(); ++i) {
-      const double start = thread_us();
-      ticks[i].separation = solver.tick(c.path[i].pose, o.budget);
-      const double us = thread_us() - start;
+      const double us =
+          processor_time_us([&] { ticks[i].separation = solver.tick(c.path[i].pose, o.budget); });
       ticks[i].us = run == 0 ? us : std::min(ticks[i].us, us);
     }
   }

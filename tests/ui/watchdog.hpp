@@ -3,7 +3,6 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <sys/syscall.h>
-#include <time.h>
 #include <unistd.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -25,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/processor_time.hpp"
 #include "tests/ui/window_fixture.hpp"
 
 namespace sonde::ui::test {
@@ -80,11 +80,7 @@ class Watchdog {
   }
 
   static TestApplication& application() { return static_cast<TestApplication&>(*qApp); }
-  static double processor_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-  }
+  static double processor_ms() { return 1e-3 * processor_time_us(); }
 
   struct Ear : QObject {
     std::function<void()> heard;

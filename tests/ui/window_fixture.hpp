@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
@@ -10,6 +11,7 @@
 #include <QPalette>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTest>
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
@@ -96,10 +98,8 @@ class WindowTest : public ::testing::Test {
     ASSERT_TRUE(display && *display) << "these tests open windows: set DISPLAY (Xvfb will do)";
     need_application();
     // Profiles and settings of devices too: none of the person's who runs the tests.
-    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder.path().string()));
+    keep_settings_in(folder.path());
     qputenv("XDG_DATA_HOME", QByteArray::fromStdString((folder / "data").string()));
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                       QString::fromStdString(folder.path().string()));
     window = std::make_unique<MainWindow>();
     window->prompts().report_error = [this](const QString& text) { complaints.push_back(text); };
     window->prompts().ask_bodies = [this](const MeshPair& pair, const PairSetup&) {
@@ -122,6 +122,13 @@ class WindowTest : public ::testing::Test {
     window->resize(1280, 800);
     window->show();
     ASSERT_TRUE(wait_until([this] { return window->isVisible(); }));
+  }
+
+  /// Settings are those of this folder from now on.
+  static void keep_settings_in(const std::filesystem::path& home) {
+    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(home.string()));
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                       QString::fromStdString(home.string()));
   }
 
   /// A cube as OFF text, its lower corner at the origin; fewer than 12 triangles leave it open.
@@ -157,6 +164,39 @@ class WindowTest : public ::testing::Test {
   const Snapshot& shown() const { return *window->shown(); }
   Vec3 com() const {
     return window->session()->device_pose() * window->session()->probe().mass.com;
+  }
+
+  /// What has this name in the window.
+  template <class T>
+  T* find(const char* name) const {
+    T* found = window->findChild<T*>(name);
+    EXPECT_TRUE(found) << name;
+    return found;
+  }
+  /// Triggers a command of the menus.
+  void act(const char* name) {
+    auto* action = find<QAction>(name);
+    ASSERT_TRUE(action);
+    action->trigger();
+  }
+  /// Shortcuts want an active window.
+  void activate() {
+    window->activateWindow();
+    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+  }
+  /// A key for the view.
+  void key(Qt::Key key, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+    window->viewport().canvas()->setFocus();
+    QTest::keyClick(window->viewport().canvas(), key, keys);
+  }
+  /// Types over what a field holds: a QLineEdit, or a spin box.
+  void type(const char* field, const QString& text) {
+    auto* edit = find<QWidget>(field);
+    ASSERT_TRUE(edit);
+    edit->setFocus();
+    ASSERT_TRUE(QMetaObject::invokeMethod(edit, "selectAll"));
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
   }
 
   /// A drag as a hand makes it: press, moves with the button held, release.

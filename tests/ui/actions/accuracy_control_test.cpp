@@ -27,12 +27,6 @@ class AccuracyTest : public WindowTest {
     window->accuracy().panel().raise();
     ASSERT_TRUE(wait_until([this] { return window->accuracy().panel().isVisible(); }));
   }
-  template <class T>
-  T* find(const char* name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_TRUE(found) << name;
-    return found;
-  }
   void click(const char* radio) {
     auto* button = find<QRadioButton>(radio);
     QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(8, button->height() / 2));
@@ -64,24 +58,19 @@ TEST_F(AccuracyTest, an_accuracy_is_chosen_moved_saved_and_undone) {
   EXPECT_GT(saved().accuracy, 1.5 * before);
   EXPECT_EQ(running().accuracy, saved().accuracy) << "acts at once";
   EXPECT_NE(text("expected_accuracy"), expected);
-  window->findChild<QAction*>("save")->trigger();
+  act("save");
   EXPECT_EQ(read_scene(scene).servo.accuracy, saved().accuracy);
-  while (window->findChild<QAction*>("undo")->isEnabled())
-    window->findChild<QAction*>("undo")->trigger();
+  while (find<QAction>("undo")->isEnabled()) act("undo");
   EXPECT_EQ(saved().accuracy, 0);
   EXPECT_EQ(running().accuracy, 0);
   EXPECT_TRUE(find<QRadioButton>("knob_time")->isChecked());
 }
 
 TEST_F(AccuracyTest, a_typed_time_is_kept_in_the_scene) {
-  auto* typed = find<TypedValue>("tick_time_value");
-  typed->setFocus();
-  typed->selectAll();
-  QTest::keyClicks(typed, "250");
-  QTest::keyClick(typed, Qt::Key_Return);
+  type("tick_time_value", "250");
   EXPECT_DOUBLE_EQ(saved().budget.microseconds, 250);
   EXPECT_DOUBLE_EQ(running().budget.microseconds, 250);
-  window->findChild<QAction*>("save")->trigger();
+  act("save");
   EXPECT_DOUBLE_EQ(read_scene(scene).servo.budget.microseconds, 250);
 }
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -72,10 +71,10 @@ TEST_F(BodiesTest, and_shows_where_in_the_view) {
   open({path("large.off"), path("open.off")});
   ASSERT_EQ(opened, 1);
   window->set_paused(true);
-  window->findChild<QAction*>("from_right")->trigger();  // from elsewhere the body hides it
+  act("from_right");  // from elsewhere the body hides it
   wait(100);
   const QImage without = picture();
-  window->findChild<QAction*>("show_defects")->trigger();
+  act("show_defects");
   EXPECT_GT(pixels_between(without, picture()), 60) << "a triangle of the fixed cube is missing";
 }
 

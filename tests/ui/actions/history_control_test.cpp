@@ -107,8 +107,7 @@ TEST_F(HistoryTest, plays_on_by_itself) {
 TEST_F(HistoryTest, space_goes_on_live) {
   history().look_at(ticks().first_time());
   ASSERT_TRUE(window->session()->paused());
-  window->activateWindow();  // shortcuts want an active window
-  ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+  activate();
   QTest::keyClick(window.get(), Qt::Key_Space);
   EXPECT_FALSE(history().looking_back());
   EXPECT_FALSE(window->session()->paused());

@@ -13,7 +13,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
-#include <QTest>
 #include <QTreeWidget>
 
 #include "engine/proximity/queries/point_distance.hpp"
@@ -33,20 +32,10 @@ class SeeingTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
-    window->activateWindow();
-    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+    activate();
     wait(300);
     window->set_paused(true);
     wait(100);
-  }
-  void key(Qt::Key key, Qt::KeyboardModifiers keys = Qt::NoModifier) {
-    window->viewport().canvas()->setFocus();
-    QTest::keyClick(window->viewport().canvas(), key, keys);
-  }
-  QAction& action(const char* name) {
-    auto* found = window->findChild<QAction*>(name);
-    EXPECT_TRUE(found) << name;
-    return *found;
   }
   /// The overlays of the bodies would be counted as bodies.
   void hide_overlays() {
@@ -74,10 +63,10 @@ int pixels_like(const QImage& image, const QColor& colour) {
 
 TEST_F(SeeingTest, the_probe_is_seen_through_the_fixed_body) {
   hide_overlays();
-  window->findChild<QAction*>("from_left")->trigger();  // the fixed body covers the probe
+  act("from_left");  // the fixed body covers the probe
   const int before = pixels_like(picture(), colour::probe);
   key(Qt::Key_X);
-  EXPECT_TRUE(action("xray_fixed").isChecked());
+  EXPECT_TRUE(find<QAction>("xray_fixed")->isChecked());
   EXPECT_GT(pixels_like(picture(), colour::probe), before + 5000);
   key(Qt::Key_X);
   EXPECT_NEAR(pixels_like(picture(), colour::probe), before, 50);
@@ -89,7 +78,7 @@ TEST_F(SeeingTest, the_probe_can_be_seen_through_or_hidden_or_made_of_wires) {
   ASSERT_GT(before, 5000);
   auto* looks = window->findChild<QComboBox*>("probe_look");
   looks->setCurrentIndex(static_cast<int>(Look::hidden));
-  EXPECT_TRUE(action("hide_probe").isChecked()) << "the menu says what the dock does";
+  EXPECT_TRUE(find<QAction>("hide_probe")->isChecked()) << "the menu says what the dock does";
   EXPECT_EQ(pixels_like(picture(), colour::probe), 0);
   looks->setCurrentIndex(static_cast<int>(Look::wireframe));
   const int wires = pixels_like(picture(), colour::probe);
@@ -103,12 +92,12 @@ TEST_F(SeeingTest, the_probe_can_be_seen_through_or_hidden_or_made_of_wires) {
 
 TEST_F(SeeingTest, a_cut_takes_half_of_the_fixed_body_away_and_flips) {
   hide_overlays();
-  window->findChild<QAction*>("from_front")->trigger();
-  action("hide_probe").trigger();
+  act("from_front");
+  act("hide_probe");
   const QImage whole = picture();
   auto* across = window->findChild<QPushButton*>("cut_x");
   across->click();
-  EXPECT_TRUE(action("cut").isChecked());
+  EXPECT_TRUE(find<QAction>("cut")->isChecked());
   EXPECT_NEAR((cut().normal - Vec3::UnitX()).norm(), 0, 1e-12);
   window->viewport().set_shown(Layer::cut, false);
   // Its right half is the background's now, and its left half is as it was.
@@ -127,7 +116,7 @@ TEST_F(SeeingTest, a_cut_takes_half_of_the_fixed_body_away_and_flips) {
 
 TEST_F(SeeingTest, the_cut_is_dragged_by_its_arrow_and_the_probe_stays) {
   const Pose before = window->session()->device_pose();
-  action("from_front").trigger();
+  act("from_front");
   window->findChild<QPushButton*>("cut_x")->click();
   picture();
   const auto handles = window->viewport().cut_handles();
@@ -207,8 +196,8 @@ TEST_F(SeeingTest, no_arrow_and_no_body_covers_a_contact) {
 }
 
 TEST_F(SeeingTest, two_clicks_measure_the_side_of_a_cube) {
-  action("hide_probe").trigger();
-  action("from_front").trigger();
+  act("hide_probe");
+  act("from_front");
   key(Qt::Key_M);
   const Pose before = window->session()->device_pose();
   // On the face y = 0, well inside it: the reference is the mesh.
@@ -232,22 +221,22 @@ TEST_F(SeeingTest, two_clicks_measure_the_side_of_a_cube) {
 }
 
 TEST_F(SeeingTest, what_is_cut_away_or_hidden_is_not_measured) {
-  action("hide_probe").trigger();
-  action("from_front").trigger();
+  act("hide_probe");
+  act("from_front");
   window->findChild<QPushButton*>("cut_y")->click();
   window->findChild<QPushButton*>("cut_flip")->click();  // what is near the eye goes
   picture();
   const auto pick = window->viewport().pick(window->viewport().on_screen(Vec3(0.03, 0.05, 0.03)));
   ASSERT_TRUE(pick);
   EXPECT_NEAR(pick->x.y(), 0.1, 1e-9) << "the far face, seen from inside";
-  action("hide_fixed").trigger();
+  act("hide_fixed");
   EXPECT_FALSE(window->viewport().pick(window->viewport().on_screen(Vec3(0.03, 0.05, 0.03))));
 }
 
 TEST_F(SeeingTest, gaps_are_painted_with_a_legend) {
   hide_overlays();
-  action("hide_probe").trigger();
-  action("from_right").trigger();
+  act("hide_probe");
+  act("from_right");
   const QImage before = picture();
   const QColor touch = gap_colour(0);
   const int yellow = pixels_like(before, touch);
@@ -280,7 +269,7 @@ TEST_F(SeeingTest, axis_views_look_along_the_axes) {
   for (const auto& [name, towards] :
        {std::pair{"from_right", Vec3(1, 0, 0)}, std::pair{"from_front", Vec3(0, -1, 0)},
         std::pair{"from_above", Vec3(0, 0, 1)}}) {
-    action(name).trigger();
+    act(name);
     EXPECT_NEAR((window->viewport().camera().axes().towards - towards).norm(), 0, 1e-9) << name;
   }
 }
@@ -298,13 +287,13 @@ TEST_F(SeeingTest, a_scene_says_from_where_it_is_looked_at) {
 }
 
 TEST_F(SeeingTest, a_view_is_saved_with_the_scene_and_undone) {
-  action("from_above").trigger();
+  act("from_above");
   const CameraPlace above = window->viewport().place();
   window->findChild<QPushButton*>("view_save")->click();
   auto* list = window->findChild<QListWidget*>("saved_views");
   ASSERT_EQ(list->count(), 1);
   ASSERT_TRUE(window->documents().save());
-  action("from_front").trigger();
+  act("from_front");
   open({QString::fromStdString(scene.string())});
   list = window->findChild<QListWidget*>("saved_views");
   ASSERT_EQ(list->count(), 1) << "it came back with the file";
@@ -314,7 +303,7 @@ TEST_F(SeeingTest, a_view_is_saved_with_the_scene_and_undone) {
   list->setCurrentRow(0);
   window->findChild<QPushButton*>("view_forget")->click();
   EXPECT_EQ(list->count(), 0);
-  window->findChild<QAction*>("undo")->trigger();
+  act("undo");
   EXPECT_EQ(list->count(), 1);
 }
 
@@ -345,7 +334,7 @@ TEST_F(SeeingTest, self_intersections_are_looked_for_when_asked_and_shown) {
   hide_overlays();
   const QImage without = picture();
   key(Qt::Key_D, Qt::ShiftModifier);
-  EXPECT_TRUE(action("show_crossings").isChecked());
+  EXPECT_TRUE(find<QAction>("show_crossings")->isChecked());
   auto* log = window->findChild<QPlainTextEdit*>("log_lines");
   ASSERT_TRUE(wait_until([&] { return log->toPlainText().contains("Self-intersections"); }));
   EXPECT_TRUE(log->toPlainText().contains("probe: none")) << log->toPlainText().toStdString();

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -13,51 +12,16 @@
 #include <cmath>
 
 #include "engine/study/stability/press_and_hold.hpp"
+#include "tests/ui/actions/stiffness_fixture.hpp"
 #include "tests/ui/canned_study.hpp"
-#include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/map_plot.hpp"
-#include "ui/panels/stiffness_panel.hpp"
 #include "ui/panels/typed_value.hpp"
 #include "ui/tuning/present_contact.hpp"
 
 namespace sonde::ui::test {
 namespace {
-
-class StiffnessTest : public WindowTest {
- protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    if (HasFatalFailure()) return;
-    open_cubes();
-    write_canned_study(folder / "tuned", folder / "cube.off", folder / "cube.off");
-    write_canned_study(folder / "fitting", folder / "cube.off", folder / "cube.off", "sigma.7",
-                       "conforming");
-    window->stiffness().panel().raise();
-  }
-  template <class T>
-  T* find(const char* name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_TRUE(found) << name;
-    return found;
-  }
-  StiffnessControl& stiffness() { return window->stiffness(); }
-  /// Ends with the tuning read, or with a complaint.
-  void load(const char* name) {
-    const auto before = complaints.size();
-    const auto* old = stiffness().tuning() ? &stiffness().tuning()->folder : nullptr;
-    const std::string was = old ? old->string() : "";
-    stiffness().load(path(name));
-    ASSERT_TRUE(wait_until([&] {
-      return complaints.size() > before ||
-             (stiffness().tuning() && stiffness().tuning()->folder.string() != was);
-    }));
-  }
-  std::string first_kind() { return stiffness().tuning()->results.lines.front().kind; }
-  double k() const { return window->session()->coupling().k; }
-  QString text(const char* label) { return find<QLabel>(label)->text(); }
-};
 
 TEST_F(StiffnessTest, the_point_on_the_map_moves_with_the_slider) {
   EXPECT_FALSE(find<MapPlot>("map_plot")->isVisible()) << "there is no map yet";
@@ -283,6 +247,12 @@ TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
   wait(300);
   EXPECT_GT(pixels_between(within, hints->grab().toImage()), 50);
   EXPECT_TRUE(stiffness().note().course.empty()) << "it does not buzz with the mouse alone";
+  // A real device may be another than the map's.
+  stiffness().set_holder({std::nullopt, "force-42", "omega.7"});
+  EXPECT_TRUE(wait_until([&] { return said().isEmpty(); })) << said().toStdString();
+  EXPECT_TRUE(text("tuning_doubt").contains("This map is of sigma.7. Whether omega.7 is one"));
+  stiffness().set_holder({std::nullopt, "Mouse", {}});
+  EXPECT_TRUE(wait_until([&] { return !said().isEmpty(); }));
   // Of another pair, it tells nothing of this one.
   write_canned_study(folder / "other", folder / "large.off", folder / "cube.off");
   load("other");
@@ -296,20 +266,13 @@ TEST_F(StiffnessTest, typed_gains_are_there_again_after_a_kill_for_their_scene_a
     auto* sources = by.findChild<QComboBox*>("holder");
     emit sources->activated(sources->findText(what));
   };
-  const auto type_k = [&](const char* digits) {
-    auto* value = find<TypedValue>("k_value");
-    value->setFocus();
-    value->selectAll();
-    QTest::keyClicks(value, digits);
-    QTest::keyClick(value, Qt::Key_Return);
-  };
-  type_k("800");
+  type("k_value", "800");
   QTest::mouseClick(find<QPushButton>("gains_b"), Qt::LeftButton);
-  type_k("650");
+  type("k_value", "650");
   ASSERT_EQ(k(), 650);
   hold_by(*window, "omega.7 (simulated)");
   EXPECT_EQ(k(), 650) << "nothing was kept for that one yet";
-  type_k("90");
+  type("k_value", "90");
   hold_by(*window, "Mouse");
   EXPECT_EQ(k(), 650);
   hold_by(*window, "omega.7 (simulated)");
@@ -342,72 +305,6 @@ TEST_F(StiffnessTest, typed_gains_are_there_again_after_a_kill_for_their_scene_a
   ASSERT_TRUE(wait_until([&] { return opened_there > 0; }));
   EXPECT_EQ(after.session()->coupling().k, 300);
   EXPECT_TRUE(complaints.empty()) << complaints[0].toStdString();
-}
-
-/// All kinds of contact: it takes tens of seconds, and something is found before the end.
-TEST_F(StiffnessTest, a_study_is_computed_beside_everything_else_and_is_saved_where_asked) {
-  int asked = 0;
-  window->prompts().ask_tuning_folder = [&] { return ++asked, path("saved"); };
-  auto* kinds = find<QComboBox>("tuning_kind");
-  kinds->setCurrentIndex(kinds->findText("all contacts"));
-  auto* devices = find<QComboBox>("tuning_device");
-  devices->setCurrentIndex(devices->findText("sigma.7"));
-  auto* compute = find<QPushButton>("compute_tuning");
-  auto* progress = find<QWidget>("study_progress");
-  EXPECT_FALSE(progress->isVisible());
-  QTest::mouseClick(compute, Qt::LeftButton);
-  EXPECT_TRUE(stiffness().computing());
-  EXPECT_TRUE(progress->isVisible());
-  ASSERT_TRUE(wait_until([&] { return stiffness().tuning().has_value() || !complaints.empty(); }));
-  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  const std::size_t first = stiffness().tuning()->rows;
-  EXPECT_FALSE(stiffness().tuning()->finished()) << "rows come as they are found";
-  EXPECT_GE(find<MapPlot>("map_plot")->map().rows.size(), 1u);
-  EXPECT_FALSE(find<QPushButton>("apply_recommended")->isVisible()) << "not before all are there";
-  EXPECT_TRUE(wait_until([&] { return stiffness().tuning()->rows > first; }));
-  EXPECT_TRUE(text("study_progress_words").contains(" left"))
-      << text("study_progress_words").toStdString();
-  // Meanwhile the servo runs, the probe moves, the force comes and goes, and nothing is modal.
-  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
-  EXPECT_EQ(window->findChild<QDialog*>("progress_dialog"), nullptr);
-  const double force = shown().wrench.force.norm();
-  EXPECT_GT(force, 0);
-  QApplication::setActiveWindow(window.get());
-  QTest::keyClick(window->viewport().canvas(), Qt::Key_Escape);
-  EXPECT_FALSE(window->session()->force_on());
-  EXPECT_TRUE(wait_until([&] { return shown().wrench.force.norm() == 0; }));
-  EXPECT_TRUE(stiffness().computing()) << "Esc is about the force alone";
-  EXPECT_EQ(asked, 0);
-  QTest::mouseClick(find<QPushButton>("stop_tuning"), Qt::LeftButton);
-  EXPECT_FALSE(stiffness().computing());
-  EXPECT_FALSE(progress->isVisible());
-  EXPECT_TRUE(complaints.empty());
-  const std::size_t stopped_at = stiffness().tuning()->rows;
-  EXPECT_FALSE(find<QPushButton>("save_tuning")->isEnabled()) << "half a study is none to save";
-  // It goes on from there: another kind's rows are taken over.
-  kinds->setCurrentIndex(kinds->findText(QString::fromStdString(first_kind())));
-  QTest::mouseClick(compute, Qt::LeftButton);
-  ASSERT_TRUE(wait_until([&] { return !stiffness().computing(); }));
-  ASSERT_TRUE(complaints.empty()) << complaints[0].toStdString();
-  ASSERT_TRUE(stiffness().tuning()->finished());
-  EXPECT_GE(stopped_at, 1u);
-  EXPECT_EQ(stiffness().tuning()->results.device_id, "sigma.7");
-  EXPECT_FALSE(find<QLabel>("tuning_doubt")->isVisible());
-  EXPECT_EQ(asked, 0) << "a folder is asked for only to save";
-  QTest::mouseClick(find<QPushButton>("save_tuning"), Qt::LeftButton);
-  EXPECT_EQ(asked, 1);
-  ASSERT_TRUE(wait_until([&] { return stiffness().tuning()->folder == folder / "saved"; }));
-  for (const char* file : {"study.json", "recommendation.json", "map.csv"})
-    EXPECT_TRUE(std::filesystem::exists(folder / "saved" / file)) << file;
-  EXPECT_FALSE(find<QPushButton>("save_tuning")->isEnabled());
-}
-
-TEST(TimeLeft, is_told_from_the_rows_that_were_computed_and_not_before_one) {
-  EXPECT_EQ(time_left_text(3, 0, 7, 3), "");
-  EXPECT_EQ(time_left_text(20, 2, 4, 0), "about 40 s left");
-  EXPECT_EQ(time_left_text(20, 2, 4, 15), "about 25 s left");
-  EXPECT_EQ(time_left_text(20, 2, 4, 500), "about 1 s left");
-  EXPECT_EQ(time_left_text(60, 1, 5, 0), "about 5 min left");
 }
 
 }  // namespace

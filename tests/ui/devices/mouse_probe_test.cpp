@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QKeyEvent>
-#include <QTest>
 #include <QWheelEvent>
 
 #include "tests/ui/window_fixture.hpp"
@@ -24,10 +22,6 @@ class MouseTest : public WindowTest {
   void wheel(int notches, Qt::KeyboardModifiers keys = Qt::NoModifier) {
     QWheelEvent event(middle, middle, {}, QPoint(0, 120 * notches), Qt::NoButton, keys,
                       Qt::NoScrollPhase, false);
-    QApplication::sendEvent(window->viewport().canvas(), &event);
-  }
-  void key(int code, Qt::KeyboardModifiers keys = Qt::NoModifier) {
-    QKeyEvent event(QEvent::KeyPress, code, keys);
     QApplication::sendEvent(window->viewport().canvas(), &event);
   }
   Pose now() const { return window->session()->device_pose(); }
@@ -115,7 +109,7 @@ TEST_F(MouseTest, keys_nudge_and_turn) {
 TEST_F(MouseTest, reset_brings_the_probe_back) {
   drag(Qt::LeftButton, middle, {90, 10});
   wait(60);
-  window->findChild<QAction*>("reset")->trigger();
+  act("reset");
   EXPECT_EQ(now().p, start.p);
   EXPECT_TRUE(
       wait_until([this] { return window->shown() && shown().separation.device.p == start.p; }));

@@ -67,7 +67,7 @@ TEST_F(DocumentTest, gains_poses_and_starts_are_undone_in_their_order) {
   const Pose start = pose();
   drag(Qt::LeftButton, {500, 400}, {40, 0});
   const Pose dragged = pose();
-  set_k("700");
+  type("k_value", "700");
   act("start_from_here");
   EXPECT_TRUE(document().modified());
   EXPECT_LT((window->session()->loaded().start.p - dragged.p).norm(), 1e-12);
@@ -86,7 +86,7 @@ TEST_F(DocumentTest, gains_poses_and_starts_are_undone_in_their_order) {
 }
 
 TEST_F(DocumentTest, it_is_saved_and_reads_the_same) {
-  set_k("650");
+  type("k_value", "650");
   drag(Qt::LeftButton, {500, 400}, {40, 10});
   act("start_from_here");
   EXPECT_TRUE(window->isWindowModified());
@@ -124,7 +124,7 @@ TEST_F(DocumentTest, saved_as_another_it_finds_its_meshes_and_is_remembered) {
 
 TEST_F(DocumentTest, where_it_cannot_be_saved_it_says_why_and_stays_as_it_was) {
   const std::string before = sonde::test::text_of(scene);
-  set_k("650");
+  type("k_value", "650");
   window->prompts().ask_save = [this](const QString&) { return path("no/such/x.sonde.json"); };
   act("save_as");
   ASSERT_EQ(complaints.size(), 1u);
@@ -145,7 +145,7 @@ TEST_F(DocumentTest, where_it_cannot_be_saved_it_says_why_and_stays_as_it_was) {
 }
 
 TEST_F(DocumentTest, what_is_not_saved_is_asked_about_before_it_is_left) {
-  set_k("650");
+  type("k_value", "650");
   leaving = Leaving::stay;
   window->close();
   EXPECT_TRUE(window->isVisible());
@@ -179,7 +179,7 @@ TEST_F(DocumentTest, swapped_bodies_stay_where_they_were_and_come_back) {
   EXPECT_TRUE(comes_to(inverse(before)));
   EXPECT_LT((relative_pose(document().content().scene).p - inverse(before).p).norm(), 1e-15);
   EXPECT_TRUE(document().modified());
-  set_k("800");
+  type("k_value", "800");
   act("undo");
   act("undo");
   ASSERT_TRUE(wait_until(

@@ -33,7 +33,7 @@ TEST_F(FileWatchTest, with_changes_that_are_not_saved_it_asks) {
     ++asked;
     return answer;
   };
-  set_k("650");
+  type("k_value", "650");
   std::string text = sonde::test::text_of(scene);
   text.replace(text.find("500"), 3, "900");
   folder.write("cubes.sonde.json", text);
@@ -45,7 +45,7 @@ TEST_F(FileWatchTest, with_changes_that_are_not_saved_it_asks) {
 }
 
 TEST_F(FileWatchTest, a_mesh_that_changes_is_read_again_and_one_that_goes_is_named) {
-  set_k("650");
+  type("k_value", "650");
   folder.write("cube.off", cube(0.12));
   ASSERT_TRUE(wait_until([this] { return window->session()->probe().mass.radius > 0.1; }));
   EXPECT_EQ(window->session()->coupling().k, 650);

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
-
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 
@@ -49,7 +47,7 @@ class HandleTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
-    window->findChild<QAction*>("show_handles")->trigger();
+    act("show_handles");
     ASSERT_TRUE(window->viewport().handles(pose()));
   }
 };
@@ -65,7 +63,7 @@ TEST_F(HandleTest, an_arrow_moves_the_probe_along_its_axis_in_one_step) {
   EXPECT_LT(moved.tail<2>().norm(), 1e-12);
   EXPECT_EQ(pose().q.coeffs(), before.q.coeffs());
   EXPECT_EQ(window->documents().document().stack().count(), 1);
-  window->findChild<QAction*>("undo")->trigger();
+  act("undo");
   EXPECT_TRUE(wait_until([&] { return (pose().p - before.p).norm() < 1e-12; }));
 }
 
@@ -74,7 +72,7 @@ TEST_F(HandleTest, a_ring_turns_it_about_its_axis_local_too) {
   turned.q = Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()));
   window->set_device_pose(turned);
   wait(100);
-  window->findChild<QAction*>("local_handles")->trigger();
+  act("local_handles");
   const Vec3 com_before = com();
   const Handles handles = *window->viewport().handles(pose());
   EXPECT_LT((handles.axes - turned.q.toRotationMatrix()).norm(), 1e-12);

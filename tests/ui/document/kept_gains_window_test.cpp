@@ -3,7 +3,6 @@
 // and where the window's process was killed.
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QProcess>
@@ -14,7 +13,6 @@
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
-#include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -23,20 +21,6 @@ constexpr const char* home = "SONDE_TEST_HOME";  // of both processes
 
 class GainsInTheWindow : public WindowTest {
  protected:
-  /// From now on settings are those of `folder`.
-  static void live_in(const std::string& folder) {
-    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder));
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                       QString::fromStdString(folder));
-  }
-  void type_k(const char* digits) {
-    auto* typed = window->findChild<TypedValue*>("k_value");
-    ASSERT_TRUE(typed);
-    typed->setFocus();
-    typed->selectAll();
-    QTest::keyClicks(typed, digits);
-    QTest::keyClick(typed, Qt::Key_Return);
-  }
   void press(const char* button) {
     QTest::mouseClick(window->findChild<QPushButton*>(button), Qt::LeftButton);
   }
@@ -67,11 +51,11 @@ class GainsInTheWindow : public WindowTest {
 
 TEST_F(GainsInTheWindow, both_sets_outlive_a_save_and_what_comes_after) {
   open_cubes();
-  type_k("800");
+  type("k_value", "800");
   press("gains_b");
-  type_k("650");
+  type("k_value", "650");
   ASSERT_TRUE(window->documents().save());
-  type_k("700");
+  type("k_value", "700");
   wait(600);
   const auto next = another_window(scene);
   EXPECT_EQ(next->session()->coupling().k, 700);
@@ -81,7 +65,7 @@ TEST_F(GainsInTheWindow, both_sets_outlive_a_save_and_what_comes_after) {
 
 TEST_F(GainsInTheWindow, saved_under_another_name_they_are_of_that_scene) {
   open_cubes();
-  type_k("800");
+  type("k_value", "800");
   wait(600);
   const auto other = folder / "other.sonde.json";
   window->prompts().ask_save = [&](const QString&) {
@@ -89,7 +73,7 @@ TEST_F(GainsInTheWindow, saved_under_another_name_they_are_of_that_scene) {
   };
   ASSERT_TRUE(window->documents().save_as());
   press("gains_b");
-  type_k("900");
+  type("k_value", "900");
   wait(600);
   EXPECT_EQ(another_window(scene)->session()->coupling().k, 800);
   const auto next = another_window(other);
@@ -100,22 +84,21 @@ TEST_F(GainsInTheWindow, saved_under_another_name_they_are_of_that_scene) {
 TEST_F(GainsInTheWindow, undo_after_a_change_of_device_goes_the_same_way_back) {
   open_cubes();
   const auto k = [this] { return window->session()->coupling().k; };
-  const auto undo = [this] { window->findChild<QAction*>("undo")->trigger(); };
-  type_k("800");
+  type("k_value", "800");
   hold_by("omega.7 (simulated)");
-  type_k("90");
+  type("k_value", "90");
   press("gains_b");
-  type_k("70");
+  type("k_value", "70");
   hold_by("Mouse");
   ASSERT_EQ(k(), 800);
-  undo();
+  act("undo");
   EXPECT_EQ(k(), 70) << "the exchange of the sets";
   EXPECT_EQ(window->stiffness().sets().active(), 1u);
-  undo();
-  undo();
+  act("undo");
+  act("undo");
   EXPECT_EQ(k(), 90) << "what B began with, and A";
   EXPECT_EQ(window->stiffness().sets().active(), 0u);
-  undo();
+  act("undo");
   EXPECT_EQ(k(), 800);
 }
 
@@ -123,9 +106,9 @@ TEST_F(GainsInTheWindow, undo_after_a_change_of_device_goes_the_same_way_back) {
 TEST_F(GainsInTheWindow, DISABLED_child) {
   ASSERT_TRUE(qEnvironmentVariableIsSet(home));
   const std::string folder_of_both = qgetenv(home).toStdString();
-  live_in(folder_of_both);
+  keep_settings_in(folder_of_both);
   open({QString::fromStdString(folder_of_both + "/cubes.sonde.json")});
-  type_k("800");
+  type("k_value", "800");
   wait(2 * patience_ms);
 }
 

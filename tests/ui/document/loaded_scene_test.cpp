@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLabel>
@@ -27,7 +26,7 @@ TEST_F(WindowTest, a_bad_file_keeps_what_was_open) {
   folder.write("bad.sonde.json", "{\"unit\": \"m\", ");
   folder.write("bad.off", "OFF\n1 1 0\n0 0\n");
   window->prompts().ask_scene = [this] { return path("bad.sonde.json"); };
-  window->findChild<QAction*>("open_scene")->trigger();
+  act("open_scene");
   ASSERT_TRUE(wait_until([this] { return failed == 1; }));
   open({path("cube.off"), path("bad.off")}, 1.0);
   open({path("no-such.sonde.json")});

@@ -8,7 +8,6 @@
 #include <vtkPolyData.h>
 #include <vtkXMLMultiBlockDataReader.h>
 
-#include <QAction>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -44,7 +43,7 @@ class ExportTest : public WindowTest {
   ExportControl& exporter() { return window->exporter(); }
   void run(const char* action, const char* to) {
     target = path(to);
-    window->findChild<QAction*>(action)->trigger();
+    act(action);
     ASSERT_TRUE(wait_until([this] { return !exporter().busy(); }));
   }
   vtkSmartPointer<vtkMultiBlockDataSet> blocks(const fs::path& file) {

@@ -161,7 +161,7 @@ TEST_F(FilmTest, an_encoder_that_fails_is_quoted_and_leaves_no_folder) {
 TEST_F(ExportRecordingTest, given_up_it_leaves_no_folder) {
   wanted.span.rate = 200;
   target = path("frames");
-  window->findChild<QAction*>("export_recording_pictures")->trigger();
+  act("export_recording_pictures");
   ProgressDialog* progress = nullptr;
   ASSERT_TRUE(wait_until([&] {
     progress = window->findChild<ProgressDialog*>();

@@ -175,7 +175,7 @@ TEST_F(ExportTest, a_cancelled_gltf_or_table_leaves_no_file) {
     target = path("cancelled");
     // Those of before go with the event loop.
     const auto before = window->findChildren<ProgressDialog*>();
-    window->findChild<QAction*>(action)->trigger();
+    act(action);
     ProgressDialog* progress = nullptr;
     for (ProgressDialog* dialog : window->findChildren<ProgressDialog*>())
       if (!before.contains(dialog)) progress = dialog;
@@ -192,9 +192,9 @@ TEST_F(ExportTest, a_cancelled_gltf_or_table_leaves_no_file) {
 
 TEST_F(ExportTest, a_second_export_does_not_end_the_first) {
   target = path("first.gltf");
-  window->findChild<QAction*>("export_gltf")->trigger();
+  act("export_gltf");
   target = path("second");
-  window->findChild<QAction*>("export_vtk")->trigger();
+  act("export_vtk");
   ASSERT_EQ(complaints.size(), 1u);
   EXPECT_TRUE(complaints[0].contains("An export is going on")) << complaints[0].toStdString();
   ASSERT_TRUE(wait_until([this] { return !exporter().busy(); }));

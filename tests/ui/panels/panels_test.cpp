@@ -25,12 +25,6 @@ class PanelTest : public WindowTest {
     if (HasFatalFailure()) return;
     open_cubes();
   }
-  template <class T>
-  T* find(const char* name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_TRUE(found) << name;
-    return found;
-  }
   double force() const { return shown().wrench.force.norm(); }
 };
 
@@ -64,10 +58,10 @@ TEST_F(PanelTest, a_typed_value_acts_and_can_be_undone) {
   EXPECT_EQ(window->session()->coupling().k, 500) << "half a number is no gain";
   QTest::keyClick(typed, Qt::Key_Return);
   EXPECT_DOUBLE_EQ(window->session()->coupling().k, 250.5);
-  window->findChild<QAction*>("undo")->trigger();
+  act("undo");
   EXPECT_EQ(window->session()->coupling().k, 500);
   EXPECT_EQ(typed->value(), 500);
-  window->findChild<QAction*>("redo")->trigger();
+  act("redo");
   EXPECT_DOUBLE_EQ(window->session()->coupling().k, 250.5);
 }
 

@@ -27,8 +27,7 @@ class DeskTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
-    window->activateWindow();
-    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+    activate();
   }
   void TearDown() override {
     darken();
@@ -46,16 +45,16 @@ TEST_F(DeskTest, a_theme_is_chosen_and_kept_and_labels_follow) {
     for (const QLabel* label : window->findChildren<QLabel*>()) all += label->text();
     return all.count(QStringLiteral("color:") + colour::ghost.name());
   };
-  window->findChild<QAction*>("theme_dark")->trigger();
+  act("theme_dark");
   EXPECT_LT(window_lightness(), 80);
   EXPECT_GT(coloured(), 0);
-  window->findChild<QAction*>("theme_light")->trigger();
+  act("theme_light");
   EXPECT_GT(window_lightness(), 200);
   EXPECT_EQ(coloured(), 0) << "light text on a light window";
   EXPECT_EQ(chosen_theme(), Theme::light);
-  window->findChild<QAction*>("theme_system")->trigger();
+  act("theme_system");
   EXPECT_EQ(window_lightness() < 128, system_is_dark());
-  window->findChild<QAction*>("theme_dark")->trigger();
+  act("theme_dark");
   EXPECT_GT(coloured(), 0);
 }
 
@@ -68,7 +67,7 @@ TEST_F(DeskTest, the_picture_and_the_plots_follow_the_theme) {
   const auto corner = [](const QImage& image) { return image.pixelColor(3, image.height() - 4); };
   const auto charts = [this](const char* theme) {
     const std::size_t before = window->history().plots().drawn();
-    window->findChild<QAction*>(theme)->trigger();
+    act(theme);
     wait_until([&] { return window->history().plots().drawn() > before; });
     return window->history().plots().charts().picture();
   };

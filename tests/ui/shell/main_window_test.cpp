@@ -57,8 +57,7 @@ class KeysTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
-    window->activateWindow();  // shortcuts want an active window
-    ASSERT_TRUE(wait_until([this] { return window->isActiveWindow(); }));
+    activate();
   }
 };
 
@@ -87,7 +86,7 @@ TEST_F(KeysTest, the_list_of_keys_has_each_once) {
     text = box->findChild<QLabel*>("keys_table")->text();
     box->close();
   });
-  window->findChild<QAction*>("keys")->trigger();
+  act("keys");
   QStringList keys;
   for (const QString& row : text.split("<b>").mid(1)) keys << row.section("</b>", 0, 0);
   EXPECT_GT(keys.size(), 20);
@@ -120,7 +119,7 @@ TEST_F(WindowTest, both_sizes_in_the_question_for_the_unit_are_in_one_unit) {
 
 TEST_F(WindowTest, the_trail_shows_where_the_probe_has_been) {
   open_cubes();
-  window->findChild<QAction*>("trail")->trigger();
+  act("trail");
   Pose pose = window->session()->device_pose();
   for (int i = 0; i < 20; ++i) {
     pose.p.z() += 0.004;
@@ -130,7 +129,7 @@ TEST_F(WindowTest, the_trail_shows_where_the_probe_has_been) {
   window->set_paused(true);
   wait(100);
   const QImage with = picture();
-  window->findChild<QAction*>("trail")->trigger();
+  act("trail");
   EXPECT_GT(pixels_between(with, picture()), 60);
 }
 

@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QSlider>
-#include <QTest>
 #include <cstdio>
 
 #include "tests/ui/torus_text.hpp"
@@ -24,11 +22,6 @@ constexpr double most_ms = 50;
 
 class Stalls : public WindowTest {
  protected:
-  void act(const char* name) {
-    auto* action = window->findChild<QAction*>(name);
-    ASSERT_TRUE(action) << name;
-    action->trigger();
-  }
   void place(const Vec3& by) {
     Pose X_FM = window->session()->device_pose();
     X_FM.p += by;

@@ -17,11 +17,8 @@ using sonde::test::results;
 /// By hand: the least of the situations of a kind, at the nearest damping.
 TEST(PresentContact, has_the_least_boundary_of_its_kind_at_the_nearest_damping) {
   TuningResults r = results();
-  r.lines = {
-      line(0, GainAxis::translation,
-           {column(0, 100, 100, HoldFault::unstable), column(2, 300, 300, HoldFault::unstable)}),
-      line(1, GainAxis::translation,
-           {column(0, 40, 40, HoldFault::unstable), column(2, 500, 500, HoldFault::none)})};
+  r.lines = {line(0, GainAxis::translation, {column(0, 100), column(2, 300)}),
+             line(1, GainAxis::translation, {column(0, 40), column(2, 500, 500, HoldFault::none)})};
   r.lines[1].columns[1].stable.fault = HoldFault::none;
   const std::string flat = r.lines[0].kind, edge = r.lines[1].kind;
   ASSERT_NE(flat, edge);

@@ -12,7 +12,7 @@ using sonde::test::column;
 using sonde::test::line;
 
 TuningLine assumed(const char* key, double times, double stable) {
-  TuningLine out = line(1, GainAxis::object, {column(0, stable, stable, HoldFault::unstable)});
+  TuningLine out = line(1, GainAxis::object, {column(0, stable)});
   out.assumed = key;
   out.times = times;
   return out;
@@ -20,8 +20,8 @@ TuningLine assumed(const char* key, double times, double stable) {
 
 TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
   TuningResults r = sonde::test::results();
-  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)}),
-             line(1, GainAxis::object, {column(0, 900, 900, HoldFault::unstable)}),
+  r.lines = {line(0, GainAxis::object, {column(0, 1500)}),
+             line(1, GainAxis::object, {column(0, 900)}),
              assumed("mass", 0.5, 450),
              assumed("mass", 2, 1800),
              assumed("friction", 0.5, 901),
@@ -38,8 +38,8 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
 
 TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_limits) {
   TuningResults r = sonde::test::results();
-  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)}),
-             assumed("mass", 0.5, 450), assumed("mass", 2, 1800)};
+  r.lines = {line(1, GainAxis::object, {column(0, 1500)}), assumed("mass", 0.5, 450),
+             assumed("mass", 2, 1800)};
   r.lines[0].columns[0].without_friction = {300, HoldFault::unstable};
   r.lines[0].columns[0].harder_knocks = {600, HoldFault::unstable};
   const std::string text = recommendation_text(r, GainAxis::object).toStdString();
@@ -64,7 +64,7 @@ TEST(RecommendationText, the_margin_is_to_the_boundary_that_counts) {
 
 TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
   TuningResults r = sonde::test::results();
-  r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
+  r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
   EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("Relies on friction"));
   r.lines[0].columns[0].without_friction = {1200, HoldFault::unstable};
   r.lines[0].columns[0].swings_without_friction = true;
@@ -77,8 +77,7 @@ TEST(RecommendationText, says_why_no_damping_is_best) {
   TuningResults r = sonde::test::results();
   r.mode = Coupling::Mode::classic;
   r.lines = {
-      line(0, GainAxis::together,
-           {column(0, 900, 900, HoldFault::unstable), column(5, 900, 300, HoldFault::chattering)})};
+      line(0, GainAxis::together, {column(0, 900), column(5, 900, 300, HoldFault::chattering)})};
   EXPECT_TRUE(recommendation_text(r, GainAxis::together)
                   .contains("No virtual damping is best: at b_t = 5.00 N·s/m the stiffness may be "
                             "300 N/m, by chatter: more would buzz (flat contact, light hand)."));
@@ -104,8 +103,8 @@ TEST(RecommendationText, of_the_classic_coupling_all_four_gains_are_named_and_wh
   TuningResults r = sonde::test::results();
   r.mode = Coupling::Mode::classic;
   r.joint = {2e-4, 1e-3};
-  r.lines = {line(0, GainAxis::together, {column(5, 900, 900, HoldFault::unstable)}),
-             line(0, GainAxis::translation, {column(0, 3000, 3000, HoldFault::unstable)})};
+  r.lines = {line(0, GainAxis::together, {column(5, 900)}),
+             line(0, GainAxis::translation, {column(0, 3000)})};
   const QString text = recommendation_text(r, GainAxis::together);
   for (const char* words : {"Recommended: k_t = 600 N/m, b_t = 5.00 N·s/m", "k_r = 0.120 N·m/rad",
                             "b_r = 0.00500 N·m·s/rad"})

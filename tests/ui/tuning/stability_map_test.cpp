@@ -17,23 +17,14 @@ using sonde::test::line;
 using sonde::test::results;
 
 /// Two situations of the object norm: good to 100 and to 40 N/m.
-TuningResults object_results() {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 100, 100, HoldFault::unstable)}),
-             line(1, GainAxis::object, {column(0, 40, 40, HoldFault::unstable)})};
-  return r;
-}
+TuningResults object_results() { return sonde::test::stable_up_to({100, 40}); }
 
 /// The same two over the dampings 0 and 2; the first alone has 1.
 TuningResults classic_results() {
   TuningResults r = results();
   r.mode = Coupling::Mode::classic;
-  r.lines = {
-      line(0, GainAxis::translation,
-           {column(0, 100, 100, HoldFault::unstable), column(1, 90, 90, HoldFault::unstable),
-            column(2, 300, 300, HoldFault::unstable)}),
-      line(1, GainAxis::translation,
-           {column(0, 40, 40, HoldFault::unstable), column(2, 500, 500, HoldFault::unstable)})};
+  r.lines = {line(0, GainAxis::translation, {column(0, 100), column(1, 90), column(2, 300)}),
+             line(1, GainAxis::translation, {column(0, 40), column(2, 500)})};
   return r;
 }
 

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <vtkPolyData.h>
 
-#include <QAction>
 #include <QLabel>
 
 #include "engine/mesh_io/read_mesh.hpp"
@@ -95,10 +94,10 @@ TEST_F(DetailTest, the_probe_s_movement_counts_too) {
 
 TEST_F(DetailTest, a_body_looks_the_same_simplified) {
   EXPECT_LT(share_between(), 0.02);
-  window->findChild<QAction*>("xray_fixed")->trigger();
+  act("xray_fixed");
   EXPECT_LT(share_between(), 0.02) << "x-ray";
-  window->findChild<QAction*>("xray_fixed")->trigger();
-  window->findChild<QAction*>("cut")->trigger();
+  act("xray_fixed");
+  act("cut");
   EXPECT_LT(share_between(), 0.02) << "cut";
 }
 
@@ -108,11 +107,11 @@ TEST_F(DetailTest, gap_colours_are_not_covered) {
   const Contact& contact = shown().separation.clusters[0].contact;
   view().camera().look_at(contact.on_fixed, contact.normal, any_normal(contact.normal), 0.3);
   view().set_shown(Layer::ghost, false);
-  window->findChild<QAction*>("hide_probe")->trigger();
+  act("hide_probe");
   picture();
   rest();
   const QImage bare = view().picture();
-  window->findChild<QAction*>("gap_colours")->trigger();
+  act("gap_colours");
   ASSERT_TRUE(wait_until([&] { return pixels_between(bare, picture()) > 1000; }));
   rest();
   const QImage full = view().picture();

@@ -138,7 +138,7 @@ TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
   wait(100);
   for (const bool hint : {true, false}) {
     window->viewport().set_shown(Layer::hint, hint);
-    window->findChild<QAction*>("fit")->trigger();
+    act("fit");
     QRectF drawn;
     const auto add = [&](const Body& body, const Pose& pose) {
       for (const Vec3& vertex : body.soup.vertices)
@@ -162,7 +162,7 @@ TEST_F(WindowTest, the_ghost_swings) {
   const std::size_t still = window->frames();
   wait(200);
   EXPECT_LE(window->frames(), still + 2) << "drawn although nothing changed";
-  window->findChild<QAction*>("swing")->trigger();
+  act("swing");
   EXPECT_TRUE(wait_until([&] { return window->frames() > still + 8; }));
 }
 

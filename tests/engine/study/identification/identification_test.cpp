@@ -8,29 +8,18 @@
 #include <array>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/identification/plan_along.hpp"
 #include "tests/engine/study/identification/true_handle.hpp"
 
 namespace sonde {
 namespace {
 
+using test::device_of_mass;
+using test::plan_along;
 using test::TrueHandle;
 using testing::HasSubstr;
 
 const std::filesystem::path bundled = SONDE_RESOURCES "/devices";
-
-/// Pulses along one axis, for a device that may differ from the one that answers.
-PulsePlan plan_along(std::size_t axis, const DeviceProfile& device,
-                     const PulseLimits& limits = {}) {
-  PulsePlan plan = plan_pulses(device, limits, 1e-3);
-  std::erase_if(plan.pulses, [&](const Pulse& p) { return p.axis != axis; });
-  return plan;
-}
-DeviceProfile device_of_mass(double mass) {
-  DeviceProfile device;
-  device.max_force.value = 10;
-  device.mass.value = mass;
-  return device;
-}
 
 struct Figure {
   const char* name;

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tests/engine/study/identification/plan_along.hpp"
 #include "tests/engine/study/identification/true_handle.hpp"
 
 namespace sonde {
@@ -69,8 +70,7 @@ TEST(PulsePlan, every_pulse_has_a_mean_of_zero_and_an_amplitude_of_its_own) {
 }
 
 TEST(PulsePlan, the_largest_pulse_moves_the_handle_as_far_as_asked_and_back) {
-  PulsePlan plan = plan_pulses(device(), {.travel = 0.02}, 1e-3);
-  std::erase_if(plan.pulses, [](const Pulse& p) { return p.axis != 0; });
+  PulsePlan plan = test::plan_along(0, device(), {.travel = 0.02});
   plan.pulses.erase(plan.pulses.begin(), plan.pulses.end() - 1);
   double most = 0;
   const Response truth = test::answer({0.1, 0, 0, 0, 0.0}, plan, 0);

@@ -15,7 +15,7 @@ using test::column;
 using test::line;
 
 TuningLine varied(const char* key, double times, double stable) {
-  TuningLine out = line(0, GainAxis::object, {column(0, stable, stable, HoldFault::unstable)});
+  TuningLine out = line(0, GainAxis::object, {column(0, stable)});
   out.assumed = key;
   out.times = times;
   return out;
@@ -23,9 +23,8 @@ TuningLine varied(const char* key, double times, double stable) {
 
 TuningResults varied_results() {
   TuningResults r = test::results();
-  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)}),
-             varied("mass", 0.5, 1200), varied("mass", 2, 1800), varied("friction", 2, 2400),
-             varied("friction", 0.5, 600)};
+  r.lines = {line(0, GainAxis::object, {column(0, 1500)}), varied("mass", 0.5, 1200),
+             varied("mass", 2, 1800), varied("friction", 2, 2400), varied("friction", 0.5, 600)};
   return r;
 }
 
@@ -62,7 +61,7 @@ TEST(Assumptions, none_where_nothing_was_varied) {
 
 TEST(Assumptions, each_hand_has_its_own_boundary) {
   TuningResults r = varied_results();
-  r.lines.push_back(line(1, GainAxis::object, {column(0, 900, 900, HoldFault::unstable)}));
+  r.lines.push_back(line(1, GainAxis::object, {column(0, 900)}));
   r.lines.push_back(line(0, GainAxis::object, {column(0, 5e4, 5e4, HoldFault::none)}));
   r.lines.back().hand = "firm";
   r.lines.back().columns[0].stable.fault = HoldFault::none;

@@ -15,13 +15,12 @@ namespace {
 using test::column;
 using test::line;
 using test::results;
+using test::stable_up_to;
 
 constexpr auto unstable = HoldFault::unstable;
 
 TEST(GainRecommendation, stability_is_the_least_of_all_situations_with_its_margin) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({3000, 1500});
   const auto gains = recommend(r, GainAxis::object);
   ASSERT_TRUE(gains);
   EXPECT_DOUBLE_EQ(gains->stiffness, 1500 / stability_margin);
@@ -50,15 +49,11 @@ TEST(GainRecommendation, what_was_never_unstable_has_no_boundary) {
 }
 
 TEST(GainRecommendation, where_no_stiffness_is_good_there_is_none) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 0, 0, unstable)})};
-  EXPECT_FALSE(has_recommendation(r));
+  EXPECT_FALSE(has_recommendation(stable_up_to({0})));
 }
 
 TEST(GainRecommendation, friction_carries_none_unless_it_is_trusted) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 1423, 1423, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({1423, 1500});
   r.lines[0].columns[0].without_friction = {600, unstable};
   r.lines[1].columns[0].without_friction = {516, unstable};
   const auto capped = recommend(r, GainAxis::object);
@@ -75,9 +70,8 @@ TEST(GainRecommendation, friction_carries_none_unless_it_is_trusted) {
 }
 
 TEST(GainRecommendation, a_harder_knock_lowers_it_even_where_friction_is_trusted) {
-  TuningResults r = results();
+  TuningResults r = stable_up_to({1500});
   r.trusts_friction = true;
-  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
   r.lines[0].columns[0].harder_knocks = r.lines[0].columns[0].stable;
   EXPECT_EQ(recommend(r, GainAxis::object)->limit.reason, "stability");
   r.lines[0].columns[0].harder_knocks = {900, unstable};
@@ -88,8 +82,7 @@ TEST(GainRecommendation, a_harder_knock_lowers_it_even_where_friction_is_trusted
 }
 
 TEST(GainRecommendation, a_study_that_did_not_search_for_it_says_nothing_of_friction) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({1500});
   EXPECT_TRUE(std::isinf(recommend(r, GainAxis::object)->without_friction));
   r.lines[0].columns[0].without_friction = {1e5, HoldFault::none};  // never unstable
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
@@ -97,8 +90,7 @@ TEST(GainRecommendation, a_study_that_did_not_search_for_it_says_nothing_of_fric
 
 TEST(GainRecommendation, each_reason_is_named_where_it_holds) {
   const auto reason = [](const auto& change) {
-    TuningResults r = results();
-    r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)})};
+    TuningResults r = stable_up_to({3000});
     change(r);
     const auto gains = recommend(r, GainAxis::object);
     return gains->limit.reason + " " + std::to_string(std::llround(gains->stiffness));
@@ -142,10 +134,9 @@ TuningResults classic() {
   for (const std::size_t at : {0u, 1u})
     r.lines.push_back(
         line(at, GainAxis::together,
-             {column(0, 300, 300, unstable), column(5, at ? 1200 : 900, 1500, unstable),
-              column(10, 600, 600, unstable)}));
-  r.lines.push_back(line(0, GainAxis::translation, {column(0, 30000, 30000, unstable)}));
-  r.lines.push_back(line(0, GainAxis::rotation, {column(0, 15, 15, unstable)}));
+             {column(0, 300), column(5, at ? 1200 : 900, 1500, unstable), column(10, 600)}));
+  r.lines.push_back(line(0, GainAxis::translation, {column(0, 30000)}));
+  r.lines.push_back(line(0, GainAxis::rotation, {column(0, 15)}));
   return r;
 }
 
@@ -184,10 +175,8 @@ TEST(GainRecommendation, of_the_classic_coupling_the_drivers_limits_are_those_of
 }
 
 TEST(GainRecommendation, assumed_values_are_compared_in_their_own_situation) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)}),
-             line(0, GainAxis::object, {column(0, 4500, 4500, unstable)})};
+  TuningResults r = stable_up_to({3000, 1500});
+  r.lines.push_back(line(0, GainAxis::object, {column(0, 4500)}));
   r.lines[2].assumed = "mass";
   r.lines[2].times = 2;
   EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
@@ -198,7 +187,7 @@ TEST(GainRecommendation, assumed_values_are_compared_in_their_own_situation) {
 
 TEST(GainRecommendation, assumed_values_are_compared_at_like_dampings) {
   TuningResults r = classic();
-  TuningLine varied = line(0, GainAxis::together, {column(10, 300, 300, unstable)});
+  TuningLine varied = line(0, GainAxis::together, {column(10, 300)});
   varied.assumed = "mass";
   varied.times = 2;
   r.lines.push_back(varied);

@@ -22,6 +22,11 @@ inline TuningColumn column(double damping, double stable, double good, HoldFault
   return c;
 }
 
+/// Where every stable stiffness is good.
+inline TuningColumn column(double damping, double stable) {
+  return column(damping, stable, stable, HoldFault::unstable);
+}
+
 inline TuningLine line(std::size_t situation, GainAxis axis, std::vector<TuningColumn> columns) {
   return {situation, situation == 0 ? "flat" : "edge", "light", axis, "", 1, std::move(columns)};
 }
@@ -37,6 +42,15 @@ inline TuningResults results() {
   r.max_force = 10;
   r.max_torque = 0.2;
   r.felt = {{1, 1e-3}, {0.5, 1e-3}};
+  return r;
+}
+
+/// The same with a flat contact that is stable up to the first of these, and an edge up to the
+/// second, where there is one.
+inline TuningResults stable_up_to(const std::vector<double>& stiffness) {
+  TuningResults r = results();
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+    r.lines.push_back(line(i, GainAxis::object, {column(0, stiffness[i])}));
   return r;
 }
 

@@ -15,6 +15,7 @@ namespace {
 using test::column;
 using test::line;
 using test::results;
+using test::stable_up_to;
 
 constexpr auto unstable = HoldFault::unstable;
 
@@ -31,10 +32,8 @@ TEST(TuningMap, classes_from_the_worst_down) {
 }
 
 TEST(TuningMap, has_a_row_for_each_run_and_a_picture_for_each_mode) {
-  TuningResults r = results();
+  TuningResults r = stable_up_to({3000, 1500});
   r.device_id = "a.device";
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
   const std::string csv = map_csv(r);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4);
   const std::size_t commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
@@ -48,8 +47,7 @@ TEST(TuningMap, has_a_row_for_each_run_and_a_picture_for_each_mode) {
 }
 
 TEST(TuningMap, says_which_row_is_which_and_where_theory_is_crossed) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)})};
+  TuningResults r = stable_up_to({3000});
   for (const char* words : {">flat,<", ">light hand<", ">not run<", "above the limit in theory"})
     EXPECT_THAT(map_svg(r), testing::HasSubstr(words));
   r.lines[0].columns[0].theory_stable = 2500;

@@ -12,15 +12,14 @@ namespace {
 using test::column;
 using test::line;
 using test::results;
+using test::stable_up_to;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr auto unstable = HoldFault::unstable;
 
 TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({3000, 1500});
   r.lines[1].columns[0].theory_stable = 1200;
   // The lower boundary by the margin of 1.5.
   EXPECT_THAT(recommendation_in_words(r),
@@ -38,12 +37,12 @@ TEST(TuningWords, say_why_no_virtual_damping_is_best) {
   TuningResults r = results();
   r.joint = {1e-4, 2e-4};
   r.mode = Coupling::Mode::classic;
-  r.lines = {line(0, GainAxis::together,
-                  {column(0, 900, 900, unstable), column(4, 3000, 300, HoldFault::chattering)})};
+  r.lines = {
+      line(0, GainAxis::together, {column(0, 900), column(4, 3000, 300, HoldFault::chattering)})};
   EXPECT_THAT(recommendation_in_words(r),
               testing::Contains("no virtual damping is best: at b_t 4 N·s/m the stiffness may be "
                                 "300 N/m, limited by chatter (flat contact, light hand)"));
-  r.lines[0].columns[1] = column(4, 3000, 3000, unstable);
+  r.lines[0].columns[1] = column(4, 3000);
   const auto words = recommendation_in_words(r);
   EXPECT_THAT(words.front(), HasSubstr("b_t 4 N·s/m, b_r 0.0008 N·m·s/rad"));
   EXPECT_THAT(words.front(), HasSubstr("k_t 2000 N/m, k_r 0.2 N·m/rad"));
@@ -51,9 +50,7 @@ TEST(TuningWords, say_why_no_virtual_damping_is_best) {
 }
 
 TEST(TuningWords, say_where_the_gains_rely_on_friction) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 3000, 3000, unstable)}),
-             line(1, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({3000, 1500});
   const auto relies = testing::Contains(
       "these gains rely on friction: without it, the probe swings on at every stiffness in the "
       "flat contact (light hand); theory's limit stands for the measured one there");
@@ -66,10 +63,9 @@ TEST(TuningWords, say_where_the_gains_rely_on_friction) {
 }
 
 TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
-  TuningResults r = results();
-  r.lines = {line(0, GainAxis::object, {column(0, 1500, 1500, unstable)})};
+  TuningResults r = stable_up_to({1500});
   for (const auto& [times, stable] : {std::pair{0.5, 3000.0}, {2.0, 750.0}}) {
-    r.lines.push_back(line(0, GainAxis::object, {column(0, stable, stable, unstable)}));
+    r.lines.push_back(line(0, GainAxis::object, {column(0, stable)}));
     r.lines.back().assumed = "max_force";
     r.lines.back().times = times;
   }
