@@ -299,7 +299,7 @@ void StiffnessPanel::show_point() {
                       .arg(QLatin1String(stiffness_key(axis())), number(point.stiffness),
                            stiffness_unit(axis()),
                            found ? QLatin1String(name_of(*found)) : QStringLiteral("off the map"));
-  const QString margin = gains ? margin_text(*gains, point.stiffness) : QString();
+  const QString margin = gains ? margin_text(tuning_->results, *gains, point.stiffness) : QString();
   if (!margin.isEmpty()) words += QStringLiteral("; ") + margin;
   const QString contact = contact_words(point);
   place_->setText(words + '.' + (contact.isEmpty() ? QString() : '\n' + contact));
