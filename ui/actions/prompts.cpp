@@ -133,6 +133,10 @@ Prompts dialogs(QWidget& window) {
                                         QDir(last_folder()).filePath(name),
                                         QStringLiteral("Pictures (*.png)"));
   };
+  prompts.ask_profile = [parent](const QString& first) {
+    return QFileDialog::getSaveFileName(parent, QStringLiteral("Save the device profile"), first,
+                                        QStringLiteral("Device profiles (*.json)"));
+  };
   const auto ask_folder = [parent](const char* what) {
     return QFileDialog::getExistingDirectory(parent, QString::fromUtf8(what), last_folder());
   };

@@ -40,6 +40,8 @@ struct Prompts {
   std::function<QString()> ask_picture;        ///< a file to write; empty: given up
   std::function<QString()> ask_tuning;         ///< a folder to read; empty: given up
   std::function<QString()> ask_tuning_folder;  ///< a folder to write to; empty: given up
+  /// A device profile to write, with a file to begin with; empty: given up.
+  std::function<QString(const QString& first)> ask_profile;
 };
 
 /// Answers by dialogs over a window.

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/settings/device_settings_file.hpp"
+#include "engine/study/identification/measured_hand.hpp"
 #include "engine/text/output_file.hpp"
 #include "ui/document/session.hpp"
 
@@ -79,6 +80,7 @@ void DeviceControl::take(const InputSource& source) {
 
 /// Hands the probe of the session over.
 void DeviceControl::hold() {
+  measuring_ = false;
   if (!session_) return;
   run_as_wanted();
   if (input_) return session_->hold_by(input_, settings_);
@@ -233,7 +235,42 @@ SourceReport DeviceControl::report() {
   }
   report.reports_per_s = reports_per_s_;
   report.clutch_open = session_ && session_->clutch_open();
+  report.measurable = measurable();
   return report;
+}
+
+void DeviceControl::add_profile(const DeviceProfile& profile) {
+  std::erase_if(profiles_, [&](const DeviceProfile& each) { return each.id == profile.id; });
+  profiles_.push_back(profile);
+}
+
+bool DeviceControl::measurable() const {
+  if (!session_) return false;
+  if (std::holds_alternative<SimulatedSource>(source_)) return true;
+  if (!input_) return false;
+  const DeviceStatus device = input_->status();
+  return device.state == DeviceState::ready && device.capabilities.force &&
+         device.capabilities.position;
+}
+
+std::shared_ptr<MeasuredHand> DeviceControl::begin_measuring(const PulsePlan& plan,
+                                                             const PulseBounds& bounds) {
+  if (!measurable()) return nullptr;
+  const Snapshot* now = session_->latest();
+  const Pose X_FM = now ? now->separation.device : session_->device_pose();
+  const auto* simulating = std::get_if<SimulatedSource>(&source_);
+  auto measured = simulating ? std::make_shared<MeasuredHand>(simulated(simulating->profile), plan,
+                                                              bounds, X_FM)
+                             : std::make_shared<MeasuredHand>(input_, plan, bounds, X_FM);
+  session_->hold_by(std::shared_ptr<const Hand>(measured, &measured->hand()));
+  measuring_ = true;
+  return measured;
+}
+
+void DeviceControl::end_measuring() {
+  if (!measuring_) return;
+  hold();
+  if (changed) changed();
 }
 
 }  // namespace sonde::ui

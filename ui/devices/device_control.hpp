@@ -16,6 +16,12 @@
 #include "ui/devices/hand_grip.hpp"
 #include "ui/devices/input_source.hpp"
 
+namespace sonde {
+class MeasuredHand;
+struct PulseBounds;
+struct PulsePlan;
+}  // namespace sonde
+
 namespace sonde::ui {
 
 class Session;
@@ -25,6 +31,7 @@ struct SourceReport {
   DeviceStatus device;       ///< of a connected one
   double reports_per_s = 0;  ///< measured, over about a second
   bool clutch_open = false;
+  bool measurable = false;  ///< a device with force holds the probe, or a simulated one
 };
 
 /// What holds the probe of the open session: the choice of a device, its connection, and its
@@ -64,6 +71,15 @@ class DeviceControl : public QObject {
   /// Everything that could hold the probe: the mouse, the scene's path, each device profile, every
   /// connected device, and what holds it now.
   std::vector<InputSource> choices() const;
+  /// One more to choose, or in the place of that with its id.
+  void add_profile(const DeviceProfile& profile);
+
+  /// Pulses to the device that holds the probe now, whose handle nobody holds meanwhile: no contact
+  /// is felt until end_measuring(), another choice or another session. Null where report() has
+  /// nothing measurable. Throws std::invalid_argument where it cannot be simulated at this rate.
+  std::shared_ptr<MeasuredHand> begin_measuring(const PulsePlan& plan, const PulseBounds& bounds);
+  bool measuring() const { return measuring_; }
+  void end_measuring();
 
   /// Another source, or other settings than those last shown.
   std::function<void()> changed;
@@ -75,6 +91,7 @@ class DeviceControl : public QObject {
   void hold();
   void follow_path(const PathSource& path);
   void pace_simulated();
+  bool measurable() const;
   void run_as_wanted();
   void load_settings();
   void keep_settings();
@@ -92,6 +109,7 @@ class DeviceControl : public QObject {
   DeviceSettings settings_;
   SimulatedGrip grip_ = chosen_grip();
   bool from_scene_ = false;
+  bool measuring_ = false;
   std::filesystem::path damaged_;  ///< the file of settings, where it cannot be read
   QTimer keep_timer_;
   bool keeping_failed_ = false;

@@ -146,6 +146,15 @@ void DevicePanel::build_state(QVBoxLayout& layout) {
     if (led_switched) led_switched(on);
   });
   layout.addWidget(led_);
+  measure_ = new QPushButton(QStringLiteral("Measure device…"), this);
+  measure_->setObjectName(QStringLiteral("measure_device"));
+  measure_->setToolTip(QStringLiteral(
+      "Mass, damping, friction, delay and encoder step, by small pulses of force and torque. It "
+      "asks first."));
+  connect(measure_, &QPushButton::clicked, this, [this] {
+    if (measure_asked) measure_asked();
+  });
+  layout.addWidget(measure_);
 }
 
 void DevicePanel::build_motion(QVBoxLayout& layout) {
@@ -344,6 +353,8 @@ void DevicePanel::show_report(const InputSource& source, const SourceReport& rep
   numbers_->setVisible(connected_);
   state_->setVisible(connected_);
   led_->setVisible(connected_ && device.capabilities.led);
+  measure_->setVisible(adjustable_ && !(connected_ && deflections_));
+  measure_->setEnabled(report.measurable);
   const auto* simulated = std::get_if<SimulatedSource>(&source);
   what_->setText(simulated ? words_of(simulated->profile) : words_of(device));
   what_->setVisible(!what_->text().isEmpty());

@@ -14,6 +14,7 @@ class QComboBox;
 class QFormLayout;
 class QGroupBox;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace sonde::ui {
@@ -45,6 +46,7 @@ class DevicePanel : public QDockWidget {
   /// Called immediately with every change.
   std::function<void(const DeviceSettings&)> settings_changed;
   std::function<void(bool)> led_switched;
+  std::function<void()> measure_asked;  ///< of what holds the probe
   /// The hand on a simulated device; hidden while something else holds the probe.
   GripBox& grip() { return *grip_; }
 
@@ -70,6 +72,7 @@ class DevicePanel : public QDockWidget {
   QGroupBox *motion_box_, *axes_box_;
   QWidget *numbers_, *choices_row_;
   QCheckBox *led_, *passivity_;
+  QPushButton* measure_;
   QLabel *given_, *excess_, *dissipated_, *real_time_;
   SliderRow* rate_row_;
   std::vector<SliderRow*> rows_, axis_rows_;

@@ -78,7 +78,10 @@ void StudyBox::set_source(const QString& words, const QString& folder) {
 void StudyBox::set_unsaved(bool unsaved) { save_->setEnabled(unsaved); }
 
 void StudyBox::choose_device(const std::string& id) {
-  if (const int at = devices_->findText(text(id)); at >= 0) devices_->setCurrentIndex(at);
+  if (id.empty()) return;
+  // One of a file of the user's own.
+  if (devices_->findText(text(id)) < 0) devices_->addItem(text(id));
+  devices_->setCurrentIndex(devices_->findText(text(id)));
 }
 
 std::string StudyBox::device_id() const { return devices_->currentText().toStdString(); }

@@ -30,6 +30,7 @@ struct DocumentView;
 class ExportControl;
 class HistoryControl;
 class LogPanel;
+class MeasureControl;
 class MouseProbe;
 class Opener;
 class PosePanel;
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void connect_devices();
+  void connect_measuring();
   void connect_documents();
   void connect_export();
   DocumentView document_view();
@@ -133,6 +135,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_page_;
   std::unique_ptr<DeviceControl> devices_;
   DevicePanel* device_panel_;
+  MeasureControl* measure_;
   StiffnessControl* stiffness_;
   HistoryControl* history_ = nullptr;
   SeeingControl* seeing_ = nullptr;

@@ -12,6 +12,7 @@
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
+#include "ui/actions/measure_control.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
@@ -51,6 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
       start_page_(new StartPage(viewport_)),
       devices_(std::make_unique<DeviceControl>(device_settings_folder(), device_profile_folders())),
       device_panel_(new DevicePanel(this)),
+      measure_(new MeasureControl(*devices_, device_profile_folders(), prompts_, *this)),
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
                                       documents_->document().stack(), prompts_, *this)),
       status_(*statusBar()),
@@ -93,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
                            one_of_many);
   };
   connect_devices();
+  connect_measuring();
   connect_documents();
   stiffness_->ticked = [this](const Snapshot& tick) {
     log_->add(force_log_.add(tick));
@@ -125,6 +128,19 @@ void MainWindow::connect_devices() {
   device_panel_->grip().changed = [this](const SimulatedGrip& grip) { devices_->set_grip(grip); };
   device_panel_->grip().show_grip(devices_->grip());
   device_panel_->led_switched = [this](bool on) { devices_->set_led(on); };
+}
+
+void MainWindow::connect_measuring() {
+  device_panel_->measure_asked = [this] { measure_->ask(); };
+  connect(this, &MainWindow::force_changed, measure_, &MeasureControl::force_switched);
+  measure_->say = [this](const QString& what) { log_->add(what); };
+  measure_->obstacle = [this] {
+    if (!force_) return QStringLiteral("the force is off: switch it on first");
+    if (!session() || session()->paused()) return QStringLiteral("the loop is paused");
+    // Nobody would hold the handle when the force comes back.
+    const bool touches = shown_ && shown_->separation.status == Status::penetrating;
+    return touches ? QStringLiteral("the probe is in contact: move it out first") : QString();
+  };
 }
 
 void MainWindow::add_history() {

@@ -9,6 +9,8 @@
 
 namespace sonde {
 
+struct HandTrial;
+
 /// Known properties of the device in the hand, as felt at the probe.
 struct DeviceTraits {
   double damping = 0;  ///< N·s/m, of the mechanism
@@ -28,6 +30,9 @@ struct HandSample {
   bool trusted = true;   ///< false: the pose is old or impossible; there is no force
   bool changed = false;  ///< another hand, or other axes of the same: no force in this tick
   std::optional<DeviceTraits> device = {};  ///< none: unknown device
+  /// Of a hand that is being measured, valid until its next sample: the loop renders this in place
+  /// of the contact's wrench. None for every other hand.
+  HandTrial* trial = nullptr;
 };
 
 /// What the servo follows and pushes back: a mouse, a device, a simulated one, a recorded path.

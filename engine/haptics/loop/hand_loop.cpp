@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/geometry/rotation.hpp"
+#include "engine/haptics/safety/hand_trial.hpp"
 #include "engine/penetration/descent/result.hpp"
 
 namespace sonde {
@@ -42,13 +43,17 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   out_ = HandTick{};
 }
 
-Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts,
-                         const Clock& clock) const noexcept {
+Withheld HandLoop::fault(const HandSample& sample) const noexcept {
   if (!sample.trusted) return Withheld::untrusted;
   if (!is_finite(sample.X_FM)) return Withheld::not_finite;
   if (!sample.held) return Withheld::let_go;
   if (sample.changed) return Withheld::changed;
-  if (runaway_.seen()) return Withheld::diverged;
+  return runaway_.seen() ? Withheld::diverged : Withheld::nothing;
+}
+
+Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts,
+                         const Clock& clock) const noexcept {
+  if (const Withheld own = fault(sample); own != Withheld::nothing) return own;
   if (const Withheld late = overdue(contacts, clock); late != Withheld::nothing) return late;
   return unsettled(contacts.separation) ? Withheld::unsettled : Withheld::nothing;
 }
@@ -74,16 +79,20 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
-  if (!sample.device) return runaway_.restart();
+  if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
-  const Wrench& acted = out_.wrench;
-  const bool pushed = !acted.force.isZero(0) || !acted.torque.isZero(0);
+  if (const HandTrial* trial = sample.trial)
+    return runaway_.observe(trial->way, trial->turn, dt, pushed());
   const auto of_hand = [](const Vec3& of_probe, double ratio) {
     return ratio > 0 ? Vec3(of_probe / ratio) : Vec3(Vec3::Zero());
   };
   const Vec3 turn = rotation_vector(X_FM_.q * before.q.conjugate());
   runaway_.observe(of_hand(X_FM_ * mass_.com - before * mass_.com, sample.device->ratio),
-                   of_hand(turn, sample.device->turn_ratio), dt, pushed);
+                   of_hand(turn, sample.device->turn_ratio), dt, pushed());
+}
+
+bool HandLoop::pushed() const noexcept {
+  return !out_.wrench.force.isZero(0) || !out_.wrench.torque.isZero(0);
 }
 
 void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexcept {
@@ -112,6 +121,11 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
+  out_.hand.held = sample.held;
+  if (sample.trial) {
+    try_out(*sample.trial, why == Withheld::nothing ? fault(sample) : why, clock.dt);
+    return out_;
+  }
   Withheld reason = why == Withheld::nothing ? fault(sample, contacts, clock) : why;
   if (reason == Withheld::nothing && out_.separation.status == Status::failed)
     reason = Withheld::failed;
@@ -122,13 +136,25 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
   passivity_.rendered(out_.wrench);
+  say_gate();
+  out_.hand.energy = passivity_.energy();
+  return out_;
+}
 
+/// The energy is that of contacts: this wrench is no part of it.
+void HandLoop::try_out(HandTrial& trial, Withheld reason, double dt) noexcept {
+  coupler_.forget();
+  out_.hand.asked = trial.wrench;
+  out_.wrench = gate_.pass(trial.wrench, reason, trial.max_force, trial.max_torque, dt);
+  passivity_.rendered(Wrench{});
+  say_gate();
+  trial.withheld = gate_.withheld();
+}
+
+void HandLoop::say_gate() noexcept {
   out_.hand.withheld = gate_.withheld();
   out_.hand.share = gate_.share();
   out_.hand.slewed = gate_.slewed();
-  out_.hand.held = sample.held;
-  out_.hand.energy = passivity_.energy();
-  return out_;
 }
 
 const HandTick& HandLoop::rest(Withheld why) noexcept {

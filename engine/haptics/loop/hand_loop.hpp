@@ -82,11 +82,17 @@ class HandLoop {
  private:
   Withheld fault(const HandSample& sample, const LocalContacts& contacts,
                  const Clock& clock) const noexcept;
+  /// The part of it that is the hand's own.
+  Withheld fault(const HandSample& sample) const noexcept;
   Withheld overdue(const LocalContacts& contacts, const Clock& clock) const noexcept;
   /// True if the geometry's answer has not converged and its force may be off by more than is
   /// allowed.
   bool unsettled(const Separation& found) const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
+  /// The wrench of a hand that is being measured, past the gate.
+  void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
+  void say_gate() noexcept;
+  bool pushed() const noexcept;  ///< by the last wrench
   void separate(const LocalContacts& contacts, const Clock& clock) noexcept;
 
   MassProperties mass_;

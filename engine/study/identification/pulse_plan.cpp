@@ -41,6 +41,14 @@ void set(Wrench& wrench, std::size_t axis, double amount) {
 
 }  // namespace
 
+PulseLimits most_allowed(const DeviceProfile& device) {
+  constexpr double most_travel = 0.02, most_turn = 0.5;  // m, rad
+  return {.force = device.max_force.value / 2,
+          .torque = device.max_torque.value / 2,
+          .travel = most_travel,
+          .turn = most_turn};
+}
+
 PulsePlan plan_pulses(const DeviceProfile& device, const PulseLimits& limits, double sample_time) {
   for (const double x : {limits.force, limits.torque, limits.travel, limits.turn, sample_time})
     if (!(std::isfinite(x) && x > 0))
@@ -48,10 +56,9 @@ PulsePlan plan_pulses(const DeviceProfile& device, const PulseLimits& limits, do
   PulsePlan plan;
   plan.sample_time = sample_time;
   plan.rest = static_cast<std::size_t>(std::ceil(rest_time / sample_time));
-  const KindOfAxis force{std::min(limits.force, device.max_force.value / 2), device.mass.value,
-                         limits.travel};
-  const KindOfAxis torque{std::min(limits.torque, device.max_torque.value / 2),
-                          device.inertia.value, limits.turn};
+  const PulseLimits most = most_allowed(device);
+  const KindOfAxis force{std::min(limits.force, most.force), device.mass.value, limits.travel};
+  const KindOfAxis torque{std::min(limits.torque, most.torque), device.inertia.value, limits.turn};
   for (std::size_t axis = 0; axis < 3; ++axis) add_pulses(plan, axis, force);
   for (std::size_t axis = 3; axis < 6 && torque.amplitude > 0; ++axis)
     add_pulses(plan, axis, torque);
@@ -71,7 +78,7 @@ std::vector<Wrench> commands_of(const PulsePlan& plan) {
   return out;
 }
 
-double duration(const PulsePlan& plan) {
+double time_of(const PulsePlan& plan) {
   std::size_t samples = plan.rest;
   for (const Pulse& pulse : plan.pulses) samples += 4 * pulse.part + plan.rest;
   return static_cast<double>(samples) * plan.sample_time;

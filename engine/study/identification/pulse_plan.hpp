@@ -36,6 +36,10 @@ struct PulsePlan {
   std::vector<Pulse> pulses;
 };
 
+/// The most that a person may ask of a device: half of what it can, and a travel that leaves it
+/// within an ordinary workspace.
+PulseLimits most_allowed(const DeviceProfile& device);
+
 /// Pulses for a device, the smallest first. Their amplitudes differ, because Coulomb friction takes
 /// the same of each and viscous damping takes in proportion, and because the steps of the encoder
 /// then fall elsewhere in each. They go to both sides, because gravity has one. Throws
@@ -44,6 +48,6 @@ PulsePlan plan_pulses(const DeviceProfile& device, const PulseLimits& limits, do
 
 /// The command at each sample.
 std::vector<Wrench> commands_of(const PulsePlan& plan);
-double duration(const PulsePlan& plan);  ///< s
+double time_of(const PulsePlan& plan);  ///< s
 
 }  // namespace sonde

@@ -9,6 +9,6 @@ namespace sonde {
 
 /// The answer of a simulated device that nobody holds (its hand is left out) to a plan. Throws
 /// std::invalid_argument as SimulatedDevice.
-Response simulated_response(SimulatedDeviceParameters device, const PulsePlan& plan);
+Response simulated_response(const SimulatedDeviceParameters& device, const PulsePlan& plan);
 
 }  // namespace sonde

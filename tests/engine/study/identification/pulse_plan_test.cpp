@@ -81,7 +81,7 @@ TEST(PulsePlan, the_largest_pulse_moves_the_handle_as_far_as_asked_and_back) {
 
 TEST(PulsePlan, its_duration_is_that_of_its_commands) {
   const PulsePlan plan = plan_pulses(device(), {}, 5e-4);
-  EXPECT_DOUBLE_EQ(duration(plan), 5e-4 * static_cast<double>(commands_of(plan).size()));
+  EXPECT_DOUBLE_EQ(time_of(plan), 5e-4 * static_cast<double>(commands_of(plan).size()));
 }
 
 TEST(PulsePlan, limits_that_are_none_are_refused) {

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/measure_control.hpp"
+
+#include <QDate>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "engine/study/identification/identified_profile.hpp"
+#include "engine/study/identification/measured_hand.hpp"
+#include "engine/text/output_file.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int look_ms = 50;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// The id that the device's name has in it; else the first.
+QString nearest_profile(const QStringList& ids, const QString& device) {
+  for (const QString& id : ids)
+    if (device.contains(id, Qt::CaseInsensitive)) return id;
+  return ids.value(0);
+}
+
+/// What the device itself says of its motors is nearer to the truth than any profile.
+DeviceProfile with_limits(DeviceProfile profile, const DeviceCapabilities& can) {
+  const std::string source = "the connected device's own word";
+  profile.max_force = {can.max_force, source};
+  profile.max_torque = {can.max_torque, source};
+  return profile;
+}
+
+QString reason_of(const PulseProgress& progress) {
+  if (progress.end == PulsesEnd::withheld) return QString::fromUtf8(words(progress.withheld));
+  return QString::fromUtf8(words(progress.end));
+}
+
+}  // namespace
+
+MeasureControl::MeasureControl(DeviceControl& devices,
+                               std::vector<std::filesystem::path> profile_folders, Prompts& prompts,
+                               QWidget& window)
+    : QObject(&window),
+      devices_(devices),
+      profile_folders_(std::move(profile_folders)),
+      prompts_(prompts),
+      window_(window),
+      job_(&window) {
+  job_.watched = [](double) {};
+  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+}
+
+void MeasureControl::ask() {
+  if (dialog_ || !devices_.report().measurable) return;
+  dialog_ = new MeasureDialog(&window_);
+  dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  dialog_->start_asked = [this] { start(); };
+  dialog_->cancel_asked = [this] { stop(QStringLiteral("cancelled")); };
+  dialog_->profile_chosen = [this](const QString& id) { show_subject(id); };
+  dialog_->save_asked = [this] { save(); };
+  dialog_->use_asked = [this] { use(); };
+  show_subject({});
+  if (dialog_) dialog_->open();
+}
+
+/// A simulated device has its profile; for a connected one it is chosen.
+void MeasureControl::show_subject(const QString& profile_id) {
+  subject_ = {};
+  subject_.device = text(name_of(devices_.source()));
+  subject_.sample_time = 1 / devices_.servo().rate_hz;
+  if (const auto* simulated = std::get_if<SimulatedSource>(&devices_.source())) {
+    subject_.profile = simulated->profile;
+  } else
+    try {
+      for (const std::string& id : device_profile_ids(profile_folders_))
+        subject_.profiles << text(id);
+      const QString id =
+          profile_id.isEmpty() ? nearest_profile(subject_.profiles, subject_.device) : profile_id;
+      subject_.profile = with_limits(find_device_profile(id.toStdString(), profile_folders_),
+                                     devices_.report().device.capabilities);
+    } catch (const InputError& bad) {
+      dialog_->deleteLater();
+      dialog_ = nullptr;
+      return prompts_.report_error(QString::fromUtf8(bad.what()));
+    }
+  dialog_->show_consent(subject_);
+}
+
+void MeasureControl::start() {
+  if (hand_ || job_.running()) return;
+  if (const QString why = obstacle ? obstacle() : QString(); !why.isEmpty())
+    return dialog_->show_ended(why);
+  try {
+    const PulseLimits limits = dialog_->limits();
+    plan_ = plan_pulses(subject_.profile, limits, subject_.sample_time);
+    hand_ = devices_.begin_measuring(plan_, bounds_of(plan_, limits));
+  } catch (const std::invalid_argument& why) {
+    return dialog_->show_ended(QString::fromUtf8(why.what()));
+  }
+  if (!hand_) return dialog_->show_ended(QStringLiteral("the device is not there any more"));
+  if (say) say(QStringLiteral("Measuring %1.").arg(subject_.device));
+  timer_.start(look_ms);
+  look();
+}
+
+void MeasureControl::stop(const QString& reason) {
+  job_.abandon();
+  timer_.stop();
+  if (const auto hand = std::exchange(hand_, nullptr)) {
+    hand->pulses().stop();
+    devices_.end_measuring();
+  }
+  if (say) say(QStringLiteral("The measurement ended: %1.").arg(reason));
+  if (dialog_) dialog_->show_ended(reason);
+}
+
+void MeasureControl::force_switched(bool on) {
+  if (!on && hand_) stop(QStringLiteral("the force was switched off"));
+}
+
+void MeasureControl::look() {
+  const PulseProgress progress = hand_->pulses().progress();
+  if (!dialog_) return stop(QStringLiteral("cancelled"));
+  if (progress.end == PulsesEnd::done) {
+    timer_.stop();
+    const auto hand = std::exchange(hand_, nullptr);
+    devices_.end_measuring();
+    return compute(hand->pulses().response());
+  }
+  if (!devices_.measuring()) return stop(QStringLiteral("something else holds the probe now"));
+  if (progress.end != PulsesEnd::none) return stop(reason_of(progress));
+  dialog_->show_progress(plan_, progress);
+}
+
+void MeasureControl::compute(const Response& response) {
+  dialog_->show_computing();
+  const auto found = std::make_shared<Identification>();
+  found_ = found;
+  job_.start(
+      {}, [found, response](const Progress&) { *found = identify(response); },
+      [this](const std::exception_ptr& error) { take(error); });
+}
+
+void MeasureControl::take(const std::exception_ptr& error) {
+  if (!dialog_) return;
+  if (error) return dialog_->show_ended(ui::reason_of(error));
+  saved_.reset();
+  dialog_->show_result(*found_, subject_.profile);
+}
+
+QString MeasureControl::source() const {
+  std::size_t pulses = 0;
+  for (const IdentifiedAxis& axis : found_->axes) pulses += axis.pulses;
+  return QStringLiteral("measured by Sonde on %1, %2 pulses of %3; low and high: 99 %")
+      .arg(QDate::currentDate().toString(Qt::ISODate))
+      .arg(pulses)
+      .arg(subject_.device);
+}
+
+void MeasureControl::save() {
+  const std::filesystem::path first =
+      profile_folders_.front() / (subject_.profile.id + "-measured.json");
+  QString file = prompts_.ask_profile(text(first.string()));
+  if (file.isEmpty()) return;
+  if (!file.endsWith(QLatin1String(".json"))) file += QLatin1String(".json");
+  const std::filesystem::path path = file.toStdString();
+  try {
+    DeviceProfile profile = identified_profile(subject_.profile, *found_, source().toStdString());
+    profile.name += ", measured";
+    std::filesystem::create_directories(path.parent_path());
+    write_whole(path, device_profile_text(profile));
+    saved_ = read_device_profile(path);
+  } catch (const std::exception& why) {
+    return prompts_.report_error(QString::fromUtf8(why.what()));
+  }
+  devices_.add_profile(*saved_);
+  if (say) say(QStringLiteral("Saved %1.").arg(file));
+  const bool usable = std::holds_alternative<SimulatedSource>(devices_.source());
+  if (dialog_) dialog_->show_saved(file, usable);
+}
+
+void MeasureControl::use() {
+  if (!saved_) return;
+  const DeviceProfile profile = *saved_;
+  if (dialog_) dialog_->accept();
+  devices_.choose(SimulatedSource{profile});
+}
+
+}  // namespace sonde::ui
