@@ -32,10 +32,6 @@ constexpr qint64 same_key_ms = 300;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-const ProfileKey& key_of(ProfileValue DeviceProfile::*value) {
-  return *std::ranges::find(profile_keys(), value, &ProfileKey::value);
-}
-
 QLabel* paragraph(const char* object, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(object));

@@ -32,8 +32,8 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
                             "mass 0.500 to 2.00 times", "Hardly on the friction"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   const auto gains = recommend(r, GainAxis::object);
-  EXPECT_EQ(margin_text(*gains, 450), "the boundary is 900 N/m: could be 2.00 times as stiff");
-  EXPECT_EQ(margin_text(*gains, 63'270), "the boundary is 900 N/m: 70.3 times too stiff");
+  EXPECT_EQ(margin_text(r, *gains, 450), "the boundary is 900 N/m: could be 2.00 times as stiff");
+  EXPECT_EQ(margin_text(r, *gains, 63'270), "the boundary is 900 N/m: 70.3 times too stiff");
 }
 
 TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_limits) {
