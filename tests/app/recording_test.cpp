@@ -68,7 +68,11 @@ TEST_F(Recordings, are_a_table_as_they_were_without_their_meshes) {
   EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --record x.sonderec").exit_code, 2);
   EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --phases").exit_code, 2);
   EXPECT_EQ(sonde("replay boxes.sonderec --as-recorded --phases-picture x.svg").exit_code, 2);
-  EXPECT_EQ(sonde("replay boxes.sonde.json --record x.svg --phases-picture ./x.svg").exit_code, 2);
+}
+
+TEST_F(Recordings, are_not_written_over_by_a_picture) {
+  expect_refused("replay boxes.sonde.json --record x.svg --phases-picture ./x.svg", 2,
+                 "--record and --phases-picture name the same file");
 }
 
 TEST_F(Recordings, are_described_by_info) {

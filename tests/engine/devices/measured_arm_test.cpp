@@ -29,10 +29,13 @@ struct MeasuredArm : testing::TestWithParam<Maker> {
     ::setenv(maker.variable, maker.library, 1);
   }
   ~MeasuredArm() override {
+    end();
+    forget_makers();
+  }
+  void end() {
     servo.reset();
     hand.reset();
     device.reset();
-    forget_makers();
   }
 
   void begin() {
@@ -61,6 +64,20 @@ struct MeasuredArm : testing::TestWithParam<Maker> {
     }));
     return most;
   }
+  /// Begins, and plays so many pulses; the largest force. A machine that does much else may hold up
+  /// the thread that reads the arm: an arm that is not heard of is lost, rightly, and it begins
+  /// anew.
+  double played(std::size_t pulse) {
+    for (int attempt = 0; attempt < 5 && !HasFatalFailure(); ++attempt) {
+      begin();
+      if (HasFatalFailure()) break;
+      const double most = until(pulse);
+      if (progress().end != PulsesEnd::lost) return most;
+      end();
+    }
+    ADD_FAILURE() << "it was not heard of in any of five runs";
+    return 0;
+  }
   void expect_over(PulsesEnd why) {
     ASSERT_TRUE(comes_true([&] { return progress().end != PulsesEnd::none; }));
     EXPECT_EQ(progress().end, why) << words(progress().end);
@@ -69,8 +86,8 @@ struct MeasuredArm : testing::TestWithParam<Maker> {
 };
 
 TEST_P(MeasuredArm, its_motors_get_the_pulses_and_no_contact) {
-  begin();
-  const double most = until(8);
+  const double most = played(8);
+  ASSERT_TRUE(hand);
   EXPECT_EQ(progress().end, PulsesEnd::none) << words(progress().end);
   EXPECT_GT(most, 0.4 * 1.5);
   EXPECT_LE(most, 1.5 + 1e-9) << "half of 3 N";
@@ -87,8 +104,8 @@ TEST_P(MeasuredArm, one_that_is_unplugged_ends_it) {
 }
 
 TEST_P(MeasuredArm, a_hand_that_takes_the_handle_away_ends_it) {
-  begin();
-  until(2);
+  played(2);
+  ASSERT_TRUE(hand);
   for (int i = 0; i < 2000 && progress().end == PulsesEnd::none; ++i) {
     standin.move_to(maker.place(Vec3(0, 5e-5 * i, 0)));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
