@@ -34,7 +34,7 @@ struct Bench {
   /// A tick with the handle there; returns what it asked for.
   Wrench tick(const Pose& X_BH, Withheld why = Withheld::nothing, bool trusted = true) {
     HandTrial& trial = player.next(period * ticks++, X_BH, trusted);
-    const Wrench asked = trial.wrench;
+    Wrench asked = trial.wrench;
     most_force = std::max(most_force, asked.force.norm());
     most_torque = std::max(most_torque, asked.torque.norm());
     trial.withheld = why;
