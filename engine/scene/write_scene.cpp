@@ -37,11 +37,15 @@ double in_unit(double length, double unit) {
 }
 
 /// Numbers that the reader's normalisation turns into that unit quaternion, to the bit. It is not
-/// idempotent: a quaternion that was read may come out a last bit different from its own numbers.
+/// idempotent: a quaternion that was read may come out a last bit different from its own numbers,
+/// and from all that are nearly those. So first these are tried, then multiples far from them.
 std::array<double, 4> before_normalisation(const Quat& q) {
-  constexpr int most = 4000;
+  constexpr int near = 64, most = 4000;
+  constexpr double furthest = 1e-4, golden = 0.6180339887498949;
   for (int i = 0; i < most; ++i) {
-    const double factor = 1 + step * (i % 2 == 0 ? -(i / 2) : i / 2 + 1);
+    const double steps = i % 2 == 0 ? -(i / 2) : i / 2 + 1;
+    const double spread = 2 * (golden * i - std::floor(golden * i)) - 1;
+    const double factor = 1 + (i < near ? step * steps : furthest * spread);
     const std::array<double, 7> n{
         0, 0, 0, q.w() * factor, q.x() * factor, q.y() * factor, q.z() * factor};
     if (pose_of_numbers(n).q.coeffs() == q.coeffs()) return {n[3], n[4], n[5], n[6]};

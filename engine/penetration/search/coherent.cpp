@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/search/coherent.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "engine/base/phase_timer.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
@@ -8,7 +13,9 @@
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/far_apart.hpp"
 #include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {
 
@@ -88,6 +95,25 @@ struct CoherentSolver::State {
     last.iterations = follows_in_step;
     device = separated = to;
     return true;
+  }
+
+  /// Next to a half turn w = √(1 − v²) is lost to rounding, and with it what a pose, and a motion
+  /// from there, are known to. True where the probe has room for that; else it has to stay.
+  bool has_room_for_rounding(const Chart& chart, const Vec6& y, Effort& effort) noexcept {
+    const double v2 = chart.v(y).squaredNorm();
+    if (v2 <= Chart::largest_v * Chart::largest_v) return true;
+    if (!(1 - v2 > Motion::least_w2)) return false;
+    const double lost = 4 * std::numeric_limits<double>::epsilon() / std::sqrt(1 - v2);
+    const double off =
+        farthest_move(probe.mass, separated, chart.pose(y)) + lost * 2 * probe.mass.radius;
+    if (off <= rounding_guard(extent(probe), extent(fixed), separated.p)) return true;
+    const Transform X(separated);
+    if (triangles_meet(probe, fixed, X, Doubt::contact)) return false;
+    std::array<NearPair, 2> nearest;
+    const NearPairs near = near_pairs(probe, fixed, X, 4 * off, nearest, effort);
+    double room = near.reach;
+    for (std::size_t i = 0; i < near.count; ++i) room = std::min(room, nearest[i].gap);
+    return room > 2 * off;
   }
 
   /// Translation only: the separated probe has to turn with the device first, in one motion that is
@@ -170,12 +196,18 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   chart.absorb_free_spin(s.separated);
   const Vec6 from = chart.coordinates(s.separated);
   Vec6 y = from;
-  const bool followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
-  DescentGoal goal;
-  if (budget.steps > 0) goal.steps = budget.steps;
-  const Descent::Outcome found =
-      s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
-  s.descent.prepare_next_list(effort);
+  Descent::Outcome found;
+  bool followed = s.has_room_for_rounding(chart, from, effort);
+  if (followed) {
+    followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
+    DescentGoal goal;
+    if (budget.steps > 0) goal.steps = budget.steps;
+    found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
+    s.descent.prepare_next_list(effort);
+  } else {
+    found.move_to(from);
+    found.limited = 1;
+  }
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
   // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by

@@ -17,7 +17,7 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
   // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|. |v(s)|
   // is largest at an end of the path.
   const double v2 = std::max(v_from_.squaredNorm(), (v_from_ + v_step_).squaredNorm());
-  const double w2 = std::max(1e-12, 1 - v2);
+  const double w2 = std::max(least_w2, 1 - v2);
   const double step2 = v_step_.squaredNorm();
   const double q2 = step2 + step2 * v2 / w2;
   turn_ = 2 * std::sqrt(q2) * (1 + 1e-12);
@@ -26,7 +26,7 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
   // |w″| ≤ |v̇|²/w³ and |w‴| ≤ 3|v||v̇|³/w⁵, together no more than 6|v̇|³|r|/w⁵; from half-way it is
   // half of the path to either end.
   const Vec3 half = v_from_ + 0.5 * v_step_;
-  const double w = std::sqrt(std::max(1e-12, 1 - half.squaredNorm()));
+  const double w = std::sqrt(std::max(least_w2, 1 - half.squaredNorm()));
   const double w1 = -half.dot(v_step_) / w, w11 = -(step2 + w1 * w1) / w;
   const auto times = [](const Vec3& x) {
     Mat3 m;

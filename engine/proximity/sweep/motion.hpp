@@ -6,9 +6,12 @@
 namespace sonde {
 
 /// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what
-/// the sweep needs of it. |v| must stay below 1.
+/// the sweep needs of it. 1 − |v|² must stay above least_w2: its bounds hold no nearer to a half
+/// turn.
 class Motion {
  public:
+  static constexpr double least_w2 = 1e-12;
+
   Motion(const Chart& chart, const Vec6& from, const Vec6& to);
 
   Transform at(double s) const;  ///< X_FM

@@ -217,8 +217,9 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
       covariance(J, left, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
   const double t = student_t_99(static_cast<double>(windows.size() - 1));
   const auto estimate = [&](Parameter i) {
-    const double value = std::abs(p[i]) * scale[i];
-    const double half = t * std::sqrt(std::max(0.0, C(i, i))) * scale[i];
+    const double unit = scale[static_cast<std::size_t>(i)];
+    const double value = std::abs(p[i]) * unit;
+    const double half = t * std::sqrt(std::max(0.0, C(i, i))) * unit;
     return Estimate{value, std::max(0.0, value - half), value + half};
   };
   return {.inertia = estimate(inertia),

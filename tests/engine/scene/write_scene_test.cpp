@@ -11,6 +11,7 @@
 #include <random>
 
 #include "engine/base/error.hpp"
+#include "engine/scene/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/settings.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -135,6 +136,22 @@ TEST(WriteScene, any_pose_made_storable_comes_back_to_the_bit) {
       expect_same(scene_in(text, folder / "copy.sonde.json").probe.pose, scene.probe.pose);
     }
   }
+}
+
+TEST(WriteScene, so_does_any_quaternion_of_a_few_digits) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  Scene scene = scene_in(full, "/nowhere/full.sonde.json");
+  for (const double digits : {1e4, 1e6, 1e9, 1e12, 1e15})
+    for (int i = 0; i < 500; ++i) {
+      const Quat q =
+          Quat(normal(random), normal(random), normal(random), normal(random)).normalized();
+      std::array<double, 7> numbers{0, 0, 0, q.w(), q.x(), q.y(), q.z()};
+      for (double& number : numbers) number = std::round(number * digits) / digits;
+      scene.probe.pose = pose_of_numbers(numbers);
+      const std::string text = scene_text(scene, "/nowhere");
+      expect_same(scene_in(text, "/nowhere/copy.sonde.json").probe.pose, scene.probe.pose);
+    }
 }
 
 TEST(WriteScene, its_meshes_are_found_from_another_folder) {

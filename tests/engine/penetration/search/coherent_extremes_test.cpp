@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "engine/geometry/rotation.hpp"
 #include "engine/penetration/search/coherent.hpp"
@@ -68,6 +69,32 @@ TEST(CoherentExtremes, far_from_the_origin_the_probe_still_comes_free) {
     EXPECT_GT(in_contact, 100) << away;
     EXPECT_EQ(solver.last().status, Status::separated) << away;
   }
+}
+
+// Reference: exact predicates. Next to a half turn from the probe the device's coordinates lose its
+// turn to rounding, 1e-8 rad, which is more than a shallow contact leaves.
+TEST(CoherentExtremes, a_device_half_a_turn_away_leaves_the_probe_free) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto probe = test::body(test::box({0.5, 0.3, 0.2})),
+             block = test::body(test::box({2, 2, 2}));
+  int kept = 0;
+  for (const double short_of : {0.0, 1e-9, 1e-7, 1e-5, 1e-3})
+    for (int i = 0; i < 10; ++i) {
+      CoherentSolver solver({probe, block});
+      const Pose device{Quat::Identity(), Vec3(0.1, 0.1, 1.1 - 1e-10)};
+      ASSERT_EQ(solver.reset(device).status, Status::penetrating);
+      const Pose from = solver.last().separated;
+      const Vec3 axis = Vec3(any(random), any(random), any(random)).normalized();
+      const Quat turn(Eigen::AngleAxisd(std::numbers::pi - short_of, axis));
+      for (const Vec3& by : {Vec3(0, 0, 0), Vec3(1e-4, 0, -1e-3)}) {
+        const Separation& s = solver.tick({(turn * from.q).normalized(), from.p + by});
+        ASSERT_FALSE(overlap(*probe, *block, Transform(s.separated), Doubt::exact))
+            << short_of << " " << axis.transpose();
+        kept += s.status == Status::penetrating && s.limited > 0 && !s.converged;
+      }
+    }
+  EXPECT_GT(kept, 0);
 }
 
 // Walls a hundredth as thick as the probe, and with no thickness at all, wide enough that there is
