@@ -32,8 +32,8 @@ void run(const TuneOptions& options) {
   request.trusts_friction = options.trusts_friction;
   request.low = options.low;
   request.high = options.high;
-  const auto plan =
-      study_plan(request, stop_on_interrupt(), progress.percent("tune, looking for contacts"));
+  const auto plan = study_plan(request, threads_of(output), stop_on_interrupt(),
+                               progress.percent("tune, looking for contacts"));
   progress.clear();
   const Study study = plan_tuning(plan);
   if (output.quiet) return run_study(study, output, tuning_files);

@@ -136,8 +136,9 @@ Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const
                       const std::function<void(const Tuning&)>& found) {
   std::atomic<double> fraction = 0;
   const Stop stop = [&] { return progress && !progress(fraction); };
-  Study study =
-      plan_tuning(request_of(order, opened), stop, [&](double done) { fraction = looking * done; });
+  const unsigned threads = std::max(2u, std::thread::hardware_concurrency()) - 1;
+  Study study = plan_tuning(request_of(order, opened), threads, stop,
+                            [&](double done) { fraction = looking * done; });
   keep_kind(study, order.kind);
   const fs::path folder = order.within / fingerprint(study.about);
   std::mutex one_at_a_time;
@@ -149,8 +150,7 @@ Tuning compute_tuning(const TuningOrder& order, const LoadedScene& opened, const
     told = done;
     if (auto so_far = tuning_in(folder, opened)) found(*so_far);
   };
-  const unsigned all = std::max(2u, std::thread::hardware_concurrency());
-  compute_parts(folder, study, {}, all - 1, stop, tell);
+  compute_parts(folder, study, {}, threads, stop, tell);
   write_reports(folder);
   keep_newest(order.within);
   Tuning tuning = load_tuning(folder, opened);

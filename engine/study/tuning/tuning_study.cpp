@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/threads.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 
@@ -75,7 +76,7 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool alone = part.axis != main_axis(plan->request);
             if (alone) setup.ratio = coarser(setup.ratio, 4);
             if (!nominal) setup.ratio = varied_ratio(setup.ratio);
-            const SweepExtent extent{.beyond = nominal && !part.first_look,
+            const SweepExtent extent{.beyond = nominal && !alone && !part.first_look,
                                      .without_friction = !alone && has_friction(device),
                                      .harder_knocks = !alone && nominal && has_friction(device)};
             Json json{{"situation", part.situation},
@@ -98,7 +99,7 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
         const bool alone = axis != axes.front();
         if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
         std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
-        if (alone && shares.size() > 1) shares = {0, 0.25, 1};
+        if (alone && shares.size() > 1) shares = {0, 1};
         parts.push_back({i, &grip, axis, shares});
       }
   // What is recommended is varied, not what each axis could do alone.
@@ -131,23 +132,28 @@ Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<
 
 /// The share of the largest damping at which a coarse sweep of the hardest situation allows most;
 /// of equal ones the least. Theory alone would take dampings at which the real loop chatters.
-double best_damping_share(const std::shared_ptr<const TuningPlan>& plan, const Stop& stop) {
+double best_damping_share(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
+                          const Stop& stop) {
   const GainAxis axis = main_axis(plan->request);
   const std::size_t where = hardest(*plan);
   const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
   const std::vector<double> shares = damping_shares(setup, axis);
   if (shares.size() == 1) return shares.front();
-  const Study study = study_of(plan, {first_look_at(*plan, where, shares)});
-  const auto best = recommend(read_tuning("", compute_at_once(study, 1, stop)), axis);
-  return best->damping / setup.most_damping;
+  std::vector<double> allowed(shares.size());
+  run_parallel(shares.size(), threads, [&](std::size_t i) {
+    const Study study = study_of(plan, {first_look_at(*plan, where, {shares[i]})});
+    allowed[i] = recommend(read_tuning("", compute_at_once(study, 1, stop)), axis)->stiffness;
+  });
+  return shares[static_cast<std::size_t>(std::ranges::max_element(allowed) - allowed.begin())];
 }
 
 }  // namespace
 
-std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const Stop& stop,
+std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsigned threads,
+                                             const Stop& stop,
                                              const std::function<void(double)>& progress) {
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
-  plan->damping_share = best_damping_share(plan, stop);
+  plan->damping_share = best_damping_share(plan, threads, stop);
   return plan;
 }
 
@@ -155,9 +161,9 @@ Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
   return study_of(plan, parts_of(*plan));
 }
 
-Study plan_tuning(const TuningRequest& request, const Stop& stop,
+Study plan_tuning(const TuningRequest& request, unsigned threads, const Stop& stop,
                   const std::function<void(double)>& progress) {
-  return plan_tuning(study_plan(request, stop, progress));
+  return plan_tuning(study_plan(request, threads, stop, progress));
 }
 
 Study plan_first_look(const std::shared_ptr<const TuningPlan>& plan) {

@@ -9,9 +9,10 @@
 
 namespace sonde {
 
-/// Looks for the situations, and for the damping at which assumed values are varied. Errors as
-/// tuning_contacts.
-std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const Stop& stop,
+/// Looks for the situations, and, on so many threads, for the damping at which assumed values are
+/// varied. Errors as tuning_contacts.
+std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsigned threads,
+                                             const Stop& stop,
                                              const std::function<void(double)>& progress = {});
 
 /// The study of such a plan. Each situation, hand and axis is a part. In the situation that theory
@@ -20,7 +21,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, const
 /// apart.
 Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan);
 /// Makes the plan too.
-Study plan_tuning(const TuningRequest& request, const Stop& stop,
+Study plan_tuning(const TuningRequest& request, unsigned threads, const Stop& stop,
                   const std::function<void(double)>& progress = {});
 
 /// Limits of a first look are known to this ratio.

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <random>

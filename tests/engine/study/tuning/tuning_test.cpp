@@ -52,13 +52,13 @@ std::string all_text(const std::filesystem::path& folder) {
 TEST(Tuning, same_bits_at_any_thread_count_and_in_shards) {
   const TuningRequest request = boxes();
   const test::TempFolder whole, threads, shards;
-  compute_parts(whole.path(), plan_tuning(request, never), {}, 1, never);
-  compute_parts(threads.path(), plan_tuning(request, never), {}, 3, never);
+  compute_parts(whole.path(), plan_tuning(request, 1, never), {}, 1, never);
+  compute_parts(threads.path(), plan_tuning(request, 1, never), {}, 3, never);
   const std::string text = all_text(whole.path());
   EXPECT_EQ(all_text(threads.path()), text);
   for (const std::size_t i : {2u, 0u, 1u}) {
     EXPECT_THROW(all_text(shards.path()), InputError);
-    compute_parts(shards.path(), plan_tuning(request, never), {i, 3}, 1, never);
+    compute_parts(shards.path(), plan_tuning(request, 1, never), {i, 3}, 1, never);
   }
   EXPECT_EQ(all_text(shards.path()), text);
 }
@@ -68,7 +68,7 @@ void expect_coupling(Coupling::Mode mode) {
   request.coupling.mode = mode;
   request.device.mass.assumed = false;
   const test::TempFolder folder;
-  compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+  compute_parts(folder.path(), plan_tuning(request, 1, never), {}, 2, never);
   for (const StudyFile& file : tuning_files(folder.path().string(), read_study(folder.path())))
     folder.write(file.name, file.text);
   const Coupling c = read_coupling(folder / "coupling.json");
@@ -89,7 +89,7 @@ TEST(Tuning, no_contact_is_an_error_that_says_so) {
   TuningRequest request = boxes();
   request.path = {{0, {Quat::Identity(), {0, 0, 1}}}, {1, {Quat::Identity(), {0, 0, 2}}}};
   try {
-    plan_tuning(request, never);
+    plan_tuning(request, 1, never);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("contact at no pose of the trajectory"));
@@ -113,7 +113,7 @@ TEST(Tuning, what_is_not_studied_is_said) {
       EXPECT_EQ(found->reason, "no such contact was found");
     }
   }
-  const std::string about = plan_tuning(request, never).about;
+  const std::string about = plan_tuning(request, 1, never).about;
   EXPECT_THAT(about, HasSubstr(R"({"kind":"jammed","reason":"no such contact was found"})"));
 }
 
@@ -124,7 +124,7 @@ TEST(Tuning, stiffness_beyond_all_reason_gives_a_map_of_it) {
   request.high = 1e12;
   request.ratio = 2;
   const test::TempFolder folder;
-  compute_parts(folder.path(), plan_tuning(request, never), {}, 2, never);
+  compute_parts(folder.path(), plan_tuning(request, 1, never), {}, 2, never);
   const TuningResults results = read_tuning("", read_study(folder.path()));
   for (const TuningLine& line : results.lines)
     for (const SweepPoint& run : line.columns.front().runs) {
@@ -160,7 +160,7 @@ TEST(Tuning, Full_a_contact_that_cannot_be_held_is_left_out_with_the_reason) {
 /// Of what is recommended alone, without what each axis could do by itself.
 TuningResults tuned(const TuningRequest& request) {
   const test::TempFolder folder;
-  Study study = plan_tuning(request, never);
+  Study study = plan_tuning(request, 1, never);
   std::erase_if(study.parts, [](const StudyPart& part) {
     return part.name.ends_with(".translation") || part.name.ends_with(".rotation");
   });
