@@ -48,7 +48,7 @@ void count_free(const volatile void* block) noexcept {
 
 }  // namespace
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(SONDE_SANITIZED)
 
 // A sanitizer replaces malloc itself, and offers hooks instead.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,

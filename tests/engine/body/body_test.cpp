@@ -262,7 +262,7 @@ TEST(Body, mass_has_the_same_bits_where_two_threads_build) {
 }
 
 // A sanitizer's allocator keeps no such figures.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(SONDE_SANITIZED)
 std::size_t allocated_now() {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
