@@ -314,13 +314,13 @@ TEST(Invariance, converged_depths_of_a_sample_hardly_depend_on_the_frame_or_the_
   EXPECT_GE(a.same, a.poses - 1);
 }
 
-// Asked for: 98 %. Measured: 228 of 237 (96.2 %); five of the other nine are soups of loose
+// Asked for: 98 %. Measured: 236 of 242 (97.5 %); two of the other six are soups of loose
 // triangles deep in each other.
 TEST(Invariance, Full_converged_depths_hardly_depend_on_the_frame_or_the_order) {
   const auto rows = reference::read_rows(SONDE_DEPTHS);
   const Agreement a = compare(rows);
   EXPECT_GE(a.poses, static_cast<int>(rows.size() * 9 / 10));
-  EXPECT_GE(a.same, a.poses * 96 / 100);
+  EXPECT_GE(a.same, a.poses * 97 / 100);
 }
 
 }  // namespace
