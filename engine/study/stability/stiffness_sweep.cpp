@@ -33,6 +33,22 @@ class Sweep {
     return k;
   }
 
+  /// Between the first that is too soft to be faithful and the next with another fault something
+  /// good may lie: bisects there, until something is good or the two are as near as the ratio.
+  void look_above_too_soft(const Fits& good) {
+    const auto unfaithful = [&](double k) { return fault_of(at(k)) == HoldFault::unfaithful; };
+    double low = 0, high = 0;
+    for (auto it = done_.begin(); it != done_.end() && high == 0; ++it)
+      if (unfaithful(it->first))
+        low = it->first;
+      else if (low > 0)
+        high = it->first;
+    while (high > options_.ratio * low && !any(good)) {
+      const double middle = std::sqrt(low * high);
+      (unfaithful(middle) ? low : high) = middle;
+    }
+  }
+
   /// Bisects below the first that fails above `from`, until the limit is known to the ratio.
   SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, options_.ratio); }
   SweepLimit limit(const Fits& fits, double from, double ratio) {
@@ -129,6 +145,7 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   const Fits stable = [](const HoldReport& r) { return r.stable; };
   const Fits good = [&](const HoldReport& r) { return sweep.fault_of(r) == HoldFault::none; };
   sweep.walk(options.start / 4, stable);
+  if (!sweep.any(good)) sweep.look_above_too_soft(good);
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
   // Nothing is recommended of a sweep without anything good: its map need not be fine.

@@ -54,9 +54,11 @@ struct SweepOptions {
 
 /// Searches the limits of one gain. It walks upwards, from a quarter of the start (from further
 /// below, where that fails) to the first unstable stiffness: in steps of ratio¹⁶ (1.1 to 2), in a
-/// quarter of them where the last hold was slow to die down. Then it bisects, to a ratio of 1.1
-/// where nothing at all is good. A limit lies below every observed fault, whatever holds above it.
-/// `run` is called once for each stiffness. Throws Cancelled.
+/// quarter of them where the last hold was slow to die down. Where none of these is good it looks
+/// between one too soft to be faithful and its neighbour with another fault, then further down.
+/// Then it bisects, to a ratio of 1.1 where nothing at all is good. A limit lies below every
+/// observed fault, whatever holds above it. `run` is called once for each stiffness. Throws
+/// Cancelled.
 StiffnessSweep sweep_stiffness(const std::function<HoldReport(double stiffness)>& run,
                                const SweepOptions& options, const Stop& stop);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ struct SweepExtent {
   bool beyond = false;            ///< runs a little above the limits, for the map
   bool without_friction = false;  ///< the limit of stability of a device without friction
   bool harder_knocks = false;     ///< that at harder_knocks, where it is lower
+  /// The share of the largest damping at which these two are searched for even where nothing is
+  /// good; elsewhere there is nothing to cap.
+  std::optional<double> always_capped = {};
 };
 
 /// The push alone, with its knock.

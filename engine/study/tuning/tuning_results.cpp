@@ -116,6 +116,23 @@ void check_dampings(const std::vector<TuningLine>& lines) {
           throw std::out_of_range("damping");
 }
 
+/// The limit without friction of the profile as it is, also for the lines that vary a friction.
+void share_frictionless(std::vector<TuningLine>& lines) {
+  for (TuningLine& line : lines)
+    for (TuningColumn& column : line.columns) {
+      if (!is_friction(line.assumed) || column.without_friction) continue;
+      for (const TuningLine& other : lines) {
+        if (!other.assumed.empty() || other.axis != line.axis || other.hand != line.hand ||
+            other.situation != line.situation)
+          continue;
+        const auto& same =
+            *std::ranges::find(other.columns, column.damping, &TuningColumn::damping);
+        column.without_friction = same.without_friction;
+        column.swings_without_friction = same.swings_without_friction;
+      }
+    }
+}
+
 void read_about(const Json& json, TuningResults& out) {
   out.mode = coupling_mode(json.at("mode").get<std::string>()).value();
   out.sample_time = json.at("sample_time").get<double>();
@@ -136,6 +153,10 @@ void read_about(const Json& json, TuningResults& out) {
 
 }  // namespace
 
+bool is_friction(const std::string& key) {
+  return key == "friction" || key == "rotational_friction";
+}
+
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
   TuningResults out;
   out.about = study.about;
@@ -152,6 +173,7 @@ TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
       if (out.lines.back().situation >= out.felt.size()) throw std::out_of_range("situation");
       check_dampings(out.lines);
     }
+    share_frictionless(out.lines);
   } catch (const std::exception& error) {  // what the parser, the names and the optional throw
     throw InputError::in(folder, reading + " is not what a study writes: " + error.what());
   }

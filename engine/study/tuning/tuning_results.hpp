@@ -56,6 +56,9 @@ struct TuningResults {
   std::vector<TuningLine> lines;  ///< those of the profile as it is come first
 };
 
+/// Keys of the profile. Without friction it does not matter what it was.
+bool is_friction(const std::string& key);
+
 /// Reads a complete study of kind "tune". Throws InputError where a part is missing or was not
 /// written by a study; `folder` is for the message.
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study);

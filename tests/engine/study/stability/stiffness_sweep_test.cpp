@@ -103,6 +103,39 @@ TEST(StiffnessSweep, what_is_too_soft_to_be_good_is_no_limit) {
   EXPECT_EQ(sweep.good.fault, HoldFault::unstable);
 }
 
+TEST(StiffnessSweep, a_good_range_narrower_than_a_step_of_the_walk_is_found) {
+  // Too soft below, chattering above: with the largest steps the walk comes by 125, 250, 500, 1000.
+  for (const double soft : {260.0, 330.0, 450.0})
+    for (const double width : {1.05, 1.1}) {
+      const auto narrow = [&](double k) {
+        HoldReport report;
+        report.stable = k < 3000;
+        report.force_error = k < soft ? 0.2 : 0.01;
+        report.chattering = k > width * soft;
+        return report;
+      };
+      const StiffnessSweep sweep = sweep_stiffness(narrow, {.start = 500, .ratio = 1.0443}, never);
+      EXPECT_LE(sweep.good.stiffness, width * soft);
+      EXPECT_GT(sweep.good.stiffness * 1.0443, width * soft) << soft;
+      EXPECT_EQ(sweep.good.fault, HoldFault::chattering);
+    }
+}
+
+TEST(StiffnessSweep, where_nothing_is_good_it_says_so) {
+  const auto never_good = [](double k) {
+    HoldReport report;
+    report.stable = k < 3000;
+    report.force_error = k < 300 ? 0.2 : 0.01;
+    report.chattering = k >= 300;
+    return report;
+  };
+  const StiffnessSweep sweep = sweep_stiffness(never_good, {.start = 500}, never);
+  EXPECT_EQ(sweep.good.stiffness, 0);
+  EXPECT_LE(sweep.stable.stiffness, 3000);
+  EXPECT_GT(sweep.stable.stiffness * 1.1, 3000);
+  EXPECT_EQ(sweep.points.front().stiffness, 1);  // it looked all the way down
+}
+
 TEST(StiffnessSweep, a_limit_outside_of_the_range_is_said) {
   MadeUp high{1e9, 1e9};
   StiffnessSweep sweep = sweep_stiffness(std::ref(high), {.high = 1e5}, never);
