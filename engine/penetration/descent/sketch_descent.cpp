@@ -42,16 +42,18 @@ SketchDescent::SketchDescent(const Sketch& probe, const Sketch& fixed,
       of_probe_(probe.more.size()),
       of_fixed_(fixed.more.size()) {}
 
-bool SketchDescent::is_free(const Chart& chart, const Vec6& y) {
+bool SketchDescent::is_free(const Chart& chart, const Vec6& y, double deepest) {
   const PhaseTimer timer(times_, Phase::sketch);
   const Frame frame(chart, y, R_FB_, com_B_);
-  const auto all_out = [](const PointGroup& group, const DistanceField& field, const auto& place) {
+  const auto least = -static_cast<float>(deepest);
+  const auto all_out = [least](const PointGroup& group, const DistanceField& field,
+                               const auto& place) {
     const Quad center = place(group.center);
     if (static_cast<double>(field.at_least(center)) > group.radius) return true;
     if (static_cast<double>(field.at(center)[3]) > group.radius) return true;
     return std::ranges::all_of(group.points, [&](const Quad& x) {
       const Quad placed = place(x);
-      return field.at_least(placed) >= 0 || field.at(placed)[3] >= 0;
+      return field.at_least(placed) >= least || field.at(placed)[3] >= least;
     });
   };
   const auto probe_is_out = [&](const PointGroup& group) {
@@ -85,15 +87,20 @@ double SketchDescent::find_near_in(const PointGroup& group, const DistanceField&
   const Quad center = place(group.center);
   known = {static_cast<double>(field.at_least(center)) - group.radius, travelled_};
   if (known.gap > reach) return reach;
-  known.gap = static_cast<double>(field.at(center)[3]) - group.radius;
+  const float from_center = field.at(center)[3];
+  known.gap = static_cast<double>(from_center) - group.radius;
   if (known.gap > reach) return reach;
   auto least = std::numeric_limits<float>::infinity();
   const auto within = static_cast<float>(reach);
-  for (const Quad& x : group.points) {
-    const Quad placed = place(x), there = field.at(placed);
-    least = std::min(least, there[3]);
+  const auto look_at = [&](const Quad& x) {
+    if (const float at_least = from_center - x[3]; at_least > within) return at_least;
+    const Quad placed = place(x);
+    if (const float at_least = field.at_least(placed); at_least > within) return at_least;
+    const Quad there = field.at(placed);
     if (there[3] < within) add(x, placed, there);
-  }
+    return there[3];
+  };
+  for (const Quad& x : group.points) least = std::min(least, look_at(x));
   known.gap = static_cast<double>(least);
   return known.gap;
 }

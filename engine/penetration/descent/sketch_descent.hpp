@@ -20,8 +20,9 @@ class SketchDescent {
 
   /// Adds the times of descents to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
-  /// By few points. Those that lay too deep when last asked are looked at first.
-  bool is_free(const Chart& chart, const Vec6& y);
+  /// By few points: none lies deeper than `deepest`, m. Those that lay too deep when last asked are
+  /// looked at first.
+  bool is_free(const Chart& chart, const Vec6& y, double deepest = 0);
 
   /// m: how far the deepest of more points lies in the other body at y; 0 where none does.
   double depth_of_points(const Chart& chart, const Vec6& y);

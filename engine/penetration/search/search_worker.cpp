@@ -66,11 +66,15 @@ Vec6 SearchWorker::sample(Random& random, double radius, Method method) const {
 
 std::optional<Vec6> SearchWorker::free_sample(const Chart& chart, Random& random,
                                               const Vec6& center, double radius, int tries,
-                                              Method method, const Deadline& before) {
+                                              Method method, const Deadline& before,
+                                              SketchDescent* sketches) {
+  const double deepest = sketches ? tuned_.plainly_deep * sketches->spacing() : 0;
   for (int i = 0; i < tries && !before.passed(); ++i) {
     Vec6 y = center + sample(random, radius, method);
     if (method == Method::pdt) y.head<3>().setZero();
-    if (chart.v(y).norm() < tuned_.largest_start_v && leaps(method).is_free(chart, y)) return y;
+    if (chart.v(y).norm() < tuned_.largest_start_v &&
+        (!sketches || sketches->is_free(chart, y, deepest)) && leaps(method).is_free(chart, y))
+      return y;
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/descent/leap_descent.hpp"
 #include "engine/penetration/descent/push_apart.hpp"
+#include "engine/penetration/descent/sketch_descent.hpp"
 #include "engine/penetration/search/local_optima.hpp"
 
 namespace sonde {
@@ -36,9 +37,11 @@ class SearchWorker {
 
   /// A random displacement, not depending on how the world is turned.
   Vec6 sample(Random& random, double radius, Method method) const;
-  /// Random poses of a ball about y: a free one, if there is one among so many.
+  /// Random poses of a ball about y: a free one, if there is one among so many. Where sketches lie
+  /// plainly too deep, the bodies are not asked.
   std::optional<Vec6> free_sample(const Chart& chart, Random& random, const Vec6& center,
-                                  double radius, int tries, Method method, const Deadline& before);
+                                  double radius, int tries, Method method, const Deadline& before,
+                                  SketchDescent* sketches = nullptr);
 
   double near;  ///< m: no free pose was found in smaller balls
   double smallest_ball() const { return tuned_.smallest_ball * probe_.mass.radius; }

@@ -48,15 +48,16 @@ PhaseTimes Starts::phases() const {
 }
 
 std::optional<Vec6> Starts::free_sample(Random& random, const Vec6& center, double radius,
-                                        int tries, Method method, SearchWorker& lane) const {
-  return lane.free_sample(chart_, random, center, radius, tries, method, before_);
+                                        int tries, Method method, std::size_t lane) {
+  return lanes_[lane].free_sample(chart_, random, center, radius, tries, method, before_,
+                                  sketched_.empty() ? nullptr : &sketched_[lane]);
 }
 
 LocalOptimum Starts::near(Random random, int tries, const Aim& aim, std::size_t lane) {
   SearchWorker& in = lanes_[lane];
   for (double radius = in.near; radius < tuned_.largest_ball * probe_.mass.radius;
        radius *= tuned_.near_growth)
-    if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, in)) {
+    if (const auto y = free_sample(random, Vec6::Zero(), radius, tries, aim.method, lane)) {
       in.near = std::max(in.smallest_ball(), tuned_.near_again * y->norm());
       return in.descend(chart_, *y, aim.method, limits(aim, y->norm()));
     }
@@ -124,14 +125,14 @@ LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_
   for (double grown = 1; !y && grown < tuned_.largest_ball && !before_.passed();
        grown *= tuned_.far_growth)
     y = free_sample(random, Vec6::Zero(), grown * width * aim.beat, tuned_.tries_in_a_ball,
-                    aim.method, lanes_[lane]);
+                    aim.method, lane);
   return y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
 }
 
 LocalOptimum Starts::about(const Vec6& end, Random random, const Aim& aim, std::size_t lane) {
   const double part = random.uniform(0, 1),
                radius = aim.beat * (tuned_.about_nearest + tuned_.about_wider * part * part);
-  const auto y = free_sample(random, end, radius, tuned_.tries_in_a_ball, aim.method, lanes_[lane]);
+  const auto y = free_sample(random, end, radius, tuned_.tries_in_a_ball, aim.method, lane);
   LocalOptimum out = y ? lanes_[lane].descend(chart_, *y, aim.method, limits(aim)) : LocalOptimum{};
   out.starts = 0;
   return out;

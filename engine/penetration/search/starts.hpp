@@ -71,7 +71,7 @@ class Starts {
   std::optional<Vec6> first_free_beyond(const Vec6& end, Method method, std::size_t lane) const;
   std::optional<Vec6> freed(const Vec6& end, Method method, std::size_t lane);
   std::optional<Vec6> free_sample(Random& random, const Vec6& center, double radius, int tries,
-                                  Method method, SearchWorker& lane) const;
+                                  Method method, std::size_t lane);
 
   const Body& probe_;
   const Body& fixed_;

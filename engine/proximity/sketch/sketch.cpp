@@ -52,8 +52,9 @@ PointGroup group_of(std::span<const Vec3> points) {
   for (const Vec3& x : points) box.extend(x);
   out.center = quad(box.center());
   for (const Vec3& x : points) {
-    out.points.push_back(quad(x));
-    out.radius = std::max(out.radius, (x - box.center()).norm());
+    const double away = (x - box.center()).norm();
+    out.points.push_back(quad(x, static_cast<float>(away)));
+    out.radius = std::max(out.radius, away);
   }
   return out;
 }

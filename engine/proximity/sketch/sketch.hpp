@@ -11,8 +11,8 @@ namespace sonde {
 /// Points that lie together.
 struct PointGroup {
   Quad center;
-  double radius;  // m
-  std::vector<Quad> points;
+  double radius;             // m
+  std::vector<Quad> points;  // the fourth: how far from the center, m
 };
 
 /// A body for quick searches: some points of its surface (a few, or more of them) and, for a solid,
