@@ -47,15 +47,15 @@ const char* json_name_of(DeviceKind kind) {
   return "";
 }
 
-std::string to_text(const VendorLibraryListing& library) {
+std::string library_text(const VendorLibraryListing& library) {
   const std::string head = library.name + " (" + library.maker + "): ";
   if (!library.usable) return head + library.reason + '\n';
   const std::string version = library.version.empty() ? "of no told version" : library.version;
   return head + version + ", " + library.path + '\n';
 }
 
-std::string to_text(const std::vector<DeviceListing>& devices,
-                    const std::vector<VendorLibraryListing>& libraries) {
+std::string devices_text(const std::vector<DeviceListing>& devices,
+                         const std::vector<VendorLibraryListing>& libraries) {
   std::string text = devices.empty() ? "no 6-DoF device is connected\n" : "";
   for (const DeviceListing& device : devices) {
     text += device.info.path + "  " + id_text(device.info) + "  " + device.name + " (" +
@@ -65,7 +65,7 @@ std::string to_text(const std::vector<DeviceListing>& devices,
     if (!device.note.empty()) text += "  note: " + device.note + '\n';
   }
   text += "\nmakers' libraries for force arms\n";
-  for (const VendorLibraryListing& library : libraries) text += "  " + to_text(library);
+  for (const VendorLibraryListing& library : libraries) text += "  " + library_text(library);
   return text;
 }
 
@@ -94,8 +94,8 @@ Json json_of(const VendorLibraryListing& library) {
           {"reason", text_or_null(library.reason)}};
 }
 
-std::string to_json(const std::vector<DeviceListing>& devices,
-                    const std::vector<VendorLibraryListing>& libraries) {
+std::string devices_json(const std::vector<DeviceListing>& devices,
+                         const std::vector<VendorLibraryListing>& libraries) {
   Json json;
   json["units"] = {{"max_force", "N"},
                    {"max_torque", "N*m"},
@@ -127,7 +127,8 @@ void run(const OutputOptions& options) {
   check_output(options, {});
   const std::vector<DeviceListing> devices = list_devices();
   const std::vector<VendorLibraryListing> libraries = list_vendor_libraries();
-  write_result(options, options.json ? to_json(devices, libraries) : to_text(devices, libraries));
+  write_result(options,
+               options.json ? devices_json(devices, libraries) : devices_text(devices, libraries));
 }
 
 }  // namespace

@@ -25,22 +25,22 @@ struct QueryOptions {
   std::string poses;
 };
 
-constexpr std::array<Column, 16> columns{{{"index", ""},
-                                          {"status", ""},
-                                          {"depth", "m"},
-                                          {"sigma", "m^2"},
-                                          {"px", "m"},
-                                          {"py", "m"},
-                                          {"pz", "m"},
-                                          {"qw", ""},
-                                          {"qx", ""},
-                                          {"qy", ""},
-                                          {"qz", ""},
-                                          {"lower_bound", "m"},
-                                          {"contacts", ""},
-                                          {"residual", ""},
-                                          {"iterations", ""},
-                                          {"time_us", "us"}}};
+constexpr std::array<Column, 16> query_columns{{{"index", ""},
+                                                {"status", ""},
+                                                {"depth", "m"},
+                                                {"sigma", "m^2"},
+                                                {"px", "m"},
+                                                {"py", "m"},
+                                                {"pz", "m"},
+                                                {"qw", ""},
+                                                {"qx", ""},
+                                                {"qy", ""},
+                                                {"qz", ""},
+                                                {"lower_bound", "m"},
+                                                {"contacts", ""},
+                                                {"residual", ""},
+                                                {"iterations", ""},
+                                                {"time_us", "us"}}};
 
 Row row_of(const TimedSeparation& result, std::size_t index) {
   const Separation& s = result.separation;
@@ -105,7 +105,7 @@ void run(const QueryOptions& options) {
   const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
                                          : search_all(pair, poses, solver, progress);
   const std::vector<Column> all_columns =
-      with_phases(options.phases, accuracy.with_claims(columns));
+      with_phases(options.phases, accuracy.with_claims(query_columns));
   ResultTable table{all_columns, {}};
   PhasePicture picture;
   for (std::size_t i = 0; i < results.size(); ++i) {

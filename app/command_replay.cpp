@@ -36,7 +36,7 @@ struct ReplayOptions {
   SettingValues servo;
 };
 
-constexpr std::array<Column, 30> columns{
+constexpr std::array<Column, 30> replay_columns{
     {{"t", "s"},        {"px", "m"},       {"py", "m"},      {"pz", "m"},      {"qw", ""},
      {"qx", ""},        {"qy", ""},        {"qz", ""},       {"sx", "m"},      {"sy", "m"},
      {"sz", "m"},       {"sqw", ""},       {"sqx", ""},      {"sqy", ""},      {"sqz", ""},
@@ -91,7 +91,7 @@ class Results {
       : options_(options),
         scene_(scene),
         accuracy_(accuracy),
-        columns_(with_phases(options.phases, accuracy.with_claims(columns))),
+        columns_(with_phases(options.phases, accuracy.with_claims(replay_columns))),
         header_(std::move(header)),
         log_(header_.probe_radius, header_.rate_hz) {
     // A header that cannot be written is told of before the work.
@@ -193,7 +193,7 @@ void write_as_recorded(const ReplayOptions& options) {
   check_output(options.output, {options.bodies.scene});
   const std::unique_ptr<Recording> recording = read(options);
   const TickLog& ticks = recording->ticks;
-  ResultTable table{columns, {}};
+  ResultTable table{replay_columns, {}};
   for (std::uint64_t i = ticks.begin(); i < ticks.end(); ++i)
     table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz));
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));

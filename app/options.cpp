@@ -17,8 +17,6 @@
 namespace sonde::app {
 namespace {
 
-constexpr unsigned most_threads = 1024;
-
 std::string flag_of(const Setting& setting) {
   std::string flag = std::string("--") + setting.key;
   std::ranges::replace(flag, '_', '-');

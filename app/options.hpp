@@ -80,6 +80,8 @@ void check_beside(const OutputOptions& result, const std::string& flag, const st
 /// Writes the result, whole.
 void write_result(const OutputOptions& options, const std::string& text);
 
+inline constexpr unsigned most_threads = 1024;
+
 /// Validators for CLI11 that read numbers the way the rest of the program does.
 std::string check_positive(const std::string& text);
 std::string check_not_negative(const std::string& text);

@@ -16,8 +16,6 @@
 namespace sonde::app {
 namespace {
 
-constexpr unsigned most_threads = 1024;
-
 std::string check_shard(const std::string& text) {
   return shard_of(text) ? "" : "\"" + text + "\" must be I/N, with I from 1 to N";
 }

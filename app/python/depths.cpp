@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/depths.hpp"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "engine/base/numbers.hpp"
 #include "engine/scene/pose_numbers.hpp"
 
 namespace sonde::python {
 namespace {
 
 namespace py = pybind11;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 template <class Value>
 py::array_t<Value> column(std::span<const Separation> rows, const auto& value_of) {
@@ -25,8 +23,9 @@ py::array_t<Value> column(std::span<const Separation> rows, const auto& value_of
 
 /// What a row that failed does not have is not a number.
 py::array_t<double> found(std::span<const Separation> rows, const auto& value_of) {
-  return column<double>(
-      rows, [&](const Separation& s) { return s.status == Status::failed ? none : value_of(s); });
+  return column<double>(rows, [&](const Separation& s) {
+    return s.status == Status::failed ? no_number : value_of(s);
+  });
 }
 
 py::array_t<double> separated_poses(std::span<const Separation> rows) {
@@ -37,7 +36,8 @@ py::array_t<double> separated_poses(std::span<const Separation> rows) {
     const std::array<double, 7> numbers{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
     const bool failed = rows[i].status == Status::failed;
     for (std::size_t j = 0; j < 7; ++j)
-      cells(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(j)) = failed ? none : numbers[j];
+      cells(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(j)) =
+          failed ? no_number : numbers[j];
   }
   return out;
 }
@@ -57,7 +57,8 @@ Depths depths_of(std::span<const Separation> rows) {
       .depth = found(rows, [](const Separation& s) { return s.depth; }),
       .sigma = found(rows, [](const Separation& s) { return s.sigma; }),
       .pose = separated_poses(rows),
-      .lower_bound = found(rows, [](const Separation& s) { return s.lower_bound.value_or(none); }),
+      .lower_bound =
+          found(rows, [](const Separation& s) { return s.lower_bound.value_or(no_number); }),
       .residual = found(rows, [](const Separation& s) { return s.residual; }),
       .contacts = column<std::int64_t>(
           rows,

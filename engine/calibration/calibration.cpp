@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 
+#include "engine/base/numbers.hpp"
 #include "engine/base/quantile.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Of the answers: how many keep to what is expected.
 constexpr double sure = 0.9;
 /// Shares below this are one to the interpolation; it is what the reference is worth.
@@ -52,10 +51,10 @@ Calibration of_pair(const Calibration& calibration, const std::string& pair) {
 
 AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
                              bool sketched)
-    : without_limit_(infinite) {
+    : without_limit_(infinity) {
   auto errors = pooled(calibration, answers, method, &sketched);
   if (errors.empty()) errors = pooled(calibration, answers, method, nullptr);
-  double best = infinite;
+  double best = infinity;
   for (const auto& [time_us, all] : errors) {
     if (time_us <= 0 || all.empty()) continue;
     best = std::min(best, quantile(all, sure));
@@ -69,7 +68,7 @@ AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Me
 double AccuracyCurve::within(double time_us) const {
   if (!(time_us > 0)) return without_limit_;
   const auto later = std::ranges::upper_bound(points_, time_us, {}, &Point::time_us);
-  if (later == points_.begin()) return infinite;
+  if (later == points_.begin()) return infinity;
   const Point& before = *(later - 1);
   if (later == points_.end() || !std::isfinite(before.within)) return before.within;
   return between(time_us, before.time_us, before.within, later->time_us, later->within);
@@ -96,7 +95,7 @@ Claim claim_of(const Separation& answer, double time_us, const AccuracyCurve& cu
   if (answer.status == Status::failed) return {};
   if (answer.status == Status::separated) return {Claim::By::certified, 0};
   const double bound = answer.lower_bound.value_or(0);
-  const double certified = bound > 0 ? answer.depth / bound - 1 : infinite;
+  const double certified = bound > 0 ? answer.depth / bound - 1 : infinity;
   const double expected = curve.within(time_us);
   if (std::isfinite(certified) && certified <= expected) return {Claim::By::certified, certified};
   if (std::isfinite(expected)) return {Claim::By::expected, expected};

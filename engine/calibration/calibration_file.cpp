@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/numbers.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/text_file.hpp"
@@ -18,7 +18,6 @@ using Kind = JsonNode::Kind;
 
 constexpr int format_version = 1;
 constexpr std::size_t most_bytes = 1 << 26;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array<const char*, 2> answers_names{"search", "tick"};
 
 /// Reads the values of one file and complains with its name and the line.
@@ -45,7 +44,7 @@ struct Reader {
   }
 
   double error(const JsonNode& node, double before) const {
-    if (node.kind == Kind::null) return infinite;
+    if (node.kind == Kind::null) return infinity;
     expect_kind(file, node, Kind::number);
     if (!(node.number >= before))
       fail_at(file, node.line,

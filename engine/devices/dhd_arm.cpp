@@ -25,7 +25,7 @@ std::atomic<int>& open_arms() {
 }
 
 /// From the library's axes to ours.
-Mat3 to_base() {
+Mat3 dhd_to_base() {
   Mat3 R;
   R << 0, 1, 0, -1, 0, 0, 0, 0, 1;
   return R;
@@ -55,8 +55,6 @@ ModelLimits limits_of(int type) {
   }
   return {12, 0, 0.075, 0};
 }
-
-std::string text(const char* words) { return words ? words : ""; }
 
 const char* words_of(dhd::ForceOff cause) {
   switch (cause) {
@@ -111,11 +109,11 @@ DhdArm::DhdArm(std::shared_ptr<const DhdLibrary> library, int index)
   if (index < 0 || index > 127) throw InputError::in(path, "there is no such device");
   const int id = api.dhdOpenID(static_cast<char>(index));
   if (id < 0 || id > 127)
-    throw InputError::in(path, "libdhd cannot open it: " + text(api.dhdErrorGetLastStr()));
+    throw InputError::in(path, "libdhd cannot open it: " + own_word(api.dhdErrorGetLastStr()));
   id_ = static_cast<char>(id);
   wrist_ = api.dhdHasWrist(id_);
   const ModelLimits limits = limits_of(api.dhdGetSystemType(id_));
-  identity_.name = text(api.dhdGetSystemName(id_));
+  identity_.name = own_word(api.dhdGetSystemName(id_));
   if (unsigned short serial = 0; api.dhdGetSerialNumber(&serial, id_) >= 0)
     identity_.serial = std::to_string(serial);
   identity_.capabilities = {.position = true,
@@ -167,7 +165,7 @@ ArmReading DhdArm::pose() const {
   Mat3 R;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) R(i, j) = rows[i][j];
-  const Mat3 S = to_base();
+  const Mat3 S = dhd_to_base();
   const std::optional<Quat> q = rotation_of(S * R * S.transpose());
   if (!q) return {.kind = ArmReading::Kind::fault, .words = no_rotation};
   return {
@@ -179,7 +177,7 @@ ArmReading DhdArm::failure() const {
   const bool gone =
       code == dhd::error_com || code == dhd::error_no_device || code == dhd::error_timeout;
   return {.kind = gone ? ArmReading::Kind::gone : ArmReading::Kind::fault,
-          .words = "libdhd: " + text(library_->api().dhdErrorGetLastStr())};
+          .words = "libdhd: " + own_word(library_->api().dhdErrorGetLastStr())};
 }
 
 ArmReading DhdArm::checked_status() {
@@ -210,8 +208,8 @@ bool DhdArm::write(const DeviceWrench& wrench, bool on) {
     force_enabled_ = api.dhdEnableForce(1, id_) >= 0;
   }
   const DeviceWrench most = on ? limited(wrench, identity_.capabilities) : DeviceWrench{};
-  const Vec3 force = to_base().transpose() * most.force;
-  const Vec3 torque = to_base().transpose() * most.torque;
+  const Vec3 force = dhd_to_base().transpose() * most.force;
+  const Vec3 torque = dhd_to_base().transpose() * most.torque;
   return api.dhdSetForceAndTorque(force.x(), force.y(), force.z(), torque.x(), torque.y(),
                                   torque.z(), id_) >= 0;
 }

@@ -13,7 +13,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto longest_wait = 5ms;
-constexpr auto wrench_lasts = 50ms;
 constexpr auto stands_still = 100ms;  // no frame for so long
 constexpr double metres_of_mm = 0.001;
 constexpr double mN_m = 1000;  // of a N·m; hd_api.hpp says who says so
@@ -26,13 +25,11 @@ std::atomic<bool>& in_use() {
 }
 
 /// From the library's axes to ours.
-Mat3 to_base() {
+Mat3 hd_to_base() {
   Mat3 R;
   R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   return R;
 }
-
-std::string text(const char* words) { return words ? words : ""; }
 
 /// The torque is nowhere told in a unit that is documented: by the profiles' source, CHAI3D's
 /// CPhantomDevices.cpp, 188 mN·m of the Premium 6DOF, the one family that takes any.
@@ -55,7 +52,7 @@ const VendorLibraryName& HdLibrary::name() {
 
 HdLibrary::HdLibrary(const std::filesystem::path& file) {
   hd::bind(api_, VendorLibrary(file));
-  version_ = text(api_.hdGetString(hd::version));
+  version_ = own_word(api_.hdGetString(hd::version));
 }
 
 HdArm::HdArm(std::shared_ptr<const HdLibrary> library, const std::string& name)
@@ -108,11 +105,11 @@ void HdArm::check(const std::string& path, const char* what) const {
 
 void HdArm::identify(const std::string& path) {
   const hd::Api& api = library_->api();
-  if (const std::string version = text(api.hdGetString(hd::version));
+  if (const std::string version = own_word(api.hdGetString(hd::version));
       !version.empty() && std::atoi(version.c_str()) != 3)
     throw InputError::in(path, "the version of libHD is " + version + "; this program knows 3");
-  identity_.name = text(api.hdGetString(hd::model_type));
-  identity_.serial = text(api.hdGetString(hd::serial_number));
+  identity_.name = own_word(api.hdGetString(hd::model_type));
+  identity_.serial = own_word(api.hdGetString(hd::serial_number));
   int dof = 3;
   api.hdGetIntegerv(hd::output_dof, &dof);
   six_ = dof == 6;
@@ -133,14 +130,14 @@ void HdArm::identify(const std::string& path) {
   }
   if (!(farthest.minCoeff() > 0 && farthest.maxCoeff() < 2) || !reach.allFinite())
     throw InputError::in(path, "its working volume cannot be true");
-  identity_.farthest = (to_base() * farthest).cwiseAbs();
+  identity_.farthest = (hd_to_base() * farthest).cwiseAbs();
   identity_.capabilities = {.position = true,
                             .force = true,
                             .buttons = 2,
                             .max_force = force,
                             .max_torque = largest_torque(identity_.name, six_),
                             .rate_hz = 1000,
-                            .reach = (to_base() * reach).cwiseAbs()};
+                            .reach = (hd_to_base() * reach).cwiseAbs()};
 }
 
 std::string HdArm::words_of(unsigned error) const {
@@ -155,7 +152,7 @@ std::string HdArm::words_of(unsigned error) const {
     case hd::already_initiated:
       return "another program has it open";
     default:
-      return "libHD: " + text(library_->api().hdGetErrorString(error));
+      return "libHD: " + own_word(library_->api().hdGetErrorString(error));
   }
 }
 
@@ -236,7 +233,7 @@ ArmReading HdArm::read() {
       R(static_cast<Eigen::Index>(i), column) = raw.transform[4 * j + i];
     p[column] = metres_of_mm * raw.transform[12 + j];
   }
-  const Mat3 S = to_base();
+  const Mat3 S = hd_to_base();
   const std::optional<Quat> q = rotation_of(S * R * S.transpose());
   if (!q) return fault(no_rotation);
   return {.kind = ArmReading::Kind::pose,
@@ -249,8 +246,8 @@ ArmReading HdArm::read() {
 
 bool HdArm::write(const DeviceWrench& wrench, bool on) {
   const DeviceWrench most = on ? limited(wrench, identity_.capabilities) : DeviceWrench{};
-  const Vec3 force = to_base().transpose() * most.force;
-  const Vec3 torque = mN_m * (to_base().transpose() * most.torque);
+  const Vec3 force = hd_to_base().transpose() * most.force;
+  const Vec3 torque = mN_m * (hd_to_base().transpose() * most.torque);
   wrenches_.write({.force = {force.x(), force.y(), force.z()},
                    .torque = {torque.x(), torque.y(), torque.z()},
                    .on = on,

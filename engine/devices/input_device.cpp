@@ -24,7 +24,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto search_every = 1s;
-constexpr auto wrench_lasts = 50ms;
 constexpr auto force_wait = 2ms;  // with no pose to answer, the wrench is sent this often
 constexpr auto puck_wait = 20ms;  // how soon a light switches and the thread ends
 constexpr int most_at_once = 64;  // as many as the kernel keeps

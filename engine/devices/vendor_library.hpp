@@ -57,6 +57,9 @@ class VendorLibrary {
   void* handle_ = nullptr;
 };
 
+/// What a library answers in words; null: nothing.
+inline std::string own_word(const char* words) { return words ? words : ""; }
+
 /// "Get it from ...; or name its file by the variable ..."
 std::string how_to_get(const VendorLibraryName& name);
 

@@ -3,22 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched) {
   const Separation& s = tick.separation;
-  const auto depth = [](const std::optional<FoundWay>& way) { return way ? way->depth : none; };
-  return {s.status == Status::failed ? none : s.depth,
-          searched ? depth(searched->nearest) : none,
-          searched ? depth(searched->pdt) : none,
-          searched ? searched->lower_bound.value_or(none) : none,
+  const auto depth = [](const std::optional<FoundWay>& way) {
+    return way ? way->depth : no_number;
+  };
+  return {s.status == Status::failed ? no_number : s.depth,
+          searched ? depth(searched->nearest) : no_number,
+          searched ? depth(searched->pdt) : no_number,
+          searched ? searched->lower_bound.value_or(no_number) : no_number,
           tick.wrench.force.norm(),
           tick.wrench.force.x(),
           tick.wrench.force.y(),
@@ -31,7 +31,7 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
 }
 
 /// Gathers the lowest and the highest point of one part, in their order.
-class Part {
+class GatheredTicks {
  public:
   void add(double time, float value) {
     if (std::isnan(value)) return;
@@ -74,7 +74,7 @@ std::size_t Curves::bytes() const {
 
 double Curves::at(Curve curve, double time) const {
   const auto after = std::ranges::upper_bound(times_, time);
-  if (after == times_.begin()) return none;
+  if (after == times_.begin()) return no_number;
   return static_cast<double>(values_[static_cast<std::size_t>(curve)]
                                     [static_cast<std::size_t>(after - times_.begin() - 1)]);
 }
@@ -89,7 +89,7 @@ std::vector<CurvePoint> Curves::outline(Curve curve, double from, double to,
   if (end != times_.end()) ++end;
   const double part = (to - from) / static_cast<double>(columns);
   auto value = values.begin() + (begin - times_.begin());
-  Part gathered;
+  GatheredTicks gathered;
   double column = -1;
   for (auto time = begin; time != end; ++time, ++value) {
     const double now = std::floor((*time - from) / part);

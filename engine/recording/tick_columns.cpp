@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <type_traits>
+
+#include "engine/base/numbers.hpp"
 
 namespace sonde {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A field that is stored as it stands. `Field` names it: a lambda without captures.
 template <class Row, class Field>
@@ -204,7 +203,7 @@ constexpr Column<RecordedSearch> of_way(const char* name, const char* unit, Memb
   return {name, unit, Stored::f64,
           [](const RecordedSearch& r) {
             const Way& way = Member{}(r);
-            return way ? static_cast<double>(Field{}(*way)) : none;
+            return way ? static_cast<double>(Field{}(*way)) : no_number;
           },
           [](RecordedSearch& r, double value) {
             Way& way = Member{}(r);
@@ -273,7 +272,7 @@ const std::array searches{
         "pdt_qz", "", straight, [](auto& w) -> auto& { return w.separated.q.z(); }),
     Column<RecordedSearch>{
         "lower_bound", "m", Stored::f64,
-        [](const RecordedSearch& r) { return r.result.lower_bound.value_or(none); },
+        [](const RecordedSearch& r) { return r.result.lower_bound.value_or(no_number); },
         [](RecordedSearch& r, double x) {
           if (!std::isnan(x)) r.result.lower_bound = x;
         }},

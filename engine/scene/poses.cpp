@@ -24,22 +24,22 @@ Pose pose_of_numbers(std::span<const double, 7> n) {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_pose_bytes = std::size_t{1} << 30;
 constexpr std::string_view names[] = {"t", "px", "py", "pz", "qw", "qx", "qy", "qz"};
 
 }  // namespace
 
 std::vector<Pose> read_poses(const std::filesystem::path& file) {
   std::vector<Pose> poses;
-  read_csv_rows(file, std::span(names).subspan(1), most_bytes, [&](std::span<const double> row) {
-    poses.push_back(pose_of_numbers(row.first<7>()));
-  });
+  read_csv_rows(
+      file, std::span(names).subspan(1), most_pose_bytes,
+      [&](std::span<const double> row) { poses.push_back(pose_of_numbers(row.first<7>())); });
   return poses;
 }
 
 std::vector<TimedPose> read_trajectory(const std::filesystem::path& file) {
   std::vector<TimedPose> path;
-  read_csv_rows(file, names, most_bytes, [&](std::span<const double> row) {
+  read_csv_rows(file, names, most_pose_bytes, [&](std::span<const double> row) {
     if (!path.empty()) expect_later(row[0], path.back().t);
     path.push_back({row[0], pose_of_numbers(row.last<7>())});
   });

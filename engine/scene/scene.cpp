@@ -23,7 +23,7 @@ namespace {
 using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t most_scene_bytes = 1 << 20;
 
 struct Unit {
   std::string_view name;
@@ -216,15 +216,15 @@ std::string name_of_scene(const std::filesystem::path& file) {
 }
 
 Coupling read_coupling(const std::filesystem::path& file) {
-  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_bytes)));
+  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_scene_bytes)));
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  return scene_in(read_text(file, most_bytes), file);
+  return scene_in(read_text(file, most_scene_bytes), file);
 }
 
 Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  return read(Reader{file, folder}, read_text(file, most_bytes));
+  return read(Reader{file, folder}, read_text(file, most_scene_bytes));
 }
 
 Scene scene_in(const std::string& text, const std::filesystem::path& file) {

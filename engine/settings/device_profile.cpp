@@ -19,7 +19,7 @@ using Kind = JsonNode::Kind;
 using Path = std::filesystem::path;
 using Profile = DeviceProfile;
 
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t most_profile_bytes = 1 << 20;
 constexpr std::string_view ending = ".json";
 
 // The least mass and inertia keep the simulated device to numbers that make sense.
@@ -119,7 +119,7 @@ std::string json_text(const std::string& text) {
 std::span<const ProfileKey> profile_keys() { return table; }
 
 DeviceProfile read_device_profile(const Path& file) {
-  const JsonNode root = parse_json(file.string(), read_text(file, most_bytes));
+  const JsonNode root = parse_json(file.string(), read_text(file, most_profile_bytes));
   expect_keys(file, root, file_keys());
   if (const JsonNode* schema = root.find("$schema")) expect_kind(file, *schema, Kind::string);
   DeviceProfile profile;

@@ -15,7 +15,7 @@ namespace {
 using Kind = JsonNode::Kind;
 using Path = std::filesystem::path;
 
-constexpr std::size_t most_bytes = 1 << 16;
+constexpr std::size_t most_settings_bytes = 1 << 16;
 
 AxisSetting read_axis(const Path& file, const JsonNode& node, AxisSetting axis) {
   expect_keys(file, node, device_axis_keys());
@@ -90,7 +90,7 @@ DeviceSettings device_settings_in(const Path& file, const JsonNode& object) {
 }
 
 DeviceSettings read_device_settings(const Path& file) {
-  const JsonNode root = parse_json(file.string(), read_text(file, most_bytes));
+  const JsonNode root = parse_json(file.string(), read_text(file, most_settings_bytes));
   std::vector<std::string_view> keys = device_settings_keys();
   keys.emplace_back("servo");
   expect_keys(file, root, keys);

@@ -7,6 +7,10 @@ target_compile_features(sonde_options INTERFACE cxx_std_20)
 # reads errno or the floating-point flags: a square root is one instruction, many at a time.
 target_compile_options(sonde_options INTERFACE -Wall -Wextra -Wconversion -ffp-contract=off
                                                -fno-math-errno -fno-trapping-math)
+# Sources that are compiled together are taken for headers, whose types must be the same everywhere.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(sonde_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 # g++ is asked about conversions; clang counts changes of sign among them.
 target_compile_options(sonde_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 if(SONDE_WARNINGS_AS_ERRORS)

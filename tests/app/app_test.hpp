@@ -3,9 +3,15 @@
 
 #include <gmock/gmock.h>
 
+#include <string>
+#include <vector>
+
 #include "tests/app/run_program.hpp"
 
 namespace sonde::test {
+
+/// The columns of a replay that are measured times: no two runs agree on them.
+inline const std::vector<std::string> time_columns{"tick_us", "late"};
 
 /// A folder with a small box, a larger one, poses of the one in the other and a path into it.
 class AppTest : public testing::Test {

@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr const char* header =
+constexpr const char* query_header =
     "index,status,depth,sigma,px,py,pz,qw,qx,qy,qz,lower_bound,contacts,residual,iterations,time_"
     "us";
 
@@ -26,7 +26,7 @@ class Query : public AppTest {
 
 TEST_F(Query, columns_statuses_and_numbers) {
   const Csv csv = query(scene);
-  EXPECT_EQ(csv.header, header);
+  EXPECT_EQ(csv.header, query_header);
   ASSERT_EQ(csv.rows.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     ASSERT_EQ(csv.rows[i].size(), 16u);
@@ -100,7 +100,7 @@ TEST_F(Query, json_holds_the_same_numbers) {
 
 TEST_F(Query, coherent_follows) {
   const Csv csv = query("--mode coherent " + scene);
-  EXPECT_EQ(csv.header, header);
+  EXPECT_EQ(csv.header, query_header);
   ASSERT_EQ(csv.rows.size(), 3u);
   EXPECT_NEAR(csv.number(0, "depth"), 0.01, 2e-5);
   EXPECT_EQ(csv.without({"time_us"}), query("--mode coherent " + scene).without({"time_us"}));
@@ -132,7 +132,7 @@ TEST_F(Query, the_seed_is_any_64_bit_number) {
 TEST_F(Query, no_poses_give_a_header) {
   folder.write("none.csv", "px,py,pz,qw,qx,qy,qz\n");
   const Outcome run = expect_done("query boxes.sonde.json --poses none.csv");
-  EXPECT_EQ(run.out, std::string(header) + "\n");
+  EXPECT_EQ(run.out, std::string(query_header) + "\n");
   EXPECT_TRUE(json::parse(sonde("query boxes.sonde.json --poses none.csv --json").out)
                   .at("results")
                   .empty());
@@ -183,7 +183,7 @@ TEST_F(Query, an_inside_out_mesh_is_turned_and_reported) {
 TEST_F(Query, one_knob_gives_two_columns_more) {
   for (const char* knob : {"--time 5ms ", "--accuracy 5% ", "--claim "}) {
     const Csv csv = query(knob + scene);
-    EXPECT_EQ(csv.header, std::string(header) + ",within,claim") << knob;
+    EXPECT_EQ(csv.header, std::string(query_header) + ",within,claim") << knob;
     EXPECT_NEAR(csv.number(0, "depth"), 0.01, 5e-4);
     EXPECT_EQ(csv.text(1, "within"), "0") << "a free probe is free";
     EXPECT_EQ(csv.text(1, "claim"), "certified");
@@ -198,7 +198,7 @@ TEST_F(Query, one_knob_gives_two_columns_more) {
 // Reference: the depth of the first pose by hand, 0.01, which no turn makes less.
 TEST_F(Query, phases_are_columns_of_their_own_and_change_no_answer) {
   const Csv plain = query(scene), phases = query("--phases " + scene);
-  EXPECT_EQ(phases.header, std::string(header) +
+  EXPECT_EQ(phases.header, std::string(query_header) +
                                ",pdt,converged,limited"
                                ",sketch_us,look_us,solve_us,sweep_us,verify_us,bound_us,couple_us");
   for (const char* column : {"depth", "px", "qx", "lower_bound", "iterations"})

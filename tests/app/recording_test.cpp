@@ -10,8 +10,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<std::string> time_columns{"tick_us", "late"};
-
 class Recordings : public AppTest {
  protected:
   Recordings() : original(replay("boxes.sonde.json --record boxes.sonderec")) {}

@@ -8,10 +8,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* header =
+constexpr const char* replay_header =
     "t,px,py,pz,qw,qx,qy,qz,sx,sy,sz,sqw,sqx,sqy,sqz,fx,fy,fz,tx,ty,tz,depth,sigma,contacts,"
     "iterations,tick_us,saturated,late,jumped,converged";
-const std::vector<std::string> time_columns{"tick_us", "late"};
 
 class Replay : public AppTest {
  protected:
@@ -24,7 +23,7 @@ class Replay : public AppTest {
 
 TEST_F(Replay, one_row_for_each_row_of_the_path) {
   const Csv csv = replay("boxes.sonde.json");
-  EXPECT_EQ(csv.header, header);
+  EXPECT_EQ(csv.header, replay_header);
   ASSERT_EQ(csv.rows.size(), 40u);
   for (const auto& row : csv.rows) EXPECT_EQ(row.size(), 30u);
   EXPECT_EQ(csv.number(7, "t"), 0.007);
@@ -93,7 +92,7 @@ TEST_F(Replay, static_mode_searches_every_row) {
 
 TEST_F(Replay, phases_are_columns_of_their_own_and_change_no_answer) {
   const Csv plain = replay("boxes.sonde.json"), phases = replay("--phases boxes.sonde.json");
-  EXPECT_EQ(phases.header, std::string(header) +
+  EXPECT_EQ(phases.header, std::string(replay_header) +
                                ",pdt,limited"
                                ",sketch_us,look_us,solve_us,sweep_us,verify_us,bound_us,couple_us");
   EXPECT_EQ(phases.text(last, "depth"), plain.text(last, "depth"));
@@ -116,12 +115,12 @@ TEST_F(Replay, the_scenes_wanted_accuracy_acts_unless_a_budget_is_given) {
   folder.write("wanted.sonde.json", bodies + R"({"accuracy": 0.01}})");
   folder.write("counted.sonde.json", bodies + R"({"accuracy": 0.01, "budget_steps": 9}})");
   const Csv wanted = replay("wanted.sonde.json");
-  EXPECT_EQ(wanted.header, std::string(header) + ",within,claim");
+  EXPECT_EQ(wanted.header, std::string(replay_header) + ",within,claim");
   EXPECT_EQ(wanted.text(last, "claim"), "expected");
   EXPECT_LE(wanted.number(last, "within"), 0.01 * (1 + 1e-9));
-  EXPECT_EQ(replay("wanted.sonde.json --budget-us 1000").header, header);
-  EXPECT_EQ(replay("wanted.sonde.json --budget-steps 9").header, header);
-  EXPECT_EQ(replay("counted.sonde.json").header, header);
+  EXPECT_EQ(replay("wanted.sonde.json --budget-us 1000").header, replay_header);
+  EXPECT_EQ(replay("wanted.sonde.json --budget-steps 9").header, replay_header);
+  EXPECT_EQ(replay("counted.sonde.json").header, replay_header);
 }
 
 TEST_F(Replay, json_has_units) {

@@ -121,7 +121,7 @@ struct Hulls {
   btConvexHullShape a, b;
 };
 
-Peer peer_of(const Soup& a, const Soup& b, const Vec3& /*com_a*/) {
+Peer bullet_peer_of(const Soup& a, const Soup& b, const Vec3& /*com_a*/) {
   const auto world = std::make_shared<World>(a, b);
   Peer out;
   out.name = "Bullet";
@@ -140,7 +140,7 @@ PeerLibrary bullet_library() {
   };
   const int version = btGetVersion();
   return {"Bullet", std::to_string(version / 100) + "." + std::to_string(version % 100), build,
-          peer_of};
+          bullet_peer_of};
 }
 
 }  // namespace sonde::bench

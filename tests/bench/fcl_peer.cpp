@@ -107,7 +107,7 @@ Transform on_path(const Pair& pair, const Trip& trip, double s) {
   return {X.linear(), X.translation()};
 }
 
-Peer peer_of(const Soup& a, const Soup& b, const Vec3& com_a) {
+Peer fcl_peer_of(const Soup& a, const Soup& b, const Vec3& com_a) {
   const auto model_a = model_of(a);
   const Pair pair{model_a, &a == &b ? model_a : model_of(b), com_a};
   Peer out;
@@ -127,7 +127,7 @@ PeerLibrary fcl_library() {
   const auto build = [](const Soup& soup) -> std::shared_ptr<void> {
     return std::const_pointer_cast<Model>(model_of(soup));
   };
-  return {"FCL", FCL_VERSION, build, peer_of};
+  return {"FCL", FCL_VERSION, build, fcl_peer_of};
 }
 
 }  // namespace sonde::bench

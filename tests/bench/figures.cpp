@@ -71,11 +71,6 @@ bool met(const Figure& figure, const Pool& pool) {
   return figure.at_least_ratio <= 0 || pool.ratio().value_or(0) >= figure.at_least_ratio;
 }
 
-Cell cell(std::optional<double> value) {
-  if (!value) return std::monostate{};
-  return *value;
-}
-
 std::vector<Cell> figure_row(const Figure& figure, const Pools& pools) {
   Pool all;
   std::string slowest, least;

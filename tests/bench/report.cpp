@@ -6,11 +6,6 @@
 namespace sonde::bench {
 namespace {
 
-Cell cell(std::optional<double> value) {
-  if (!value) return std::monostate{};
-  return *value;
-}
-
 Cell count(std::size_t value) { return static_cast<std::int64_t>(value); }
 
 bool timed(const LibraryResult* result) { return result && !result->calls.empty(); }

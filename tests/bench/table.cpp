@@ -50,14 +50,14 @@ struct ToJson {
 };
 
 /// Characters, not bytes, so that µ does not shift a column.
-std::size_t width(const std::string& text) {
+std::size_t characters_in(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
 }
 
 std::string padded(const std::string& text, std::size_t to, bool left) {
-  const std::string blanks(to - std::min(to, width(text)), ' ');
+  const std::string blanks(to - std::min(to, characters_in(text)), ' ');
   return left ? text + blanks : blanks + text;
 }
 
@@ -82,7 +82,8 @@ std::string to_text(const Table& table) {
   }
   std::vector<std::size_t> widths(table.columns.size(), 0);
   for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], characters_in(line[i]));
   std::string text;
   for (const auto& line : lines) {
     std::string out;

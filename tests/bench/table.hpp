@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,12 @@ struct Column {
 
 /// Nothing, a number, a count or a text.
 using Cell = std::variant<std::monostate, double, std::int64_t, std::string>;
+
+/// The number, or nothing.
+inline Cell cell(std::optional<double> value) {
+  if (!value) return std::monostate{};
+  return *value;
+}
 
 struct Table {
   std::vector<Column> columns;

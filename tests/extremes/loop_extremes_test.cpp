@@ -26,13 +26,13 @@ constexpr double clearance = 1e-4;
 Pair brick_on_plate() {
   return {test::body(test::box({0.1, 0.08, 0.06})), test::body(test::box({2, 2, 1}))};
 }
-Pose pressed(double depth) { return {Quat::Identity(), Vec3(0.02, -0.01, 0.53 - depth)}; }
+Pose held_at_depth(double depth) { return {Quat::Identity(), Vec3(0.02, -0.01, 0.53 - depth)}; }
 
 /// Brings the loop from free to the pose, in so many ticks.
 void press(HapticLoop& loop, double depth, int ticks, double dt, const Budget& budget = {}) {
-  loop.reset(pressed(-0.01), {});
+  loop.reset(held_at_depth(-0.01), {});
   for (int i = 1; i <= ticks; ++i)
-    loop.tick(pressed(-0.01 + (depth + 0.01) * i / ticks), dt, budget);
+    loop.tick(held_at_depth(-0.01 + (depth + 0.01) * i / ticks), dt, budget);
 }
 
 Coupling without_limits() {
@@ -81,10 +81,10 @@ void stand_still(int ticks) {
   c.k = 1000;
   HapticLoop loop(brick_on_plate(), Method::pdg, c);
   press(loop, deep, 20, 1e-3);
-  loop.tick(pressed(deep), 1e-3, {});
+  loop.tick(held_at_depth(deep), 1e-3, {});
   const Separation first = loop.separation();
   const Wrench wrench = loop.wrench();
-  for (int i = 0; i < ticks; ++i) loop.tick(pressed(deep), 1e-3, {});
+  for (int i = 0; i < ticks; ++i) loop.tick(held_at_depth(deep), 1e-3, {});
   const Separation& last = loop.separation();
   EXPECT_EQ(last.separated.p, first.separated.p);
   EXPECT_EQ(last.separated.q.coeffs(), first.separated.q.coeffs());

@@ -11,12 +11,13 @@
 namespace sonde {
 namespace {
 
-const Vec3 brick(0.1, 0.08, 0.06), plate(2, 2, 1);
+using test::brick;
+using test::plate;
 
 Pair brick_and_plate() { return {test::body(test::box(brick)), test::body(test::box(plate))}; }
 
 /// Flat above the plate's top face, and into it by `deep`; below zero, off it.
-Pose pressed(double x, double y, double deep) {
+Pose flat_at(double x, double y, double deep) {
   return {Quat::Identity(), Vec3(x, y, 0.5 + 0.03 - deep)};
 }
 
@@ -27,13 +28,13 @@ bool is_free(const Pair& pair, const Pose& X_FM) {
 TEST(PathExtremes, after_each_of_200_teleports_the_depth_is_the_one_by_hand) {
   const Pair pair = brick_and_plate();
   CoherentSolver solver(pair);
-  solver.reset(pressed(0, 0, -0.01));
+  solver.reset(flat_at(0, 0, -0.01));
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-0.8, 0.8), depth(-0.05, 0.05);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
     const double deep = depth(random);
-    const Separation& s = solver.tick(pressed(place(random), place(random), deep));
+    const Separation& s = solver.tick(flat_at(place(random), place(random), deep));
     EXPECT_TRUE(is_free(pair, s.separated)) << i;
     EXPECT_TRUE(s.converged) << i;
     EXPECT_EQ(s.status, deep > 0 ? Status::penetrating : Status::separated)
@@ -50,8 +51,8 @@ TEST(PathExtremes, after_each_of_200_teleports_the_depth_is_the_one_by_hand) {
 TEST(PathExtremes, standing_still_for_a_hundred_thousand_ticks_changes_nothing) {
   const Pair pair = brick_and_plate();
   CoherentSolver solver(pair);
-  solver.reset(pressed(0, 0, -0.01));
-  const Pose still = pressed(0.1, -0.2, 0.01);
+  solver.reset(flat_at(0, 0, -0.01));
+  const Pose still = flat_at(0.1, -0.2, 0.01);
   for (int i = 0; i < 10; ++i) solver.tick(still);
   const Separation settled = solver.last();
   EXPECT_NEAR(settled.depth, 0.01, test::promised_clearance(pair.probe().mass.radius, 0.01));

@@ -13,6 +13,9 @@
 
 namespace sonde::test {
 
+/// A box of 0.1 × 0.08 × 0.06, flat in a plate of 2 × 2 × 1.
+inline const Vec3 brick(0.1, 0.08, 0.06), plate(2, 2, 1);
+
 /// Searches and compares with a depth that is known by hand. Beyond the clearance that an answer
 /// may keep it is off by no more than 1e-6 of that; the bound is not above; and the pose is free
 /// by the exact test. Prints the line of the table.

@@ -19,16 +19,16 @@
 namespace sonde {
 namespace {
 
+using test::brick;
 using test::expect_depth;
+using test::plate;
 
 PolygonSoup scaled(PolygonSoup soup, double scale, const Vec3& offset = Vec3::Zero()) {
   for (Vec3& x : soup.points) x = scale * x + offset;
   return soup;
 }
 
-/// A box of 0.1 × 0.08 × 0.06, flat in a plate of 2 × 2 × 1.
-const Vec3 brick(0.1, 0.08, 0.06), plate(2, 2, 1);
-Pose pressed(double deep, double scale = 1) {
+Pose flat_in_plate(double deep, double scale = 1) {
   return {Quat::Identity(), scale * Vec3(0.02, -0.01, 0.5 + 0.03 - deep)};
 }
 
@@ -36,7 +36,7 @@ TEST(Extremes, sizes_from_1e_minus_9_to_1e9) {
   for (const double size : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9}) {
     const Pair pair(test::body(scaled(test::box(brick), size)),
                     test::body(scaled(test::box(plate), size)));
-    expect_depth("size " + number_text(size), pair, pressed(0.01, size), 0.01 * size);
+    expect_depth("size " + number_text(size), pair, flat_in_plate(0.01, size), 0.01 * size);
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Extremes, offsets_up_to_1e8_sizes) {
     const Vec3 away = 0.1 * offset * Vec3(1, -2, 0.5).normalized();
     const Pair pair(test::body(scaled(test::box(brick), 1, away)),
                     test::body(scaled(test::box(plate), 1, away)));
-    Pose pose = pressed(0.01);
+    Pose pose = flat_in_plate(0.01);
     const Separation s = separate_static(pair, pose);
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * offset;
     if (s.status == Status::failed) {  // a flag is an answer, too
@@ -74,9 +74,9 @@ TEST(Extremes, ratios_of_sizes_up_to_1e5) {
 TEST(Extremes, depths_of_1e_minus_12_and_of_10_sizes) {
   const Pair pair(test::body(test::box(brick)), test::body(test::box(plate)));
   for (const double depth : {1e-2, 1e-4, 1e-6})
-    expect_depth("depth " + number_text(depth), pair, pressed(depth), depth);
+    expect_depth("depth " + number_text(depth), pair, flat_in_plate(depth), depth);
   // Less than the clearance: contact, and no more than that.
-  const Separation least = separate_static(pair, pressed(1e-12));
+  const Separation least = separate_static(pair, flat_in_plate(1e-12));
   EXPECT_EQ(least.status, Status::penetrating);
   EXPECT_LE(least.depth, 2e-9);
   // A small probe 10 of its sizes under the face.
@@ -121,7 +121,7 @@ TEST(Extremes, faces_that_say_nothing_new) {
          s.polygons.push_back({2, 2, 2});
        })}};
   for (const auto& [name, soup] : probes)
-    expect_depth(name, {test::body(soup), wall}, pressed(0.01), 0.01);
+    expect_depth(name, {test::body(soup), wall}, flat_in_plate(0.01), 0.01);
 }
 
 // Reference: the centre of mass of both is as deep as the pose says, and has to come out. The cap
@@ -167,7 +167,7 @@ TEST(Extremes, turns_next_to_pi) {
   const Pair pair(test::body(test::box(brick)), test::body(test::box(plate)));
   for (const double off : {0.0, 1e-16, 1e-12, 1e-9})
     for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
-      Pose pose = pressed(0.01);
+      Pose pose = flat_in_plate(0.01);
       pose.q = Quat(Eigen::AngleAxisd(std::numbers::pi - off, axis));
       expect_depth("turn of pi less " + number_text(off), pair, pose, 0.01);
     }
@@ -188,7 +188,7 @@ TEST(Extremes, a_host_program_s_rounding_and_flushing) {
   const Pair pair(test::body(test::box(brick)), test::body(test::box(plate)));
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     ASSERT_EQ(std::fesetround(mode), 0);
-    const Separation s = separate_static(pair, pressed(0.01));
+    const Separation s = separate_static(pair, flat_in_plate(0.01));
     std::fesetround(FE_TONEAREST);
     EXPECT_NEAR(s.depth, 0.01, 2e-6) << mode;
     EXPECT_FALSE(overlap(pair.probe(), pair.fixed(), Transform(s.separated), Doubt::exact)) << mode;
@@ -196,7 +196,7 @@ TEST(Extremes, a_host_program_s_rounding_and_flushing) {
 #if defined(__SSE__)
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040);  // denormals are zero, and flushed to it
-  const Separation flushed = separate_static(pair, pressed(0.01));
+  const Separation flushed = separate_static(pair, flat_in_plate(0.01));
   _mm_setcsr(before);
   EXPECT_NEAR(flushed.depth, 0.01, 2e-6);
 #endif
@@ -208,7 +208,7 @@ TEST(Extremes, the_bound_far_from_the_origin) {
     const Vec3 away = offset * Vec3(1, 1, 1);
     const Pair pair(test::body(scaled(test::box(brick), 1, away)),
                     test::body(scaled(test::box(plate), 1, away)));
-    const Separation s = separate_static(pair, pressed(0.01));
+    const Separation s = separate_static(pair, flat_in_plate(0.01));
     ASSERT_TRUE(s.lower_bound);
     EXPECT_GT(*s.lower_bound, 0.001) << offset;
   }
@@ -218,7 +218,7 @@ TEST(Extremes, Full_a_million_copies_of_one_triangle) {
   PolygonSoup many{{{-0.05, -0.04, -0.03}, {0.05, -0.04, -0.03}, {0, 0.04, -0.03}}, {}};
   many.polygons.assign(1'000'000, {0, 1, 2});
   expect_depth("a million copies of one triangle", {test::body(many), test::body(test::box(plate))},
-               pressed(0.01), 0.01);
+               flat_in_plate(0.01), 0.01);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Vec3 on_grid(const Vec3& x) {
           std::round(x.z() * 0x1p30) * 0x1p-30};
 }
 
-Vec3 direction(std::mt19937_64& random) {
+Vec3 direction_or_axis(std::mt19937_64& random) {
   if (random() % 4 == 0) return (random() % 2 ? 1.0 : -1.0) * Vec3::Unit(random() % 3);
   for (;;) {
     const Vec3 x = random_in_ball(random, 1);
@@ -51,14 +51,14 @@ void add_loose(Builder& b, double size, std::mt19937_64& random) {
 /// Two long sides and one of `width`; or a cap: the third corner near the middle of the long side.
 void add_slim(Builder& b, const Vec3& from, const Vec3& along, double width, double where,
               std::mt19937_64& random) {
-  const Vec3 side = along.cross(direction(random) + 1e-3 * Vec3(1, 2, 3)).normalized();
+  const Vec3 side = along.cross(direction_or_axis(random) + 1e-3 * Vec3(1, 2, 3)).normalized();
   b.add(from, from + along, from + where * along + width * side);
 }
 
 void add_one(Builder& b, Family family, int n, std::mt19937_64& random) {
   const double size = usual_size(n);
   const Vec3 c = random_in_ball(random, 0.7);
-  const Vec3 d = size * direction(random);
+  const Vec3 d = size * direction_or_axis(random);
   const double bits = static_cast<double>(random() % 19) + 10;
   switch (family) {
     case Family::needles:
@@ -119,7 +119,7 @@ std::array<Vec3, 3> some_triangle(const Body& body, std::mt19937_64& random) {
 }
 
 /// A corner, the middle of an edge or a point of a face, without rounding.
-Vec3 some_place(const Body& body, std::mt19937_64& random) {
+Vec3 place_without_rounding(const Body& body, std::mt19937_64& random) {
   const auto t = some_triangle(body, random);
   const Vec3 middle = t[0] + 0.5 * (t[1] - t[0]);
   const std::uint64_t which = random() % 3;
@@ -213,7 +213,7 @@ HardPose hard_pose(HardPose::Kind kind, const BodyPair& pair, std::mt19937_64& r
   X.R = kind == Kind::quarter_turn ? quarter_turn(random)
                                    : random_rotation(random).toRotationMatrix();
   const double spread = random() % 2 ? 1.5 * pair.b->mass.radius : 0;
-  X.p = some_place(*pair.b, random) - X.R * some_place(*pair.a, random);
+  X.p = place_without_rounding(*pair.b, random) - X.R * place_without_rounding(*pair.a, random);
   if (kind != Kind::turned_touching) X.p += random_in_ball(random, spread);
   return {kind, X};
 }

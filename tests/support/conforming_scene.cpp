@@ -10,8 +10,6 @@
 namespace sonde::test {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 // Block and slab.
 constexpr double block_height = 0.03, slab_height = 0.02;
 const Vec3 block_size(0.04, 0.06, block_height), slab_size(0.2, 0.2, slab_height);

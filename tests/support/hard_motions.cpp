@@ -18,7 +18,7 @@ double power_of_ten(std::mt19937_64& random, double low, double high) {
   return std::pow(10.0, uniform(random, low, high));
 }
 
-Vec3 some_place(const Body& body, std::mt19937_64& random) {
+Vec3 place_on_surface(const Body& body, std::mt19937_64& random) {
   const auto t =
       corners(body.soup, static_cast<std::uint32_t>(random() % body.soup.triangles.size()));
   const double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
@@ -44,7 +44,8 @@ Contact contact(const BodyPair& pair, const Quat& q, std::optional<double> gap,
                 std::mt19937_64& random) {
   const Vec3 n =
       (random() % 2 ? Vec3(Vec3::Unit(random() % 3)) : random_in_ball(random, 1)).normalized();
-  if (!gap) return {{q, some_place(*pair.b, random) - q * some_place(*pair.a, random)}, n};
+  if (!gap)
+    return {{q, place_on_surface(*pair.b, random) - q * place_on_surface(*pair.a, random)}, n};
   const Vec3 base_b = foremost(*pair.b, Quat::Identity(), n);
   return {{q, base_b - foremost(*pair.a, q, -n) + *gap * n}, n};
 }

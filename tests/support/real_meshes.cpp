@@ -19,6 +19,10 @@ std::filesystem::path real_mesh(const std::string& name) {
   return path;
 }
 
+std::shared_ptr<const Body> real_body(const std::string& name) {
+  return load_body(real_mesh(name).string(), Model::automatic, 1);
+}
+
 std::vector<std::filesystem::path> real_meshes() {
   if (!std::filesystem::is_directory(SONDE_REAL_MESHES)) throw missing(SONDE_REAL_MESHES);
   std::vector<std::filesystem::path> all;

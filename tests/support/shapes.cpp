@@ -6,7 +6,6 @@
 
 namespace sonde::test {
 namespace {
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// A closed grid of quads, wrapping in both directions.
 PolygonSoup wrapped_grid(int n, int m, const std::function<Vec3(double u, double v)>& point) {

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <random>
 
 #include "engine/body/body.hpp"
 
 namespace sonde::test {
+
+inline constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Shapes as polygon soups, centred at the origin, metres, closed and outward-facing.
 PolygonSoup box(const Vec3& size);

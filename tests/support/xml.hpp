@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,5 +26,10 @@ struct Xml {
 /// The root, read by expat. Throws std::runtime_error with the line where the text is not
 /// well-formed.
 Xml parse_xml(const std::string& text);
+
+/// Whether an element "text" says just this.
+inline bool has_text(const Xml& in, const std::string& text) {
+  return std::ranges::any_of(in.all("text"), [&](const Xml* each) { return each->text == text; });
+}
 
 }  // namespace sonde::test

@@ -15,11 +15,10 @@
 #include "ui/actions/opener.hpp"
 #include "ui/document/kept_gains.hpp"
 #include "ui/document/pose_text.hpp"
+#include "ui/document/same_pose.hpp"
 
 namespace sonde::ui {
 namespace {
-
-bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
 
 bool same(const std::optional<DeviceSettings>& a, const std::optional<DeviceSettings>& b) {
   return a.has_value() == b.has_value() &&

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/base/format.hpp"
+#include "ui/document/same_pose.hpp"
 #include "ui/document/session.hpp"
 #include "ui/views/viewport.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double reach_part = 0.12;  // of the probe's radius: further away is not near
 constexpr double cells = 8;          // over the reach
-
-bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "engine/recording/loop_run.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/base/absolute_path.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -20,10 +21,6 @@ constexpr qint64 state_ms = 60;  // faster than that nobody reads
 constexpr int ending_ms = 15;    // a recording is closed within that, but on a slow disk
 
 /// Whole: the program may be in another folder later.
-std::filesystem::path path_of(const QString& file) {
-  return std::filesystem::absolute(file.toStdString());
-}
-
 /// What a run with other gains is made of.
 struct Order {
   Pair pair;
@@ -208,9 +205,9 @@ void HistoryControl::check_not_in_use(const std::filesystem::path& file) const {
 void HistoryControl::record(const QString& file) {
   if (!view_.session()) return;
   try {
-    check_not_in_use(path_of(file));
+    check_not_in_use(absolute_path(file));
     remember_folder_of(file);
-    recorder_.record(path_of(file), view_.scene(), view_.session()->loaded().marks);
+    recorder_.record(absolute_path(file), view_.scene(), view_.session()->loaded().marks);
     view_.say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
@@ -247,7 +244,7 @@ void HistoryControl::open_recording(const QString& file) {
   kept->name = QFileInfo(file).fileName();
   opener_.make(
       QStringLiteral("Opening %1").arg(kept->name),
-      [kept, path = path_of(file)](const Progress& progress) {
+      [kept, path = absolute_path(file)](const Progress& progress) {
         kept->recording = read_recording(path, part_of(progress, 0, 0.2));
         check_meshes(kept->recording->header, path);
         kept->curves = curves_of(kept->recording->ticks, part_of(progress, 0.2, 0.5));

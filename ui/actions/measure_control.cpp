@@ -10,13 +10,12 @@
 #include "engine/study/identification/identified_profile.hpp"
 #include "engine/study/identification/measured_hand.hpp"
 #include "engine/text/output_file.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr int look_ms = 50;
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 /// The id that the device's name has in it; else the first.
 QString nearest_profile(const QStringList& ids, const QString& device) {

@@ -30,8 +30,6 @@ constexpr int consent = 0, running = 1, outcome = 2;
 constexpr int bar_steps = 1000;
 constexpr qint64 same_key_ms = 300;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 QLabel* paragraph(const char* object, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(object));

@@ -10,15 +10,12 @@
 
 #include "engine/base/error.hpp"
 #include "engine/scene/write_scene.hpp"
+#include "ui/base/absolute_path.hpp"
 
 namespace sonde::ui {
 namespace {
 
 /// Whole: what is written of it later must not depend on the folder that the program is in then.
-std::filesystem::path path_of(const QString& file) {
-  return std::filesystem::absolute(file.toStdString());
-}
-
 /// What is open is written as text, for saving and recovery: a name that no text can hold is told
 /// of here, before anything is on show.
 LoadedScene nameable(LoadedScene opened) {
@@ -37,9 +34,10 @@ LoadedScene nameable(LoadedScene opened) {
 Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
 
 void Opener::open_scene(const QString& file) {
-  begin(
-      QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()),
-      [path = path_of(file)](const Progress& progress) { return ui::open_scene(path, progress); });
+  begin(QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()),
+        [path = absolute_path(file)](const Progress& progress) {
+          return ui::open_scene(path, progress);
+        });
 }
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
@@ -49,7 +47,7 @@ void Opener::open_meshes(const QString& probe, const QString& fixed, std::option
   const auto pair = std::make_shared<MeshPair>();
   job_.start(
       what_,
-      [pair, a = path_of(probe), b = path_of(fixed)](const Progress& progress) {
+      [pair, a = absolute_path(probe), b = absolute_path(fixed)](const Progress& progress) {
         *pair = read_pair(a, b, progress);
       },
       [this, pair, unit](std::exception_ptr error) {

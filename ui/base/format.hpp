@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 namespace sonde {
 struct Body;
@@ -25,6 +26,9 @@ class LengthUnit {
   double metres_;
   int decimals_;
 };
+
+inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+inline QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 
 /// Three significant digits (0 below 1e-12, which is rounding), '.' whatever the locale: "0.0123",
 /// "12.3", "1230".

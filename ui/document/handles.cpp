@@ -16,7 +16,7 @@ constexpr int points_of_arrow = 24;
 double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 /// How far the cursor has gone along a motion on screen, as a part of it.
-double part_of(QPointF by, QPointF motion) {
+double share_along(QPointF by, QPointF motion) {
   return (by.x() * motion.x() + by.y() * motion.y()) /
          (motion.x() * motion.x() + motion.y() * motion.y());
 }
@@ -58,7 +58,7 @@ double follow(const Handles& handles, const Grip& grip, const Projection& on_scr
     const QPointF motion =
         on_screen(handles.centre + axis * handles.length) - on_screen(handles.centre);
     if (std::hypot(motion.x(), motion.y()) < least_motion) return 0;
-    return part_of(by, motion) * handles.length;
+    return share_along(by, motion) * handles.length;
   }
   // A ring seen from its edge moves to and fro: what counts is the way it goes where it was taken.
   constexpr double little = 0.05;  // rad
@@ -66,7 +66,7 @@ double follow(const Handles& handles, const Grip& grip, const Projection& on_scr
   const Vec3 moved = handles.centre + Eigen::AngleAxisd(little, axis) * arm;
   const QPointF motion = on_screen(moved) - on_screen(grip.at);
   if (std::hypot(motion.x(), motion.y()) < little * least_motion) return 0;
-  return part_of(by, motion) * little;
+  return share_along(by, motion) * little;
 }
 
 }  // namespace sonde::ui

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int version = 1;
-constexpr std::size_t most_bytes = 1 << 16;  // of three couplings: more is no such file
+constexpr int kept_gains_version = 1;
+constexpr std::size_t most_kept_bytes = 1 << 16;  // of three couplings: more is no such file
 
 QJsonObject json_of(const Coupling& gains) {
   QJsonObject json{{QStringLiteral("mode"), QLatin1String(name_of(gains.mode))}};
@@ -68,8 +68,8 @@ std::optional<KeptGains> read_kept_gains(const fs::path& file, const Coupling& o
   std::error_code none;
   if (!fs::exists(file, none)) return {};
   const QJsonObject json =
-      QJsonDocument::fromJson(QByteArray::fromStdString(read_text(file, most_bytes))).object();
-  if (json[QStringLiteral("version")].toInt() != version)
+      QJsonDocument::fromJson(QByteArray::fromStdString(read_text(file, most_kept_bytes))).object();
+  if (json[QStringLiteral("version")].toInt() != kept_gains_version)
     throw InputError::in(file.string(), "holds no gains of this version");
   const QJsonArray sets = json[QStringLiteral("sets")].toArray();
   KeptGains kept{.sets = {coupling_of(file, sets.at(0)), coupling_of(file, sets.at(1))},
@@ -85,7 +85,7 @@ void write_kept_gains(const fs::path& file, const KeptGains& gains) {
   fs::create_directories(file.parent_path(), error);
   if (error) throw InputError::in(file.parent_path().string(), error.message());
   const QJsonObject json{
-      {QStringLiteral("version"), version},
+      {QStringLiteral("version"), kept_gains_version},
       {QStringLiteral("sets"), QJsonArray{json_of(gains.sets[0]), json_of(gains.sets[1])}},
       {QStringLiteral("active"), static_cast<int>(gains.active)},
       {QStringLiteral("scene"), json_of(gains.of_scene)}};

@@ -17,6 +17,7 @@
 #include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/base/resources.hpp"
+#include "ui/document/vector_in.hpp"
 #include "ui/document/view_direction.hpp"
 
 namespace sonde::ui {
@@ -73,12 +74,6 @@ UpAxis up_of(const Quat& q_WM) {
 
 void scale(PolygonSoup& soup, double factor) {
   for (Vec3& point : soup.points) point *= factor;
-}
-
-std::optional<Vec3> vector_in(const QJsonObject& object, const char* key) {
-  const QJsonArray array = object.value(QLatin1String(key)).toArray();
-  if (array.size() != 3) return std::nullopt;
-  return Vec3(array[0].toDouble(), array[1].toDouble(), array[2].toDouble());
 }
 
 /// camera_position, camera_target and camera_up of the scene's `view`: world frame, scene's unit.

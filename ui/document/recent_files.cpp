@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most = 10;
 const QString key = QStringLiteral("recent");
-const QChar between('\n');  // in no name that anybody has given
+const QChar separator('\n');  // in no name that anybody has given
 
 QStringList entries() { return QSettings().value(key).toStringList(); }
 
@@ -17,7 +17,7 @@ QStringList entries() { return QSettings().value(key).toStringList(); }
 
 std::vector<QStringList> recent_files() {
   std::vector<QStringList> files;
-  for (const QString& entry : entries()) files.push_back(entry.split(between));
+  for (const QString& entry : entries()) files.push_back(entry.split(separator));
   return files;
 }
 
@@ -25,14 +25,14 @@ void remember_recent(const QStringList& files) {
   QStringList whole;
   for (const QString& file : files) whole << QFileInfo(file).absoluteFilePath();
   QStringList all = entries();
-  all.removeAll(whole.join(between));
-  all.prepend(whole.join(between));
+  all.removeAll(whole.join(separator));
+  all.prepend(whole.join(separator));
   QSettings().setValue(key, QStringList(all.mid(0, most)));
 }
 
 void forget_recent(const QStringList& files) {
   QStringList all = entries();
-  all.removeAll(files.join(between));
+  all.removeAll(files.join(separator));
   QSettings().setValue(key, all);
 }
 

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int version = 1;
-constexpr std::size_t most_bytes = std::size_t{1} << 22;
+constexpr int recovery_version = 1;
+constexpr std::size_t most_recovery_bytes = std::size_t{1} << 22;
 
 QString lock_name(const fs::path& file) { return QString::fromStdString(file.string() + ".lock"); }
 
@@ -49,7 +49,7 @@ std::unique_ptr<QLockFile> lock_of(const fs::path& file) {
 
 std::string recovery_text(const Recovered& recovered) {
   QJsonObject json;
-  json[QStringLiteral("version")] = version;
+  json[QStringLiteral("version")] = recovery_version;
   json[QStringLiteral("when")] = recovered.when.toString(Qt::ISODate);
   const fs::path& open = recovered.scene.file;
   const fs::path whole = open.empty() ? open : fs::absolute(open);
@@ -68,8 +68,9 @@ std::string recovery_text(const Recovered& recovered) {
 
 Recovered recovered_from(const fs::path& file) {
   const QJsonObject json =
-      QJsonDocument::fromJson(QByteArray::fromStdString(read_text(file, most_bytes))).object();
-  if (json.value(QStringLiteral("version")).toInt() != version)
+      QJsonDocument::fromJson(QByteArray::fromStdString(read_text(file, most_recovery_bytes)))
+          .object();
+  if (json.value(QStringLiteral("version")).toInt() != recovery_version)
     throw InputError::in(file.string(), "is no recovery file of this version");
   Recovered recovered;
   try {

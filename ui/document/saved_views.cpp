@@ -6,17 +6,13 @@
 #include <QJsonObject>
 #include <optional>
 
+#include "ui/document/vector_in.hpp"
+
 namespace sonde::ui {
 namespace {
 
 QJsonObject view_of(const Scene& scene) {
   return QJsonDocument::fromJson(QByteArray::fromStdString(scene.view)).object();
-}
-
-std::optional<Vec3> vector_in(const QJsonObject& object, const char* key) {
-  const QJsonArray array = object.value(QLatin1String(key)).toArray();
-  if (array.size() != 3) return std::nullopt;
-  return Vec3(array[0].toDouble(), array[1].toDouble(), array[2].toDouble());
 }
 
 QJsonArray array_of(const Vec3& x) { return {x.x(), x.y(), x.z()}; }

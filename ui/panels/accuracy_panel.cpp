@@ -38,12 +38,12 @@ constexpr Setting accuracy_setting{
     true,
     "Error that nine in ten ticks should keep to, of the largest depth. The time follows."};
 
-QString percent(double share) { return number(per_cent * share) + QStringLiteral(" %"); }
+QString percent_of(double share) { return number(per_cent * share) + QStringLiteral(" %"); }
 QString microseconds(double time_us) { return number(time_us) + QStringLiteral(" µs"); }
 
 QString words(const Expected& expected) {
   const QString within = std::isfinite(expected.within)
-                             ? QStringLiteral("within ") + percent(expected.within)
+                             ? QStringLiteral("within ") + percent_of(expected.within)
                              : QStringLiteral("not measured");
   return expected.time_us > 0
              ? QStringLiteral("%1 in %2").arg(within, microseconds(expected.time_us))
@@ -167,7 +167,7 @@ void AccuracyPanel::show_knob(const ServoSettings& servo, const Expected& expect
   if (kind == Knob::accuracy && accuracy_->value() != per_cent * servo.accuracy)
     accuracy_->set_value(per_cent * servo.accuracy);
   expected_->setText(words(expected));
-  here_->setText(expected.here ? QStringLiteral("within ") + percent(*expected.here)
+  here_->setText(expected.here ? QStringLiteral("within ") + percent_of(*expected.here)
                                : QStringLiteral("not measured"));
 }
 
@@ -177,8 +177,8 @@ void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
     phases_->clear();
     return parts_->set({});
   }
-  reached_->setText(QStringLiteral("within ") + percent(reached->within));
-  converged_->setText(percent(reached->converged));
+  reached_->setText(QStringLiteral("within ") + percent_of(reached->within));
+  converged_->setText(percent_of(reached->converged));
   rows_->setText(microseconds(reached->rows_us));
   tick_->setText(microseconds(reached->tick_us));
   std::vector<Bar::Part> parts;

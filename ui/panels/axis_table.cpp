@@ -8,12 +8,11 @@
 #include <QSignalBlocker>
 
 #include "engine/settings/settings.hpp"
+#include "ui/base/format.hpp"
 #include "ui/panels/typed_value.hpp"
 
 namespace sonde::ui {
 namespace {
-
-QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 
 const Setting& setting(const char* key) { return *find_setting(axis_settings(), key); }
 

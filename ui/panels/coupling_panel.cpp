@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/settings/settings.hpp"
+#include "ui/base/format.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/panels/slider_row.hpp"
 
@@ -60,8 +61,6 @@ constexpr Setting mouse_gain{
     1,
     true,
     "How far the probe goes for a drag: at 1 it follows the cursor; less is finer."};
-
-QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 
 }  // namespace
 

@@ -24,9 +24,6 @@
 namespace sonde::ui {
 namespace {
 
-QString text(const char* utf8) { return QString::fromUtf8(utf8); }
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 const QColor& colour_of(DeviceState state) {
   if (state == DeviceState::ready) return colour::ready;
   return state == DeviceState::silent ? colour::contact : colour::force;

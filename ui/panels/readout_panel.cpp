@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "ui/base/theme.hpp"
+#include "ui/document/same_pose.hpp"
 #include "ui/panels/bar.hpp"
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/scrolled.hpp"
@@ -22,8 +23,6 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
-
-bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
 
 QString large(const QString& text) {
   return QStringLiteral("<span style='font-size:20pt; font-weight:bold'>%1</span>").arg(text);

@@ -26,8 +26,6 @@
 namespace sonde::ui {
 namespace {
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 QString words_of(GainAxis axis) {
   if (axis == GainAxis::object) return QStringLiteral("object norm");
   if (axis == GainAxis::together) return QStringLiteral("all gains together");

@@ -8,14 +8,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/base/format.hpp"
 #include "ui/tuning/tuning.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr int steps = 1000;  // of the bar
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 }  // namespace
 

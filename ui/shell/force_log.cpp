@@ -8,7 +8,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(force, "sonde.force")
 
-constexpr double readable = 4;  // s
+constexpr double shown_for = 4;  // s
 /// s: the force fades with a time of 0.05 s, and what is over sooner is not felt as none.
 constexpr double brief = 0.02;
 
@@ -51,7 +51,8 @@ void ForceLog::end() {
 }
 
 QString ForceLog::recent(double time) const {
-  if (fault_ == Withheld::nothing || time < fault_time_ || time - fault_time_ > readable) return {};
+  if (fault_ == Withheld::nothing || time < fault_time_ || time - fault_time_ > shown_for)
+    return {};
   return QStringLiteral("No force %1 s ago: %2.")
       .arg(time - fault_time_, 0, 'f', 1)
       .arg(QString::fromUtf8(words(fault_)));

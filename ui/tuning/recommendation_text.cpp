@@ -16,8 +16,6 @@
 namespace sonde::ui {
 namespace {
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
 QString with_unit(double value, const QString& unit) { return number(value) + ' ' + unit; }
 
 QString words_of(const std::string& reason) {

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "engine/base/numbers.hpp"
 
 namespace sonde::ui {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Lines = std::vector<const TuningLine*>;
 using Columns = std::vector<const TuningColumn*>;

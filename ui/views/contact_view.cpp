@@ -2,17 +2,10 @@
 #include "ui/views/contact_view.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui {
-namespace {
-
-constexpr double ring_angle = 1.93 * std::numbers::pi;
-
-}  // namespace
-
 ContactView::Marker::Marker(vtkRenderer& renderer, GlyphShapes& shapes)
     : on_probe{renderer, shapes, colour::probe.lighter(130)},
       on_fixed{renderer, shapes, colour::contact},

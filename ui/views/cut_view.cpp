@@ -11,7 +11,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <numbers>
 
 #include "ui/base/theme.hpp"
 #include "ui/views/handle_view.hpp"
@@ -21,8 +20,7 @@ namespace {
 
 constexpr float outline_width = 1.5F;  // pixels
 constexpr double arrow_pixels = 2.2;
-constexpr double ring_pixels = 1.1;
-constexpr double ring_angle = 1.93 * std::numbers::pi;
+constexpr double cut_ring_pixels = 1.1;
 
 }  // namespace
 
@@ -89,7 +87,7 @@ void CutView::draw(const Frame& frame) {
   for (Eigen::Index i = 0; i < 2; ++i)
     rings_.at(static_cast<std::size_t>(i))
         .set(held.centre, held.axes.col(i), held.axes.col((i + 1) % 3) * held.length * ring_part,
-             ring_angle, ring_pixels * frame.pixel);
+             ring_angle, cut_ring_pixels * frame.pixel);
   label(tip, QStringLiteral("cut away"), colour::cut, {held.centre, tip});
 }
 

@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QColor>
+#include <numbers>
 #include <vector>
 
 #include "engine/geometry/pose.hpp"
@@ -62,6 +63,9 @@ class Arrow {
  private:
   vtkSmartPointer<vtkActor> shaft_, head_;
 };
+
+/// An arc of this angle is a ring with room between its tip and its beginning.
+inline constexpr double ring_angle = 1.93 * std::numbers::pi;
 
 /// An arc round an axis, with a head at its end.
 class Arc {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/handle_view.hpp"
 
-#include <numbers>
 
 #include "ui/document/handles.hpp"
 
@@ -9,9 +8,8 @@ namespace sonde::ui {
 namespace {
 
 constexpr double shaft_pixels = 1.6;
-constexpr double ring_pixels = 1.1;
+constexpr double handle_ring_pixels = 1.1;
 // All but a little: where a ring begins and ends its head says which way it turns.
-constexpr double ring_angle = 1.93 * std::numbers::pi;
 
 struct Axis {
   const char* name;
@@ -42,7 +40,7 @@ void HandleView::draw(const Frame& frame) {
     arrows_.at(at)->set(handles.centre, tip, shaft_pixels * frame.pixel);
     rings_.at(at)->set(handles.centre, axis,
                        handles.axes.col((i + 1) % 3) * handles.length * ring_part, ring_angle,
-                       ring_pixels * frame.pixel);
+                       handle_ring_pixels * frame.pixel);
     label(tip, QLatin1String(axes().at(at).name), axes().at(at).colour);
   }
 }

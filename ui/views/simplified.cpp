@@ -16,7 +16,8 @@ namespace {
 // more: then the grid is made coarser.
 constexpr int first_divisions = 48;
 constexpr int least_divisions = 8;
-constexpr double sharp_edge = 50;  // degrees; the edges between cells are not the body's own
+constexpr double sharp_edge_of_cells =
+    50;  // degrees; the edges between cells are not the body's own
 
 /// What is drawn elsewhere is traversed there: a vtkCellArray remembers how far it was.
 vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {
@@ -50,7 +51,7 @@ vtkSmartPointer<vtkPolyData> simplified(vtkPolyData& surface) {
   }
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(coarse);
-  normals->SetFeatureAngle(sharp_edge);
+  normals->SetFeatureAngle(sharp_edge_of_cells);
   normals->ConsistencyOff();
   normals->Update();
   return normals->GetOutput();

@@ -12,7 +12,7 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double sharp_edge = 35;              // degrees
+constexpr double sharp_edge_of_body = 35;      // degrees
 constexpr std::size_t smooth_up_to = 400'000;  // triangles; normals of more take over a second
 
 /// With indices of 32 bits: half of what VTK takes by itself.
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup) {
   if (soup.triangles.size() > smooth_up_to) return surface;
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
-  normals->SetFeatureAngle(sharp_edge);
+  normals->SetFeatureAngle(sharp_edge_of_body);
   normals->ConsistencyOff();  // a soup's triangles stay as they are
   normals->Update();
   vtkSmartPointer<vtkPolyData> smooth = normals->GetOutput();

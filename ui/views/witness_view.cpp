@@ -9,7 +9,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr double point_pixels = 4;
-constexpr double ring_pixels = 1.2;
+constexpr double witness_ring_pixels = 1.2;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void WitnessView::draw(const Frame& frame) {
   for (Eigen::Index i = 0; i < 3; ++i)
     rings_.at(static_cast<std::size_t>(i))
         .set(witness.at, Vec3::Unit(i), witness.depth * Vec3::Unit((i + 1) % 3),
-             2 * std::numbers::pi, ring_pixels * frame.pixel);
+             2 * std::numbers::pi, witness_ring_pixels * frame.pixel);
   label(witness.at,
         QStringLiteral("moves %1 at least: bound %2")
             .arg(frame.unit.text(witness.depth), frame.unit.text(*frame.searched->lower_bound)),

@@ -11,11 +11,9 @@
 namespace sonde {
 namespace {
 
-constexpr const LoopTuning& tuned = loop_tuning;
-
 /// For the rows near by, beside what the solver has.
 Effort effort_of_rows(const Budget& budget) {
-  const double share = tuned.budget_of_rows;
+  const double share = loop_tuning.budget_of_rows;
   const auto work = static_cast<std::int64_t>(share * static_cast<double>(budget.work));
   return {work, budget.microseconds > 0 ? now_us() + share * budget.microseconds : 0};
 }
@@ -27,7 +25,7 @@ ContactFeed::ContactFeed(const Pair& pair, Method method)
       method_(method),
       solver_(pair, method),
       near_(pair.probe(), pair.fixed(), method,
-            {.most_pairs = tuned.most_pairs, .most_listed = NeighbourList::enough}),
+            {.most_pairs = loop_tuning.most_pairs, .most_listed = NeighbourList::enough}),
       marked_(ContactRows::capacity) {}
 
 const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& options) {
@@ -80,7 +78,7 @@ void ContactFeed::gather(const Budget& budget) noexcept {
   Chart chart(pair_.probe().mass, s.device);
   chart.absorb_free_spin(s.separated);
   const double radius = pair_.probe().mass.radius;
-  const double margin = tuned.margin_of_clearance * allowed_clearance(radius, s.depth);
+  const double margin = loop_tuning.margin_of_clearance * allowed_clearance(radius, s.depth);
   const Pose X_MF = inverse(s.separated);
   const auto add = [&](const Contact& c) {
     if (contacts_.size == LocalContacts::capacity) return false;
@@ -92,10 +90,10 @@ void ContactFeed::gather(const Budget& budget) noexcept {
   // it was found for.
   for (const Contact& c : s.contacts) add(c);
   Effort effort = effort_of_rows(budget);
-  contacts_.reach = gather_near(chart, tuned.flat_within * margin, effort);
+  contacts_.reach = gather_near(chart, loop_tuning.flat_within * margin, effort);
   const int rows = near_.size();
   std::fill(marked_.begin(), marked_.end(), rows <= LocalContacts::capacity - contacts_.size);
-  if (!marked_[0]) mark_support(tuned.support_reach * radius);
+  if (!marked_[0]) mark_support(loop_tuning.support_reach * radius);
   for (int i = 0; i < rows; ++i)
     if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
   for (int i = 0; i < rows; ++i) {
@@ -115,10 +113,10 @@ double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort)
   // No point of the probe has moved further.
   const double moved =
       (now * mass.com - then * mass.com).norm() + (now.R - then.R).norm() * mass.radius;
-  const bool move_along = gathered_ && moved < tuned.moved_with_rows * near_.reach();
+  const bool move_along = gathered_ && moved < loop_tuning.moved_with_rows * near_.reach();
   // What becomes flat while the rows move along is flat already.
-  const double soon_flat = flat + tuned.moved_with_rows * near_.reach();
-  if (!move_along && near_.gather(chart, y, tuned.widest * mass.radius, soon_flat, effort)) {
+  const double soon_flat = flat + loop_tuning.moved_with_rows * near_.reach();
+  if (!move_along && near_.gather(chart, y, loop_tuning.widest * mass.radius, soon_flat, effort)) {
     gathered_at_ = at;
     gathered_ = true;
     return near_.reach();
@@ -134,7 +132,7 @@ void ContactFeed::mark_holding(const Pose& device) noexcept {
   const Vec6 y = chart.coordinates(contacts_.separation.separated);
   if (!near_.reuse_rows(chart, y)) return;
   const LeastDistance held =
-      near_.solve(tuned.margin_of_clearance *
+      near_.solve(loop_tuning.margin_of_clearance *
                       allowed_clearance(pair_.probe().mass.radius, contacts_.separation.depth),
                   ContactRows::SmallGaps::keep);
   for (int i = 0; i < held.active_count; ++i)
@@ -155,7 +153,8 @@ void ContactFeed::mark_support(double far) noexcept {
   const Eigen::AngleAxisd turned(device.q * last_device_.q.conjugate());
   const Vec3 turn = turned.angle() * turned.axis();
   const Vec3 shift = device * mass.com - last_device_ * mass.com;
-  for (const double ticks : tuned.support_ticks) mark_holding(moved(ticks * shift, ticks * turn));
+  for (const double ticks : loop_tuning.support_ticks)
+    mark_holding(moved(ticks * shift, ticks * turn));
   for (int axis = 0; axis < 3; ++axis)
     for (const double by : {-far, far}) {
       mark_holding(moved(by * Vec3::Unit(axis), Vec3::Zero()));

@@ -12,8 +12,6 @@
 namespace sonde {
 namespace {
 
-constexpr const LoopTuning& tuned = loop_tuning;
-
 /// The rows in the chart of a new device pose.
 class LocalProblem {
  public:
@@ -32,9 +30,9 @@ class LocalProblem {
     // First those that hold the probe by the geometry's word, then those of the round before.
     std::array<int, 6> likely{0, 1, 2, 3, 4, 5};
     int likely_count = std::min({contacts_.separation.contacts.size, contacts_.size, 6});
-    for (int round = 0; round < tuned.most_rounds; ++round) {
+    for (int round = 0; round < loop_tuning.most_rounds; ++round) {
       const std::span start(likely.data(), static_cast<std::size_t>(likely_count));
-      out.nearest = least_distance(linearise(out.y), tuned.solved_to * radius, start);
+      out.nearest = least_distance(linearise(out.y), loop_tuning.solved_to * radius, start);
       likely = out.nearest.active;
       likely_count = out.nearest.active_count;
       if (!out.nearest.feasible) {
@@ -45,7 +43,8 @@ class LocalProblem {
       out.y += step;
       // A row bends by about the square of the turn.
       const double bend = chart_.v(step).squaredNorm() * radius;
-      if (bend <= tuned.settled_depth * out.y.norm() + tuned.settled_radius * radius) break;
+      if (bend <= loop_tuning.settled_depth * out.y.norm() + loop_tuning.settled_radius * radius)
+        break;
     }
     out.held_back |= keep_within_reach(out.y);
     return out;
@@ -94,13 +93,13 @@ class LocalProblem {
     const Vec3 v = chart_.v(from), dv = chart_.v(to) - v;
     const double limit = std::max(Chart::largest_v, v.norm());
     double fraction = 1;
-    while (fraction > tuned.least_part && (v + fraction * dv).norm() > limit) fraction *= 0.5;
+    while (fraction > loop_tuning.least_part && (v + fraction * dv).norm() > limit) fraction *= 0.5;
     return fraction;
   }
 
   bool keep_within_reach(Vec6& y) const {
     const double path = Motion(chart_, start_, y).farthest(chart_.mass().radius);
-    const double trusted = std::max(contacts_.reach, tuned.trusted * chart_.mass().radius);
+    const double trusted = std::max(contacts_.reach, loop_tuning.trusted * chart_.mass().radius);
     if (path <= trusted) return false;
     y = start_ + (trusted / path) * (y - start_);
     return true;

@@ -10,8 +10,6 @@
 namespace sonde {
 namespace {
 
-constexpr const BoundTuning& tuned = bound_tuning;
-
 /// Looks where the deepest points may be. A depth changes by no more than its point is moved by, so
 /// of a box no more is to be expected than at one point of it, and the way from there.
 class DeepPoints {
@@ -27,7 +25,8 @@ class DeepPoints {
     if (probe.solid && fixed.solid) between();
     const std::vector<CommonPoint> before = points_;
     for (const CommonPoint& p : before) {
-      points_.push_back(depth_.ascend(still_, p, tuned.last_stride * p.depth(), tuned.last_ascent));
+      points_.push_back(
+          depth_.ascend(still_, p, bound_tuning.last_stride * p.depth(), bound_tuning.last_ascent));
       inwards(points_.back());
     }
     return points_;
@@ -38,22 +37,22 @@ class DeepPoints {
   void offer(const CommonPoint& s) {
     if (s.depth() <= 0) return;
     for (CommonPoint& t : points_)
-      if ((t.x - s.x).norm() < tuned.apart * std::max(s.depth(), t.depth())) {
+      if ((t.x - s.x).norm() < bound_tuning.apart * std::max(s.depth(), t.depth())) {
         if (t.depth() < s.depth()) t = s;
         return;
       }
     points_.push_back(s);
     std::stable_sort(points_.begin(), points_.end(),
                      [](const auto& p, const auto& q) { return p.depth() > q.depth(); });
-    if (points_.size() > tuned.most_points) points_.pop_back();
+    if (points_.size() > bound_tuning.most_points) points_.pop_back();
   }
 
   /// As deep, but nearer to the centre of mass: a turn moves it less.
   void inwards(const CommonPoint& from) {
     const CommonPoint start = from;
-    for (const double left : tuned.inwards) {
+    for (const double left : bound_tuning.inwards) {
       const CommonPoint next = depth_.at(still_, left * start.x);
-      if (next.depth() < tuned.as_deep * start.depth()) return;
+      if (next.depth() < bound_tuning.as_deep * start.depth()) return;
       points_.push_back(next);
     }
   }
@@ -68,19 +67,19 @@ class DeepPoints {
   void where_triangles_meet() {
     const Body &a = depth_.probe(), &b = depth_.fixed();
     const Placement at(a, b, depth_.X_FM());
-    const double stride = tuned.meeting_stride * std::min(a.mass.radius, b.mass.radius);
+    const double stride = bound_tuning.meeting_stride * std::min(a.mass.radius, b.mass.radius);
     PairStack<SlotPair> stack;
     SlotPairs found;
     stack.push(at.roots());
-    for (int opened = 0, meetings = 0;
-         !stack.empty() && opened < tuned.most_opened && meetings < tuned.most_meetings;) {
+    for (int opened = 0, meetings = 0; !stack.empty() && opened < bound_tuning.most_opened &&
+                                       meetings < bound_tuning.most_meetings;) {
       const SlotPair p = stack.pop();
       if (at.is_leaf(p)) {
         const ClosestPoints c =
             closest_points(at.corners_a(at.triangle_a(p)), at.corners_b(at.triangle_b(p)));
         if (c.distance > 0) continue;
         ++meetings;
-        offer(depth_.ascend(still_, look(depth_.X_FW(), c.b), stride, tuned.meeting_ascent));
+        offer(depth_.ascend(still_, look(depth_.X_FW(), c.b), stride, bound_tuning.meeting_ascent));
         continue;
       }
       ++opened;
@@ -105,14 +104,14 @@ class DeepPoints {
       queue.push({slot, look(X, x).depth() + 2 * tree.half_diagonal(slot)});
     };
     look_at(0);
-    const int until = depth_.evaluations() + tuned.most_corners;
+    const int until = depth_.evaluations() + bound_tuning.most_corners;
     while (!queue.empty() && depth_.evaluations() < until && !deadline_.passed()) {
       const Slot s = queue.top();
       queue.pop();
       if (s.most <= 0) break;
       const std::uint32_t child = tree.child(s.slot);
       if (child & Tree::triangle_bit) {
-        if (tree.half_diagonal(s.slot) > tuned.large_triangle * body.mass.radius)
+        if (tree.half_diagonal(s.slot) > bound_tuning.large_triangle * body.mass.radius)
           spread(corners_of(body, child & ~Tree::triangle_bit), X);
         continue;
       }
@@ -150,7 +149,7 @@ class DeepPoints {
       queue.push({b.low, b.high, s.depth() + (b.high - b.low).norm()});
     };
     look_at(all);
-    for (int n = 0; n < tuned.most_boxes && !deadline_.passed(); n += 2) {
+    for (int n = 0; n < bound_tuning.most_boxes && !deadline_.passed(); n += 2) {
       const Box b = queue.top();
       queue.pop();
       if (b.most <= 0) break;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <vector>
 
+#include "engine/base/numbers.hpp"
 #include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/penetration/bound/deep_points.hpp"
 #include "engine/penetration/bound/rotation_cell.hpp"
@@ -16,9 +16,6 @@
 
 namespace sonde {
 namespace {
-
-constexpr const BoundTuning& tuned = bound_tuning;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where
 /// a turn that costs nothing moves the point. Rounded up.
@@ -63,11 +60,11 @@ class TurnSearch {
   /// has hardly raised it.
   double run(int work, const Deadline& deadline) {
     double before = 0;
-    for (double look = tuned.first_look; spent() < work && !deadline.passed();) {
+    for (double look = bound_tuning.first_look; spent() < work && !deadline.passed();) {
       if (spent() >= look) {
         const double now = std::sqrt(queue_.top().bound);
-        if (now < tuned.worth_going_on * before) break;
-        before = now, look *= tuned.look_growth;
+        if (now < bound_tuning.worth_going_on * before) break;
+        before = now, look *= bound_tuning.look_growth;
       }
       const std::uint32_t i = queue_.top().node;
       queue_.pop();
@@ -84,7 +81,7 @@ class TurnSearch {
   }
 
  private:
-  static constexpr std::size_t most_near = tuned.most_near;
+  static constexpr std::size_t most_near = bound_tuning.most_near;
   struct Near {
     double depth;           // at the cell's middle, m
     double away;            // r from p there, m
@@ -108,7 +105,7 @@ class TurnSearch {
     }
   };
 
-  int spent() const { return tuned.work_of_evaluation * depth_.evaluations() + cells_; }
+  int spent() const { return bound_tuning.work_of_evaluation * depth_.evaluations() + cells_; }
 
   void consider(Node& n, const CellSpread& spread, std::uint32_t witness) const {
     const Witness& w = witnesses_[witness];
@@ -141,11 +138,12 @@ class TurnSearch {
   double least_sum(const Node& n, const CellSpread& spread) const {
     const Witness& w = witnesses_[n.near[0].witness];
     const Eigen::Matrix4d G = distance_form(w.r, w.p);
-    const double least_away = tuned.least_away * w.depth;
-    double away = std::max({n.near[0].away, tuned.first_away * spread.reach(w.r), least_away});
+    const double least_away = bound_tuning.least_away * w.depth;
+    double away =
+        std::max({n.near[0].away, bound_tuning.first_away * spread.reach(w.r), least_away});
     double most = -infinity;
     Eigen::Vector4d at = n.cell.middle();
-    for (int i = 0; i < tuned.tangents && away < w.depth; ++i) {
+    for (int i = 0; i < bound_tuning.tangents && away < w.depth; ++i) {
       Eigen::Matrix4d S = (1 - w.depth / away) * G;
       S.diagonal().tail<3>() += 4 * inertia_;
       const RotationCell::Least least = n.cell.least_quotient(S, at);
@@ -158,7 +156,8 @@ class TurnSearch {
 
   /// Takes in the witnesses found since, of many the last: those from afar matter least.
   void update(Node& n) {
-    n.seen = std::max(n.seen, witnesses_.size() - std::min(tuned.most_new, witnesses_.size()));
+    n.seen =
+        std::max(n.seen, witnesses_.size() - std::min(bound_tuning.most_new, witnesses_.size()));
     const CellSpread spread(n.cell);
     for (; n.seen < witnesses_.size(); ++n.seen)
       consider(n, spread, static_cast<std::uint32_t>(n.seen));
@@ -184,7 +183,7 @@ class TurnSearch {
     Node& n = nodes_[i];
     const CellSpread spread(n.cell);
     // A witness from afar has lost what it was moved by; one from here may be much better.
-    if (!n.queried && n.near[n.best].away > tuned.from_afar * n.reach) {
+    if (!n.queried && n.near[n.best].away > bound_tuning.from_afar * n.reach) {
       n.queried = true;
       find_witness(n, spread);
       queue_.push({n.bound, i});
@@ -221,7 +220,7 @@ class TurnSearch {
     if (!depth_.fixed().solid) x = w.p;
     const CommonPoint here = depth_.at(R, x);
     const CommonPoint best =
-        depth_.ascend(R, here, tuned.stride * std::abs(here.depth()), tuned.ascent);
+        depth_.ascend(R, here, bound_tuning.stride * std::abs(here.depth()), bound_tuning.ascent);
     if (best.depth() > 0) witnesses_.push_back(best.witness());
   }
 

@@ -13,8 +13,6 @@
 namespace sonde {
 namespace {
 
-constexpr const BoundTuning& tuned = bound_tuning;
-
 /// The last few gradients, and the least vector of their convex hull: uphill for all of them (after
 /// the bundle methods of Lemaréchal).
 class Bundle {
@@ -30,7 +28,7 @@ class Bundle {
   /// By the steps of Frank and Wolfe.
   Vec3 least() const {
     Vec3 p = g_[size_ - 1];
-    for (int i = 0; i < tuned.bundle_steps; ++i) {
+    for (int i = 0; i < bound_tuning.bundle_steps; ++i) {
       Vec3 low = p;
       for (std::size_t k = 0; k < size_; ++k)
         if (p.dot(g_[k]) < p.dot(low)) low = g_[k];
@@ -42,7 +40,7 @@ class Bundle {
   }
 
  private:
-  static constexpr std::size_t most = tuned.bundle;
+  static constexpr std::size_t most = bound_tuning.bundle;
   std::array<Vec3, most> g_;
   std::size_t size_ = 0;
 };
@@ -92,12 +90,13 @@ CommonPoint CommonDepth::ascend(const Mat3& R, const CommonPoint& start, double 
   bundle.add(best.up());
   // A common point at all is worth more looks than a deeper one.
   for (int i = 0;
-       i < evaluations || (best.depth() <= 0 && i < tuned.more_without_any * evaluations); ++i) {
+       i < evaluations || (best.depth() <= 0 && i < bound_tuning.more_without_any * evaluations);
+       ++i) {
     const Vec3 up = bundle.least();
-    if (up.norm() < tuned.level) {
+    if (up.norm() < bound_tuning.level) {
       // A ridge's top, for this stride.
-      if (best.up().norm() < tuned.level) break;
-      stride *= tuned.stride_at_top;
+      if (best.up().norm() < bound_tuning.level) break;
+      stride *= bound_tuning.stride_at_top;
       bundle.clear();
       bundle.add(best.up());
       continue;
@@ -106,7 +105,7 @@ CommonPoint CommonDepth::ascend(const Mat3& R, const CommonPoint& start, double 
     bundle.add(next.up());
     const bool better = next.depth() > best.depth();
     if (better) best = next;
-    stride *= better ? tuned.stride_growth : tuned.stride_decay;
+    stride *= better ? bound_tuning.stride_growth : bound_tuning.stride_decay;
   }
   return best;
 }

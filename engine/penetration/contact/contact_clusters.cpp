@@ -11,9 +11,8 @@
 namespace sonde {
 namespace {
 
-constexpr const ContactTuning& tuned = contact_tuning;
 /// Cosine of that tilt.
-constexpr double level = 1 - 0.5 * tuned.flat * tuned.flat;
+constexpr double level = 1 - 0.5 * contact_tuning.flat * contact_tuning.flat;
 
 struct Place {
   Vec3 point;
@@ -25,8 +24,9 @@ double apart(const Place& p, const Place& q, double radius) {
   const double cosine = p.normal.dot(q.normal);
   const Vec3 way = q.point - p.point;
   const double distance = way.norm();
-  const bool close = distance <= tuned.near_by * radius && cosine >= tuned.agreed;
-  const bool in_one_plane = std::abs(p.normal.dot(way)) <= tuned.flat * radius && cosine >= level;
+  const bool close = distance <= contact_tuning.near_by * radius && cosine >= contact_tuning.agreed;
+  const bool in_one_plane =
+      std::abs(p.normal.dot(way)) <= contact_tuning.flat * radius && cosine >= level;
   return close || in_one_plane ? distance : std::numeric_limits<double>::infinity();
 }
 

@@ -10,12 +10,6 @@
 #include "engine/proximity/queries/triangle_batch.hpp"
 
 namespace sonde {
-namespace {
-
-constexpr const ContactTuning& tuned = contact_tuning;
-
-}  // namespace
-
 ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
                          const Finding& finding)
     : probe_(probe),
@@ -23,13 +17,13 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       method_(method),
       lists_(probe, fixed, finding.most_listed),
       most_near_(finding.most_pairs),
-      pairs_(finding.most_pairs + tuned.most_kept),
+      pairs_(finding.most_pairs + contact_tuning.most_kept),
       contacts_(capacity),
       rows_(capacity + 1),  // and the rim of the chart
       at_(capacity),
-      violations_(tuned.most_cut),
+      violations_(contact_tuning.most_cut),
       pair_of_(capacity),
-      kept_(tuned.most_kept),
+      kept_(contact_tuning.most_kept),
       reach_limit_(probe.mass.radius) {}
 
 void ContactRows::forget() noexcept {
@@ -50,7 +44,7 @@ void ContactRows::keep(const TrianglePair& pair) noexcept {
   const auto found = std::find(begin, end, pair);
   if (found != end)
     std::rotate(found, found + 1, end);
-  else if (kept_count_ < tuned.most_kept)
+  else if (kept_count_ < contact_tuning.most_kept)
     kept_[kept_count_++] = pair;
   else
     std::rotate(begin, begin + 1, end), kept_.back() = pair;
@@ -83,7 +77,7 @@ std::size_t ContactRows::add_kept(const Transform& X, double reach, std::size_t 
 bool ContactRows::is_news(const Contact& contact) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
-    if (row.normal.dot(contact.normal) < tuned.same_normal) continue;
+    if (row.normal.dot(contact.normal) < contact_tuning.same_normal) continue;
     // A turn of the size to be expected brings it no nearer than the row.
     const double apart = (contact.on_probe - row.on_probe).norm();
     if (contact.gap - row.gap >= turn_ * apart) return false;
@@ -97,7 +91,7 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat) no
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
-    if (gap_along(row.normal, ta, tb) < tuned.same_gap * row.gap) continue;
+    if (gap_along(row.normal, ta, tb) < contact_tuning.same_gap * row.gap) continue;
     own.normal = row.normal;
     own.gap = row.normal.dot(own.on_probe - own.on_fixed);
     break;
@@ -129,7 +123,7 @@ Vec3 ContactRows::least_moving_point(const Transform& X) const noexcept {
 
 NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least,
                                   Effort& effort) noexcept {
-  const double will_do = std::max(least, tuned.least_share_of_reach * reach);
+  const double will_do = std::max(least, contact_tuning.least_share_of_reach * reach);
   const auto take_what_is_listed = [&] {
     const double listed = lists_.serving().reach_at(X);
     if (listed >= will_do) reach = std::min(reach, listed);
@@ -150,14 +144,14 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
   if (near.reach < 0) return near;
   reach_limit_ = near.reach < reach
                      ? near.reach
-                     : std::min(tuned.crowded_growth * reach_limit_, probe_.mass.radius);
+                     : std::min(contact_tuning.crowded_growth * reach_limit_, probe_.mass.radius);
   return near;
 }
 
 void ContactRows::prepare_next_list(Effort& effort) noexcept {
   if (!gathered_) return;
   const PhaseTimer timer(times_, Phase::look);
-  const double reach = std::max(least_asked_, tuned.least_share_of_reach * asked_);
+  const double reach = std::max(least_asked_, contact_tuning.least_share_of_reach * asked_);
   const Vec3 centre = least_moving_point(X_);
   lists_.prepare_next_list(
       X_, {reach, near_of(reach), reach, centre, {lists_.recent_course(X_, centre), {}}}, effort);
@@ -168,14 +162,15 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   const PhaseTimer timer(times_, Phase::look);
   const Transform X(chart.pose(y));
   asked_ = std::min(reach, reach_limit_);
-  least_asked_ = tuned.least_reach_of_flat * flat;
+  least_asked_ = contact_tuning.least_reach_of_flat * flat;
   const NearPairs near = find_pairs(X, asked_, least_asked_, effort);
   gathered_ = near.reach >= 0 && !effort.is_spent();
   if (!gathered_) return false;
   count_ = 0;
   smallest_gap_ = reach_ = near.reach;
   X_ = X;
-  turn_ = std::max(tuned.turn_per_reach * reach_ / probe_.mass.radius, 2 * lists_.recent_turn());
+  turn_ = std::max(contact_tuning.turn_per_reach * reach_ / probe_.mass.radius,
+                   2 * lists_.recent_turn());
   const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
   std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
@@ -183,7 +178,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   });
   if (!pairs.empty()) smallest_gap_ = pairs.front().gap;
   for (const NearPair& p : pairs) {
-    effort.spend(tuned.work_of_pair);
+    effort.spend(contact_tuning.work_of_pair);
     take(p, X, flat);
   }
   linearise(chart, y);
@@ -215,7 +210,7 @@ void ContactRows::move_rows_with_probe(const Chart& chart, const Vec6& y) noexce
 ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
                                         double margin, Effort& effort) noexcept {
   const PhaseTimer timer(times_, Phase::look);
-  const double least = tuned.kept_share * margin;
+  const double least = contact_tuning.kept_share * margin;
   const Transform end = motion.at(1);
   lists_.note_path(motion);
   if (lists_.serving().reach_at(end) <= least) {
@@ -224,7 +219,7 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
     // The gather that follows the step is to find enough in it too.
     const double next =
         std::max({least, 2 * least_asked_,
-                  tuned.reach_after_step * path.course.size().of(probe_.mass.radius)});
+                  contact_tuning.reach_after_step * path.course.size().of(probe_.mass.radius)});
     lists_.renew(X_, {next, near_of(next), least, centre, path}, effort);
   }
   NeighbourList& list = lists_.serving();
@@ -240,8 +235,8 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
     const auto& [a, b, gap] = violations_[i];
     const Corners ta = place(X_, corners(surface(probe_), a));
     const ClosestPoints p = closest_points(ta, corners(surface(fixed_), b));
-    effort.spend(tuned.work_of_pair);
-    if (!(p.distance > 0) || gap >= tuned.kept_share * std::min(p.gap, margin)) continue;
+    effort.spend(contact_tuning.work_of_pair);
+    if (!(p.distance > 0) || gap >= contact_tuning.kept_share * std::min(p.gap, margin)) continue;
     out.clear = false;
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
@@ -263,7 +258,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from)
   // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
   const Vec3 v = chart.v(y);
   const double turn = v.norm();
-  rim_ = turn > tuned.rim_from * Chart::largest_v && method_ == Method::pdg;
+  rim_ = turn > contact_tuning.rim_from * Chart::largest_v && method_ == Method::pdg;
   if (!rim_) return;
   Vec6 out = Vec6::Zero();
   out.head<3>() = chart.in_v(v / turn);
@@ -311,7 +306,8 @@ LeastDistance ContactRows::solve(double margin, SmallGaps small_gaps, double ris
     const double room = contacts_[i].gap - margin;
     rows_[i].bound = at_[i] - (small_gaps == SmallGaps::widen ? room : std::max(0.0, room)) + rise;
   }
-  LeastDistance nearest = least_distance({rows_.data(), count_ + rim_}, tuned.solved_to * margin);
+  LeastDistance nearest =
+      least_distance({rows_.data(), count_ + rim_}, contact_tuning.solved_to * margin);
   for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i)
     if (const auto row = static_cast<std::size_t>(nearest.active[i]); row < count_)
       keep(pair_of_[row]);

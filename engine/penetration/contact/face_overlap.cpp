@@ -8,7 +8,7 @@
 namespace sonde {
 namespace {
 
-struct Polygon {
+struct ConvexPolygon {
   std::array<Vec3, 9> points;
   std::size_t size = 0;
   void push(const Vec3& x) {
@@ -17,8 +17,8 @@ struct Polygon {
 };
 
 /// The part of a polygon on the side of x·side ≥ bound (Sutherland and Hodgman, 1974).
-Polygon clip(const Polygon& in, const Vec3& side, double bound) {
-  Polygon out;
+ConvexPolygon clip(const ConvexPolygon& in, const Vec3& side, double bound) {
+  ConvexPolygon out;
   for (std::size_t i = 0; i < in.size; ++i) {
     const Vec3& p = in.points[i];
     const Vec3& q = in.points[(i + 1) % in.size];
@@ -36,7 +36,7 @@ FaceOverlap face_overlap(const Corners& a, const Corners& b, const Vec3& normal)
   const Vec3 face = (b[1] - b[0]).cross(b[2] - b[0]);
   const double facing = face.dot(normal);
   if (std::abs(facing) <= contact_tuning.edge_on * face.norm()) return out;
-  Polygon polygon;
+  ConvexPolygon polygon;
   for (const Vec3& x : a) polygon.push(x);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 inward = (facing > 0 ? 1.0 : -1.0) * normal.cross(b[(i + 1) % 3] - b[i]);

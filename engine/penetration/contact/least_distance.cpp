@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "engine/base/numbers.hpp"
 #include "engine/penetration/contact/contact_tuning.hpp"
 
 namespace sonde {
 namespace {
 
-constexpr const ContactTuning& tuned = contact_tuning;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using Normals = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 
@@ -119,7 +117,7 @@ void begin_with(ActiveSet& active, std::span<const int> start, std::span<const H
   const Eigen::LLT<Gram> factor(G);
   if (factor.info() != Eigen::Success) return;
   const auto pivots = factor.matrixLLT().diagonal();
-  if (!(pivots.minCoeff() > tuned.start_dependent * pivots.maxCoeff())) return;
+  if (!(pivots.minCoeff() > contact_tuning.start_dependent * pivots.maxCoeff())) return;
   Coefficients multipliers = factor.solve(bound);
   const Coefficients rest = bound - N.transpose() * (N * multipliers);
   multipliers += factor.solve(rest);
@@ -132,17 +130,17 @@ void begin_with(ActiveSet& active, std::span<const int> start, std::span<const H
 bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
   double multiplier = 0;
   const double normal2 = row.normal.squaredNorm();
-  for (int guard = 0; guard < tuned.most_leaving; ++guard) {
+  for (int guard = 0; guard < contact_tuning.most_leaving; ++guard) {
     const Parts parts = active.parts(row.normal);
     const Vec6& z = parts.rest;
     const double z2 = z.squaredNorm();
-    const bool dependent = active.size() == 6 || z2 <= tuned.dependent * normal2;
+    const bool dependent = active.size() == 6 || z2 <= contact_tuning.dependent * normal2;
     const double full = dependent ? infinity : (row.bound - row.normal.dot(y)) / z2;
     double partial = infinity;
     int leaving = -1;
     for (int i = 0; i < active.size(); ++i)
       if (const double r = parts.of[static_cast<std::size_t>(i)];
-          r > tuned.least_influence && active.multiplier(i) / r < partial)
+          r > contact_tuning.least_influence && active.multiplier(i) / r < partial)
         partial = active.multiplier(i) / r, leaving = i;
     const double step = std::min(full, partial);
     if (step == infinity) return false;
@@ -167,7 +165,7 @@ LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
   ActiveSet active;
   begin_with(active, start, rows);
   Vec6 y = active.point();
-  for (int round = 0; round < tuned.most_rounds; ++round) {
+  for (int round = 0; round < contact_tuning.most_rounds; ++round) {
     int worst = -1;
     double violation = tolerance;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -8,12 +8,6 @@
 #include "engine/penetration/contact/contact_tuning.hpp"
 
 namespace sonde {
-namespace {
-
-constexpr const ContactTuning& tuned = contact_tuning;
-
-}  // namespace
-
 PairLists::PairLists(const Body& probe, const Body& fixed, std::size_t capacity)
     : radius_(probe.mass.radius),
       lists_{NeighbourList(probe, fixed, capacity), NeighbourList(probe, fixed, capacity)},
@@ -31,14 +25,14 @@ void PairLists::forget() noexcept {
 void PairLists::note_path(const Motion& path) noexcept {
   const Motion::Velocity v = path.velocity(0);
   const double last = sliding_.norm() + radius_ * turning_.norm();
-  if (v.linear.norm() + radius_ * v.angular.norm() >= tuned.path_kept * last)
+  if (v.linear.norm() + radius_ * v.angular.norm() >= contact_tuning.path_kept * last)
     sliding_ = v.linear, turning_ = v.angular;
   else
-    sliding_ *= tuned.path_kept, turning_ *= tuned.path_kept;
+    sliding_ *= contact_tuning.path_kept, turning_ *= contact_tuning.path_kept;
 }
 
 void PairLists::expect_shorter_paths() noexcept {
-  sliding_ *= tuned.path_without_room, turning_ *= tuned.path_without_room;
+  sliding_ *= contact_tuning.path_without_room, turning_ *= contact_tuning.path_without_room;
 }
 
 Course PairLists::recent_course(const Transform& X, const Vec3& centre) const noexcept {
@@ -58,11 +52,12 @@ NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wa
     course = wanted.path.course;
   const double size = course.size().of(radius_);
   const double linear = size > 0 ? course.size().linear / size : 0.5;
-  const double around = size > 0 ? tuned.share_beside_course * length : length;
+  const double around = size > 0 ? contact_tuning.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
   const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
-  return {{std::max(linear * around, tuned.room_for_path * (wanted.reach_on_path + off.linear)),
-           std::max((1 - linear) * around / radius_, tuned.room_for_path * off.turn)},
+  return {{std::max(linear * around,
+                    contact_tuning.room_for_path * (wanted.reach_on_path + off.linear)),
+           std::max((1 - linear) * around / radius_, contact_tuning.room_for_path * off.turn)},
           ahead};
 }
 
@@ -71,10 +66,10 @@ void PairLists::begin(const Transform& X, const Wanted& wanted, double at_least,
   const double travel = this->travel(wanted);
   begun_.travel = travel;
   begun_.ample = std::max(reach_.choose(travel), at_least * travel);
-  begun_.least =
-      std::max(NeighbourReach::least(travel), tuned.least_of_next_list * at_least * travel);
+  begun_.least = std::max(NeighbourReach::least(travel),
+                          contact_tuning.least_of_next_list * at_least * travel);
   begun_.affordable = static_cast<std::int64_t>(
-      std::min(1e18, tuned.affordable_list * static_cast<double>(effort.left())));
+      std::min(1e18, contact_tuning.affordable_list * static_cast<double>(effort.left())));
   const std::int64_t most =
       at_least > 0 ? std::numeric_limits<std::int64_t>::max() : reach_.most_work();
   end(next().build_by({coverage(X, wanted, begun_.ample), coverage(X, wanted, begun_.least), most},
@@ -96,9 +91,11 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
   if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
   NeighbourList& list = next();
   if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_acceptable))
-    effort.within(tuned.share_for_list, [&](Effort& part) { return begin(X, wanted, 0, part), 0; });
+    effort.within(contact_tuning.share_for_list,
+                  [&](Effort& part) { return begin(X, wanted, 0, part), 0; });
   else if (list.is_unfinished())
-    effort.within(tuned.share_for_list, [&](Effort& part) { return end(list.go_on(part)), 0; });
+    effort.within(contact_tuning.share_for_list,
+                  [&](Effort& part) { return end(list.go_on(part)), 0; });
   // What the tick's effort was too little for goes on in the next ones.
   if (list.is_unfinished() || !(list.reach_at(X) > 0)) return;
   serving().clear();
@@ -110,12 +107,13 @@ void PairLists::prepare_next_list(const Transform& X, const Wanted& wanted,
   NeighbourList& list = next();
   if (!effort.is_limited()) return;
   // A tick that had much to do leaves little, and the next ones more again.
-  const double left = tuned.share_for_next_list * static_cast<double>(effort.left());
-  left_over_ = left_over_ > 0 ? left_over_ + tuned.left_over_learned * (left - left_over_) : left;
+  const double left = contact_tuning.share_for_next_list * static_cast<double>(effort.left());
+  left_over_ =
+      left_over_ > 0 ? left_over_ + contact_tuning.left_over_learned * (left - left_over_) : left;
   if (effort.is_spent() || !(serving().reach_at(X) > wanted.reach_at_end)) return;
   if (list.is_unfinished()) {
     if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_at_end)) return list.clear();
-    effort.within(tuned.share_for_next_list,
+    effort.within(contact_tuning.share_for_next_list,
                   [&](Effort& part) { return end(list.go_on(part)), 0; });
     return;
   }
@@ -124,9 +122,11 @@ void PairLists::prepare_next_list(const Transform& X, const Wanted& wanted,
   if (serving().reach_at(X, until_then) > wanted.reach_at_end ||
       list.reach_at(X, wanted.path) > wanted.reach_at_end)
     return;
-  effort.within(tuned.share_for_next_list, [&](Effort& part) {
-    return begin(X, wanted, std::min(ticks + tuned.ticks_of_next_list, tuned.most_ticks_ahead),
-                 part),
+  effort.within(contact_tuning.share_for_next_list, [&](Effort& part) {
+    return begin(
+               X, wanted,
+               std::min(ticks + contact_tuning.ticks_of_next_list, contact_tuning.most_ticks_ahead),
+               part),
            0;
   });
 }

@@ -13,7 +13,6 @@ namespace {
 
 /// What a step takes besides what is counted where it is done, in the units of Effort.
 constexpr int work_of_step = 500;
-constexpr const DescentTuning& tuned = descent_tuning;
 
 /// The part of the way from one turn to another, both as v, after which it is as large as `limit`.
 double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
@@ -28,13 +27,13 @@ double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
 /// from O to its end; other rows may not hold on that way.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
   const double turn = chart.v(step).norm();
-  Vec6 bounded = std::min(1.0, tuned.largest_turn / std::max(turn, 1e-30)) * step;
+  Vec6 bounded = std::min(1.0, descent_tuning.largest_turn / std::max(turn, 1e-30)) * step;
   Vec6 target = y + bounded;
   const Vec3 from = chart.v(y), to = chart.v(target);
   const double limit = std::max(Chart::largest_v, from.norm());
   if (to.norm() <= limit) return bounded;
   const double part = part_to_rim(from, to, limit);
-  if (part > tuned.least_way_to_rim) return part * bounded;
+  if (part > descent_tuning.least_way_to_rim) return part * bounded;
   target.head<3>() *= limit / to.norm();
   return target - y;
 }
@@ -93,10 +92,10 @@ struct Descent::Pace {
   /// Steps that undo each other straddle a sharp edge: they are halved until they settle on it.
   Vec6 damped(const Vec6& step) {
     const double size = step.norm();
-    if (step.dot(last) < tuned.turns_back * size * last.norm())
+    if (step.dot(last) < descent_tuning.turns_back * size * last.norm())
       damped_to = 0.5 * std::min({damped_to, size, last.norm()});
     else
-      damped_to *= tuned.longest_growth;
+      damped_to *= descent_tuning.longest_growth;
     return shortened(step, damped_to);
   }
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
@@ -105,8 +104,10 @@ struct Descent::Pace {
     stalled = moved > worth_while ? 0 : stalled + 1;
     scale = std::max(moved, 0.1 * scale);
     const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
-    bending = cut_short ? std::min(tuned.bending_growth * bending, tuned.most_bending / radius)
-                        : std::max(tuned.bending_decay * bending, tuned.least_bending / radius);
+    bending = cut_short ? std::min(descent_tuning.bending_growth * bending,
+                                   descent_tuning.most_bending / radius)
+                        : std::max(descent_tuning.bending_decay * bending,
+                                   descent_tuning.least_bending / radius);
   }
 };
 
@@ -118,18 +119,18 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
   // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
   const double room =
-      std::min(tuned.most_room * size2 / y.norm(), std::max(pace.bending * size2, margin));
+      std::min(descent_tuning.most_room * size2 / y.norm(), std::max(pace.bending * size2, margin));
   // Where so much is not to be had, a part of it is: what has come too near its contacts for a
   // straight step to lead anywhere gets away from them again.
-  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= tuned.less_room) {
+  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= descent_tuning.less_room) {
     const Vec6 lifted = rows_.solve(part, ContactRows::SmallGaps::widen).y - y;
-    if (!(-y.dot(lifted) > tuned.least_gain * size2)) continue;
+    if (!(-y.dot(lifted) > descent_tuning.least_gain * size2)) continue;
     step = lifted;
     break;
   }
   if (rise > 0) {
     const Vec6 risen = rows_.solve(margin, ContactRows::SmallGaps::keep, rise).y - y;
-    if (-y.dot(risen) > tuned.least_gain * size2) step = risen;
+    if (-y.dot(risen) > descent_tuning.least_gain * size2) step = risen;
   }
   step = within_chart(chart, y, step);
   // At the rim of the chart nothing may be left of it.
@@ -164,7 +165,7 @@ std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) n
 void Descent::approach_contact(const Chart& chart, double margin, Effort& effort,
                                Outcome& out) noexcept {
   // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
-  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / tuned.largest_turn);
+  const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / descent_tuning.largest_turn);
   const Vec6 piece = out.y / pieces;
   Vec6 near = out.y;
   Sweep swept;
@@ -174,7 +175,8 @@ void Descent::approach_contact(const Chart& chart, double margin, Effort& effort
     near = swept.hit ? Vec6(near + swept.free_until * (next - near)) : next;
   }
   out.move_to(near);
-  if (!rows_.gather(chart, near, tuned.least_reach * margin, tuned.flat_within * margin, effort))
+  if (!rows_.gather(chart, near, descent_tuning.least_reach * margin,
+                    descent_tuning.flat_within * margin, effort))
     return;
   report(out, near, rows_.solve(margin, ContactRows::SmallGaps::keep));
 }
@@ -196,25 +198,26 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   const double radius = chart.mass().radius;
   Outcome out;
   Vec6 y = start;
-  Pace pace{.scale = expected_step > 0 ? expected_step : tuned.first_scale * radius,
-            .bending = tuned.first_bending / radius};
+  Pace pace{.scale = expected_step > 0 ? expected_step : descent_tuning.first_scale * radius,
+            .bending = descent_tuning.first_bending / radius};
   if (expected_step > 0)
-    pace.longest =
-        std::max(tuned.longest_per_expected * expected_step, tuned.first_longest * radius);
+    pace.longest = std::max(descent_tuning.longest_per_expected * expected_step,
+                            descent_tuning.first_longest * radius);
   // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
   bool known = rows_.reuse_rows(chart, y);
   for (;;) {
     const double length = y.norm();
     const double margin = this->margin(chart, length);
-    const double nearest_reach = tuned.least_reach * margin;
-    const double widest = std::max(tuned.widest_reach * radius, nearest_reach);
+    const double nearest_reach = descent_tuning.least_reach * margin;
+    const double widest = std::max(descent_tuning.widest_reach * radius, nearest_reach);
     out.move_to(y);
-    const double reach =
-        std::clamp((out.iterations == 0 ? tuned.reach_at_first : tuned.reach_later) * pace.scale,
-                   nearest_reach, widest);
-    if (!known && !rows_.gather(chart, y, reach, tuned.flat_within * margin, effort)) {
+    const double reach = std::clamp(
+        (out.iterations == 0 ? descent_tuning.reach_at_first : descent_tuning.reach_later) *
+            pace.scale,
+        nearest_reach, widest);
+    if (!known && !rows_.gather(chart, y, reach, descent_tuning.flat_within * margin, effort)) {
       if (out.iterations > 0) return out;
-      rows_.halve_next_reach(tuned.flat_within * margin);
+      rows_.halve_next_reach(descent_tuning.flat_within * margin);
       rows_.move_rows_with_probe(chart, y);
       report(out, y, rows_.solve(margin, ContactRows::SmallGaps::keep));
       return out;
@@ -228,28 +231,29 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       const double off = (out.held - y).norm();
       // Where no row holds it the probe can come all the way back, however little that is.
       const bool held = out.contacts.size > 0;
-      return (held && off <= std::max(goal.residual * length, tuned.off_in_margins * margin) &&
-              rows_.smallest_gap() <= tuned.settled_gap * margin) ||
+      return (held &&
+              off <= std::max(goal.residual * length, descent_tuning.off_in_margins * margin) &&
+              rows_.smallest_gap() <= descent_tuning.settled_gap * margin) ||
              !(off > 0);
     };
     out.converged = settled();
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
-    const bool stalled = pace.stalled >= tuned.most_stalled;
+    const bool stalled = pace.stalled >= descent_tuning.most_stalled;
     if (late || stalled || out.iterations >= goal.steps) {
       out.limited += stalled || at_rim(chart, y);
-      if (rows_.smallest_gap() > tuned.touching_gap * margin)
+      if (rows_.smallest_gap() > descent_tuning.touching_gap * margin)
         approach_contact(chart, margin, effort, out);
       return out;
     }
     ++out.iterations;
     effort.spend(work_of_step);
-    pace.longest *= tuned.longest_growth;
+    pace.longest *= descent_tuning.longest_growth;
     double rise = 0;
     Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
     for (int round = 0;; ++round) {
-      if (round == tuned.most_cuts) {
+      if (round == descent_tuning.most_cuts) {
         ++out.limited;
         break;
       }
@@ -264,7 +268,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       }
       out.limited += !look.news && rows_.is_full();
       // Contacts that the rows know bend into the path by so much.
-      rise = look.news ? 0 : rise + tuned.rise_per_loss * look.lost;
+      rise = look.news ? 0 : rise + descent_tuning.rise_per_loss * look.lost;
       step = next_step(chart, y, nearest, margin, rise, pace);
     }
     if (!(step.squaredNorm() > 0)) {
@@ -277,9 +281,10 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     if (!swept.given_up)
       longest_path_ *= 2;
     else if (out.iterations == 1)
-      longest_path_ = tuned.longest_after_giving_up * Motion(chart, y, target).farthest(radius);
+      longest_path_ =
+          descent_tuning.longest_after_giving_up * Motion(chart, y, target).farthest(radius);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
-    pace.learn(step, swept, tuned.nowhere * std::max(margin, 1e-3 * size), radius);
+    pace.learn(step, swept, descent_tuning.nowhere * std::max(margin, 1e-3 * size), radius);
   }
 }
 

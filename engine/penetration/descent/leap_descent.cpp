@@ -12,7 +12,6 @@
 namespace sonde {
 namespace {
 
-constexpr const DescentTuning& tuned = descent_tuning;
 constexpr const LeapTuning& leaps = leap_tuning;
 
 constexpr ContactRows::Finding few{.most_pairs = leaps.few_pairs, .most_listed = 0};
@@ -25,8 +24,8 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 
   step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   const double turn = chart.v(step).norm(), length = step.norm();
-  step *=
-      std::min({1.0, tuned.largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
+  step *= std::min(
+      {1.0, descent_tuning.largest_turn / std::max(turn, 1e-30), trust / std::max(length, 1e-300)});
   const double limit = std::max(Chart::largest_v, chart.v(y).norm());
   while (chart.v(y + step).norm() > limit) step *= 0.5;
   return step;
@@ -80,7 +79,7 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
                                         ContactRows& rows, double trust, const Vec6& y) {
   Vec6 step = first;
   Effort unlimited;
-  for (int round = 0; round < tuned.most_cuts; ++round) {
+  for (int round = 0; round < descent_tuning.most_cuts; ++round) {
     const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
       // The rows know all that is in the way, and it bends into it; or there is no room for more.
@@ -107,7 +106,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
   };
   if (take(step)) {
     pace.trust = leaps.trust_growth * std::max(length, leaps.trust_kept * pace.trust);
-    pace.bending *= tuned.bending_decay;
+    pace.bending *= descent_tuning.bending_decay;
     return true;
   }
   // Curved contacts leave room for themselves; it is worth less than what is gained.
@@ -123,7 +122,7 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
     pace.trust = leaps.trust_after_part * std::max(pace.moved, leaps.trust_kept * pace.trust);
     return true;
   }
-  pace.bending *= tuned.bending_growth;
+  pace.bending *= descent_tuning.bending_growth;
   for (const double part : leaps.parts)
     if (take(part * step)) {
       pace.trust = leaps.trust_after_part * pace.moved;
@@ -141,7 +140,7 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
   Descent::Outcome out;
   out.y = start;
   Pace pace{.trust = goal.reach * start.norm(),
-            .bending = tuned.first_bending / radius,
+            .bending = descent_tuning.first_bending / radius,
             .complete = goal.guide != Guide::outlines};
   Effort effort = deadline.effort();
   for (;;) {
@@ -152,7 +151,7 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     const double least = leaps.least_reach * margin;
     const double reach =
         std::clamp(leaps.reach * pace.trust, least, leaps.widest_reach * radius + least);
-    const double flat = goal.guide == Guide::many ? tuned.flat_within * margin : 0;
+    const double flat = goal.guide == Guide::many ? descent_tuning.flat_within * margin : 0;
     const bool looked = rows.gather(chart, out.y, reach, flat, effort);
     if (!looked && out.iterations == 0) return out;
     if (!looked) rows.move_rows_with_probe(chart, out.y);
@@ -161,8 +160,8 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     out.contacts = rows.holding(nearest);
     out.residual = length > 0 ? off / length : 0;
     if (!looked) return out;
-    out.converged =
-        off <= goal.tolerance * length && rows.smallest_gap() <= tuned.settled_gap * margin;
+    out.converged = off <= goal.tolerance * length &&
+                    rows.smallest_gap() <= descent_tuning.settled_gap * margin;
     const bool hopeless =
         goal.beat > 0 && length > leaps.hopeless * goal.beat && nearest.y.norm() > goal.beat;
     if (out.converged || (hopeless && out.iterations >= leaps.steps_before_hopeless)) return out;

@@ -16,8 +16,6 @@
 namespace sonde {
 namespace {
 
-constexpr const PushApartTuning& tuned = push_apart_tuning;
-
 /// A direction in which two triangles come apart, and the gap that there is along it.
 struct WayOut {
   Vec3 normal = Vec3::UnitZ(), on_probe = Vec3::Zero();
@@ -45,7 +43,8 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
     if (!(length > 0)) return;
     for (const double side : {1 / length, -1 / length}) {
       const Vec3 n = side * axis;
-      if ((solid_b && n.dot(face_b) < -tuned.aside) || (solid_a && n.dot(face_a) > tuned.aside))
+      if ((solid_b && n.dot(face_b) < -push_apart_tuning.aside) ||
+          (solid_a && n.dot(face_a) > push_apart_tuning.aside))
         continue;
       const double gap = gap_along(n, a, b);
       if (gap > best.gap) best = {n, Vec3::Zero(), gap};
@@ -57,7 +56,8 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 u = edge(a, i), v = edge(b, j);
       const Vec3 axis = u.cross(v);
-      if (axis.squaredNorm() > tuned.parallel * u.squaredNorm() * v.squaredNorm()) look(axis);
+      if (axis.squaredNorm() > push_apart_tuning.parallel * u.squaredNorm() * v.squaredNorm())
+        look(axis);
     }
   if (std::isfinite(best.gap)) best.on_probe = lowest(a, best.normal);
   return best;
@@ -66,8 +66,8 @@ WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
 }  // namespace
 
 PushApart::PushApart(const Body& probe, const Body& fixed, Method method)
-    : probe_(probe), fixed_(fixed), method_(method), found_(tuned.most_pairs) {
-  rows_.reserve(tuned.most_pairs);
+    : probe_(probe), fixed_(fixed), method_(method), found_(push_apart_tuning.most_pairs) {
+  rows_.reserve(push_apart_tuning.most_pairs);
 }
 
 bool PushApart::is_free(const Chart& chart, const Vec6& y) const {
@@ -97,11 +97,12 @@ void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
 Vec6 PushApart::compromise() {
   const PhaseTimer timer(times_, Phase::solve);
   Vec6 step = Vec6::Zero();
-  for (int sweep = 0; sweep < tuned.sweeps; ++sweep)
+  for (int sweep = 0; sweep < push_apart_tuning.sweeps; ++sweep)
     for (auto& [row, push] : rows_) {
       const double size = row.normal.squaredNorm();
-      const double lacking = row.bound - row.normal.dot(step) - tuned.give * size * push;
-      const double next = std::max(0.0, push + lacking / (size * (1 + tuned.give)));
+      const double lacking =
+          row.bound - row.normal.dot(step) - push_apart_tuning.give * size * push;
+      const double next = std::max(0.0, push + lacking / (size * (1 + push_apart_tuning.give)));
       step += (next - push) * row.normal;
       push = next;
     }
@@ -110,16 +111,17 @@ Vec6 PushApart::compromise() {
 
 std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, double farthest,
                                     const Deadline& deadline) {
-  const double margin = tuned.margin * chart.mass().radius;
+  const double margin = push_apart_tuning.margin * chart.mass().radius;
   Vec6 y = start;
-  for (int looks = 0; looks < tuned.most_looks && !deadline.passed(); ++looks) {
+  for (int looks = 0; looks < push_apart_tuning.most_looks && !deadline.passed(); ++looks) {
     if (is_free(chart, y)) return y;
     gather(chart, y, margin);
     if (rows_.empty()) return std::nullopt;  // one is inside the other
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;
-    if (!(chart.v(y).norm() < tuned.largest_start_v && y.norm() < farthest)) return std::nullopt;
+    if (!(chart.v(y).norm() < push_apart_tuning.largest_start_v && y.norm() < farthest))
+      return std::nullopt;
   }
   return std::nullopt;
 }

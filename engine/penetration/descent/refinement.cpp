@@ -8,8 +8,8 @@
 namespace sonde {
 namespace {
 
-constexpr const RefinementTuning& tuned = refinement_tuning;
-constexpr ContactRows::Finding unlisted{.most_pairs = tuned.most_pairs, .most_listed = 0};
+constexpr ContactRows::Finding unlisted{.most_pairs = refinement_tuning.most_pairs,
+                                        .most_listed = 0};
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Refinement::Refinement(const Body& probe, const Body& fixed, Method method)
 
 Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent& leaps, int steps,
                                  const Deadline& deadline) {
-  const Deadline leaping = deadline.part(tuned.share_for_leaps);
+  const Deadline leaping = deadline.part(refinement_tuning.share_for_leaps);
   Descent::Outcome out;
   out.move_to(y);  // nothing holds it yet
   int taken = 0;
@@ -36,22 +36,24 @@ Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent&
     taken += next.iterations;
     go_on(next);
   };
-  leap(Guide::few, tuned.first);
+  leap(Guide::few, refinement_tuning.first);
   out.converged = false;
-  leap(Guide::many, tuned.second);
+  leap(Guide::many, refinement_tuning.second);
   if (!out.converged) {
-    const int left = leaping.passed() ? 0 : std::clamp(steps - taken, 0, tuned.most_swept);
+    const int left =
+        leaping.passed() ? 0 : std::clamp(steps - taken, 0, refinement_tuning.most_swept);
     Effort effort = deadline.effort();
     descent_.forget();  // the last place was another
-    const Descent::Outcome next =
-        descent_.run(chart, out.y, {.steps = left}, tuned.expected_step * out.y.norm(), effort);
+    const Descent::Outcome next = descent_.run(
+        chart, out.y, {.steps = left}, refinement_tuning.expected_step * out.y.norm(), effort);
     taken += next.iterations;
     go_on(next);
   }
   if (out.contacts.size == 0 && deadline.passed()) {
-    Effort last(tuned.last_look, 0);
+    Effort last(refinement_tuning.last_look, 0);
     descent_.forget();
-    go_on(descent_.run(chart, out.y, {.steps = 0}, tuned.expected_step * out.y.norm(), last));
+    go_on(descent_.run(chart, out.y, {.steps = 0}, refinement_tuning.expected_step * out.y.norm(),
+                       last));
   }
   out.iterations = std::max(taken, 1);
   return out;

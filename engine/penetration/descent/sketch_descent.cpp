@@ -9,12 +9,6 @@
 #include "engine/penetration/descent/sketch_descent_tuning.hpp"
 
 namespace sonde {
-namespace {
-
-constexpr const SketchDescentTuning& tuned = sketch_descent_tuning;
-
-}  // namespace
-
 /// The probe's axes in those of the fixed body, and the other way about.
 struct SketchDescent::Frame {
   Quad R[3], p, R_t[3], p_t;
@@ -128,10 +122,10 @@ double SketchDescent::find_near(const Frame& frame, double reach, bool rough) {
         });
     least = std::min(least, gap);
   }
-  if (near_.size() > tuned.most_rows) {
-    std::nth_element(near_.begin(), near_.begin() + std::ptrdiff_t{tuned.most_rows}, near_.end(),
-                     [](const Near& a, const Near& b) { return a.gap < b.gap; });
-    near_.resize(tuned.most_rows);
+  if (near_.size() > sketch_descent_tuning.most_rows) {
+    std::nth_element(near_.begin(), near_.begin() + std::ptrdiff_t{sketch_descent_tuning.most_rows},
+                     near_.end(), [](const Near& a, const Near& b) { return a.gap < b.gap; });
+    near_.resize(sketch_descent_tuning.most_rows);
   }
   return least;
 }
@@ -164,32 +158,32 @@ LeastDistance SketchDescent::solve(double margin, bool open) {
     const double room = static_cast<double>(near_[i].gap) - margin;
     rows_[i].bound = at_[i] - (open ? room : std::max(0.0, room));
   }
-  return least_distance(rows_, tuned.solved_to * spacing_);
+  return least_distance(rows_, sketch_descent_tuning.solved_to * spacing_);
 }
 
 SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, const Goal& goal) {
   const PhaseTimer timer(times_, Phase::sketch);
-  const double margin = goal.margin,
-               shortest = goal.rough ? tuned.rough_tolerance : tuned.tolerance;
+  const double margin = goal.margin, shortest = goal.rough ? sketch_descent_tuning.rough_tolerance
+                                                           : sketch_descent_tuning.tolerance;
   for (auto* groups : {&of_probe_, &of_fixed_})
     for (Known& k : *groups) k = {-std::numeric_limits<double>::infinity(), 0};
   travelled_ = 0;
   const double radius = chart.mass().radius;
   End out{start, 0, 0, false};
   Vec6 from = start;
-  double trust = tuned.first_trust * std::max(start.norm(), spacing_), moved = 0;
+  double trust = sketch_descent_tuning.first_trust * std::max(start.norm(), spacing_), moved = 0;
   for (;;) {
-    const double reach = tuned.reach * trust + margin;
+    const double reach = sketch_descent_tuning.reach * trust + margin;
     const Frame frame(chart, out.y, R_FB_, com_B_);
     out.gap = find_near(frame, reach, goal.rough);
     const double too_deep = margin - out.gap;
-    const double least = tuned.too_deep_at_least * spacing_;
-    if (moved > least && too_deep > std::max(tuned.too_deep * moved, least) &&
+    const double least = sketch_descent_tuning.too_deep_at_least * spacing_;
+    if (moved > least && too_deep > std::max(sketch_descent_tuning.too_deep * moved, least) &&
         out.steps < goal.steps) {
       // Linearised too far.
-      out.y = from + tuned.taken_back_to * (out.y - from);
-      moved *= tuned.taken_back_to;
-      trust = tuned.trust_after_too_deep * moved;
+      out.y = from + sketch_descent_tuning.taken_back_to * (out.y - from);
+      moved *= sketch_descent_tuning.taken_back_to;
+      trust = sketch_descent_tuning.trust_after_too_deep * moved;
       travelled_ += 2 * moved;
       ++out.steps;
       continue;
@@ -199,23 +193,26 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
     if (!nearest.feasible) nearest = solve(margin, false);
     Vec6 step = nearest.y - out.y;
     double length = step.norm();
-    if (length < std::max(shortest * out.y.norm(), tuned.shortest * spacing_)) {
-      out.arrived = out.gap > margin - tuned.arrived_within * spacing_;
+    if (length < std::max(shortest * out.y.norm(), sketch_descent_tuning.shortest * spacing_)) {
+      out.arrived = out.gap > margin - sketch_descent_tuning.arrived_within * spacing_;
       return out;
     }
     if (out.steps >= goal.steps) return out;
-    if (out.steps >= tuned.steps_before_hopeless && out.y.norm() > tuned.hopeless * goal.beat &&
-        nearest.y.norm() > goal.beat)
+    if (out.steps >= sketch_descent_tuning.steps_before_hopeless &&
+        out.y.norm() > sketch_descent_tuning.hopeless * goal.beat && nearest.y.norm() > goal.beat)
       return out;
     const double turn = chart.v(step).norm();
-    step *= std::min({1.0, tuned.largest_turn / std::max(turn, 1e-30), trust / length});
+    step *=
+        std::min({1.0, sketch_descent_tuning.largest_turn / std::max(turn, 1e-30), trust / length});
     const double limit = std::max(Chart::largest_v, chart.v(out.y).norm());
     while (chart.v(out.y + step).norm() > limit) step *= 0.5;
     from = out.y;
     out.y += step;
     moved = step.norm();
-    trust = std::max(tuned.trust_growth * moved, tuned.trust_decay * trust);
-    travelled_ += step.tail<3>().norm() + tuned.travel_per_turn * radius * chart.v(step).norm();
+    trust = std::max(sketch_descent_tuning.trust_growth * moved,
+                     sketch_descent_tuning.trust_decay * trust);
+    travelled_ += step.tail<3>().norm() +
+                  sketch_descent_tuning.travel_per_turn * radius * chart.v(step).norm();
     ++out.steps;
   }
 }

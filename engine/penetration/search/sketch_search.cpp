@@ -12,7 +12,7 @@ namespace sonde {
 namespace {
 
 /// Starts between which what they found is shared.
-constexpr std::size_t per_round = 8;
+constexpr std::size_t sketches_a_round = 8;
 
 }  // namespace
 
@@ -43,15 +43,15 @@ double SketchSearch::best() const {
 }
 
 void SketchSearch::round() {
-  std::array<std::optional<SketchEnd>, per_round> found;
-  threads_.each(per_round, [&](std::size_t k, std::size_t lane) {
+  std::array<std::optional<SketchEnd>, sketches_a_round> found;
+  threads_.each(sketches_a_round, [&](std::size_t k, std::size_t lane) {
     if (k >= lanes_.size() && goal_.deadline.passed()) return;
     found[k] = start(made_ + static_cast<int>(k), lanes_[lane]);
   });
   for (const auto& end : found)
     if (end) add(*end);
   std::ranges::stable_sort(ends_, {}, &SketchEnd::depth);
-  made_ += int{per_round};
+  made_ += int{sketches_a_round};
 }
 
 /// From the nearest free pose of ever larger balls; later also in balls about as large as the
@@ -61,7 +61,7 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
   const double smallest = tuned_.smallest_ball_of_sketches * chart_.mass().radius;
   if (ends_.empty())
     return start_about(Vec6::Zero(), smallest, tuned_.first_balls, random, descent);
-  const int kind = number < tuned_.near_sketches ? 0 : number % int{per_round};
+  const int kind = number < tuned_.near_sketches ? 0 : number % int{sketches_a_round};
   if (kind < 3)
     return start_about(Vec6::Zero(), nearest_free_ / 2, tuned_.near_balls, random, descent);
   if (kind < 5)

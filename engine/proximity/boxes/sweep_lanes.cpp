@@ -164,7 +164,7 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
                       const Tree::Node& node, float scale, Lanes& out) {                     \
     node_moves(box, v, path, node, scale, out);                                              \
   }                                                                                          \
-  constexpr SweepKernels kernels{one, many};                                                 \
+  constexpr SweepKernels sweeps{one, many};                                                  \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)
@@ -172,15 +172,15 @@ SONDE_SWEEP_KERNELS(plain, )
 #if defined(__x86_64__)
 SONDE_SWEEP_KERNELS(avx2, __attribute__((target(SONDE_TARGET_AVX2))))
 SONDE_SWEEP_KERNELS(avx512, __attribute__((target(SONDE_TARGET_AVX512))))
-constexpr SweepKernels all[] = {plain::kernels, avx2::kernels, avx512::kernels};
+constexpr SweepKernels all_sweeps[] = {plain::sweeps, avx2::sweeps, avx512::sweeps};
 #else
-constexpr SweepKernels all[] = {plain::kernels};
+constexpr SweepKernels all_sweeps[] = {plain::sweeps};
 #endif
 
 }  // namespace
 
 std::span<const SweepKernels> all_sweep_kernels() {
-  return {all, static_cast<std::size_t>(widest_instruction_set()) + 1};
+  return {all_sweeps, static_cast<std::size_t>(widest_instruction_set()) + 1};
 }
 
 const SweepKernels& sweep_kernels() { return all_sweep_kernels().back(); }

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "engine/base/numbers.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
 namespace sonde {
 namespace {
 
 /// At two triangles, at one moment; in the units of Effort.
-constexpr int work_to_look = 50;
+constexpr int work_to_look_at_triangles = 50;
 
 }  // namespace
 
@@ -52,7 +53,6 @@ PairSweep::Step PairSweep::step_along(const Vec3& n, const Moment& now, const Co
   const Vec3 bending = motion_.bend().transpose() * n;
   const double most = motion_.acceleration_per_radius() * radius;
   const double unknown = motion_.bend_error() * radius;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Step step{infinity, infinity, false};
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& x = ta[k];
@@ -167,7 +167,7 @@ int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal)
     }
     s += step.length;
   }
-  return work_to_look * looks;
+  return work_to_look_at_triangles * looks;
 }
 
 }  // namespace sonde

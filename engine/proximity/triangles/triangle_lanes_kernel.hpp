@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel of triangle_lanes.hpp, for as many lanes as the including source says (lanes.hpp).
 #pragma once
-
-#include <limits>
-
+#include "engine/base/numbers.hpp"
 #include "engine/proximity/triangles/triangle_lanes.hpp"
 #include "engine/simd/lanes.hpp"
 
@@ -25,7 +23,6 @@ namespace {
 
 /// Squares below this, of lengths or products of lengths, are taken for 0: their inverse is finite.
 constexpr double least_square = 1e-280;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of 0 it is a number by which 0 stays 0.
 inline Number inverse(Number square) {

@@ -16,8 +16,8 @@ using namespace svg;
 
 namespace {
 
-constexpr double left = 190, top = 84, bar_width = 520, bar_height = 24, step = 38;  // px
-constexpr double right = 90, below = 60;
+constexpr double bars_left = 190, bars_top = 84, bar_width = 520, bar_height = 24, step = 38;  // px
+constexpr double room_right = 90, room_below = 60;
 
 /// Three figures, and no power of ten.
 std::string figure(double value) {
@@ -39,7 +39,7 @@ void check(const StackedBars& chart) {
 
 std::string legend(const StackedBars& chart) {
   std::string out;
-  double at = left;
+  double at = bars_left;
   for (std::size_t i = 0; i < chart.part_names.size(); ++i) {
     if (std::ranges::none_of(chart.bars, [i](const auto& bar) { return bar.parts[i] > 0; }))
       continue;
@@ -53,28 +53,28 @@ std::string legend(const StackedBars& chart) {
 std::string axis(const StackedBars& chart, const ChartScale& scale, double bottom) {
   std::string out;
   for (const ChartScale::Tick& tick : scale.ticks()) {
-    const double x = left + bar_width * tick.place;
-    out += line_of(x, top - 8, x, bottom, "stroke=\"#e6e6e6\"");
+    const double x = bars_left + bar_width * tick.place;
+    out += line_of(x, bars_top - 8, x, bottom, "stroke=\"#e6e6e6\"");
     if (!tick.text.empty()) out += text_at(x, bottom + 16, "middle", tick.text);
   }
-  return out + text_at(left + bar_width / 2, bottom + 38, "middle", chart.label);
+  return out + text_at(bars_left + bar_width / 2, bottom + 38, "middle", chart.label);
 }
 
 std::string drawn(const StackedBars& chart, const StackedBars::Bar& bar, double y) {
   const double all = whole(bar);
   const double middle = y + bar_height / 2 + 4;
-  std::string out = text_at(left - 10, middle, "end", bar.name);
+  std::string out = text_at(bars_left - 10, middle, "end", bar.name);
   double sum = 0;
   for (std::size_t i = 0; i < bar.parts.size(); ++i) {
     if (!(bar.parts[i] > 0)) continue;
-    const double from = left + bar_width * sum / all;
+    const double from = bars_left + bar_width * sum / all;
     sum += bar.parts[i];
-    out += rectangle(from, y, left + bar_width * sum / all - from, bar_height,
+    out += rectangle(from, y, bars_left + bar_width * sum / all - from, bar_height,
                      "fill=\"" + series_color(i) + "\"><title>") +
            escaped(chart.part_names[i] + ": " + figure(bar.parts[i]) + " " + chart.unit) +
            "</title></rect>\n";
   }
-  return out + text_at(left + bar_width + 8, middle, "start", figure(all) + " " + chart.unit);
+  return out + text_at(bars_left + bar_width + 8, middle, "start", figure(all) + " " + chart.unit);
 }
 
 }  // namespace
@@ -82,11 +82,11 @@ std::string drawn(const StackedBars& chart, const StackedBars::Bar& bar, double 
 std::string to_svg(const StackedBars& chart) {
   check(chart);
   const ChartScale scale(ChartAxis{}, {0, 100});
-  const double bottom = top + step * double(chart.bars.size()) - (step - bar_height) + 8;
+  const double bottom = bars_top + step * double(chart.bars.size()) - (step - bar_height) + 8;
   std::string content = legend(chart) + axis(chart, scale, bottom);
   for (std::size_t i = 0; i < chart.bars.size(); ++i)
-    content += drawn(chart, chart.bars[i], top + step * double(i));
-  return page(left + bar_width + right, bottom + below, chart.title, 12, content);
+    content += drawn(chart, chart.bars[i], bars_top + step * double(i));
+  return page(bars_left + bar_width + room_right, bottom + room_below, chart.title, 12, content);
 }
 
 }  // namespace sonde

@@ -13,8 +13,9 @@ using namespace svg;
 
 namespace {
 
-constexpr double width = 960, left = 90, right = 740;  // px; the legend is to the right
-constexpr double heading = 44, above = 30, below = 52, legend_line = 18;
+// px; the legend is to the right
+constexpr double width = 960, panel_left = 90, panel_right = 740;
+constexpr double heading = 44, above = 30, panel_below = 52, legend_line = 18;
 
 std::string color_of(const ChartPanel& panel, std::size_t series) {
   return series_color(panel.series[series].color.value_or(series));
@@ -39,7 +40,7 @@ class PanelFrame {
   double bottom() const { return top_ + panel_.height; }
   const ChartScale& x() const { return x_; }
   const ChartScale& y() const { return y_; }
-  double across(double place) const { return left + (right - left) * place; }
+  double across(double place) const { return panel_left + (panel_right - panel_left) * place; }
   double down(double place) const { return bottom() - panel_.height * place; }
 
   std::optional<Spot> spot(double x, double y) const {
@@ -48,11 +49,11 @@ class PanelFrame {
     return Spot{across(*at_x), down(*at_y)};
   }
   bool holds(const Spot& spot) const {
-    return spot.x >= left - edge && spot.x <= right + edge && spot.y >= top() - edge &&
+    return spot.x >= panel_left - edge && spot.x <= panel_right + edge && spot.y >= top() - edge &&
            spot.y <= bottom() + edge;
   }
   Spot nearest(const Spot& spot) const {
-    return {std::clamp(spot.x, left, right), std::clamp(spot.y, top(), bottom())};
+    return {std::clamp(spot.x, panel_left, panel_right), std::clamp(spot.y, top(), bottom())};
   }
   /// The part of a segment inside of the frame, after Liang and Barsky; no value where it is
   /// outside.
@@ -65,7 +66,7 @@ class PanelFrame {
           along < 0 ? std::max(from, room / along) : std::min(to, room / along);
       return from <= to;
     };
-    if (!cut(-dx, a.x - left + edge) || !cut(dx, right + edge - a.x) ||
+    if (!cut(-dx, a.x - panel_left + edge) || !cut(dx, panel_right + edge - a.x) ||
         !cut(-dy, a.y - top() + edge) || !cut(dy, bottom() + edge - a.y))
       return std::nullopt;
     return std::array{from > 0 ? nearest({a.x + from * dx, a.y + from * dy}) : nearest(a),
@@ -96,8 +97,8 @@ std::string upright_ticks(const PanelFrame& frame) {
   std::string out;
   for (const ChartScale::Tick& tick : frame.y().ticks()) {
     const double at = frame.down(tick.place);
-    out += line_of(left, at, right, at, grid(!tick.text.empty()));
-    if (!tick.text.empty()) out += text_at(left - 8, at + 4, "end", tick.text);
+    out += line_of(panel_left, at, panel_right, at, grid(!tick.text.empty()));
+    if (!tick.text.empty()) out += text_at(panel_left - 8, at + 4, "end", tick.text);
   }
   return out;
 }
@@ -109,12 +110,13 @@ std::string row_names(const std::vector<std::string>& names, const PanelFrame& f
   for (std::size_t row = 0; row < names.size(); ++row) {
     const auto edge = frame.y().place(double(row)), middle = frame.y().place(double(row) + 0.5);
     if (!edge || !middle) continue;
-    out += line_of(left, frame.down(*edge), right, frame.down(*edge), "stroke=\"#000\"");
+    out +=
+        line_of(panel_left, frame.down(*edge), panel_right, frame.down(*edge), "stroke=\"#000\"");
     const std::size_t cut = names[row].find('\n');
     const double at = frame.down(*middle) + 4;
     const bool two = cut != std::string::npos;
-    out += text_at(left - 8, two ? at - line / 2 : at, "end", names[row].substr(0, cut));
-    if (two) out += text_at(left - 8, at + line / 2, "end", names[row].substr(cut + 1));
+    out += text_at(panel_left - 8, two ? at - line / 2 : at, "end", names[row].substr(0, cut));
+    if (two) out += text_at(panel_left - 8, at + line / 2, "end", names[row].substr(cut + 1));
   }
   return out;
 }
@@ -127,13 +129,13 @@ std::string axes(const ChartPanel& panel, const PanelFrame& frame) {
     if (!tick.text.empty()) out += text_at(at, frame.bottom() + 17, "middle", tick.text);
   }
   out += panel.y.names.empty() ? upright_ticks(frame) : row_names(panel.y.names, frame);
-  out += rectangle(left, frame.top(), right - left, panel.height,
+  out += rectangle(panel_left, frame.top(), panel_right - panel_left, panel.height,
                    "fill=\"none\" stroke=\"#000\" class=\"frame\"/>\n");
-  out += text_at((left + right) / 2, frame.bottom() + 38, "middle", panel.x.label);
+  out += text_at((panel_left + panel_right) / 2, frame.bottom() + 38, "middle", panel.x.label);
   out += text_at(
       0, 0, "middle", panel.y.label,
       " transform=\"translate(22 " + px((frame.top() + frame.bottom()) / 2) + ") rotate(-90)\"");
-  return out + text_at(left, frame.top() - 9, "start", panel.title, " font-weight=\"bold\"");
+  return out + text_at(panel_left, frame.top() - 9, "start", panel.title, " font-weight=\"bold\"");
 }
 
 std::string cells(const ChartPanel& panel, const PanelFrame& frame) {
@@ -153,8 +155,8 @@ std::string cells(const ChartPanel& panel, const PanelFrame& frame) {
 
 /// The spots of one unbroken piece of a line that show: of those in one column of pixels the
 /// first, the lowest, the highest and the last.
-std::vector<Spot> thinned(const std::vector<Spot>& spots) {
-  constexpr std::size_t few = 2 * static_cast<std::size_t>(right - left);
+std::vector<Spot> thinned_by_columns(const std::vector<Spot>& spots) {
+  constexpr std::size_t few = 2 * static_cast<std::size_t>(panel_right - panel_left);
   if (spots.size() <= few) return spots;
   std::vector<Spot> out;
   for (std::size_t begin = 0; begin < spots.size();) {
@@ -182,7 +184,7 @@ std::string line_inside(const std::vector<Spot>& spots, const PanelFrame& frame,
                         const std::string& style) {
   std::string out;
   std::vector<Spot> piece;
-  const std::vector<Spot> line = thinned(spots);
+  const std::vector<Spot> line = thinned_by_columns(spots);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const auto part = frame.inside(line[i], line[i + 1]);
     if (!part) continue;
@@ -216,7 +218,7 @@ std::string drawn(const ChartSeries& series, const PanelFrame& frame, const std:
 }
 
 std::string legend(const ChartPanel& panel, double top) {
-  constexpr double mark = right + 14, text = right + 46;
+  constexpr double mark = panel_right + 14, text = panel_right + 46;
   std::string out;
   double y = top + 10;
   const auto name = [&](const std::string& named) {
@@ -244,7 +246,7 @@ std::string legend(const ChartPanel& panel, double top) {
 /// Of a panel with all that belongs to it, px.
 double height_of(const ChartPanel& panel) {
   const auto names = panel.kinds.size() + panel.series.size();
-  return above + std::max(panel.height + below, legend_line * static_cast<double>(names + 1));
+  return above + std::max(panel.height + panel_below, legend_line * static_cast<double>(names + 1));
 }
 
 std::string drawn(const ChartPanel& panel, double top) {
@@ -264,7 +266,7 @@ std::string to_svg(const SvgChart& chart) {
     panels += drawn(panel, y + above);
     y += height_of(panel);
   }
-  return page(width, y, chart.title, left, panels);
+  return page(width, y, chart.title, panel_left, panels);
 }
 
 }  // namespace sonde

@@ -12,9 +12,9 @@ double second_mean(double z) {
   return z < 1e-3 ? 0.5 - z / 6 + z * z / 24 : (z + std::expm1(-z)) / (z * z);
 }
 
-class Motion {
+class FreeMotion {
  public:
-  explicit Motion(const FreeHandle& handle)
+  explicit FreeMotion(const FreeHandle& handle)
       : handle_(handle), rate_(handle.damping / handle.inertia) {}
 
   double position() const { return position_; }
@@ -61,7 +61,7 @@ std::vector<double> free_motion(const FreeHandle& handle, std::span<const double
                                 std::span<const double> commands) {
   std::vector<double> out;
   out.reserve(times.size());
-  Motion motion(handle);
+  FreeMotion motion(handle);
   double command = 0, now = times.empty() ? 0 : times.front();
   std::size_t next = 0;
   for (const double time : times) {

@@ -15,14 +15,14 @@ constexpr double most_samples_late = 1000;
 
 /// The loop in units of the sample time, the inertia and any length: position, velocity T ẋ, force
 /// T²/m F.
-struct Loop {
+struct ScaledLoop {
   double damping;          ///< b T/m
   double virtual_damping;  ///< B T/m
   Eigen::Index samples_late;
   double rest;  ///< of the delay, of a sample: 0 to 1
 };
 
-Loop loop_of(const SampledAxis& axis) {
+ScaledLoop scaled_loop_of(const SampledAxis& axis) {
   const auto expect = [](bool right, const char* complaint) {
     if (!right) throw std::invalid_argument(std::string("sampled axis: ") + complaint);
   };
@@ -41,13 +41,13 @@ Loop loop_of(const SampledAxis& axis) {
 }
 
 /// The free axis over a time under a constant force: x += drift v + push F, v = decay v + drift F.
-struct Coast {
+struct UnitCoast {
   double decay;  ///< e^(−a h)
   double drift;  ///< ∫ e^(−a t) dt
   double push;   ///< ∫∫ e^(−a t) dt²
 };
 
-Coast coast(double a, double h) {
+UnitCoast coast(double a, double h) {
   const double z = a * h;
   // Where the closed form would lose digits to cancellation, its series does not.
   if (z < 0.01) {
@@ -61,7 +61,7 @@ Coast coast(double a, double h) {
 
 /// One sample of the loop, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...): as many forces as are
 /// still on their way.
-Eigen::MatrixXd transition(const Loop& loop, double stiffness) {
+Eigen::MatrixXd transition(const ScaledLoop& loop, double stiffness) {
   const Eigen::Index forces = loop.samples_late + (loop.rest > 0 ? 1 : 0);
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(3 + forces, 3 + forces);
   Eigen::RowVectorXd force_now = Eigen::RowVectorXd::Zero(3 + forces);
@@ -74,7 +74,7 @@ Eigen::MatrixXd transition(const Loop& loop, double stiffness) {
   Eigen::RowVectorXd x = Eigen::RowVectorXd::Unit(3 + forces, 0);
   Eigen::RowVectorXd v = Eigen::RowVectorXd::Unit(3 + forces, 1);
   const auto go_on = [&](double time, Eigen::Index samples_ago) {
-    const Coast c = coast(loop.damping, time);
+    const UnitCoast c = coast(loop.damping, time);
     const Eigen::RowVectorXd F = force(samples_ago);
     x += c.drift * v + c.push * F;
     v = c.decay * v + c.drift * F;
@@ -89,7 +89,7 @@ Eigen::MatrixXd transition(const Loop& loop, double stiffness) {
   return M;
 }
 
-double radius(const Loop& loop, double stiffness) {
+double radius(const ScaledLoop& loop, double stiffness) {
   return Eigen::EigenSolver<Eigen::MatrixXd>(transition(loop, stiffness), false)
       .eigenvalues()
       .cwiseAbs()
@@ -97,18 +97,21 @@ double radius(const Loop& loop, double stiffness) {
 }
 
 /// Rounding leaves this much on the eigenvalue of a free axis, which is 1.
-bool stable(const Loop& loop, double stiffness) { return radius(loop, stiffness) <= 1 + 1e-12; }
+bool stable(const ScaledLoop& loop, double stiffness) {
+  return radius(loop, stiffness) <= 1 + 1e-12;
+}
 
 }  // namespace
 
 double spectral_radius(const SampledAxis& axis, double stiffness) {
   if (!std::isfinite(stiffness))
     throw std::invalid_argument("sampled axis: the stiffness must be a number");
-  return radius(loop_of(axis), stiffness * axis.sample_time * axis.sample_time / axis.inertia);
+  return radius(scaled_loop_of(axis),
+                stiffness * axis.sample_time * axis.sample_time / axis.inertia);
 }
 
 double largest_stable_stiffness(const SampledAxis& axis) {
-  const Loop loop = loop_of(axis);
+  const ScaledLoop loop = scaled_loop_of(axis);
   // Far below what any damping can hold: unstable there, unstable at once.
   double low = 1e-6 * std::min(1.0, loop.damping + loop.virtual_damping);
   if (low == 0 || !stable(loop, low)) return 0;
@@ -125,7 +128,7 @@ double largest_stable_stiffness(const SampledAxis& axis) {
 }
 
 double largest_passive_stiffness(const SampledAxis& axis) {
-  loop_of(axis);  // for its checks
+  scaled_loop_of(axis);  // for its checks
   return std::max(0.0, axis.damping - axis.virtual_damping) / (axis.sample_time / 2 + axis.delay);
 }
 

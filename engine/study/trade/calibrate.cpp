@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
@@ -14,10 +14,8 @@
 namespace sonde {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double search_times[] = {500, 1000, 2000, 4000, 8000, 16'000, 32'000, 64'000, 0};
 constexpr double tick_times[] = {50, 100, 200, 400, 800, 1600, 0};
-constexpr Method methods[] = {Method::pdg, Method::pdt};
 constexpr int reference_searches = 3;
 constexpr std::size_t most_kept = 200;
 
@@ -25,7 +23,9 @@ void check(const Stop& stop) {
   if (stop()) throw Cancelled();
 }
 
-double depth_of(const Separation& s) { return s.status == Status::failed ? infinite : s.depth; }
+double depth_or_infinity(const Separation& s) {
+  return s.status == Status::failed ? infinity : s.depth;
+}
 
 StaticOptions options(Method method, std::uint64_t seed, double time_us) {
   StaticOptions out;
@@ -41,7 +41,7 @@ double excess(double depth, double least) { return depth == least ? 0 : depth / 
 
 /// A reference that failed vouches for nothing, not even for an answer that fails as it does.
 double tick_error(double got, double wanted, double deepest) {
-  if (!std::isfinite(got) || !std::isfinite(wanted)) return infinite;
+  if (!std::isfinite(got) || !std::isfinite(wanted)) return infinity;
   return got == wanted ? 0 : std::abs(got - wanted) / deepest;
 }
 
@@ -60,11 +60,11 @@ std::vector<double> least_depths(const TradeSetup& setup, Method method, const S
   std::vector<double> out;
   Random seeds(setup.seed);
   for (const Pose& pose : setup.poses) {
-    double least = infinite;
+    double least = infinity;
     for (int i = 0; i < reference_searches; ++i) {
       check(stop);
-      least = std::min(
-          least, depth_of(separate_static(setup.pair, pose, options(method, seeds.next(), 0))));
+      least = std::min(least, depth_or_infinity(separate_static(setup.pair, pose,
+                                                                options(method, seeds.next(), 0))));
     }
     out.push_back(least);
   }
@@ -80,7 +80,7 @@ std::vector<double> follow(const Pair& pair, Method method, std::span<const Time
   for (const TimedPose& at : path) {
     check(stop);
     if (!started) solver.reset(at.pose, options(method, seed, 0));
-    out.push_back(depth_of(solver.tick(at.pose, {.microseconds = time_us})));
+    out.push_back(depth_or_infinity(solver.tick(at.pose, {.microseconds = time_us})));
     started = started || std::isfinite(out.back());
   }
   return out;
@@ -98,7 +98,7 @@ CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, 
     for (std::size_t i = 0; i < poses.size(); ++i) {
       check(stop);
       const double depth =
-          depth_of(separate_static(pair, poses[i], options(method, seed + i, time_us)));
+          depth_or_infinity(separate_static(pair, poses[i], options(method, seed + i, time_us)));
       depths.back().push_back(depth);
       references[i] = std::min(references[i], depth);
     }
@@ -132,7 +132,7 @@ CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Met
 
 Calibration calibrate(const TradeSetup& setup, const Stop& stop) {
   Calibration out;
-  for (const Method method : methods) {
+  for (const Method method : traded_methods) {
     if (!setup.poses.empty())
       out.series.push_back(calibrate_searches(setup.pair, setup.scene, method, setup.poses,
                                               least_depths(setup, method, stop), setup.seed, stop));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/base/processor_time.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
@@ -26,9 +27,6 @@ constexpr int search_steps[] = {8, 16, 32, 64, 128, 256, 512, 1024, 0};
 constexpr int bound_work[] = {1250, 5000, 20'000, 80'000};
 /// 10 ns each, so from about 20 µs on.
 constexpr int tick_work[] = {2000, 5000, 10'000, 20'000, 50'000, 100'000, 0};
-constexpr Method methods[] = {Method::pdg, Method::pdt};
-
-constexpr double failure = std::numeric_limits<double>::quiet_NaN();
 
 bool has_bound(const TradeSetup& setup) {
   return setup.pair.probe().solid || setup.pair.fixed().solid;
@@ -36,7 +34,7 @@ bool has_bound(const TradeSetup& setup) {
 
 std::vector<TradeSetting> pose_settings(const TradeSetup& setup) {
   std::vector<TradeSetting> out;
-  for (const Method method : methods)
+  for (const Method method : traded_methods)
     for (const int steps : search_steps) out.push_back({TradeKind::search, method, steps});
   if (has_bound(setup))
     for (const int work : bound_work) out.push_back({TradeKind::bound, Method::pdg, work});
@@ -46,12 +44,14 @@ std::vector<TradeSetting> pose_settings(const TradeSetup& setup) {
 std::vector<TradeSetting> path_settings(const TradeSetup& setup) {
   std::vector<TradeSetting> out;
   if (setup.path.empty()) return out;
-  for (const Method method : methods)
+  for (const Method method : traded_methods)
     for (const int work : tick_work) out.push_back({TradeKind::tick, method, work});
   return out;
 }
 
-double depth_of(const Separation& s) { return s.status == Status::failed ? failure : s.depth; }
+double depth_or_no_number(const Separation& s) {
+  return s.status == Status::failed ? no_number : s.depth;
+}
 
 /// The static search of both methods and the lower bound, on one pose.
 class PoseMeasurement {
@@ -108,7 +108,7 @@ class PoseMeasurement {
     own.budget.steps = static_cast<int>(setting.budget);
     Separation found;
     const double time = processor_time_us([&] { found = separate(own, setup_.tuning); });
-    return {setting, depth_of(found), found.iterations, time};
+    return {setting, depth_or_no_number(found), found.iterations, time};
   }
 
   TradeRun bound(const TradeSetting& setting) const {
@@ -117,7 +117,7 @@ class PoseMeasurement {
       found = depth_lower_bound(setup_.pair.probe(), setup_.pair.fixed(), pose_, {},
                                 {.work = static_cast<int>(setting.budget)});
     });
-    return {setting, found.value_or(failure), 0, time};
+    return {setting, found.value_or(no_number), 0, time};
   }
 
   const TradeSetup& setup_;
@@ -138,7 +138,7 @@ TradePath follow(const TradeSetup& setup, const TradeSetting& setting, const Sto
     out.time_us.push_back(
         processor_time_us([&] { solver.tick(at.pose, {.work = setting.budget}); }));
     const Separation& s = solver.last();
-    out.depth.push_back(depth_of(s));
+    out.depth.push_back(depth_or_no_number(s));
     out.converged.push_back(s.status == Status::separated || s.converged);
     started = started || s.status != Status::failed;
   }

@@ -14,8 +14,6 @@ namespace {
 using Figures = std::vector<TradeFigures>;
 using Figure = double TradeFigures::*;
 
-constexpr Method methods[] = {Method::pdg, Method::pdt};
-
 constexpr std::size_t pdg_color = 0, pdt_color = 1, reference_color = 7;
 std::size_t color_of(Method method) { return method == Method::pdg ? pdg_color : pdt_color; }
 
@@ -102,7 +100,8 @@ ChartPanel error_panel(const std::string& title, const Figures& all, TradeKind k
   out.x = {x, true};
   out.y = {y, true};
   out.height = 230;
-  for (const Method method : methods) add_errors(out, figures_of(all, kind, method), method, time);
+  for (const Method method : traded_methods)
+    add_errors(out, figures_of(all, kind, method), method, time);
   whole_decades(out.x, out.series);
   return out;
 }
@@ -119,7 +118,7 @@ void add_by_budget(ChartPanel& panel, const Figures& figures, const std::string&
   add_line(panel, line);
 }
 
-ChartPanel tick_times(const Figures& all, Method method) {
+ChartPanel tick_time_panel(const Figures& all, Method method) {
   ChartPanel out;
   out.title = std::string("Coherent: time of a tick by its budget, ") + title_of(method);
   out.x = {"budget, counted work", true};
@@ -140,7 +139,7 @@ ChartPanel tick_convergence(const Figures& all) {
   out.x = {"budget, counted work", true};
   out.y = {"share", false, 0.0, 1.0};
   out.height = 130;
-  for (const Method method : methods)
+  for (const Method method : traded_methods)
     add_by_budget(out, figures_of(all, TradeKind::tick, method), title_of(method), color_of(method),
                   &TradeFigures::unconverged, ChartSeries::Form::line);
   return out;
@@ -167,7 +166,7 @@ std::string trade_picture(const TradeResults& results, const std::vector<TradeFi
     chart.panels.push_back(error_panel(
         "Coherent: off the depth without a budget", all, TradeKind::tick, &TradeFigures::time_p99,
         "processor time of a tick, 99th percentile, µs", "difference / deepest, %"));
-    for (const Method method : methods) chart.panels.push_back(tick_times(all, method));
+    for (const Method method : traded_methods) chart.panels.push_back(tick_time_panel(all, method));
     chart.panels.push_back(tick_convergence(all));
   }
   return to_svg(chart);

@@ -2,17 +2,15 @@
 #include "engine/study/trade/trade_extremes.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/body/body.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/search/static_search.hpp"
 
 namespace sonde {
 namespace {
-
-constexpr double failure = std::numeric_limits<double>::quiet_NaN();
 
 /// Where both meshes lie, and how large they are.
 struct World {
@@ -51,13 +49,13 @@ class Measurement {
   double depth(const Pose& X_FM, const Asked& asked, std::uint64_t seed) const {
     const Pose X{X_FM.q, scale_ * X_FM.p + shift_ - X_FM.q * shift_};
     if (asked.kind == TradeKind::bound)
-      return depth_lower_bound(pair_.probe(), pair_.fixed(), X).value_or(failure) / scale_;
+      return depth_lower_bound(pair_.probe(), pair_.fixed(), X).value_or(no_number) / scale_;
     StaticOptions options;
     options.method = asked.method;
     options.seed = seed;
     options.want_lower_bound = false;
     const Separation found = separate_static(pair_, X, options);
-    return found.status == Status::failed ? failure : found.depth / scale_;
+    return found.status == Status::failed ? no_number : found.depth / scale_;
   }
 
  private:
@@ -78,7 +76,7 @@ std::vector<double> depths(const Pair& pair, const World& world, std::span<const
         out.push_back(there.depth(poses[i], asked, seed + i));
       }
   } catch (const InputError&) {  // the mesh is no body there
-    out.assign(std::size(all_asked) * poses.size(), failure);
+    out.assign(std::size(all_asked) * poses.size(), no_number);
   }
   return out;
 }

@@ -60,7 +60,7 @@ std::string field(std::string name) {
   return name;
 }
 
-std::string text_of(double value) { return std::isfinite(value) ? number_text(value, 17) : ""; }
+std::string exact_text(double value) { return std::isfinite(value) ? number_text(value, 17) : ""; }
 
 std::string pairs_csv(std::span<const TradeResults> pairs) {
   std::string out =
@@ -72,7 +72,7 @@ std::string pairs_csv(std::span<const TradeResults> pairs) {
       out.append(",").append(std::to_string(f.setting.budget));
       out.append(",").append(std::to_string(f.count));
       for (const double value : {f.median, f.p90, f.within_1, f.time_median})
-        out.append(",").append(text_of(value));
+        out.append(",").append(exact_text(value));
       out += "\n";
     }
   return out;

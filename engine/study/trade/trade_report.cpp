@@ -14,7 +14,6 @@ using Json = nlohmann::ordered_json;
 using Figures = std::vector<TradeFigures>;
 using Figure = double TradeFigures::*;
 
-constexpr Method methods[] = {Method::pdg, Method::pdt};
 constexpr TradeKind kinds[] = {TradeKind::search, TradeKind::bound, TradeKind::tick};
 
 /// What is not known is left empty.
@@ -188,13 +187,13 @@ const char* title_of(TradeKind kind) {
 std::string summary_md(const TradeResults& results, const Figures& all) {
   std::string out = "# " + results.scene + ": accuracy against time\n\n" +
                     std::to_string(results.poses.size()) + " poses. The reference repeats to ";
-  for (const Method method : methods) {
+  for (const Method method : traded_methods) {
     const TradeReference r = trade_reference(results, method);
     out += text_of(100 * r.p90, 3) + " % on nine of ten (the worst: " + text_of(100 * r.worst, 3) +
            " %) for " + title_of(method) + (method == Method::pdg ? ", " : ".\n");
   }
   for (const TradeKind kind : kinds)
-    for (const Method method : methods) {
+    for (const Method method : traded_methods) {
       const Figures some = figures_of(all, kind, method);
       if (some.empty()) continue;
       out += std::string("\n## ") + title_of(kind) + ": " + title_of(method) + "\n\n" +

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/base/quantile.hpp"
 
 namespace sonde {
@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Of the probe's radius: what is not deeper has no error worth a name (see allowed_clearance).
 constexpr double least_depth = 1e-6;
 
@@ -31,7 +29,7 @@ Value named(const std::string& name, std::initializer_list<Value> values) {
 }
 
 /// JSON has no NaN: a failure is null.
-double number(const Json& json) { return json.is_null() ? none : json.get<double>(); }
+double number(const Json& json) { return json.is_null() ? no_number : json.get<double>(); }
 
 std::vector<double> numbers(const Json& json) {
   std::vector<double> out;
@@ -86,7 +84,7 @@ struct Samples {
 
   void add(double error, double time_us, bool converged) {
     const bool bad = !std::isfinite(error);
-    errors.push_back(bad ? infinite : error);
+    errors.push_back(bad ? infinity : error);
     times.push_back(time_us);
     failed += bad;
     unconverged += !converged;
@@ -156,7 +154,7 @@ const char* title_of(Method method) { return method == Method::pdg ? "PD_g" : "P
 
 double TradePose::reference(Method method) const {
   const auto of = [&](Method which) {
-    double least = infinite;
+    double least = infinity;
     for (const double depth : which == Method::pdg ? long_pdg : long_pdt)
       least = std::min(least, depth);
     for (const TradeRun& run : runs)
@@ -169,7 +167,7 @@ double TradePose::reference(Method method) const {
 
 double TradePose::spread(Method method) const {
   const std::vector<double>& found = method == Method::pdg ? long_pdg : long_pdt;
-  if (found.empty()) return none;
+  if (found.empty()) return no_number;
   const auto [least, largest] = std::ranges::minmax(found);
   return largest / least - 1;
 }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 26;
 constexpr const char* header = "series,pose,depth,time_us";
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::array<std::string, 4> fields_of(const std::string& line) {
   std::array<std::string, 4> out;
@@ -57,7 +56,7 @@ Answer answer_in(const std::string& line, std::size_t poses) {
     throw std::invalid_argument("pose " + pose.substr(0, 60) + " is none of the study, which has " +
                                 std::to_string(poses));
   return {series, static_cast<std::size_t>(index),
-          depth.empty() ? infinite : number_in(depth, "depth"), number_in(time_us, "time_us")};
+          depth.empty() ? infinity : number_in(depth, "depth"), number_in(time_us, "time_us")};
 }
 
 void add(std::vector<TradeSeries>& all, const Answer& answer, const TradeResults& results) {

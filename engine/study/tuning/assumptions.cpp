@@ -2,13 +2,12 @@
 #include "engine/study/tuning/assumptions.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "engine/base/numbers.hpp"
 
 namespace sonde {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 AssumedEnd end_of(const TuningResults& results, GainAxis axis, const std::string& key,
                   double times) {

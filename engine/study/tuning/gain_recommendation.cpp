@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "engine/base/numbers.hpp"
 #include "engine/settings/settings.hpp"
 
 namespace sonde {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Lines = std::vector<const TuningLine*>;
 using Profile = std::map<std::string, double>;

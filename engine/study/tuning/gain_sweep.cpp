@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/study/stability/contact_stability.hpp"
+#include "engine/text/json_numbers.hpp"
 
 namespace sonde {
 namespace {
@@ -44,8 +45,6 @@ SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double da
           felt.damping(others)};
 }
 
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
 Json json_of(const SweepPoint& point, GainAxis axis) {
   const HoldReport& r = point.report;
   return {{"stiffness", point.stiffness},
@@ -53,12 +52,12 @@ Json json_of(const SweepPoint& point, GainAxis axis) {
           {"chattering", r.chattering},
           {"saturated", r.saturated},
           {"fault", name_of(fault_of(r, axis))},
-          {"growth", number(r.growth)},
-          {"work", number(r.work)},
+          {"growth", number_or_null(r.growth)},
+          {"work", number_or_null(r.work)},
           {"chatter", r.chatter},
           {"saturation", r.saturation},
-          {"force_error", number(r.force_error)},
-          {"torque_error", number(r.torque_error)},
+          {"force_error", number_or_null(r.force_error)},
+          {"torque_error", number_or_null(r.torque_error)},
           {"depth", r.depth},
           {"contact", r.contact},
           {"force", r.force},
@@ -73,8 +72,8 @@ Json json_of(double damping, const TheoryLimits& theory, const StiffnessSweep& s
   Json runs = Json::array();
   for (const SweepPoint& point : sweep.points) runs.push_back(json_of(point, axis));
   return {{"damping", damping},
-          {"theory_stable", number(theory.stable)},
-          {"theory_passive", number(theory.passive)},
+          {"theory_stable", number_or_null(theory.stable)},
+          {"theory_passive", number_or_null(theory.passive)},
           {"stable", sweep.stable.stiffness},
           {"stable_ends_by", name_of(sweep.stable.fault)},
           {"good", sweep.good.stiffness},

@@ -54,7 +54,9 @@ std::size_t situation_of(const TracesRequest& request, const TuningPlan& plan) {
   return static_cast<std::size_t>(found - all.begin());
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json value_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
 
 Json json_of(const TimeTrace& trace) {
   Json samples = Json::array();
@@ -63,7 +65,7 @@ Json json_of(const TimeTrace& trace) {
     samples.push_back({s.t, f.x(), f.y(), f.z(), m.x(), m.y(), m.z(), s.depth});
   }
   const TraceFigures& f = trace.figures;
-  return {{"force", f.force},         {"settling_time", number(f.settling_time)},
+  return {{"force", f.force},         {"settling_time", value_or_null(f.settling_time)},
           {"overshoot", f.overshoot}, {"energy", f.energy},
           {"chatter", f.chatter},     {"jumps", f.jumps},
           {"failures", f.failures},   {"samples", samples}};

@@ -84,7 +84,7 @@ std::string summary_table(const std::vector<Trace>& traces) {
 }
 
 /// Three digits, without an exponent where a person would write none.
-std::string short_text(double value) {
+std::string figures_text(double value) {
   return number_text(parse_number(number_text(value, 3)).value_or(value));
 }
 
@@ -94,25 +94,25 @@ bool buzzes(const Trace& t) { return t.chatter > chatter_limit; }
 std::string note(const Trace& t) {
   if (t.failures > 0) return std::to_string(t.failures) + " ticks without an answer";
   if (!(t.force > 0)) return "out of contact";
-  const std::string over = short_text(std::round(1000 * t.overshoot) / 10) + " % over";
+  const std::string over = figures_text(std::round(1000 * t.overshoot) / 10) + " % over";
   if (buzzes(t)) return "buzzes, " + over;
   if (t.jumps > 0) return "slips to another place";
   if (!t.settling_time) return "does not settle, " + over;
-  return "settles in " + short_text(1e3 * *t.settling_time) + " ms, " + over;
+  return "settles in " + figures_text(1e3 * *t.settling_time) + " ms, " + over;
 }
 
 std::string summary_page(const Json& about, const std::vector<Trace>& traces) {
   std::string out = "A " + about.at("situation").get<std::string>() + " contact on " +
                     about.at("device").at("name").get<std::string>() + ".";
   if (!about.at("theory_stable").is_null())
-    out += " Theory allows k = " + short_text(about.at("theory_stable").get<double>()) +
+    out += " Theory allows k = " + figures_text(about.at("theory_stable").get<double>()) +
            " N/m without damping.";
   out +=
       "\n\n| course | k, N/m | b, N·s/m | force, N | what it does | energy to the hand, mJ |\n"
       "|---|---:|---:|---:|---|---:|\n";
   for (const Trace& t : traces)
-    out += "| " + t.course + " | " + short_text(t.stiffness) + " | " + short_text(t.damping) +
-           " | " + short_text(t.force) + " | " + note(t) + " | " + short_text(1e3 * t.energy) +
+    out += "| " + t.course + " | " + figures_text(t.stiffness) + " | " + figures_text(t.damping) +
+           " | " + figures_text(t.force) + " | " + note(t) + " | " + figures_text(1e3 * t.energy) +
            " |\n";
   return out;
 }
@@ -134,7 +134,7 @@ SmallMultiples empty_picture(const Json& about, const std::vector<double>& stiff
                               about.at("situation").get<std::string>() + " contact",
                      .x_label = "time, s",
                      .quantities = {{"force, N"}, {"torque, mN·m"}, {"depth, mm"}}};
-  for (const double k : stiffness) out.rows.push_back("k = " + short_text(k) + " N/m");
+  for (const double k : stiffness) out.rows.push_back("k = " + figures_text(k) + " N/m");
   return out;
 }
 
@@ -156,7 +156,7 @@ std::vector<StudyFile> pictures(const Json& about, const std::vector<Trace>& tra
     const std::string name = name_of(all_hand_courses[course]);
     SmallMultiples one = empty_picture(about, stiffness);
     one.title += ", " + name;
-    for (const double b : damping) one.columns.push_back("b = " + short_text(b) + " N·s/m");
+    for (const double b : damping) one.columns.push_back("b = " + figures_text(b) + " N·s/m");
     for (std::size_t i = 0; i < each; ++i)
       one.cells.push_back(cell_of(traces.at(course * each + i)));
     out.push_back({"traces-" + name + ".svg", to_svg(one)});

@@ -11,6 +11,7 @@
 #include "engine/body/body.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/stability/contact_stability.hpp"
+#include "engine/text/json_numbers.hpp"
 
 namespace sonde {
 namespace {
@@ -166,7 +167,6 @@ JointGains joint_gains(const TuningRequest& request,
           most > 0 ? device.max_rotational_damping.value / most : 0};
 }
 
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 Json numbers(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 Json numbers(const Pose& X) {
   return {X.p.x(), X.p.y(), X.p.z(), X.q.w(), X.q.x(), X.q.y(), X.q.z()};
@@ -192,7 +192,7 @@ Json about(const TuningRequest& request, const TuningSituation& situation) {
           {"summed_rotation", summed.rotation},
           {"largest_translational_stiffness", largest_block(unit, 0)},
           {"largest_rotational_stiffness", largest_block(unit, 3)},
-          {"theory_stable", number(situation.theory)}};
+          {"theory_stable", number_or_null(situation.theory)}};
 }
 
 Json about(const DeviceProfile& device) {

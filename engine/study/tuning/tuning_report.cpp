@@ -11,16 +11,15 @@
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_map.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
+#include "engine/text/json_numbers.hpp"
 
 namespace sonde {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
 Json json_of(const GainLimit& limit) {
-  Json out{{"reason", limit.reason}, {"stiffness", number(limit.stiffness)}};
+  Json out{{"reason", limit.reason}, {"stiffness", number_or_null(limit.stiffness)}};
   if (!limit.kind.empty()) out["situation"] = limit.kind;
   if (!limit.hand.empty()) out["hand"] = limit.hand;
   return out;
@@ -31,17 +30,18 @@ Json json_of(const AxisGains& gains) {
   for (const GainLimit& limit : gains.limits) limits.push_back(json_of(limit));
   Json swings = Json::array();
   for (const GainLimit& each : gains.swings_without_friction)
-    swings.push_back(
-        {{"situation", each.kind}, {"hand", each.hand}, {"theory_stable", number(each.stiffness)}});
+    swings.push_back({{"situation", each.kind},
+                      {"hand", each.hand},
+                      {"theory_stable", number_or_null(each.stiffness)}});
   return {{"stiffness", gains.stiffness},
           {"damping", gains.damping},
           {"limited_by", json_of(gains.limit)},
-          {"boundary", number(gains.boundary)},
-          {"margin", number(gains.margin())},
-          {"boundary_without_friction", number(gains.without_friction)},
-          {"boundary_at_harder_knocks", number(gains.harder_knocks)},
-          {"theory_stable", number(gains.theory)},
-          {"theory_passive", number(gains.passive)},
+          {"boundary", number_or_null(gains.boundary)},
+          {"margin", number_or_null(gains.margin())},
+          {"boundary_without_friction", number_or_null(gains.without_friction)},
+          {"boundary_at_harder_knocks", number_or_null(gains.harder_knocks)},
+          {"theory_stable", number_or_null(gains.theory)},
+          {"theory_passive", number_or_null(gains.passive)},
           {"swings_without_friction_in", swings},
           {"limits", limits}};
 }
@@ -61,8 +61,8 @@ Json fidelity(const TuningResults& results, const AxisGains& gains) {
     out.push_back({{"situation", line.kind},
                    {"hand", line.hand},
                    {"at_stiffness", run.stiffness},
-                   {"force_error", number(r.force_error)},
-                   {"torque_error", number(r.torque_error)},
+                   {"force_error", number_or_null(r.force_error)},
+                   {"torque_error", number_or_null(r.torque_error)},
                    {"chatter", r.chatter},
                    {"depth", r.depth},
                    {"force", r.force},
@@ -88,8 +88,8 @@ Json assumed_values(const TuningResults& results, GainAxis axis) {
                    {"value", results.device.at(line.assumed) * line.times},
                    {"stiffness", gains->stiffness},
                    {"damping", gains->damping},
-                   {"boundary", number(gains->boundary)},
-                   {"boundary_without_friction", number(gains->without_friction)},
+                   {"boundary", number_or_null(gains->boundary)},
+                   {"boundary_without_friction", number_or_null(gains->without_friction)},
                    {"limited_by", gains->limit.reason}});
   }
   return out;
@@ -98,8 +98,8 @@ Json assumed_values(const TuningResults& results, GainAxis axis) {
 Json json_of(const AssumedEnd& end) {
   return {{"value", end.value},
           {"stiffness", end.gains.stiffness},
-          {"boundary", number(end.gains.boundary)},
-          {"boundary_without_friction", number(end.gains.without_friction)},
+          {"boundary", number_or_null(end.gains.boundary)},
+          {"boundary_without_friction", number_or_null(end.gains.without_friction)},
           {"limited_by", end.gains.limit.reason}};
 }
 
@@ -117,7 +117,7 @@ Json dampings(const TuningResults& results, GainAxis axis) {
   for (const AxisGains& gains : recommend_at_each_damping(results, axis))
     out.push_back({{"damping", gains.damping},
                    {"stiffness", gains.stiffness},
-                   {"boundary", number(gains.boundary)},
+                   {"boundary", number_or_null(gains.boundary)},
                    {"limited_by", json_of(gains.limit)}});
   return out;
 }
@@ -126,7 +126,7 @@ Json dampings(const TuningResults& results, GainAxis axis) {
 Json hands(const TuningResults& results, const AxisGains& gains) {
   Json out = Json::array();
   for (const auto& [hand, boundary] : boundary_by_hand(results, gains))
-    out.push_back({{"hand", hand}, {"boundary", number(boundary)}});
+    out.push_back({{"hand", hand}, {"boundary", number_or_null(boundary)}});
   return out;
 }
 
@@ -150,7 +150,7 @@ Json json_of(const TuningResults& results, GainAxis axis) {
       if (line.axis == axis && !line.assumed.empty()) out["assumed_in"] = line.kind;
     out["as_assumed"] = {{"stiffness", beside->stiffness},
                          {"damping", beside->damping},
-                         {"boundary", number(beside->boundary)},
+                         {"boundary", number_or_null(beside->boundary)},
                          {"limited_by", beside->limit.reason}};
     out["assumed"] = assumed_values(results, axis);
     out["limiting_assumption"] = limiting_assumption(results, axis);

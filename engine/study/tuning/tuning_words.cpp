@@ -91,7 +91,7 @@ std::string reliance_on_friction(const AxisGains& gains) {
   return out + "; theory's limit stands for the measured one there";
 }
 
-std::string limiting_assumption(const TuningResults& results, GainAxis axis) {
+std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
   const auto intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
   const AssumedInterval& worst = intervals.front();
@@ -139,7 +139,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     add(reliance_on_friction(*gains));
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
-    add(limiting_assumption(results, axis));
+    add(limiting_assumption_text(results, axis));
   }
   return out;
 }

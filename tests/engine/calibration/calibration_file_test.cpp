@@ -10,9 +10,8 @@
 namespace sonde {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-Calibration made_up() {
+Calibration made_up_pairs() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   return {{{"a on b", Answers::search, Method::pdg, true, {{500, {0, 0.1, infinite}}, {0, {}}}},
            {"a on b", Answers::tick, Method::pdt, false, {{50, {1e-3}}}}}};
 }
@@ -27,7 +26,8 @@ std::string said_of(const std::string& text) {
 }
 
 TEST(CalibrationFile, reads_back_what_was_written) {
-  const Calibration got = calibration_in(to_json(made_up()), "c.json"), want = made_up();
+  const Calibration got = calibration_in(to_json(made_up_pairs()), "c.json"),
+                    want = made_up_pairs();
   ASSERT_EQ(got.series.size(), want.series.size());
   for (std::size_t i = 0; i < want.series.size(); ++i) {
     EXPECT_EQ(got.series[i].pair, want.series[i].pair);
@@ -43,7 +43,7 @@ TEST(CalibrationFile, reads_back_what_was_written) {
 }
 
 TEST(CalibrationFile, one_that_is_cut_off_is_refused_wherever) {
-  const std::string whole = to_json(made_up());
+  const std::string whole = to_json(made_up_pairs());
   for (std::size_t size = 0; size + 2 < whole.size(); ++size)
     EXPECT_TRUE(said_of(whole.substr(0, size)).starts_with("c.json:")) << size;
 }

@@ -22,14 +22,14 @@ std::vector<double> nine_within(double error) {
   return out;
 }
 
-Calibration made_up() {
+Calibration made_up_series() {
   CalibrationSeries series{"made up", Answers::search, Method::pdg, true, {}};
   series.points = {{1000, nine_within(0.16)}, {4000, nine_within(0.01)}, {0, nine_within(1e-4)}};
   return {{series}};
 }
 
 TEST(AccuracyCurve, is_the_ninth_of_ten_errors_and_logarithmic_in_between) {
-  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  const AccuracyCurve curve(made_up_series(), Answers::search, Method::pdg, true);
   EXPECT_DOUBLE_EQ(curve.within(1000), 0.16);
   EXPECT_DOUBLE_EQ(curve.within(4000), 0.01);
   EXPECT_NEAR(curve.within(2000), 0.04, 1e-12);  // half-way: the geometric mean
@@ -39,7 +39,7 @@ TEST(AccuracyCurve, is_the_ninth_of_ten_errors_and_logarithmic_in_between) {
 }
 
 TEST(AccuracyCurve, may_be_of_one_pair_alone) {
-  Calibration two = made_up();
+  Calibration two = made_up_series();
   two.series.push_back(two.series[0]);
   two.series[1].pair = "another";
   two.series[1].points[0].errors = nine_within(0.5);
@@ -52,7 +52,7 @@ TEST(AccuracyCurve, may_be_of_one_pair_alone) {
 }
 
 TEST(AccuracyCurve, time_and_accuracy_are_each_other_s_inverse) {
-  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  const AccuracyCurve curve(made_up_series(), Answers::search, Method::pdg, true);
   for (const double accuracy : {0.15, 0.1, 0.05, 0.02, 0.01})
     EXPECT_NEAR(curve.within(curve.time_for(accuracy)), accuracy, 1e-9);
   EXPECT_EQ(curve.time_for(0.5), 1000) << "no less than was measured";
@@ -63,7 +63,7 @@ TEST(AccuracyCurve, time_and_accuracy_are_each_other_s_inverse) {
 }
 
 TEST(AccuracyCurve, more_time_is_never_worse_and_failures_are_infinitely_wrong) {
-  Calibration calibration = made_up();
+  Calibration calibration = made_up_series();
   calibration.series[0].points[1].errors = nine_within(0.3);
   const AccuracyCurve worse(calibration, Answers::search, Method::pdg, true);
   EXPECT_DOUBLE_EQ(worse.within(4000), 0.16);
@@ -74,15 +74,15 @@ TEST(AccuracyCurve, more_time_is_never_worse_and_failures_are_infinitely_wrong) 
 }
 
 TEST(AccuracyCurve, other_pairs_serve_where_none_of_the_kind_was_measured) {
-  EXPECT_TRUE(AccuracyCurve(made_up(), Answers::search, Method::pdg, false).known());
-  const AccuracyCurve none(made_up(), Answers::tick, Method::pdg, true);
+  EXPECT_TRUE(AccuracyCurve(made_up_series(), Answers::search, Method::pdg, false).known());
+  const AccuracyCurve none(made_up_series(), Answers::tick, Method::pdg, true);
   EXPECT_FALSE(none.known());
   EXPECT_EQ(none.within(1000), infinite);
   EXPECT_EQ(none.time_for(0.1), 0);
 }
 
 TEST(Claim, is_the_narrower_of_the_bound_and_what_is_expected) {
-  const AccuracyCurve curve(made_up(), Answers::search, Method::pdg, true);
+  const AccuracyCurve curve(made_up_series(), Answers::search, Method::pdg, true);
   Separation answer;
   EXPECT_EQ(claim_of(answer, 1000, curve).by, Claim::By::nothing) << "a failure claims nothing";
   answer.status = Status::penetrating;

@@ -5,14 +5,10 @@
 
 #include <numbers>
 
+#include "tests/engine/devices/six.hpp"
+
 namespace sonde::test {
 namespace {
-
-SixAxes six(double a, double b, double c, double d, double e, double f) {
-  SixAxes axes;
-  axes << a, b, c, d, e, f;
-  return axes;
-}
 
 AxisMap without_dead_zones() {
   AxisMap map;

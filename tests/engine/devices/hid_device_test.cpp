@@ -27,7 +27,7 @@ Bytes bytes_of(const std::optional<std::span<const std::uint8_t>>& report) {
 }
 
 /// What opening it says is wrong.
-std::string refusal(const std::string& path) {
+std::string opening_refusal(const std::string& path) {
   try {
     const HidDevice opened(path);
   } catch (const InputError& error) {
@@ -89,16 +89,16 @@ TEST(HidDevice, a_device_that_is_unplugged_is_gone_at_the_next_read) {
   EXPECT_FALSE(device.read(buffer, 2000ms));
   buffer[0] = 5;
   EXPECT_FALSE(device.feature(buffer));
-  EXPECT_THAT(refusal("/dev/hidraw7"), HasSubstr("/dev/hidraw7: "));
+  EXPECT_THAT(opening_refusal("/dev/hidraw7"), HasSubstr("/dev/hidraw7: "));
 }
 
 TEST(HidDevice, a_device_without_a_readable_descriptor_is_refused) {
   MockSystem system;
   system.plug({.descriptor = split_descriptor(), .descriptor_in_sysfs = false});
-  EXPECT_THAT(refusal("/dev/hidraw7"), HasSubstr("/dev/hidraw7: its report descriptor"));
+  EXPECT_THAT(opening_refusal("/dev/hidraw7"), HasSubstr("/dev/hidraw7: its report descriptor"));
   // hidapi 0.13.1 would write into freed memory here; under AddressSanitizer this would show.
   system.plug({.number = 8, .descriptor = split_descriptor(), .answers_ioctl = false});
-  EXPECT_THAT(refusal("/dev/hidraw8"), HasSubstr("/dev/hidraw8: it is no HID device"));
+  EXPECT_THAT(opening_refusal("/dev/hidraw8"), HasSubstr("/dev/hidraw8: it is no HID device"));
 }
 
 /// The rights of a user whom no udev rule knows, where the tests run as root.
@@ -123,8 +123,9 @@ TEST(HidDevice, without_permission_the_udev_rule_is_named) {
   const std::string node = folder.write("hidraw7", "").string();
   std::filesystem::permissions(node, std::filesystem::perms::none);
   const NoPrivileges here;
-  EXPECT_THAT(refusal(node), AllOf(HasSubstr(node + ": no permission"), HasSubstr(udev_rule_file),
-                                   HasSubstr("/etc/udev/rules.d")));
+  EXPECT_THAT(opening_refusal(node),
+              AllOf(HasSubstr(node + ": no permission"), HasSubstr(udev_rule_file),
+                    HasSubstr("/etc/udev/rules.d")));
 }
 
 TEST(HidDevice, the_udev_rule_knows_every_id_and_opens_nothing_to_all) {

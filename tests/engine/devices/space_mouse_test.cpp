@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/engine/devices/descriptors.hpp"
+#include "tests/engine/devices/six.hpp"
 
 namespace sonde::test {
 namespace {
@@ -14,12 +15,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 SpaceMouse mouse(const Bytes& descriptor) {
   return SpaceMouse(parse_hid_report_descriptor(descriptor));
-}
-
-SixAxes six(double a, double b, double c, double d, double e, double f) {
-  SixAxes axes;
-  axes << a, b, c, d, e, f;
-  return axes;
 }
 
 /// One device and the sample it makes.

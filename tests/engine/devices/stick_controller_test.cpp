@@ -7,18 +7,13 @@
 
 #include "tests/engine/devices/controller_descriptors.hpp"
 #include "tests/engine/devices/descriptors.hpp"
+#include "tests/engine/devices/six.hpp"
 
 namespace sonde::test {
 namespace {
 
 using namespace std::chrono_literals;
 using Bytes = std::vector<std::uint8_t>;
-
-SixAxes six(double a, double b, double c, double d, double e, double f) {
-  SixAxes axes;
-  axes << a, b, c, d, e, f;
-  return axes;
-}
 
 /// One controller and the sample it makes; each report comes 4 ms after the one before.
 struct Pad {

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/engine/geometry/soup_of.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-Soup soup_of(const PolygonSoup& polygons) { return triangulate(polygons).soup; }
+using test::soup_of;
 
 Soup moved(Soup soup, const Quat& q, const Vec3& p) {
   for (Vec3& x : soup.vertices) x = q * x + p;

@@ -14,9 +14,9 @@
 namespace sonde {
 namespace {
 
-using Outline = std::vector<std::pair<double, double>>;
+using FlatOutline = std::vector<std::pair<double, double>>;
 
-PolygonSoup one_polygon(const Outline& outline) {
+PolygonSoup one_polygon(const FlatOutline& outline) {
   PolygonSoup out;
   out.polygons.emplace_back();
   for (const auto& [x, y] : outline) {
@@ -31,7 +31,7 @@ PolygonSoup moved(PolygonSoup soup, const Quat& q, const Vec3& p) {
   return soup;
 }
 
-double shoelace(const Outline& o) {
+double area_by_shoelace(const FlatOutline& o) {
   double twice = 0;
   for (std::size_t i = 0; i < o.size(); ++i) {
     const auto& [x, y] = o[i];
@@ -43,7 +43,7 @@ double shoelace(const Outline& o) {
 
 /// Triangles that all face the polygon's way, whose areas sum to that of the shoelace formula
 /// (the independent reference), cover it once and nothing else.
-void expect_covered(const Outline& outline, const Quat& q, const Vec3& p,
+void expect_covered(const FlatOutline& outline, const Quat& q, const Vec3& p,
                     double tolerance = 1e-12) {
   const PolygonSoup polygon = moved(one_polygon(outline), q, p);
   const Triangulated t = triangulate(polygon);
@@ -55,18 +55,18 @@ void expect_covered(const Outline& outline, const Quat& q, const Vec3& p,
     EXPECT_GT(a, 0);
     area += a;
   }
-  EXPECT_NEAR(area, shoelace(outline), tolerance * shoelace(outline));
+  EXPECT_NEAR(area, area_by_shoelace(outline), tolerance * area_by_shoelace(outline));
   EXPECT_EQ(t.soup.triangles.size() + t.degenerate, outline.size() - 2);
 }
 
-const Outline arrow{{0, 0}, {2, 1}, {0, 2}, {0.5, 1}};
-const Outline letter_u{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+const FlatOutline arrow{{0, 0}, {2, 1}, {0, 2}, {0.5, 1}};
+const FlatOutline letter_u{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
 /// A square ring, its hole joined to the rim by a bridge that is walked both ways.
-const Outline keyhole{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
-                      {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
+const FlatOutline keyhole{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
+                          {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
 
-Outline comb(int teeth) {
-  Outline out{{0, -1}, {2.0 * teeth, -1}};
+FlatOutline comb_of_teeth(int teeth) {
+  FlatOutline out{{0, -1}, {2.0 * teeth, -1}};
   for (int i = teeth; i-- > 0;) {
     out.push_back({2 * i + 2, 0});
     out.push_back({2 * i + 1.5, 5});
@@ -76,8 +76,8 @@ Outline comb(int teeth) {
   return out;
 }
 
-Outline random_star(std::mt19937_64& random, int corners) {
-  Outline out;
+FlatOutline random_star(std::mt19937_64& random, int corners) {
+  FlatOutline out;
   for (int i = 0; i < corners; ++i) {
     const double a = 2 * std::numbers::pi * i / corners, r = test::uniform(random, 0.1, 1);
     out.push_back({r * std::cos(a), r * std::sin(a)});
@@ -86,7 +86,7 @@ Outline random_star(std::mt19937_64& random, int corners) {
 }
 
 TEST(Triangulate, concave_polygons_keep_their_shape) {
-  for (const Outline& outline : {arrow, letter_u, keyhole, comb(20)})
+  for (const FlatOutline& outline : {arrow, letter_u, keyhole, comb_of_teeth(20)})
     expect_covered(outline, Quat::Identity(), Vec3::Zero());
 }
 
@@ -95,13 +95,13 @@ TEST(Triangulate, in_any_plane) {
   for (int i = 0; i < 100; ++i) {
     const Quat q = test::random_rotation(random);
     const Vec3 p = test::random_in_ball(random, 5);
-    for (const Outline& outline : {arrow, letter_u, keyhole, random_star(random, 5 + i)})
+    for (const FlatOutline& outline : {arrow, letter_u, keyhole, random_star(random, 5 + i)})
       expect_covered(outline, q, p, 1e-11);
   }
 }
 
 TEST(Triangulate, each_concave_quad_wherever_it_starts) {
-  Outline quad = arrow;
+  FlatOutline quad = arrow;
   for (int i = 0; i < 4; ++i) {
     std::rotate(quad.begin(), quad.begin() + 1, quad.end());
     expect_covered(quad, Quat::Identity(), Vec3::Zero());
@@ -116,7 +116,7 @@ TEST(Triangulate, convex_quads_are_cut_along_the_shorter_diagonal) {
 }
 
 TEST(Triangulate, collinear_corners_cause_no_slivers) {
-  const Outline square{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  const FlatOutline square{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   expect_covered(square, Quat::Identity(), Vec3::Zero());
   EXPECT_EQ(triangulate(one_polygon(square)).degenerate, 0u);
 }
@@ -162,7 +162,7 @@ TEST(Triangulate, crossing_and_warped_polygons_end_in_time) {
 }
 
 TEST(Triangulate, large_convex_polygon_is_not_a_fan) {
-  Outline circle;
+  FlatOutline circle;
   const int n = 20000;
   for (int i = 0; i < n; ++i) {
     const double a = 2 * std::numbers::pi * i / n;
@@ -194,7 +194,7 @@ TEST(IsDegenerate, tells_needles_from_lines) {
 TEST(Triangulate, a_tangle_of_many_corners_keeps_them_all) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> anywhere(-1, 1);
-  Outline outline(50'000);
+  FlatOutline outline(50'000);
   for (auto& [x, y] : outline) x = anywhere(random), y = anywhere(random);
   const Soup soup = triangulate_all(one_polygon(outline));
   EXPECT_EQ(soup.triangles.size(), outline.size() - 2);

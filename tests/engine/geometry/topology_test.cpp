@@ -8,12 +8,13 @@
 #include <random>
 #include <set>
 
+#include "tests/engine/geometry/soup_of.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-Soup soup_of(const PolygonSoup& polygons) { return triangulate(polygons).soup; }
+using test::soup_of;
 
 Soup joined(Soup a, const Soup& b, const Vec3& by = Vec3::Zero()) {
   const auto at = static_cast<std::uint32_t>(a.vertices.size());

@@ -24,7 +24,7 @@ std::vector<Pose> poses_of(const std::string& text) {
   return read_poses(folder.write("p.csv", text));
 }
 
-std::string complaint(const std::string& text) {
+std::string poses_complaint(const std::string& text) {
   return test::complaint_of(text, "p.csv", read_poses);
 }
 std::string timed_complaint(const std::string& text) {
@@ -54,33 +54,33 @@ TEST(Poses, no_rows_are_no_poses) {
 }
 
 TEST(Poses, a_wrong_header_says_what_was_expected) {
-  EXPECT_THAT(complaint("x,y,z,qw,qx,qy,qz\n"),
+  EXPECT_THAT(poses_complaint("x,y,z,qw,qx,qy,qz\n"),
               AllOf(StartsWith("1: "), HasSubstr("x,y,z,qw"), HasSubstr("px,py,pz,qw,qx,qy,qz")));
-  EXPECT_THAT(complaint("0,0,0,1,0,0,0\n"), StartsWith("1: "));
-  EXPECT_THAT(complaint(timed_header), StartsWith("1: ")) << "a trajectory";
+  EXPECT_THAT(poses_complaint("0,0,0,1,0,0,0\n"), StartsWith("1: "));
+  EXPECT_THAT(poses_complaint(timed_header), StartsWith("1: ")) << "a trajectory";
   EXPECT_THAT(timed_complaint(header), HasSubstr("expected \"t,px")) << "poses";
-  EXPECT_THAT(complaint("\n" + header), StartsWith("1: "));
+  EXPECT_THAT(poses_complaint("\n" + header), StartsWith("1: "));
 }
 
 TEST(Poses, wrong_rows_are_named_by_their_line) {
   const std::string good = header + "0,0,0,1,0,0,0\n";
-  EXPECT_THAT(complaint(good + "0,0,0,1,0,0\n"), StartsWith("3: 6 columns; expected 7"));
-  EXPECT_THAT(complaint(good + "0,0,0,1,0,0,0,0\n"), StartsWith("3: 8 columns; expected 7"));
-  EXPECT_THAT(complaint(good + "0,0,0,1,0,0,0,\n"), StartsWith("3: 8 columns"));
-  EXPECT_THAT(complaint(good + "\n0,0,0,1,0,0,0\n"), StartsWith("3: a blank line"));
+  EXPECT_THAT(poses_complaint(good + "0,0,0,1,0,0\n"), StartsWith("3: 6 columns; expected 7"));
+  EXPECT_THAT(poses_complaint(good + "0,0,0,1,0,0,0,0\n"), StartsWith("3: 8 columns; expected 7"));
+  EXPECT_THAT(poses_complaint(good + "0,0,0,1,0,0,0,\n"), StartsWith("3: 8 columns"));
+  EXPECT_THAT(poses_complaint(good + "\n0,0,0,1,0,0,0\n"), StartsWith("3: a blank line"));
   for (const char* field : {"", "x", "1x", "nan", "inf", "-inf", "1e999", "0x10", " 1", "1 ", "1;5",
                             "--1", "+-1", "1e", "\"1\""}) {
-    EXPECT_THAT(complaint(good + "0," + field + ",0,1,0,0,0\n"),
+    EXPECT_THAT(poses_complaint(good + "0," + field + ",0,1,0,0,0\n"),
                 AllOf(StartsWith("3: py is \""), HasSubstr("not a finite number")))
         << field;
   }
 }
 
 TEST(Poses, quaternions_far_from_unit_are_refused_and_others_normalised) {
-  EXPECT_THAT(complaint(header + "0,0,0,1.0011,0,0,0\n"),
+  EXPECT_THAT(poses_complaint(header + "0,0,0,1.0011,0,0,0\n"),
               AllOf(StartsWith("2: "), HasSubstr("1.0011")));
-  EXPECT_THAT(complaint(header + "0,0,0,0,0,0,0\n"), HasSubstr("length 0"));
-  EXPECT_THAT(complaint(header + "0,0,0,1e200,0,0,0\n"), StartsWith("2: "));
+  EXPECT_THAT(poses_complaint(header + "0,0,0,0,0,0,0\n"), HasSubstr("length 0"));
+  EXPECT_THAT(poses_complaint(header + "0,0,0,1e200,0,0,0\n"), StartsWith("2: "));
   EXPECT_NEAR(poses_of(header + "0,0,0,0.6005,0.8005,0,0\n")[0].q.norm(), 1, 1e-15);
 }
 
@@ -88,7 +88,7 @@ TEST(Poses, a_file_that_is_not_there_or_empty_is_refused) {
   const TempFolder folder;
   EXPECT_THROW(read_poses(folder / "none.csv"), InputError);
   EXPECT_THROW(read_poses(folder.path()), InputError);
-  EXPECT_THAT(complaint(""), HasSubstr("empty"));
+  EXPECT_THAT(poses_complaint(""), HasSubstr("empty"));
 }
 
 TEST(Poses, the_locale_does_not_matter) {

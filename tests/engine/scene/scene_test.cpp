@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// The complaint about a scene of this text; empty where there is none.
-std::string complaint(const std::string& text) {
+std::string scene_complaint(const std::string& text) {
   return test::complaint_of(text, "a.sonde.json", read_scene);
 }
 
@@ -121,9 +121,10 @@ TEST(Scene, each_setting_of_the_table_is_a_key) {
           read_scene(folder.write("a.json", with_line(line + std::to_string(value) + "}")));
       EXPECT_EQ(get(scene.coupling, setting.key), value);
     }
-    EXPECT_THAT(complaint(with_line(line + std::to_string(setting.maximum * 2) + "}")),
+    EXPECT_THAT(scene_complaint(with_line(line + std::to_string(setting.maximum * 2) + "}")),
                 AllOf(StartsWith("4: "), HasSubstr(setting.key), HasSubstr("between")));
-    EXPECT_THAT(complaint(with_line(line + "\"1\"}")), HasSubstr("a string; expected a number"));
+    EXPECT_THAT(scene_complaint(with_line(line + "\"1\"}")),
+                HasSubstr("a string; expected a number"));
   }
   for (const Setting& setting : servo_settings()) {
     const std::string line = std::string("\"servo\": {\"") + setting.key + "\": ";
@@ -131,7 +132,7 @@ TEST(Scene, each_setting_of_the_table_is_a_key) {
     const Scene scene =
         read_scene(folder.write("a.json", with_line(line + std::to_string(most) + "}")));
     EXPECT_EQ(get(scene.servo, setting.key), most);
-    EXPECT_THAT(complaint(with_line(line + "-1}")),
+    EXPECT_THAT(scene_complaint(with_line(line + "-1}")),
                 AllOf(StartsWith("4: "), HasSubstr(setting.key), HasSubstr("between")));
   }
 }
@@ -153,72 +154,77 @@ TEST(Scene, coupling_may_be_a_file_of_its_own) {
 }
 
 TEST(Scene, unknown_keys_are_named_with_the_nearest_known) {
-  EXPECT_THAT(complaint(with_line("\"trajektory\": \"a.csv\"")),
+  EXPECT_THAT(scene_complaint(with_line("\"trajektory\": \"a.csv\"")),
               AllOf(StartsWith("4: "), HasSubstr("\"trajektory\""), HasSubstr("\"trajectory\"")));
-  EXPECT_THAT(complaint(with_probe_line("\"sclae\": 2")),
+  EXPECT_THAT(scene_complaint(with_probe_line("\"sclae\": 2")),
               AllOf(StartsWith("4: "), HasSubstr("\"sclae\""), HasSubstr("\"scale\"")));
-  EXPECT_THAT(complaint(with_line("\"coupling\":\n {\"kt\": 2}")),
+  EXPECT_THAT(scene_complaint(with_line("\"coupling\":\n {\"kt\": 2}")),
               AllOf(StartsWith("5: "), HasSubstr("\"kt\""), HasSubstr("\"k_t\"")));
-  EXPECT_THAT(complaint(with_line("\"servo\": {\n\n\"rate\": 2}")),
+  EXPECT_THAT(scene_complaint(with_line("\"servo\": {\n\n\"rate\": 2}")),
               AllOf(StartsWith("6: "), HasSubstr("\"rate\""), HasSubstr("\"rate_hz\"")));
 }
 
 TEST(Scene, missing_keys_are_named) {
-  EXPECT_THAT(complaint("\n{\"probe\": {\"mesh\": \"a.off\"}}"),
+  EXPECT_THAT(scene_complaint("\n{\"probe\": {\"mesh\": \"a.off\"}}"),
               AllOf(StartsWith("2: "), HasSubstr("\"fixed\" is missing")));
-  EXPECT_THAT(complaint("{\n\"fixed\":\n{}, \"probe\": {\"mesh\": \"a.off\"}}"),
+  EXPECT_THAT(scene_complaint("{\n\"fixed\":\n{}, \"probe\": {\"mesh\": \"a.off\"}}"),
               AllOf(StartsWith("3: "), HasSubstr("\"mesh\" is missing from \"fixed\"")));
 }
 
 TEST(Scene, keys_given_twice_are_refused) {
-  EXPECT_THAT(complaint(with_line("\"unit\": \"m\",\n\"unit\": \"mm\"")),
+  EXPECT_THAT(scene_complaint(with_line("\"unit\": \"m\",\n\"unit\": \"mm\"")),
               AllOf(StartsWith("5: "), HasSubstr("\"unit\" is given twice"), HasSubstr("line 4")));
-  EXPECT_THAT(complaint(with_line("\"view\": {\"a\": 1, \"a\": 2}")), HasSubstr("given twice"));
+  EXPECT_THAT(scene_complaint(with_line("\"view\": {\"a\": 1, \"a\": 2}")),
+              HasSubstr("given twice"));
 }
 
 TEST(Scene, wrong_types_are_refused) {
-  EXPECT_THAT(complaint("[]"), StartsWith("1: the file's value is a list; expected an object"));
-  EXPECT_THAT(complaint(with_line("\"unit\": 3")),
+  EXPECT_THAT(scene_complaint("[]"),
+              StartsWith("1: the file's value is a list; expected an object"));
+  EXPECT_THAT(scene_complaint(with_line("\"unit\": 3")),
               StartsWith("4: \"unit\" is a number; expected a string"));
-  EXPECT_THAT(complaint(with_line("\"view\": []")), HasSubstr("a list; expected an object"));
-  EXPECT_THAT(complaint(with_line("\"device\": true")), HasSubstr("expected an object"));
-  EXPECT_THAT(complaint(with_line("\"device\": {\"scalling\": 2}")),
+  EXPECT_THAT(scene_complaint(with_line("\"view\": []")), HasSubstr("a list; expected an object"));
+  EXPECT_THAT(scene_complaint(with_line("\"device\": true")), HasSubstr("expected an object"));
+  EXPECT_THAT(scene_complaint(with_line("\"device\": {\"scalling\": 2}")),
               AllOf(HasSubstr("unknown key \"scalling\""), HasSubstr("\"scaling\"")));
-  EXPECT_THAT(complaint(with_line("\"coupling\": null")), HasSubstr("null; expected an object"));
-  EXPECT_THAT(complaint(with_line("\"trajectory\": 1")), HasSubstr("expected a string"));
-  EXPECT_THAT(complaint(with_line("\"trajectory\": \"\"")), HasSubstr("empty path"));
-  EXPECT_THAT(complaint(with_probe_line("\"scale\": \"2\"")),
+  EXPECT_THAT(scene_complaint(with_line("\"coupling\": null")),
+              HasSubstr("null; expected an object"));
+  EXPECT_THAT(scene_complaint(with_line("\"trajectory\": 1")), HasSubstr("expected a string"));
+  EXPECT_THAT(scene_complaint(with_line("\"trajectory\": \"\"")), HasSubstr("empty path"));
+  EXPECT_THAT(scene_complaint(with_probe_line("\"scale\": \"2\"")),
               StartsWith("4: \"scale\" is a string; expected a number"));
-  EXPECT_THAT(complaint(with_probe_line("\"pose\": {}")), HasSubstr("expected a list"));
+  EXPECT_THAT(scene_complaint(with_probe_line("\"pose\": {}")), HasSubstr("expected a list"));
 }
 
 TEST(Scene, unknown_words_are_refused) {
-  EXPECT_THAT(complaint(with_line("\"unit\": \"km\"")),
+  EXPECT_THAT(scene_complaint(with_line("\"unit\": \"km\"")),
               AllOf(StartsWith("4: "), HasSubstr("\"km\""), HasSubstr("nearest")));
-  EXPECT_THAT(complaint(with_probe_line("\"model\": \"soild\"")),
+  EXPECT_THAT(scene_complaint(with_probe_line("\"model\": \"soild\"")),
               AllOf(StartsWith("4: "), HasSubstr("\"soild\""), HasSubstr("\"solid\"")));
-  EXPECT_THAT(complaint(with_line("\"coupling\": {\"mode\": \"clasic\"}")),
+  EXPECT_THAT(scene_complaint(with_line("\"coupling\": {\"mode\": \"clasic\"}")),
               AllOf(StartsWith("4: "), HasSubstr("\"clasic\""), HasSubstr("\"classic\"")));
 }
 
 TEST(Scene, numbers_out_of_range_are_refused) {
   for (const char* scale : {"0", "-1"})
-    EXPECT_THAT(complaint(with_probe_line(std::string("\"scale\": ") + scale)),
+    EXPECT_THAT(scene_complaint(with_probe_line(std::string("\"scale\": ") + scale)),
                 AllOf(StartsWith("4: "), HasSubstr("above zero")));
   for (const char* number : {"1e999", "NaN", "Infinity", "-Infinity", "0x10", "1,5"})
-    EXPECT_THAT(complaint(with_probe_line(std::string("\"scale\": ") + number)), StartsWith("4: "))
+    EXPECT_THAT(scene_complaint(with_probe_line(std::string("\"scale\": ") + number)),
+                StartsWith("4: "))
         << number;
 }
 
 TEST(Scene, poses_are_checked) {
-  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0]")),
+  EXPECT_THAT(scene_complaint(with_probe_line("\"pose\": [0, 0, 0]")),
               AllOf(StartsWith("4: "), HasSubstr("3 numbers; expected 7")));
-  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 1,\n\"0\", 0, 0]")),
+  EXPECT_THAT(scene_complaint(with_probe_line("\"pose\": [0, 0, 0, 1,\n\"0\", 0, 0]")),
               AllOf(StartsWith("5: "), HasSubstr("a string; expected numbers")));
-  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 1, 0.1, 0, 0]")),
+  EXPECT_THAT(scene_complaint(with_probe_line("\"pose\": [0, 0, 0, 1, 0.1, 0, 0]")),
               AllOf(StartsWith("4: "), HasSubstr("length 1.00499")));
-  EXPECT_THAT(complaint(with_probe_line("\"pose\": [0, 0, 0, 0, 0, 0, 0]")), HasSubstr("length 0"));
-  EXPECT_EQ(complaint(with_probe_line("\"pose\": [0, 0, 0, 1.0009, 0, 0, 0]")), "");
+  EXPECT_THAT(scene_complaint(with_probe_line("\"pose\": [0, 0, 0, 0, 0, 0, 0]")),
+              HasSubstr("length 0"));
+  EXPECT_EQ(scene_complaint(with_probe_line("\"pose\": [0, 0, 0, 1.0009, 0, 0, 0]")), "");
 }
 
 TEST(Scene, a_quaternion_near_unit_is_normalised) {
@@ -229,24 +235,25 @@ TEST(Scene, a_quaternion_near_unit_is_normalised) {
 }
 
 TEST(Scene, text_that_is_no_json_is_refused_with_its_line) {
-  EXPECT_THAT(complaint("{\n\"unit\": \"m\",\n\"probe\""), StartsWith("3: not JSON: "));
-  EXPECT_THAT(complaint("{\n\"unit\": \"m\"\n\"probe\": 1}"), StartsWith("3: not JSON: "));
-  EXPECT_THAT(complaint("{\n\"unit\": m}"), StartsWith("2: not JSON: "));
-  EXPECT_THAT(complaint(std::string(smallest) + "\n}"), StartsWith("2: not JSON: "));
-  EXPECT_THAT(complaint("{\n\"unit\": \"\xFF\"}"), StartsWith("2: not JSON: "));
-  EXPECT_THAT(complaint("\n\n"), HasSubstr("not JSON"));
-  EXPECT_THAT(complaint(std::string(1000, '[')), HasSubstr("nested too deeply"));
-  EXPECT_THAT(complaint(""), HasSubstr("the file is empty"));
-  EXPECT_THAT(complaint(std::string(2 << 20, ' ')), HasSubstr("longer than"));
+  EXPECT_THAT(scene_complaint("{\n\"unit\": \"m\",\n\"probe\""), StartsWith("3: not JSON: "));
+  EXPECT_THAT(scene_complaint("{\n\"unit\": \"m\"\n\"probe\": 1}"), StartsWith("3: not JSON: "));
+  EXPECT_THAT(scene_complaint("{\n\"unit\": m}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(scene_complaint(std::string(smallest) + "\n}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(scene_complaint("{\n\"unit\": \"\xFF\"}"), StartsWith("2: not JSON: "));
+  EXPECT_THAT(scene_complaint("\n\n"), HasSubstr("not JSON"));
+  EXPECT_THAT(scene_complaint(std::string(1000, '[')), HasSubstr("nested too deeply"));
+  EXPECT_THAT(scene_complaint(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(scene_complaint(std::string(2 << 20, ' ')), HasSubstr("longer than"));
   // The library's own codes and columns stay out of the message.
-  EXPECT_THAT(complaint("{"), testing::Not(HasSubstr("exception")));
+  EXPECT_THAT(scene_complaint("{"), testing::Not(HasSubstr("exception")));
 }
 
 TEST(Scene, every_beginning_of_a_scene_is_an_error_and_no_crash) {
   const std::string whole = smallest;
-  for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(complaint(whole.substr(0, n)), "") << n;
-  EXPECT_EQ(complaint(whole), "");
-  EXPECT_EQ(complaint("\xEF\xBB\xBF" + whole), "") << "a byte-order mark";
+  for (std::size_t n = 0; n < whole.size(); ++n)
+    EXPECT_NE(scene_complaint(whole.substr(0, n)), "") << n;
+  EXPECT_EQ(scene_complaint(whole), "");
+  EXPECT_EQ(scene_complaint("\xEF\xBB\xBF" + whole), "") << "a byte-order mark";
 }
 
 TEST(Scene, damaged_text_is_read_or_refused_and_never_worse) {

@@ -116,7 +116,7 @@ TEST(DeviceProfile, the_simulated_device_is_that_of_the_profile) {
 }
 
 /// The complaint about a profile of this text, from the line on; empty where there is none.
-std::string complaint(const std::string& text) {
+std::string profile_complaint(const std::string& text) {
   return test::complaint_of(text, "bad.json", read_device_profile);
 }
 /// The complaint where the value of `key` is this JSON text.
@@ -124,22 +124,22 @@ std::string complaint_about(const char* key, const std::string& value) {
   std::string text = lines_of(right());
   const std::string start = "\n" + ordered_json(key).dump() + ": ";
   const std::size_t at = text.find(start) + start.size();
-  return complaint(text.replace(at, text.find('\n', at) - at, value + ","));
+  return profile_complaint(text.replace(at, text.find('\n', at) - at, value + ","));
 }
 
 TEST(DeviceProfile, bad_files_are_named_with_their_line_and_reason) {
-  EXPECT_EQ(complaint(lines_of(right())), "");
+  EXPECT_EQ(profile_complaint(lines_of(right())), "");
   ordered_json json = right();
   json["masss"] = 1;
-  EXPECT_THAT(complaint(lines_of(json)),
+  EXPECT_THAT(profile_complaint(lines_of(json)),
               AllOf(StartsWith("18: "), HasSubstr("unknown key \"masss\""), HasSubstr("\"mass\"")));
   json = right();
   json.erase("friction");
-  EXPECT_THAT(complaint(lines_of(json)),
+  EXPECT_THAT(profile_complaint(lines_of(json)),
               AllOf(StartsWith("1: "), HasSubstr("\"friction\" is missing from the profile")));
   json = right();
   json.erase("name");
-  EXPECT_THAT(complaint(lines_of(json)), HasSubstr("\"name\" is missing"));
+  EXPECT_THAT(profile_complaint(lines_of(json)), HasSubstr("\"name\" is missing"));
 
   // "mass" stands in line 9.
   const char* source = R"(, "source": "s"})";
@@ -166,10 +166,11 @@ TEST(DeviceProfile, bad_files_are_named_with_their_line_and_reason) {
   EXPECT_THAT(complaint_about("mass", R"({"value": 0.1, "sauce": "s"})"),
               AllOf(HasSubstr("\"sauce\""), HasSubstr("\"source\"")));
 
-  EXPECT_THAT(complaint("mass = 0.1\n"), AllOf(StartsWith("1: "), HasSubstr("not JSON")));
-  EXPECT_THAT(complaint("{\n\"name\": \"cut"), AllOf(StartsWith("2: "), HasSubstr("not JSON")));
-  EXPECT_THAT(complaint("[]"), HasSubstr("the file's value is a list; expected an object"));
-  EXPECT_THAT(complaint(""), HasSubstr("empty"));
+  EXPECT_THAT(profile_complaint("mass = 0.1\n"), AllOf(StartsWith("1: "), HasSubstr("not JSON")));
+  EXPECT_THAT(profile_complaint("{\n\"name\": \"cut"),
+              AllOf(StartsWith("2: "), HasSubstr("not JSON")));
+  EXPECT_THAT(profile_complaint("[]"), HasSubstr("the file's value is a list; expected an object"));
+  EXPECT_THAT(profile_complaint(""), HasSubstr("empty"));
 }
 
 TEST(DeviceProfile, an_interval_is_read_and_holds_the_value) {

@@ -61,7 +61,7 @@ TEST(DeviceSettingsFile, what_is_left_out_has_its_default) {
   expect_same(read_back(R"({"axes": {"ry": {"inverted": true}}})"), one);
 }
 
-std::string complaint(const std::string& text) {
+std::string settings_complaint(const std::string& text) {
   try {
     read_back(text);
   } catch (const InputError& error) {
@@ -71,19 +71,23 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(DeviceSettingsFile, bad_input_is_named_with_its_line) {
-  EXPECT_THAT(complaint("{\n\"scalin\": 1}"),
+  EXPECT_THAT(settings_complaint("{\n\"scalin\": 1}"),
               AllOf(HasSubstr("kept.json:2: "), HasSubstr("nearest known one is \"scaling\"")));
-  EXPECT_THAT(complaint("{\n\n\"scaling\": 0}"), AllOf(HasSubstr(":3: "), HasSubstr("between")));
-  EXPECT_THAT(complaint(R"({"control": "rat"})"), HasSubstr("value is \"rate\""));
-  EXPECT_THAT(complaint(R"({"control": 1})"), HasSubstr("expected a string"));
-  EXPECT_THAT(complaint(R"({"axes": {"rw": {}}})"), HasSubstr("unknown key \"rw\""));
-  EXPECT_THAT(complaint(R"({"axes": {"x": {"swap": 1}}})"), HasSubstr("unknown key \"swap\""));
-  EXPECT_THAT(complaint(R"({"axes": {"x": {"inverted": 1}}})"),
+  EXPECT_THAT(settings_complaint("{\n\n\"scaling\": 0}"),
+              AllOf(HasSubstr(":3: "), HasSubstr("between")));
+  EXPECT_THAT(settings_complaint(R"({"control": "rat"})"), HasSubstr("value is \"rate\""));
+  EXPECT_THAT(settings_complaint(R"({"control": 1})"), HasSubstr("expected a string"));
+  EXPECT_THAT(settings_complaint(R"({"axes": {"rw": {}}})"), HasSubstr("unknown key \"rw\""));
+  EXPECT_THAT(settings_complaint(R"({"axes": {"x": {"swap": 1}}})"),
+              HasSubstr("unknown key \"swap\""));
+  EXPECT_THAT(settings_complaint(R"({"axes": {"x": {"inverted": 1}}})"),
               HasSubstr("expected true or false"));
-  EXPECT_THAT(complaint(R"({"axes": {"x": {"dead_zone": 1}}})"), HasSubstr("\"dead_zone\" is 1"));
-  EXPECT_THAT(complaint(R"({"clutch_button": 1.5})"), HasSubstr("a whole number"));
-  EXPECT_THAT(complaint(R"({"servo": {"rate": 900}})"), HasSubstr("rate_hz"));
-  EXPECT_THAT(complaint(R"({"servo": {"rate_hz": 9}})"), HasSubstr("between 500 and 10000 Hz"));
+  EXPECT_THAT(settings_complaint(R"({"axes": {"x": {"dead_zone": 1}}})"),
+              HasSubstr("\"dead_zone\" is 1"));
+  EXPECT_THAT(settings_complaint(R"({"clutch_button": 1.5})"), HasSubstr("a whole number"));
+  EXPECT_THAT(settings_complaint(R"({"servo": {"rate": 900}})"), HasSubstr("rate_hz"));
+  EXPECT_THAT(settings_complaint(R"({"servo": {"rate_hz": 9}})"),
+              HasSubstr("between 500 and 10000 Hz"));
 }
 
 TEST(DeviceSettingsFile, each_device_has_a_name_of_its_own_that_is_no_path) {

@@ -16,7 +16,7 @@
 namespace sonde::ui::test {
 namespace {
 
-QStringList logged;
+QStringList reason_log_lines;
 
 /// A hand in the contact of the two cubes, of which something is wrong.
 using Sample = std::function<HandSample(const Pose& X_FM, double dt)>;
@@ -69,21 +69,22 @@ const Cause causes[] = {
 class ReasonTest : public WindowTest, public testing::WithParamInterface<std::size_t> {
  protected:
   void SetUp() override {
-    logged.clear();
-    before = qInstallMessageHandler(
-        [](QtMsgType, const QMessageLogContext&, const QString& text) { logged << text; });
+    reason_log_lines.clear();
+    before = qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString& text) {
+      reason_log_lines << text;
+    });
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
     ASSERT_TRUE(wait_until([this] { return shown().wrench.force.x() > 0; }));
-    logged.clear();  // the mouse took over
+    reason_log_lines.clear();  // the mouse took over
   }
   void TearDown() override {
     window.reset();
     qInstallMessageHandler(before);
   }
   static bool is_logged(Withheld why) {
-    return !logged.filter("no force: " + QString::fromUtf8(words(why))).isEmpty();
+    return !reason_log_lines.filter("no force: " + QString::fromUtf8(words(why))).isEmpty();
   }
   QString status() const { return window->findChild<QLabel*>("what_happens")->text(); }
 
@@ -96,14 +97,15 @@ TEST_P(ReasonTest, is_on_screen_and_in_the_log) {
   cause.act(*window);
   EXPECT_TRUE(wait_until([&] { return status().contains(reason, Qt::CaseInsensitive); }))
       << status().toStdString();
-  EXPECT_TRUE(wait_until([&] { return is_logged(cause.why); })) << logged.join('\n').toStdString();
+  EXPECT_TRUE(wait_until([&] { return is_logged(cause.why); }))
+      << reason_log_lines.join('\n').toStdString();
 }
 INSTANTIATE_TEST_SUITE_P(Each, ReasonTest, testing::Range<std::size_t>(0, std::size(causes)));
 
 TEST_F(ReasonTest, the_end_of_the_loop_is_logged_at_a_reset_with_another_scene_and_at_the_end) {
   const auto next = [&] {
     const bool there = is_logged(Withheld::shut_down);
-    logged.clear();
+    reason_log_lines.clear();
     return there;
   };
   window->reset();
@@ -119,11 +121,12 @@ TEST_F(ReasonTest, a_pause_is_logged_once_and_so_is_its_end) {
   window->set_paused(true);
   ASSERT_TRUE(wait_until([&] { return is_logged(Withheld::paused); }));
   wait(100);
-  logged = logged.filter("no force: " + QString::fromUtf8(words(Withheld::paused)));
+  reason_log_lines =
+      reason_log_lines.filter("no force: " + QString::fromUtf8(words(Withheld::paused)));
   window->set_paused(false);
-  ASSERT_TRUE(wait_until([&] { return !logged.filter("may come in again").isEmpty(); }));
-  EXPECT_EQ(logged.filter(QString::fromUtf8(words(Withheld::paused))).size(), 1)
-      << logged.join('\n').toStdString();
+  ASSERT_TRUE(wait_until([&] { return !reason_log_lines.filter("may come in again").isEmpty(); }));
+  EXPECT_EQ(reason_log_lines.filter(QString::fromUtf8(words(Withheld::paused))).size(), 1)
+      << reason_log_lines.join('\n').toStdString();
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 namespace sonde::ui {
 namespace {
 
-QStringList logged;
+QStringList force_log_lines;
 
 struct ForceLogTest : testing::Test {
   ForceLog log;
   QtMessageHandler before = qInstallMessageHandler(
-      [](QtMsgType, const QMessageLogContext&, const QString& text) { logged << text; });
+      [](QtMsgType, const QMessageLogContext&, const QString& text) { force_log_lines << text; });
 
-  ForceLogTest() { logged.clear(); }
+  ForceLogTest() { force_log_lines.clear(); }
   ~ForceLogTest() override { qInstallMessageHandler(before); }
 
   void add(double time, Withheld why) {
@@ -33,9 +33,9 @@ TEST_F(ForceLogTest, a_fault_of_one_tick_is_in_the_log_and_stays_to_be_read) {
   EXPECT_TRUE(log.recent(1).isEmpty());
   add(1.001, Withheld::stalled);
   add(1.002, Withheld::nothing);
-  ASSERT_EQ(logged.size(), 2);
-  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::stalled))));
-  EXPECT_TRUE(logged[0].contains(QStringLiteral("1.001 s")));
+  ASSERT_EQ(force_log_lines.size(), 2);
+  EXPECT_TRUE(force_log_lines[0].contains(QString::fromUtf8(words(Withheld::stalled))));
+  EXPECT_TRUE(force_log_lines[0].contains(QStringLiteral("1.001 s")));
   EXPECT_TRUE(log.recent(3).contains(QString::fromUtf8(words(Withheld::stalled))));
   EXPECT_TRUE(log.recent(30).isEmpty());
 }
@@ -43,18 +43,18 @@ TEST_F(ForceLogTest, a_fault_of_one_tick_is_in_the_log_and_stays_to_be_read) {
 TEST_F(ForceLogTest, a_pose_that_is_not_settled_is_worth_a_word_where_that_lasts) {
   for (int i = 0; i < 1000; ++i)
     add(1 + 0.001 * i, i % 20 < 10 ? Withheld::nothing : Withheld::unsettled);
-  EXPECT_TRUE(logged.isEmpty()) << logged.join('\n').toStdString();
+  EXPECT_TRUE(force_log_lines.isEmpty()) << force_log_lines.join('\n').toStdString();
   EXPECT_TRUE(log.recent(2).isEmpty());
   for (int i = 0; i < 40; ++i) add(2 + 0.001 * i, Withheld::unsettled);
   add(2.04, Withheld::nothing);
-  ASSERT_EQ(logged.size(), 2) << logged.join('\n').toStdString();
-  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::unsettled))));
+  ASSERT_EQ(force_log_lines.size(), 2) << force_log_lines.join('\n').toStdString();
+  EXPECT_TRUE(force_log_lines[0].contains(QString::fromUtf8(words(Withheld::unsettled))));
   EXPECT_TRUE(log.recent(3).contains(QString::fromUtf8(words(Withheld::unsettled))));
 }
 
 TEST_F(ForceLogTest, what_was_asked_for_is_logged_once_and_is_no_fault) {
   for (int i = 1; i < 100; ++i) add(0.001 * i, Withheld::stopped);
-  EXPECT_EQ(logged.size(), 1);
+  EXPECT_EQ(force_log_lines.size(), 1);
   EXPECT_TRUE(log.recent(0.1).isEmpty());
 }
 
@@ -64,17 +64,18 @@ TEST_F(ForceLogTest, every_reason_is_logged_in_its_own_words_and_the_end_too) {
                               Withheld::not_finite, Withheld::changed};
   double time = 0;
   for (const Withheld why : reasons) {
-    logged.clear();
+    force_log_lines.clear();
     add(time += 1, why);
-    ASSERT_EQ(logged.size(), 1);
-    EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(why)))) << logged[0].toStdString();
+    ASSERT_EQ(force_log_lines.size(), 1);
+    EXPECT_TRUE(force_log_lines[0].contains(QString::fromUtf8(words(why))))
+        << force_log_lines[0].toStdString();
   }
-  logged.clear();
+  force_log_lines.clear();
   log.end();
-  ASSERT_EQ(logged.size(), 1);
-  EXPECT_TRUE(logged[0].contains(QString::fromUtf8(words(Withheld::shut_down))));
+  ASSERT_EQ(force_log_lines.size(), 1);
+  EXPECT_TRUE(force_log_lines[0].contains(QString::fromUtf8(words(Withheld::shut_down))));
   log.end();
-  EXPECT_EQ(logged.size(), 1) << "nothing has run since";
+  EXPECT_EQ(force_log_lines.size(), 1) << "nothing has run since";
 }
 
 TEST_F(ForceLogTest, another_run_begins_afresh) {

@@ -16,8 +16,6 @@ namespace {
 using test::ConformingScene;
 using test::Cutting;
 
-constexpr double k = test::felt_stiffness;
-
 /// Reference: conservation. The work on the hand, by the trapezoidal rule, is what the stored
 /// energy ½kσ loses. What they do not account for is a loss at a reported jump, where a place was
 /// let go by less than counts as one (the next one was nearer than it already, seen from where the
@@ -36,7 +34,8 @@ void expect_no_work(const ConformingScene& scene, const std::vector<Pose>& loop,
     const SeparationMotion step = separation_motion(bodies.probe->mass, loop[i - 1], loop[i]);
     const double done =
         0.5 * (a.force + b.force).dot(step.t) + 0.5 * (a.torque + b.torque).dot(step.theta);
-    const double before = k / 2 * a.depth * a.depth, now = k / 2 * b.depth * b.depth;
+    const double before = test::felt_stiffness / 2 * a.depth * a.depth,
+                 now = test::felt_stiffness / 2 * b.depth * b.depth;
     work += done;
     const double had_been = Chart(bodies.probe->mass, loop[i - 1]).coordinates(b.separated).norm();
     const bool let_go =
@@ -63,7 +62,7 @@ void expect_no_work(const ConformingScene& scene, const std::vector<Pose>& loop,
 
 constexpr int ticks = 4000;
 
-void block(const std::vector<int>& cuts) {
+void expect_no_work_of_block(const std::vector<int>& cuts) {
   for (const int n : cuts) expect_no_work(test::block_on_slab(), test::block_loop(ticks), {n});
 }
 void cylinder(const std::vector<int>& cuts) {
@@ -76,7 +75,8 @@ void wedge(const std::vector<int>& cuts) {
 /// Pushed aside by far more than the clearance, so that the energy stored stands out of what the
 /// residual of an answer (1e-4 of the depth) does along the axis, a way a hundred times as long.
 /// Guided at the mouth, where edges that pass each other let go, some by less than counts as jump.
-void peg(const std::vector<int>& cuts, double lowest, const std::vector<double>& clearances) {
+void expect_no_work_of_peg(const std::vector<int>& cuts, double lowest,
+                           const std::vector<double>& clearances) {
   for (const double clearance : clearances)
     for (const int n : cuts) {
       const auto scene = test::peg_in_hole(
@@ -90,23 +90,29 @@ constexpr double above_the_bottom = 1e-3, onto_the_bottom = -5e-4;  ///< where i
 const std::vector<int> coarsest = {1}, all = {2, 7, 16, 24};
 
 // The reference of the others, and that the loops themselves are fit for the test.
-TEST(ConformingEnergy, coarse_block_on_a_slab_gives_the_hand_no_work) { block(coarsest); }
+TEST(ConformingEnergy, coarse_block_on_a_slab_gives_the_hand_no_work) {
+  expect_no_work_of_block(coarsest);
+}
 TEST(ConformingEnergy, coarse_cylinder_in_a_hole_gives_the_hand_no_work) { cylinder(coarsest); }
 TEST(ConformingEnergy, coarse_wedge_in_a_notch_gives_the_hand_no_work) { wedge(coarsest); }
 TEST(ConformingEnergy, coarse_peg_in_a_hole_gives_the_hand_no_work) {
-  peg(coarsest, above_the_bottom, {1e-4});
+  expect_no_work_of_peg(coarsest, above_the_bottom, {1e-4});
 }
 
-TEST(ConformingEnergy, fine_block_on_a_slab_gives_the_hand_no_work) { block({16}); }
+TEST(ConformingEnergy, fine_block_on_a_slab_gives_the_hand_no_work) {
+  expect_no_work_of_block({16});
+}
 TEST(ConformingEnergy, fine_wedge_in_a_notch_gives_the_hand_no_work) { wedge({8}); }
-TEST(ConformingEnergy, Full_fine_block_on_a_slab_gives_the_hand_no_work) { block(all); }
+TEST(ConformingEnergy, Full_fine_block_on_a_slab_gives_the_hand_no_work) {
+  expect_no_work_of_block(all);
+}
 TEST(ConformingEnergy, Full_fine_cylinder_in_a_hole_gives_the_hand_no_work) { cylinder(all); }
 TEST(ConformingEnergy, Full_fine_wedge_in_a_notch_gives_the_hand_no_work) { wedge(all); }
 TEST(ConformingEnergy, Full_fine_peg_in_a_hole_gives_the_hand_no_work) {
-  peg({1, 2, 7, 24}, above_the_bottom, {1e-5, 1e-4, 5e-4});
+  expect_no_work_of_peg({1, 2, 7, 24}, above_the_bottom, {1e-5, 1e-4, 5e-4});
 }
 TEST(ConformingEnergy, Full_peg_pressed_onto_the_bottom_gives_the_hand_no_work) {
-  peg({1, 7, 24}, onto_the_bottom, {1e-5, 1e-4, 5e-4});
+  expect_no_work_of_peg({1, 7, 24}, onto_the_bottom, {1e-5, 1e-4, 5e-4});
 }
 
 }  // namespace

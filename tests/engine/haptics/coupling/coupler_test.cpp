@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/haptics/tick_time.hpp"
+
 namespace sonde {
 namespace {
 
-constexpr double dt = 1e-3;
+using test::dt;
 
 Separation pushed_out(double depth) {
   Separation s;
@@ -18,7 +20,7 @@ Separation pushed_out(double depth) {
   return s;
 }
 
-Coupling damped() {
+Coupling damped_in_translation() {
   Coupling c;
   c.mode = Coupling::Mode::classic;
   c.k_t = 100;
@@ -27,28 +29,28 @@ Coupling damped() {
   return c;
 }
 
-double force(Coupler& coupler, const Separation& s, double step = dt) {
+double force_z(Coupler& coupler, const Separation& s, double step = dt) {
   return coupler.wrench(s, step).force.z();
 }
 
 TEST(Coupler, damps_the_separation_by_its_backward_difference) {
-  Coupler coupler(MassProperties{}, damped());
-  EXPECT_NEAR(force(coupler, pushed_out(0.001)), 0.1, 1e-12);
-  EXPECT_NEAR(force(coupler, pushed_out(0.003)), 0.3 + 2 * 0.002 / dt, 1e-9);
-  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.2 - 2 * 0.001 / dt, 1e-9);
+  Coupler coupler(MassProperties{}, damped_in_translation());
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.001)), 0.1, 1e-12);
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.003)), 0.3 + 2 * 0.002 / dt, 1e-9);
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 0.2 - 2 * 0.001 / dt, 1e-9);
 }
 
 TEST(Coupler, does_not_damp_across_a_jump_a_failure_or_a_gap) {
-  Coupler coupler(MassProperties{}, damped());
-  force(coupler, pushed_out(0.001));
+  Coupler coupler(MassProperties{}, damped_in_translation());
+  force_z(coupler, pushed_out(0.001));
   Separation jumped = pushed_out(0.003);
   jumped.jumped = true;
-  EXPECT_NEAR(force(coupler, jumped), 0.3, 1e-12);
-  EXPECT_EQ(force(coupler, Separation{}), 0);  // failed
-  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.2, 1e-12);
+  EXPECT_NEAR(force_z(coupler, jumped), 0.3, 1e-12);
+  EXPECT_EQ(force_z(coupler, Separation{}), 0);  // failed
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 0.2, 1e-12);
   coupler.forget();
-  EXPECT_NEAR(force(coupler, pushed_out(0.001)), 0.1, 1e-12);
-  EXPECT_NEAR(force(coupler, pushed_out(0.002), 0), 0.2, 1e-12);
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.001)), 0.1, 1e-12);
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002), 0), 0.2, 1e-12);
 }
 
 TEST(Coupler, from_one_mode_to_another_the_wrench_is_of_both) {
@@ -56,15 +58,15 @@ TEST(Coupler, from_one_mode_to_another_the_wrench_is_of_both) {
   object.k = 500;
   object.max_force = 1e9;
   Coupler coupler(MassProperties{}, object);
-  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 1, 1e-12);
-  coupler.set_coupling({.now = damped(), .before = object, .share = 0.25});
-  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.75 * 1 + 0.25 * 0.2, 1e-12);
-  coupler.set_coupling(damped());
-  EXPECT_NEAR(force(coupler, pushed_out(0.002)), 0.2, 1e-12);
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 1, 1e-12);
+  coupler.set_coupling({.now = damped_in_translation(), .before = object, .share = 0.25});
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 0.75 * 1 + 0.25 * 0.2, 1e-12);
+  coupler.set_coupling(damped_in_translation());
+  EXPECT_NEAR(force_z(coupler, pushed_out(0.002)), 0.2, 1e-12);
 }
 
 TEST(Coupler, keeps_within_the_limits_of_the_coupling) {
-  Coupling c = damped();
+  Coupling c = damped_in_translation();
   c.max_force = 0.05;
   Coupler coupler(MassProperties{}, c);
   const Wrench w = coupler.wrench(pushed_out(0.001), dt);

@@ -89,7 +89,7 @@ std::vector<std::shared_ptr<const Body>> bodies() {
 }
 
 /// O turned by the rotation vector about a point of the fixed frame.
-Pose turned(const Pose& X, const Vec3& rotation, const Vec3& about) {
+Pose turned_about(const Pose& X, const Vec3& rotation, const Vec3& about) {
   const double angle = rotation.norm();
   const Quat q(Eigen::AngleAxisd(angle, angle > 0 ? Vec3(rotation / angle) : Vec3::UnitX()));
   return {(q * X.q).normalized(), about + q * (X.p - about)};
@@ -106,7 +106,8 @@ Wrench wrench_by_differences(const Points& points, const Pose& X_FO, const Pose&
     const double length = 0.1;  // translations as large as what the rotations do
     const Pose ahead{X_FO.q, X_FO.p + length * d}, behind{X_FO.q, X_FO.p - length * d};
     out.force[i] = (energy(behind) - energy(ahead)) / (2 * step * length);
-    out.torque[i] = (energy(turned(X_FO, -d, com)) - energy(turned(X_FO, d, com))) / (2 * step);
+    out.torque[i] =
+        (energy(turned_about(X_FO, -d, com)) - energy(turned_about(X_FO, d, com))) / (2 * step);
   }
   return out;
 }
@@ -236,8 +237,8 @@ TEST(Coupling, t_is_the_displacement_of_the_centre_of_mass) {
   EXPECT_LT((body->mass.com - com).norm(), 1e-12);
   EXPECT_GT(com.norm(), 0.01);  // or the test below could not fail
   const Vec3 turn(0.4, -0.2, 0.9);
-  EXPECT_LT(separation_motion(body->mass, O, turned(O, turn, com)).t.norm(), 1e-15);
-  EXPECT_GT(separation_motion(body->mass, O, turned(O, turn, Vec3::Zero())).t.norm(), 1e-3);
+  EXPECT_LT(separation_motion(body->mass, O, turned_about(O, turn, com)).t.norm(), 1e-15);
+  EXPECT_GT(separation_motion(body->mass, O, turned_about(O, turn, Vec3::Zero())).t.norm(), 1e-3);
 }
 
 TEST(Coupling, classic_wrench_is_spring_and_damper) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k = 500;
 
-struct Bodies {
+struct PressedPair {
   const char* name;
   std::shared_ptr<const Body> probe, fixed;
   Vec3 start;      ///< a free place
@@ -22,7 +22,7 @@ struct Bodies {
   double reach;    ///< how far that way the contact is a deep one, m
 };
 
-std::vector<Bodies> pairs() {
+std::vector<PressedPair> pairs() {
   std::mt19937_64 random(21);
   const auto block = test::body(test::box({0.3, 0.3, 0.1}));
   const auto ring = test::body(test::torus(0.06, 0.02, 16, 10));
@@ -71,7 +71,7 @@ Pose moved(const Pose& X, const Vec3& by, const Vec3& turn) {
 
 /// A random walk pressed into contact; calls each(before, now) for every tick that went well.
 template <class Each>
-void walk(const Bodies& pair, std::uint64_t seed, double stride, const Each& each) {
+void walk(const PressedPair& pair, std::uint64_t seed, double stride, const Each& each) {
   std::mt19937_64 random(seed);
   CoherentSolver solver({pair.probe, pair.fixed});
   Pose device{Quat::Identity(), pair.start};
@@ -92,7 +92,7 @@ void walk(const Bodies& pair, std::uint64_t seed, double stride, const Each& eac
 // U(o′) ≤ ½ k σ(q*(o), o′): the hand never gets back more than it put in, for the separated pose
 // of the last tick was there to be taken.
 TEST(Energy, never_rises_above_that_of_the_last_separated_pose) {
-  for (const Bodies& pair : pairs())
+  for (const PressedPair& pair : pairs())
     for (const double stride : {1e-4, 1e-3, 5e-3}) {
       int in_contact = 0;
       walk(pair, 31, stride, [&](const Separation& before, const Separation& now) {
@@ -108,7 +108,7 @@ TEST(Energy, never_rises_above_that_of_the_last_separated_pose) {
 
 // So depth is Lipschitz upwards in the metric √σ of poses.
 TEST(Energy, depth_rises_by_at_most_the_distance_of_the_device_poses) {
-  for (const Bodies& pair : pairs())
+  for (const PressedPair& pair : pairs())
     walk(pair, 41, 1e-3, [&](const Separation& before, const Separation& now) {
       const double way = std::sqrt(sigma(*pair.probe, before.device, now.device));
       EXPECT_LE(now.depth, before.depth + way + 1e-12) << pair.name;
@@ -121,7 +121,7 @@ TEST(Energy, depth_rises_by_at_most_the_distance_of_the_device_poses) {
 // Jᵀλ| leaves k·e in the force; y's rotational part is 2√Î v and v turns by at most half of what Q
 // does, so it leaves k·√Î_max·e in the torque.
 TEST(Energy, the_wrench_is_the_sum_of_the_contacts_of_a_converged_separation) {
-  for (const Bodies& pair : pairs()) {
+  for (const PressedPair& pair : pairs()) {
     int compared = 0;
     const MassProperties& mass = pair.probe->mass;
     walk(pair, 51, 1e-3, [&](const Separation&, const Separation& now) {
@@ -152,7 +152,7 @@ TEST(Energy, the_wrench_is_the_sum_of_the_contacts_of_a_converged_separation) {
 }
 
 /// Into contact and out of it again, turning and sliding on the way; x in 0..1.
-Pose slow_loop(const Bodies& pair, double x) {
+Pose slow_loop(const PressedPair& pair, double x) {
   const double a = 2 * std::numbers::pi * x;
   const Vec3 by = pair.reach * (0.5 - 0.5 * std::cos(a)) * pair.direction +
                   0.004 * std::sin(2 * a) * Vec3::UnitY();
@@ -164,7 +164,7 @@ Pose slow_loop(const Bodies& pair, double x) {
 // separated pose snaps over to another side; that must be reported as a jump, and can never be a
 // gain.
 TEST(Energy, a_slow_closed_loop_gives_the_hand_no_work_and_loses_none_but_at_jumps) {
-  for (const Bodies& pair : pairs()) {
+  for (const PressedPair& pair : pairs()) {
     CoherentSolver solver({pair.probe, pair.fixed});
     solver.reset(slow_loop(pair, 0));
     constexpr int ticks = 4000;

@@ -203,12 +203,12 @@ TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {
 }
 
 /// A wall of 500 N/m at the start, into which the hand wants to go.
-struct Pressed {
+struct HandOnWall {
   SimulatedHand simulated{{}, period, 1, com, start};
   Hand hand = simulated.hand();
   Pose last = start;
 
-  Pressed() { simulated.set_target(moved(start, Vec3(0.03, 0, 0))); }
+  HandOnWall() { simulated.set_target(moved(start, Vec3(0.03, 0, 0))); }
   /// The greatest speed in so many ticks, m/s.
   double speed(int ticks) {
     double most = 0;
@@ -224,7 +224,7 @@ struct Pressed {
 };
 
 TEST(SimulatedHand, a_change_of_scaling_in_contact_does_not_kick) {
-  Pressed pressed;
+  HandOnWall pressed;
   pressed.speed(2000);
   ASSERT_LT(pressed.speed(100), 1e-3) << "at rest in the wall";
   pressed.simulated.set_scaling(1);

@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-struct Bodies {
+struct TwoRings {
   std::shared_ptr<const Body> probe = test::body(test::torus(0.04, 0.015, 16, 10));
   std::shared_ptr<const Body> fixed = test::body(test::torus(0.06, 0.02, 16, 10));
 };
@@ -31,7 +31,7 @@ StaticOptions nothing_to_search_with() {
 }
 
 TEST(ContactFeed, where_it_has_searched_before_it_does_not_search_again) {
-  const Bodies bodies;
+  const TwoRings bodies;
   const Pose deep = path(1);
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
   const Separation found = feed.reset(deep, {}).separation;
@@ -48,7 +48,7 @@ TEST(ContactFeed, where_it_has_searched_before_it_does_not_search_again) {
 }
 
 TEST(ContactFeed, follows_the_device_as_the_coherent_solver_does) {
-  const Bodies bodies;
+  const TwoRings bodies;
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
   CoherentSolver solver({bodies.probe, bodies.fixed});
   feed.reset(path(0), {});
@@ -70,7 +70,7 @@ TEST(ContactFeed, follows_the_device_as_the_coherent_solver_does) {
 }
 
 TEST(ContactFeed, rows_keep_the_separated_pose_and_begin_with_what_holds_it) {
-  const Bodies bodies;
+  const TwoRings bodies;
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
   feed.reset(path(0), {});
   int held = 0;
@@ -92,7 +92,7 @@ TEST(ContactFeed, rows_keep_the_separated_pose_and_begin_with_what_holds_it) {
 }
 
 TEST(ContactFeed, nothing_nearer_than_the_reach_is_without_a_row) {
-  const Bodies bodies;
+  const TwoRings bodies;
   std::vector<NearPair> pairs(4096);
   int near = 0;
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
@@ -121,7 +121,7 @@ TEST(ContactFeed, nothing_nearer_than_the_reach_is_without_a_row) {
 }
 
 TEST(ContactFeed, a_pose_that_is_none_gives_no_rows_and_the_next_one_works) {
-  const Bodies bodies;
+  const TwoRings bodies;
   ContactFeed feed({bodies.probe, bodies.fixed}, Method::pdg);
   feed.reset(path(0), {});
   Pose bad = path(0.1);

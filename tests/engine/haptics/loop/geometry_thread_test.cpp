@@ -6,15 +6,16 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/engine/haptics/loop/at_depth.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-using namespace std::chrono_literals;
+using test::at_depth;
 
-Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
+using namespace std::chrono_literals;
 
 class GeometryThreadTest : public testing::Test {
  protected:

@@ -6,14 +6,11 @@
 
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/hand_loop.hpp"
+#include "tests/engine/haptics/loop/at_depth.hpp"
+#include "tests/engine/haptics/tick_time.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde::test {
-
-inline constexpr double dt = 1e-3;
-
-/// The probe's box upright, so deep in the block's top.
-inline Pose at_depth(double depth) { return {Quat::Identity(), Vec3(0, 0, 0.075 - depth)}; }
 
 inline HandLoopSettings at_once() {
   HandLoopSettings s;

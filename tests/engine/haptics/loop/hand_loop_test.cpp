@@ -107,12 +107,12 @@ TEST(HandLoop, the_force_ramps_in_from_zero_at_the_start) {
 }
 
 /// What makes the force zero, each with its reason.
-struct Fault {
+struct ForceFault {
   const char* name;
   Withheld reason;
   const HandTick& (*tick)(Bench&);
 };
-const Fault faults[] = {
+const ForceFault faults[] = {
     {"Esc", Withheld::stopped,
      [](Bench& b) -> const HandTick& {
        return b.tick({.X_FM = at_depth(0.002)}, true, Withheld::stopped);
@@ -151,7 +151,7 @@ const Fault faults[] = {
 };
 
 TEST(HandLoop, whatever_goes_wrong_gives_no_force_says_why_and_ramps_in_again) {
-  for (const Fault& fault : faults) {
+  for (const ForceFault& fault : faults) {
     SCOPED_TRACE(fault.name);
     HandLoopSettings settings = at_once();
     settings.safety.ramp_time = 0.1;
@@ -201,20 +201,20 @@ TEST(HandLoop, a_geometry_that_does_not_answer_after_a_pause_has_stalled) {
   EXPECT_EQ(bench.loop.last().hand.withheld, Withheld::stalled);
 }
 
-struct Pressed {
+struct PressOutcome {
   int diverged = 0;   ///< ticks
   double swings = 0;  ///< m, the way of the probe in the last second
 };
 
 /// A simulated device of 0.1 kg, whose hand presses it into the block by 3 N.
-Pressed press(const Coupling& coupling) {
+PressOutcome press(const Coupling& coupling) {
   Bench bench(at_once(), coupling);
   SimulatedDeviceParameters device;
   device.translation = {.inertia = 0.1, .damping = 0.5, .limit = 1e4, .hand_stiffness = 300};
   SimulatedHand simulated(device, dt, 1, bench.probe->mass.com, at_depth(-0.001));
   const Hand hand = simulated.hand();
   simulated.set_target(at_depth(0.01));
-  Pressed out;
+  PressOutcome out;
   Vec3 before = at_depth(-0.001).p;
   for (int i = 0; i < 3000; ++i) {
     HandSample sample = hand.sample(dt);
@@ -233,7 +233,7 @@ TEST(HandLoop, a_gain_too_high_buzzes_within_the_limits_of_a_device_and_diverges
   Coupling coupling;
   coupling.k = 5000;
   coupling.max_force = 8;
-  const Pressed buzz = press(coupling);
+  const PressOutcome buzz = press(coupling);
   EXPECT_EQ(buzz.diverged, 0);
   EXPECT_GT(buzz.swings, 0.02);
   coupling.k = 1e5;

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "tests/engine/haptics/tick_time.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"
 #include "tests/support/shapes.hpp"
@@ -12,11 +13,10 @@
 namespace sonde {
 namespace {
 
-constexpr double dt = 1e-3;
-
 using test::contact_pairs;
 using test::contact_path;
 using test::ContactPair;
+using test::dt;
 
 TEST(HapticLoop, a_tick_neither_allocates_nor_frees_on_a_path_through_contact) {
   for (const Coupling::Mode mode : {Coupling::Mode::object, Coupling::Mode::classic})
@@ -75,7 +75,7 @@ SeparationMotion motion(const ContactPair& pair, const Separation& s) {
   return separation_motion(pair.probe->mass, s.device, s.separated);
 }
 
-Coupling damped() {
+Coupling damped_in_both() {
   Coupling c;
   c.mode = Coupling::Mode::classic;
   c.k_t = 300;
@@ -88,7 +88,7 @@ Coupling damped() {
 
 TEST(HapticLoop, classic_damping_acts_on_the_backward_difference_of_the_separation) {
   for (const ContactPair& pair : contact_pairs()) {
-    const Coupling c = damped();
+    const Coupling c = damped_in_both();
     HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
     loop.reset(contact_path(pair, 0), {});
     SeparationMotion before;
@@ -121,7 +121,7 @@ Pose sliding(double depth, double x = 0) {
 
 TEST(HapticLoop, nothing_is_damped_out_of_contact) {
   const ContactPair pair = contact_pairs()[0];
-  Coupling c = damped();
+  Coupling c = damped_in_both();
   c.b_t = 1e6;
   HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(0.003), {});
@@ -137,7 +137,7 @@ TEST(HapticLoop, nothing_is_damped_out_of_contact) {
 
 TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
   const ContactPair pair = contact_pairs()[0];
-  const Coupling c = damped();
+  const Coupling c = damped_in_both();
   HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(-0.001), {});
   for (const double depth : {0.001, 0.003, -0.001, 0.0015}) loop.tick(sliding(depth), dt, {});
@@ -148,7 +148,7 @@ TEST(HapticLoop, a_new_contact_knows_nothing_of_the_one_before) {
 
 TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damped) {
   const ContactPair pair = contact_pairs()[0];
-  const Coupling c = damped();
+  const Coupling c = damped_in_both();
   HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   const auto is_spring_alone = [&] {
     const SeparationMotion now = motion(pair, loop.separation());
@@ -170,7 +170,7 @@ TEST(HapticLoop, the_first_tick_after_a_reset_or_without_a_time_step_is_not_damp
 
 TEST(HapticLoop, a_pose_that_is_no_pose_gives_no_wrench_and_does_no_harm) {
   const ContactPair pair = contact_pairs()[0];
-  const Coupling c = damped();
+  const Coupling c = damped_in_both();
   HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset(sliding(0.002), {});
   Pose bad = sliding(0.002);
@@ -218,7 +218,7 @@ TEST(HapticLoop, a_coupling_change_acts_on_the_next_tick) {
 TEST(HapticLoop, a_jump_is_not_damped) {
   const ContactPair pair{"ball and plate", test::body(test::sphere(0.005, 6, 8)),
                          test::body(test::box({0.2, 0.2, 0.002})), 0};
-  const Coupling c = damped();
+  const Coupling c = damped_in_both();
   HapticLoop loop({pair.probe, pair.fixed}, Method::pdg, c);
   loop.reset({Quat::Identity(), {0, 0, 0.02}}, {});
   int jumps_in_contact = 0;

@@ -12,20 +12,20 @@
 #include <limits>
 #include <thread>
 
+#include "tests/engine/haptics/loop/at_depth.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
+using test::at_depth;
+
 using namespace std::chrono_literals;
 
-struct Bodies {
+struct BoxAndBlock {
   std::shared_ptr<const Body> probe = test::body(test::box({0.02, 0.03, 0.05}));
   std::shared_ptr<const Body> fixed = test::body(test::box({0.3, 0.3, 0.1}));
 };
-
-/// The probe's box upright, so deep in the block's top.
-Pose at_depth(double depth, double x = 0) { return {Quat::Identity(), Vec3(x, 0, 0.075 - depth)}; }
 
 /// The force whole from the first tick on: its ramp and its slew are tested elsewhere.
 ServoSettings at_once() {
@@ -57,7 +57,7 @@ bool is_at(const Snapshot& s, const Pose& X) { return s.separation.device.p == X
 
 class ServoTest : public testing::Test {
  protected:
-  Bodies bodies;
+  BoxAndBlock bodies;
   Servo servo{{bodies.probe, bodies.fixed}, Method::pdg, stiffness(500), at_once()};
 };
 
@@ -294,7 +294,7 @@ TEST_F(ServoTest, a_pose_that_is_no_pose_gives_no_force_and_the_next_good_one_wo
 }
 
 TEST(Servo, a_slow_loop_stops_without_waiting_for_its_tick) {
-  const Bodies bodies;
+  const BoxAndBlock bodies;
   ServoSettings settings;
   settings.rate_hz = 1;
   Servo servo({bodies.probe, bodies.fixed}, Method::pdg, {}, settings);
@@ -311,7 +311,7 @@ TEST(Servo, a_slow_loop_stops_without_waiting_for_its_tick) {
 }
 
 TEST(Servo, a_rate_that_is_none_does_not_spin_or_hang) {
-  const Bodies bodies;
+  const BoxAndBlock bodies;
   for (const double rate : {0.0, -5.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
     ServoSettings settings;
     settings.rate_hz = rate;

@@ -9,10 +9,13 @@
 #include <set>
 #include <string>
 
+#include "tests/engine/haptics/tick_time.hpp"
+
 namespace sonde {
 namespace {
 
-constexpr double dt = 1e-3;
+using test::dt;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Wrench push(double force, double torque = 0) {

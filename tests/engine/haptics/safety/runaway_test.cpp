@@ -7,10 +7,12 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/engine/haptics/tick_time.hpp"
+
 namespace sonde {
 namespace {
 
-constexpr double dt = 1e-3;
+using test::dt;
 
 struct RunawayTest : testing::Test {
   Runaway runaway{2};

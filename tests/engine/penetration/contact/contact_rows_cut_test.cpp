@@ -9,11 +9,15 @@
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/contact/contact_rows.hpp"
+#include "tests/engine/penetration/contact/findings.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
+
+using test::by_list;
+using test::by_trees;
 
 /// A cube `gap` over a plate, gathered so short-sightedly that there is no row, or with rows.
 struct OverAPlate {
@@ -45,7 +49,6 @@ struct OverAPlate {
     return true;
   }
 };
-constexpr ContactRows::Finding by_list{}, by_trees{48, 0};
 
 // By hand: up and along the plate there is nothing in the way.
 TEST(ContactRows, a_cut_says_clear_where_nothing_is_in_the_way) {

@@ -9,12 +9,16 @@
 
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
+#include "tests/engine/penetration/contact/findings.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde {
 namespace {
+
+using test::by_list;
+using test::by_trees;
 
 struct Gathered {
   Chart chart;
@@ -41,7 +45,7 @@ Gathered free_place(std::mt19937_64& random, const test::BodyPair& pair, double 
   }
 }
 
-std::vector<test::BodyPair> pairs(std::uint64_t seed) {
+std::vector<test::BodyPair> pairs_near_origin(std::uint64_t seed) {
   auto all = test::body_pairs(seed);
   all.pop_back();  // far from the origin there is nothing new to rows
   return all;
@@ -51,7 +55,7 @@ std::vector<test::BodyPair> pairs(std::uint64_t seed) {
 // that separates it as well, to first order, at the gap of the row at least.
 TEST(ContactRows, every_near_pair_is_kept_apart_by_some_row) {
   std::mt19937_64 random(1);
-  for (const auto& pair : pairs(71)) {
+  for (const auto& pair : pairs_near_origin(71)) {
     ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     int near = 0;
     for (int i = 0; i < 60; ++i) {
@@ -91,7 +95,7 @@ TEST(ContactRows, every_near_pair_is_kept_apart_by_some_row) {
 // recomputed here from the contacts.
 TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
   std::mt19937_64 random(2);
-  for (const auto& pair : pairs(72))
+  for (const auto& pair : pairs_near_origin(72))
     for (const Method method : {Method::pdg, Method::pdt}) {
       ContactRows rows(*pair.a, *pair.b, method, {});
       int held = 0;
@@ -132,7 +136,7 @@ TEST(ContactRows, the_solution_is_nearer_and_keeps_the_rows) {
 // predicates on all pairs.
 TEST(ContactRows, sweeps_are_conservative) {
   std::mt19937_64 random(3);
-  for (const auto& pair : pairs(73)) {
+  for (const auto& pair : pairs_near_origin(73)) {
     ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     int hits = 0, misses = 0;
     for (int i = 0; i < 40; ++i) {
@@ -182,12 +186,10 @@ TEST(ContactRows, a_cube_over_a_plate_stands_on_its_corners) {
   EXPECT_LT(nearest.y.head<5>().norm(), 1e-9);
 }
 
-constexpr ContactRows::Finding by_list{}, by_trees{48, 0};
-
 // Reference: closest_points of all pairs at both ends of the step.
 TEST(ContactRows, a_cut_agrees_with_all_pairs) {
   std::mt19937_64 random(5);
-  for (const auto& pair : pairs(75))
+  for (const auto& pair : pairs_near_origin(75))
     for (const auto& finding : {by_list, by_trees}) {
       ContactRows rows(*pair.a, *pair.b, Method::pdg, finding);
       int clear = 0, blocked = 0;
@@ -253,7 +255,7 @@ std::optional<Gathered> place_at_the_rim(std::mt19937_64& random, const test::Bo
 TEST(ContactRows, the_rim_of_the_chart_is_a_row_of_its_own) {
   std::mt19937_64 random(6);
   int solved = 0, would_leave = 0;
-  for (const auto& pair : pairs(76)) {
+  for (const auto& pair : pairs_near_origin(76)) {
     ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     for (int i = 0; i < 60; ++i) {
       const auto g = place_at_the_rim(random, pair);
@@ -291,7 +293,7 @@ TEST(ContactRows, the_rim_of_the_chart_is_a_row_of_its_own) {
 TEST(ContactRows, steps_that_lead_out_of_the_chart_end_at_its_rim) {
   std::mt19937_64 random(8);
   int runs = 0, converged = 0;
-  for (const auto& pair : pairs(78)) {
+  for (const auto& pair : pairs_near_origin(78)) {
     Descent descent(*pair.a, *pair.b, Method::pdg);
     for (int i = 0; i < 60; ++i) {
       const auto g = place_at_the_rim(random, pair, 0.75, 0.9);
@@ -308,7 +310,7 @@ TEST(ContactRows, steps_that_lead_out_of_the_chart_end_at_its_rim) {
 TEST(ContactRows, descents_stay_in_the_chart) {
   std::mt19937_64 random(7);
   int runs = 0;
-  for (const auto& pair : pairs(77)) {
+  for (const auto& pair : pairs_near_origin(77)) {
     Descent descent(*pair.a, *pair.b, Method::pdg);
     for (int i = 0; i < 20; ++i) {
       const auto g = place_at_the_rim(random, pair);
@@ -325,7 +327,7 @@ TEST(ContactRows, descents_stay_in_the_chart) {
 
 TEST(ContactRows, do_not_allocate) {
   std::mt19937_64 random(4);
-  for (const auto& pair : pairs(74)) {
+  for (const auto& pair : pairs_near_origin(74)) {
     ContactRows rows(*pair.a, *pair.b, Method::pdg, {});
     const Gathered g = free_place(random, pair, 0.5);
     const Motion motion(g.chart, g.y, 0.99 * g.y);

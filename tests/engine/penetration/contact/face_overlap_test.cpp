@@ -13,13 +13,13 @@
 namespace sonde {
 namespace {
 
-struct Pair {
+struct FacePair {
   Corners a, b;
   Vec3 normal;
 };
 
 /// Two triangles nearly flat on each other, seen along a direction near to both their normals.
-Pair random_pair(std::mt19937_64& random) {
+FacePair random_pair(std::mt19937_64& random) {
   const Quat q = test::random_rotation(random);
   const auto triangle = [&](double height) {
     Corners t;
@@ -48,7 +48,7 @@ TEST(FaceOverlap, corners_lie_on_both_triangles_and_their_gap_is_between_them) {
   std::mt19937_64 random(1);
   int corners = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Pair p = random_pair(random);
+    const FacePair p = random_pair(random);
     const Vec3 plane_a = (p.a[1] - p.a[0]).cross(p.a[2] - p.a[0]).normalized(),
                plane_b = (p.b[1] - p.b[0]).cross(p.b[2] - p.b[0]).normalized();
     for (const Contact& c : face_overlap(p.a, p.b, p.normal)) {
@@ -70,7 +70,7 @@ TEST(FaceOverlap, its_corners_hold_every_point_that_lies_over_the_other_triangle
   std::mt19937_64 random(2);
   int over = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Pair p = random_pair(random);
+    const FacePair p = random_pair(random);
     const FaceOverlap found = face_overlap(p.a, p.b, p.normal);
     for (int k = 0; k < 60; ++k) {
       double u = test::uniform(random, 0, 1), v = test::uniform(random, 0, 1);
@@ -110,7 +110,7 @@ TEST(FaceOverlap, is_empty_where_nothing_overlaps_or_is_seen_edge_on) {
 
 TEST(FaceOverlap, does_not_allocate) {
   std::mt19937_64 random(3);
-  const Pair p = random_pair(random);
+  const FacePair p = random_pair(random);
   test::AllocationCounter counter;
   const int size = face_overlap(p.a, p.b, p.normal).size;
   counter.stop();

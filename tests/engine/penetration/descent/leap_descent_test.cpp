@@ -5,13 +5,14 @@
 
 #include "engine/geometry/random.hpp"
 #include "engine/proximity/queries/intersect.hpp"
+#include "tests/engine/penetration/overlapping_pose.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde {
 namespace {
 
-std::vector<test::BodyPair> pairs() {
+std::vector<test::BodyPair> leap_pairs() {
   std::mt19937_64 random(1);
   const auto soup = test::body(test::random_soup(random, 200, 0.1));
   const auto ring = test::body(test::torus(0.08, 0.03, 20, 10));
@@ -21,13 +22,6 @@ std::vector<test::BodyPair> pairs() {
           {"knot, knot", knot, knot},
           {"soup, ring", soup, ring},
           {"fine, fine", fine, fine}};
-}
-
-Pose overlapping_pose(std::mt19937_64& random, const test::BodyPair& pair) {
-  for (;;) {
-    const Pose X = test::random_pose(random, *pair.a, *pair.b, 0.6);
-    if (overlap(*pair.a, *pair.b, Transform(X), Doubt::exact)) return X;
-  }
 }
 
 std::optional<Vec6> free_pose(const LeapDescent& leaps, const Chart& chart, Random& random) {
@@ -47,9 +41,9 @@ TEST(LeapDescent, ends_free_and_nearer_whoever_guides_it) {
   std::mt19937_64 random(2);
   Random samples(3);
   int converged = 0, all = 0;
-  for (const auto& pair : pairs())
+  for (const auto& pair : leap_pairs())
     for (int i = 0; i < 6; ++i) {
-      const Chart chart(pair.a->mass, overlapping_pose(random, pair));
+      const Chart chart(pair.a->mass, test::overlapping_pose(random, pair, 0.6));
       LeapDescent leaps(*pair.a, *pair.b, Method::pdg);
       const auto start = free_pose(leaps, chart, samples);
       if (!start) continue;
@@ -104,7 +98,7 @@ TEST(LeapDescent, a_wrong_outline_misleads_but_never_errs) {
   Random samples(5);
   int checked = 0;
   for (int i = 0; i < 6; ++i) {
-    const Chart chart(liar->mass, overlapping_pose(random, pair));
+    const Chart chart(liar->mass, test::overlapping_pose(random, pair, 0.6));
     LeapDescent leaps(*liar, *ring, Method::pdg);
     const auto start = free_pose(leaps, chart, samples);
     if (!start) continue;
@@ -117,10 +111,10 @@ TEST(LeapDescent, a_wrong_outline_misleads_but_never_errs) {
 }
 
 TEST(LeapDescent, gives_the_same_bits_whatever_was_run_before) {
-  const auto pair = pairs()[1];
+  const auto pair = leap_pairs()[1];
   std::mt19937_64 random(6);
   Random samples(7);
-  const Chart chart(pair.a->mass, overlapping_pose(random, pair));
+  const Chart chart(pair.a->mass, test::overlapping_pose(random, pair, 0.6));
   LeapDescent fresh(*pair.a, *pair.b, Method::pdg), used(*pair.a, *pair.b, Method::pdg);
   const auto start = free_pose(fresh, chart, samples), other = free_pose(fresh, chart, samples);
   ASSERT_TRUE(start && other);

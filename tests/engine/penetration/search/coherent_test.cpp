@@ -17,11 +17,7 @@
 namespace sonde {
 namespace {
 
-std::shared_ptr<const Body> real(const char* name) {
-  return load_body(test::real_mesh(name).string(), Model::automatic, 1);
-}
-
-std::vector<test::BodyPair> pairs() {
+std::vector<test::BodyPair> followed_pairs() {
   std::mt19937_64 random(1);
   const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.2)); };
   const auto ring = test::body(test::torus(0.08, 0.03, 12, 8));
@@ -30,8 +26,9 @@ std::vector<test::BodyPair> pairs() {
           {"soup, torus", soup(20), ring},
           {"soup, soup", soup(20), soup(20)},
           {"box, knot", test::body(test::box({0.03, 0.04, 0.08})), knot},
-          {"cross, star", real("cross.off"), real("star.off")},
-          {"tripod, eight", real("tripod.off"), real("double-torus-example.off")}};
+          {"cross, star", test::real_body("cross.off"), test::real_body("star.off")},
+          {"tripod, eight", test::real_body("tripod.off"),
+           test::real_body("double-torus-example.off")}};
 }
 
 Pose moved(const Pose& X, const Vec3& by, const Vec3& turn) {
@@ -112,7 +109,7 @@ void follow(const test::BodyPair& pair, const std::vector<Pose>& path, const Bud
 TEST(Coherent, rules_of_every_tick) {
   std::mt19937_64 random(2);
   Rules all;
-  for (const auto& pair : pairs())
+  for (const auto& pair : followed_pairs())
     for (const double stride : {0.005, 0.1}) {
       Rules rules;
       follow(pair, walk(random, pair, stride < 0.01 ? 600 : 120, stride), {}, 12, rules);
@@ -126,7 +123,7 @@ TEST(Coherent, rules_of_every_tick) {
 
 TEST(Coherent, rules_hold_when_the_budget_runs_out) {
   std::mt19937_64 random(3);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : followed_pairs()) {
     Rules rules;
     Budget budget;
     budget.steps = 1;
@@ -139,7 +136,7 @@ TEST(Coherent, rules_hold_when_the_budget_runs_out) {
 // The effort may end within any step; whatever has been reached by then is handed out.
 TEST(Coherent, rules_hold_wherever_the_work_runs_out) {
   std::mt19937_64 random(9);
-  for (const auto& pair : pairs())
+  for (const auto& pair : followed_pairs())
     for (const std::int64_t work : {1, 1000, 3000, 10000}) {
       Rules rules;
       Budget budget;
@@ -153,7 +150,7 @@ TEST(Coherent, rules_hold_wherever_the_work_runs_out) {
 // Reference: the residual. What one tick has no time for, the next ones do.
 TEST(Coherent, a_descent_cut_short_goes_on_in_the_next_ticks) {
   std::mt19937_64 random(10);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : followed_pairs()) {
     CoherentSolver solver({pair.a, pair.b}), twin({pair.a, pair.b});
     const auto path = walk(random, pair, 60, 0.1);
     solver.reset(path[0]), twin.reset(path[0]);
@@ -180,7 +177,7 @@ TEST(Coherent, a_descent_cut_short_goes_on_in_the_next_ticks) {
 // look.
 TEST(Coherent, a_starved_tick_keeps_its_contacts) {
   std::mt19937_64 random(11);
-  for (const auto& pair : pairs())
+  for (const auto& pair : followed_pairs())
     for (const Method method : {Method::pdg, Method::pdt}) {
       CoherentSolver solver({pair.a, pair.b}, method);
       const auto path = walk(random, pair, 120, 0.1);
@@ -216,7 +213,7 @@ TEST(Coherent, a_starved_tick_keeps_its_contacts) {
 // A tick that cannot move the probe must not move it by rounding either, which no sweep would see.
 TEST(Coherent, a_probe_at_rest_stays_to_the_bit) {
   std::mt19937_64 random(13);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : followed_pairs()) {
     CoherentSolver solver({pair.a, pair.b});
     const auto path = walk(random, pair, 60, 0.1);
     solver.reset(path[0]);
@@ -236,7 +233,7 @@ TEST(Coherent, a_probe_at_rest_stays_to_the_bit) {
 // Reference: exact predicates; and with as much work as it takes the translation is at rest.
 TEST(Coherent, translation_only_holds_wherever_the_work_runs_out) {
   std::mt19937_64 random(12);
-  for (const auto& pair : pairs())
+  for (const auto& pair : followed_pairs())
     for (const std::int64_t work : {1, 1000, 3000}) {
       CoherentSolver solver({pair.a, pair.b}, Method::pdt), twin({pair.a, pair.b}, Method::pdt);
       const auto path = walk(random, pair, 120, 0.1);
@@ -267,7 +264,7 @@ TEST(Coherent, translation_only_holds_wherever_the_work_runs_out) {
 TEST(Coherent, Full_rules_of_every_tick) {
   for (int seed = 100; seed < 140; ++seed) {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-    for (const auto& pair : pairs())
+    for (const auto& pair : followed_pairs())
       for (const double stride : {0.001, 0.01, 0.1, 0.5}) {
         Rules rules;
         follow(pair, walk(random, pair, 400, stride), {}, 10, rules);
@@ -278,7 +275,7 @@ TEST(Coherent, Full_rules_of_every_tick) {
 // Translation only: the separated probe is turned as the device is, unless it could not follow.
 TEST(Coherent, translation_only_turns_with_the_device) {
   std::mt19937_64 random(5);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : followed_pairs()) {
     CoherentSolver solver({pair.a, pair.b}, Method::pdt);
     const auto path = walk(random, pair, 200, 0.02);
     ASSERT_EQ(solver.reset(path[0]).status, Status::separated);
@@ -305,7 +302,7 @@ TEST(Coherent, translation_only_turns_with_the_device) {
   }
 }
 
-bool same_bits(const Separation& x, const Separation& y) {
+bool same_tick(const Separation& x, const Separation& y) {
   return x.status == y.status && x.separated.p == y.separated.p &&
          x.separated.q.coeffs() == y.separated.q.coeffs() && x.depth == y.depth &&
          x.residual == y.residual && x.iterations == y.iterations && x.jumped == y.jumped &&
@@ -314,7 +311,7 @@ bool same_bits(const Separation& x, const Separation& y) {
 
 TEST(Coherent, the_same_path_gives_the_same_bits) {
   std::mt19937_64 random(6);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : followed_pairs()) {
     const auto path = walk(random, pair, 150, 0.03);
     CoherentSolver one({pair.a, pair.b}), two({pair.a, pair.b});
     one.reset(path[0]), two.reset(path[0]);
@@ -323,14 +320,14 @@ TEST(Coherent, the_same_path_gives_the_same_bits) {
     two.reset(path[0]);
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Separation a = one.tick(path[i]), b = two.tick(path[i]);
-      ASSERT_TRUE(same_bits(a, b)) << pair.name << " tick " << i;
+      ASSERT_TRUE(same_tick(a, b)) << pair.name << " tick " << i;
     }
   }
 }
 
 TEST(Coherent, refuses_what_it_cannot_compute_with_and_goes_on_after_it) {
   std::mt19937_64 random(7);
-  const auto pair = pairs().front();
+  const auto pair = followed_pairs().front();
   const auto path = walk(random, pair, 150, 0.03);
   CoherentSolver plain({pair.a, pair.b}), pestered({pair.a, pair.b});
   EXPECT_EQ(pestered.tick(path[0]).status, Status::failed) << "not started";
@@ -361,7 +358,7 @@ TEST(Coherent, refuses_what_it_cannot_compute_with_and_goes_on_after_it) {
 }
 
 TEST(Coherent, a_reset_in_overlap_searches_and_says_so) {
-  const auto pair = pairs().front();
+  const auto pair = followed_pairs().front();
   CoherentSolver solver({pair.a, pair.b});
   const Pose X{Quat::Identity(), Vec3(0.02, 0.01, 0)};
   const Separation s = solver.reset(X);
@@ -375,7 +372,7 @@ TEST(Coherent, a_reset_in_overlap_searches_and_says_so) {
 
 TEST(Coherent, a_tick_does_not_allocate) {
   std::mt19937_64 random(8);
-  for (const auto& pair : pairs())
+  for (const auto& pair : followed_pairs())
     for (const Method method : {Method::pdg, Method::pdt}) {
       const auto path = walk(random, pair, 60, 0.1);
       CoherentSolver solver({pair.a, pair.b}, method);

@@ -26,8 +26,6 @@ using test::Felt;
 using test::follow;
 using test::Skew;
 
-constexpr double k = test::felt_stiffness;
-
 const char* name(Cutting::Kind kind) {
   return kind == Cutting::Kind::regular  ? "regular"
          : kind == Cutting::Kind::random ? "random"
@@ -107,8 +105,9 @@ TEST(Conforming, block_pressed_on_a_slab_feels_its_depth_along_the_normal) {
   expect_no_friction_and_no_glue(felt, Vec3::UnitZ(), scene.name);
   std::vector<Felt> want(felt.size());
   for (std::size_t i = 0; i < felt.size(); ++i)
-    want[i].force.z() = k * std::max(0.0, test::pressed_into_slab(scene.path[i]));
-  EXPECT_NEAR(largest_force(want), k * 3e-3, 1e-9);
+    want[i].force.z() =
+        test::felt_stiffness * std::max(0.0, test::pressed_into_slab(scene.path[i]));
+  EXPECT_NEAR(largest_force(want), test::felt_stiffness * 3e-3, 1e-9);
   expect_felt_as(felt, want, block_arm, 0.001, scene.name);
 }
 
@@ -196,10 +195,10 @@ TEST(Conforming, cylinder_pressed_sideways_feels_its_depth_along_the_facets_norm
     if (!scene.path[i].q.isApprox(Quat::Identity())) continue;
     pure.push_back(felt[i]);
     want.emplace_back();
-    want.back().force =
-        k * std::max(0.0, test::pressed_into_hole(scene.path[i])) * test::hole_normal();
+    want.back().force = test::felt_stiffness *
+                        std::max(0.0, test::pressed_into_hole(scene.path[i])) * test::hole_normal();
   }
-  EXPECT_GT(largest_force(want), k * 4e-4);
+  EXPECT_GT(largest_force(want), test::felt_stiffness * 4e-4);
   expect_felt_as(pure, want, rod_arm, 0.001, scene.name);
   expect_no_friction_and_no_glue(pure, test::hole_normal(), scene.name);
 }
@@ -231,7 +230,7 @@ TEST(Conforming, wedge_pressed_into_a_notch_is_seated) {
   std::vector<Felt> want(felt.size());
   for (std::size_t i = 0; i < felt.size(); ++i) {
     const Vec3& p = scene.path[i].p;
-    if (p.z() < 0) want[i].force = -k * Vec3(p.x(), 0, p.z());
+    if (p.z() < 0) want[i].force = -test::felt_stiffness * Vec3(p.x(), 0, p.z());
   }
   expect_felt_as(felt, want, wedge_arm, 0.001, scene.name);
 }

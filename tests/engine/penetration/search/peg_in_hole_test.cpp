@@ -19,7 +19,6 @@ using test::Cutting;
 using test::Felt;
 using test::Worst;
 
-constexpr double k = test::felt_stiffness;
 constexpr double tenth_of_a_degree = 1.745e-3;
 constexpr double arm = 0.015;
 
@@ -58,7 +57,7 @@ std::vector<Felt> expect_no_sticking(double clearance, double shift, double lowe
     deep.see(felt[i].depth / reason, i);
     // All walls are upright and the peg is askew by a tenth of a degree: no normal points down by
     // more than that, and pairs of opposite contacts carry no more than some of the depth each.
-    pull.see(-felt[i].force.z() / (k * reason), i);
+    pull.see(-felt[i].force.z() / (test::felt_stiffness * reason), i);
   }
   EXPECT_LE(deep.value, 1.001) << what << ": depth beside that on the axis, at tick " << deep.tick;
   EXPECT_LE(pull.value, 0.01) << what << ": pull into the hole, at tick " << pull.tick;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/proximity/queries/intersect.hpp"
+#include "tests/engine/penetration/overlapping_pose.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/pairs.hpp"
 #include "tests/support/real_meshes.hpp"
@@ -16,11 +17,7 @@
 namespace sonde {
 namespace {
 
-std::shared_ptr<const Body> real(const char* name) {
-  return load_body(test::real_mesh(name).string(), Model::automatic, 1);
-}
-
-std::vector<test::BodyPair> pairs() {
+std::vector<test::BodyPair> searched_pairs() {
   std::mt19937_64 random(1);
   const auto soup = [&](int n) { return test::body(test::random_soup(random, n, 0.2)); };
   const auto ring = test::body(test::torus(0.08, 0.03, 12, 8));
@@ -32,15 +29,9 @@ std::vector<test::BodyPair> pairs() {
           {"soup, soup", soup(20), soup(20)},
           {"torus, torus", ring, ring},
           {"knot, knot", knot, knot},
-          {"cross, star", real("cross.off"), real("star.off")},
-          {"tripod, double torus", real("tripod.off"), real("double-torus-example.off")}};
-}
-
-Pose overlapping_pose(std::mt19937_64& random, const test::BodyPair& pair) {
-  for (;;) {
-    const Pose X = test::random_pose(random, *pair.a, *pair.b, 0.7);
-    if (overlap(*pair.a, *pair.b, Transform(X), Doubt::exact)) return X;
-  }
+          {"cross, star", test::real_body("cross.off"), test::real_body("star.off")},
+          {"tripod, double torus", test::real_body("tripod.off"),
+           test::real_body("double-torus-example.off")}};
 }
 
 /// No free pose can be nearer than the lower bound: tried on random ones about the depth.
@@ -59,10 +50,10 @@ void check_lower_bound(const test::BodyPair& pair, const Separation& s, std::mt1
 
 TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(2);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : searched_pairs()) {
     const Pair bodies(pair.a, pair.b);
     for (int i = 0; i < 4; ++i) {
-      const Separation s = separate_static(bodies, overlapping_pose(random, pair));
+      const Separation s = separate_static(bodies, test::overlapping_pose(random, pair, 0.7));
       test::check_separation(*pair.a, *pair.b, s, pair.name + " " + std::to_string(i));
       EXPECT_EQ(s.lower_bound.has_value(), pair.a->solid || pair.b->solid);
       ASSERT_TRUE(s.pdt.has_value());
@@ -76,8 +67,8 @@ TEST(StaticSearch, answers_are_free_near_contact_and_add_up) {
 // overlap at the far end, not by the engine's descents. (Beyond the last overlap all is free.)
 TEST(StaticSearch, depth_is_at_most_any_translation_out) {
   std::mt19937_64 random(3);
-  for (const auto& pair : pairs()) {
-    const Pose X = overlapping_pose(random, pair);
+  for (const auto& pair : searched_pairs()) {
+    const Pose X = test::overlapping_pose(random, pair, 0.7);
     const Separation s = separate_static({pair.a, pair.b}, X);
     for (int i = 0; i < 20; ++i) {
       const Vec3 way = test::random_in_ball(random, 1).normalized();
@@ -93,8 +84,8 @@ TEST(StaticSearch, translation_only_does_not_turn_and_is_never_less) {
   std::mt19937_64 random(4);
   StaticOptions options;
   options.method = Method::pdt;
-  for (const auto& pair : pairs()) {
-    const Pose X = overlapping_pose(random, pair);
+  for (const auto& pair : searched_pairs()) {
+    const Pose X = test::overlapping_pose(random, pair, 0.7);
     const Pair bodies(pair.a, pair.b);
     const Separation t = separate_static(bodies, X, options);
     test::check_separation(*pair.a, *pair.b, t, pair.name);
@@ -103,7 +94,7 @@ TEST(StaticSearch, translation_only_does_not_turn_and_is_never_less) {
   }
 }
 
-bool same_bits(const Separation& x, const Separation& y) {
+bool same_answer(const Separation& x, const Separation& y) {
   return x.separated.p == y.separated.p && x.separated.q.coeffs() == y.separated.q.coeffs() &&
          x.depth == y.depth && x.residual == y.residual && x.iterations == y.iterations &&
          x.contacts.size == y.contacts.size && x.lower_bound == y.lower_bound && x.pdt == y.pdt;
@@ -111,10 +102,10 @@ bool same_bits(const Separation& x, const Separation& y) {
 
 TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
   std::mt19937_64 random(5);
-  for (const auto& pair : pairs()) {
-    const Pose X = overlapping_pose(random, pair);
+  for (const auto& pair : searched_pairs()) {
+    const Pose X = test::overlapping_pose(random, pair, 0.7);
     const Pair bodies(pair.a, pair.b), again(pair.a, pair.b);
-    EXPECT_TRUE(same_bits(separate_static(bodies, X), separate_static(again, X))) << pair.name;
+    EXPECT_TRUE(same_answer(separate_static(bodies, X), separate_static(again, X))) << pair.name;
     for (const int steps : {1, 20, 100}) {
       StaticOptions options;
       options.budget.steps = steps;
@@ -122,7 +113,7 @@ TEST(StaticSearch, the_same_seed_gives_the_same_bits_and_the_budget_is_kept) {
       test::check_separation(*pair.a, *pair.b, s, pair.name);
       // A few steps more make what was found fit to be returned: one for each of ten at most.
       EXPECT_LE(s.iterations, steps + 10) << pair.name;
-      EXPECT_TRUE(same_bits(s, separate_static(bodies, X, options))) << pair.name;
+      EXPECT_TRUE(same_answer(s, separate_static(bodies, X, options))) << pair.name;
     }
   }
 }
@@ -142,12 +133,13 @@ TEST(StaticSearch, a_small_probe_deep_inside_comes_out_to_contact) {
 TEST(StaticSearch, counted_steps_leave_room_for_translations) {
   std::mt19937_64 random(9);
   int with = 0, all = 0;
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : searched_pairs()) {
     const Pair bodies(pair.a, pair.b);
     for (const int steps : {30, 100}) {
       StaticOptions options;
       options.budget.steps = steps;
-      const Separation s = separate_static(bodies, overlapping_pose(random, pair), options);
+      const Separation s =
+          separate_static(bodies, test::overlapping_pose(random, pair, 0.7), options);
       ++all, with += s.pdt.has_value();
     }
   }
@@ -210,8 +202,8 @@ TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_g
 // what is returned touches, whatever the steps ended in (check_separation).
 TEST(StaticSearch, more_steps_never_give_a_worse_answer) {
   std::mt19937_64 random(10);
-  for (const auto& pair : pairs()) {
-    const Pose X = overlapping_pose(random, pair);
+  for (const auto& pair : searched_pairs()) {
+    const Pose X = test::overlapping_pose(random, pair, 0.7);
     const Pair bodies(pair.a, pair.b);
     StaticOptions options;
     options.want_lower_bound = false;
@@ -230,12 +222,12 @@ TEST(StaticSearch, more_steps_never_give_a_worse_answer) {
 // there. Reference: the search without a limit.
 TEST(StaticSearch, few_steps_go_on_from_sketches) {
   std::mt19937_64 random(12);
-  const auto all_pairs = pairs();
+  const auto all_pairs = searched_pairs();
   int near = 0, all = 0;
   for (const std::size_t k : {4u, 5u})  // torus in torus, knot in knot
     for (int i = 0; i < 12; ++i) {
       const Pair bodies(all_pairs[k].a, all_pairs[k].b);
-      const Pose X = overlapping_pose(random, all_pairs[k]);
+      const Pose X = test::overlapping_pose(random, all_pairs[k], 0.7);
       StaticOptions options;
       options.want_lower_bound = false;
       const double reference = separate_static(bodies, X, options).depth;
@@ -247,15 +239,15 @@ TEST(StaticSearch, few_steps_go_on_from_sketches) {
 
 TEST(StaticSearch, two_threads_give_the_same_bits) {
   std::mt19937_64 random(7);
-  for (const auto& pair : pairs()) {
-    const Pose X = overlapping_pose(random, pair);
+  for (const auto& pair : searched_pairs()) {
+    const Pose X = test::overlapping_pose(random, pair, 0.7);
     const Pair bodies(pair.a, pair.b);
     for (const int steps : {0, 50}) {
       StaticOptions one;
       one.budget.steps = steps;
       StaticOptions two = one;
       two.two_threads = true;
-      EXPECT_TRUE(same_bits(separate_static(bodies, X, one), separate_static(bodies, X, two)))
+      EXPECT_TRUE(same_answer(separate_static(bodies, X, one), separate_static(bodies, X, two)))
           << pair.name;
     }
   }
@@ -267,10 +259,10 @@ TEST(StaticSearch, two_threads_give_the_same_bits) {
 TEST(StaticSearch, depth_changes_by_no_more_than_the_device_moved) {
   std::mt19937_64 random(6);
   int broken = 0, all = 0;
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : searched_pairs()) {
     const Pair bodies(pair.a, pair.b);
     for (int i = 0; i < 3; ++i) {
-      const Pose X = overlapping_pose(random, pair);
+      const Pose X = test::overlapping_pose(random, pair, 0.7);
       Pose Y = X;
       Y.p += test::random_in_ball(random, 0.02 * pair.a->mass.radius);
       Y.q = (Y.q * Quat(Eigen::AngleAxisd(0.02, test::random_in_ball(random, 1).normalized())))
@@ -287,7 +279,7 @@ TEST(StaticSearch, depth_changes_by_no_more_than_the_device_moved) {
 }
 
 TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : searched_pairs()) {
     Pose X;
     X.p = pair.b->mass.com - pair.a->mass.com +
           Vec3(1.01 * (pair.a->mass.radius + pair.b->mass.radius), 0, 0);
@@ -307,11 +299,11 @@ TEST(StaticSearch, a_free_pose_is_separated_as_it_is) {
 
 TEST(StaticSearch, answers_of_both_methods_are_free_near_contact_and_add_up) {
   std::mt19937_64 random(22);
-  for (const auto& pair : pairs()) {
+  for (const auto& pair : searched_pairs()) {
     const Pair bodies(pair.a, pair.b);
     for (const Method method : {Method::pdg, Method::pdt})
       for (int i = 0; i < 3; ++i) {
-        const Pose X = overlapping_pose(random, pair);
+        const Pose X = test::overlapping_pose(random, pair, 0.7);
         StaticOptions options;
         options.method = method;
         const Separation s = separate_static(bodies, X, options);
@@ -322,8 +314,9 @@ TEST(StaticSearch, answers_of_both_methods_are_free_near_contact_and_add_up) {
 }
 
 TEST(StaticSearch, a_mesh_in_its_own_place) {
-  for (const auto& body : {test::body(test::box({0.1, 0.1, 0.1})),
-                           test::body(test::torus(0.08, 0.03, 12, 8)), real("star.off")}) {
+  for (const auto& body :
+       {test::body(test::box({0.1, 0.1, 0.1})), test::body(test::torus(0.08, 0.03, 12, 8)),
+        test::real_body("star.off")}) {
     const Pose X{Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0, 0)};
     for (const Pose& at : {Pose{}, X}) {
       const Pose same = at.p.isZero() ? at : Pose{};
@@ -335,9 +328,9 @@ TEST(StaticSearch, a_mesh_in_its_own_place) {
 // By evidence it would go on, or stop: told to look at a few starts and nothing else, it ends by
 // their number alone.
 TEST(StaticSearch, a_search_that_ends_by_its_number_of_starts_counts_that_limit) {
-  const test::BodyPair pair = pairs().front();
+  const test::BodyPair pair = searched_pairs().front();
   std::mt19937_64 random(8);
-  const Pose X = overlapping_pose(random, pair);
+  const Pose X = test::overlapping_pose(random, pair, 0.7);
   StaticOptions options;
   options.method = Method::pdt;
   options.starts = 8;

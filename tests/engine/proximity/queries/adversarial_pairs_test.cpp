@@ -10,6 +10,7 @@
 
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
+#include "tests/engine/proximity/pair_gaps.hpp"
 #include "tests/support/adversarial.hpp"
 #include "tests/support/exact_reference.hpp"
 
@@ -17,10 +18,10 @@ namespace sonde {
 namespace {
 
 using test::BodyPair;
+using test::PairKey;
 using test::Placed;
-using Key = std::pair<std::uint32_t, std::uint32_t>;
 
-struct Counts {
+struct RowCounts {
   std::size_t poses = 0, rows = 0, at_the_edge = 0, overflowed = 0;
 };
 
@@ -37,21 +38,21 @@ void check_row(const NearPair& row, const Placed& a, const Placed& b, double dis
   EXPECT_NEAR((row.on_a - row.on_b).norm(), distance, rounding) << what;
 }
 
-struct Query {
+struct HardQuery {
   const BodyPair& pair;
   const Transform& X;
   double reach, rounding;
   const std::string& what;
 };
 
-void check_near(const Query& q, const Placed& a, const Placed& b, std::vector<NearPair>& out,
-                Counts& counts) {
+void check_near(const HardQuery& q, const Placed& a, const Placed& b, std::vector<NearPair>& out,
+                RowCounts& counts) {
   const NearPairs near = near_pairs(*q.pair.a, *q.pair.b, q.X, q.reach, out);
   ASSERT_LE(near.count, out.size()) << q.what;
   ASSERT_LE(near.reach, q.reach) << q.what;
-  std::set<Key> found;
+  std::set<PairKey> found;
   for (std::size_t k = 0; k < near.count; ++k) {
-    const Key key(out[k].triangle_a, out[k].triangle_b);
+    const PairKey key(out[k].triangle_a, out[k].triangle_b);
     ASSERT_LT(key.first, a.triangles.size()) << q.what;
     ASSERT_LT(key.second, b.triangles.size()) << q.what;
     EXPECT_TRUE(found.insert(key).second) << q.what << ": twice the same";
@@ -91,7 +92,7 @@ double some_reach(const BodyPair& pair, const Transform& X, std::mt19937_64& ran
 }
 
 void check_pairs(std::uint64_t seed, int pairs, int triangles, int poses) {
-  Counts counts;
+  RowCounts counts;
   std::mt19937_64 random(seed);
   std::vector<NearPair> plenty(4u * static_cast<std::size_t>(triangles * triangles) + 2);
   std::vector<NearPair> few(6);
@@ -99,8 +100,8 @@ void check_pairs(std::uint64_t seed, int pairs, int triangles, int poses) {
       seed, pairs, triangles, poses,
       [&](const BodyPair& pair, const test::HardPose& pose, const std::string& what) {
         const Placed a(*pair.a, pose.X), b(*pair.b, {});
-        const Query q{pair, pose.X, some_reach(pair, pose.X, random),
-                      1e-14 * test::size_at(pair, pose.X), what};
+        const HardQuery q{pair, pose.X, some_reach(pair, pose.X, random),
+                          1e-14 * test::size_at(pair, pose.X), what};
         check_near(q, a, b, random() % 4 ? plenty : few, counts);
         ++counts.poses;
       });

@@ -28,14 +28,14 @@ double doubt(const BodyPair& pair, const Transform& X) {
 /// What distance.hpp promises.
 double promised(const BodyPair& pair, const Transform& X) { return 1e-14 * test::size_at(pair, X); }
 
-struct Counts {
+struct PoseCounts {
   int poses = 0, meeting = 0, near = 0, apart = 0, cautious = 0;
 };
 
 // Reference: meet_by_edges and exact distances over all pairs; and what is known of a pose by its
 // construction. Trusted everywhere.
 void check_touch(const BodyPair& pair, const HardPose& pose, const std::string& what,
-                 Counts& counts) {
+                 PoseCounts& counts) {
   const Placed a(*pair.a, pose.X), b(*pair.b, {});
   const bool meet = test::any_meet(a, b);
   if (pose.kind == HardPose::Kind::touching) {
@@ -54,7 +54,7 @@ void check_touch(const BodyPair& pair, const HardPose& pose, const std::string& 
 }
 
 void check_touches(std::uint64_t seed, int pairs, int triangles, int poses) {
-  Counts counts;
+  PoseCounts counts;
   test::for_adversarial_poses(
       seed, pairs, triangles, poses,
       [&](const BodyPair& pair, const HardPose& pose, const std::string& what) {
@@ -78,7 +78,7 @@ TEST(Adversarial, Full_touches) {
 
 // Reference: exact distances of all pairs.
 void check_distance(const BodyPair& pair, const HardPose& pose, const std::string& what,
-                    bool every_hint, Counts& counts) {
+                    bool every_hint, PoseCounts& counts) {
   const Placed a(*pair.a, pose.X), b(*pair.b, {});
   const double expected = test::least_exact_distance(a, b);
   const double rounding = promised(pair, pose.X);
@@ -107,7 +107,7 @@ void check_distance(const BodyPair& pair, const HardPose& pose, const std::strin
 }
 
 void check_distances(std::uint64_t seed, int pairs, int triangles, int poses, bool every_hint) {
-  Counts counts;
+  PoseCounts counts;
   test::for_adversarial_poses(
       seed, pairs, triangles, poses,
       [&](const BodyPair& pair, const HardPose& pose, const std::string& what) {

@@ -16,7 +16,7 @@ namespace sonde {
 namespace {
 
 /// The largest coordinate there is at X.
-double size_at(const test::BodyPair& pair, const Transform& X) {
+double size_of_all(const test::BodyPair& pair, const Transform& X) {
   return extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff();
 }
 
@@ -29,7 +29,7 @@ TEST(Distance, is_the_least_over_all_pairs_whatever_the_hint) {
       const Transform X(test::random_pose(random, *pair.a, *pair.b, 1.5));
       const Distance d = triangle_distance(*pair.a, *pair.b, X);
       const double expected = test::least_distance_of_pairs(*pair.a, *pair.b, X);
-      const double rounding = 1e-14 * size_at(pair, X);
+      const double rounding = 1e-14 * size_of_all(pair, X);
       EXPECT_NEAR(d.distance, expected, rounding) << pair.name << i;
       EXPECT_NEAR((d.on_a - d.on_b).norm(), d.distance, rounding) << pair.name;
       const Corners ta = place(X, corners(surface(*pair.a), d.triangle_a)),

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/proximity/queries/placement.hpp"
+#include "tests/engine/proximity/pair_gaps.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
@@ -15,29 +16,29 @@
 namespace sonde {
 namespace {
 
-using Key = std::pair<std::uint32_t, std::uint32_t>;
+using test::PairKey;
 
 /// Distances of all pairs of triangles. Reference for every set below.
-std::map<Key, double> all_distances(const test::BodyPair& pair, const Transform& X) {
+std::map<PairKey, double> all_distances(const test::BodyPair& pair, const Transform& X) {
   const auto ta = test::placed_triangles(*pair.a, X), tb = test::placed_triangles(*pair.b, {});
-  std::map<Key, double> out;
+  std::map<PairKey, double> out;
   for (std::uint32_t i = 0; i < ta.size(); ++i)
     for (std::uint32_t j = 0; j < tb.size(); ++j)
       out[{i, j}] = closest_points(ta[i], tb[j]).distance;
   return out;
 }
 
-struct Query {
+struct RandomQuery {
   Transform X;
   double reach, rounding;
 };
-Query random_query(std::mt19937_64& random, const test::BodyPair& pair) {
+RandomQuery random_query(std::mt19937_64& random, const test::BodyPair& pair) {
   const Transform X(test::random_pose(random, *pair.a, *pair.b, 0.9));
   const double size = extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff();
   return {X, test::uniform(random, 0.05, 0.4) * pair.b->mass.radius, 1e-14 * size};
 }
 
-void check_fields(const NearPair& p, const test::BodyPair& pair, const Query& q) {
+void check_fields(const NearPair& p, const test::BodyPair& pair, const RandomQuery& q) {
   const Corners ta = place(q.X, corners(surface(*pair.a), p.triangle_a));
   const Corners tb = corners(surface(*pair.b), p.triangle_b);
   const double distance = closest_points(ta, tb).distance;
@@ -54,10 +55,10 @@ TEST(NearPairs, are_those_of_all_pairs_that_are_within_reach) {
   for (const auto& pair : test::body_pairs(31)) {
     std::size_t total = 0;
     for (int i = 0; i < 40; ++i) {
-      const Query q = random_query(random, pair);
+      const RandomQuery q = random_query(random, pair);
       const NearPairs near = near_pairs(*pair.a, *pair.b, q.X, q.reach, out);
       EXPECT_EQ(near.reach, q.reach);
-      std::map<Key, int> found;
+      std::map<PairKey, int> found;
       for (std::size_t k = 0; k < near.count; ++k) {
         ++found[{out[k].triangle_a, out[k].triangle_b}];
         check_fields(out[k], pair, q);
@@ -83,12 +84,12 @@ TEST(NearPairs, too_many_keep_the_nearest_and_say_how_far_that_goes) {
   for (const auto& pair : test::body_pairs(32)) {
     int overflowed = 0;
     for (int i = 0; i < 40; ++i) {
-      const Query q = random_query(random, pair);
+      const RandomQuery q = random_query(random, pair);
       std::vector<NearPair> out(2 + random() % 8);
       const NearPairs near = near_pairs(*pair.a, *pair.b, q.X, q.reach, out);
       ASSERT_LE(near.count, out.size());
       EXPECT_LE(near.reach, q.reach);
-      std::map<Key, int> found;
+      std::map<PairKey, int> found;
       for (std::size_t k = 0; k < near.count; ++k) {
         ++found[{out[k].triangle_a, out[k].triangle_b}];
         check_fields(out[k], pair, q);
@@ -132,7 +133,7 @@ TEST(NearPairs, do_not_allocate) {
   test::AllocationCounter counter;
   for (const auto& pair : pairs)
     for (int i = 0; i < 20; ++i) {
-      const Query q = random_query(random, pair);
+      const RandomQuery q = random_query(random, pair);
       found += near_pairs(*pair.a, *pair.b, q.X, q.reach, out).count;
     }
   counter.stop();

@@ -11,6 +11,8 @@
 
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
+#include "tests/engine/proximity/pair_gaps.hpp"
+#include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
@@ -18,11 +20,13 @@
 namespace sonde {
 namespace {
 
-using Key = std::pair<std::uint32_t, std::uint32_t>;
+using test::nudged;
+using test::PairKey;
+using test::rounding_at;
 
 /// Distances of all pairs, by closest_points.
-std::map<Key, double> distances(const Body& a, const Body& b, const Transform& X) {
-  std::map<Key, double> out;
+std::map<PairKey, double> distances(const Body& a, const Body& b, const Transform& X) {
+  std::map<PairKey, double> out;
   const auto ta = test::placed_triangles(a, X), tb = test::placed_triangles(b, {});
   for (std::uint32_t i = 0; i < ta.size(); ++i)
     for (std::uint32_t j = 0; j < tb.size(); ++j)
@@ -30,17 +34,13 @@ std::map<Key, double> distances(const Body& a, const Body& b, const Transform& X
   return out;
 }
 
-double rounding_at(const test::BodyPair& pair, const Pose& X) {
-  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
-}
-
 /// What was found against all pairs: nothing twice, nothing that is not there, and with room left
 /// (`all`) everything.
-void check_found(std::span<const Violation> found, const std::map<Key, double>& distances,
+void check_found(std::span<const Violation> found, const std::map<PairKey, double>& distances,
                  double least, double rounding, bool all, const std::string& what) {
-  std::set<Key> keys;
+  std::set<PairKey> keys;
   for (const Violation& t : found) {
-    const Key key{t.triangle_a, t.triangle_b};
+    const PairKey key{t.triangle_a, t.triangle_b};
     EXPECT_TRUE(keys.insert(key).second) << what;
     const double distance = distances.at(key);
     EXPECT_LE(distance, least + rounding) << what;
@@ -88,13 +88,6 @@ TEST(Violation, every_pair_too_near_is_found_while_there_is_room) {
   }
 }
 
-/// A small random motion of X about the probe's centre of mass.
-Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
-  const Vec3 turn = test::random_in_ball(random, by / a.mass.radius);
-  const Quat q = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * X.q).normalized();
-  return {q, X * a.mass.com + test::random_in_ball(random, by) - q * a.mass.com};
-}
-
 // Reference: closest_points of all pairs. The list was made elsewhere, and stands where it stood.
 TEST(Violation, a_list_finds_the_same) {
   std::mt19937_64 random(2);
@@ -127,7 +120,7 @@ TEST(Violation, a_list_finds_the_same) {
           ASSERT_EQ(kept, room);
           check_found({few.data(), kept}, all, least, rounding_at(pair, X), false, pair.name);
           // The deepest of all: none left out is deeper than one kept.
-          std::set<Key> keys;
+          std::set<PairKey> keys;
           double shallowest = -1e300;
           for (std::size_t k = 0; k < kept; ++k)
             keys.insert({few[k].triangle_a, few[k].triangle_b}),

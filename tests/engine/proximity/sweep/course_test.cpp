@@ -7,30 +7,16 @@
 #include <cmath>
 
 #include "engine/proximity/queries/placement.hpp"
+#include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde {
 namespace {
 
-/// A small random motion of X about the probe's centre of mass.
-Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
-  const Vec3 turn = test::random_in_ball(random, by / a.mass.radius);
-  const Quat q = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * X.q).normalized();
-  return {q, X * a.mass.com + test::random_in_ball(random, by) - q * a.mass.com};
-}
-
-double rounding_at(const test::BodyPair& pair, const Pose& X) {
-  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
-}
-
-/// A small motion of X: a turn of at most `turn` about the point of the probe at `centre` (mesh
-/// frame), and that point moved by at most `by`.
-Pose rolled(std::mt19937_64& random, const Pose& X, const Vec3& centre, double by, double turn) {
-  const Vec3 about = test::random_in_ball(random, turn);
-  const Quat q = (Quat(Eigen::AngleAxisd(about.norm(), about.normalized())) * X.q).normalized();
-  return {q, X * centre + test::random_in_ball(random, by) - q * centre};
-}
+using test::nudged;
+using test::rolled;
+using test::rounding_at;
 
 // Reference: where the points of the probe are at any part of the way, by the motion itself.
 TEST(Course, no_point_goes_further_than_displacement_along_says) {

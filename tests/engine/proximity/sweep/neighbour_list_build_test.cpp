@@ -7,20 +7,17 @@
 
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
+#include "tests/engine/proximity/pair_gaps.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
 
 namespace sonde {
 namespace {
 
-using Key = std::pair<std::uint32_t, std::uint32_t>;
-using Keys = std::set<Key>;
+using test::gaps;
+using test::PairKey;
 
-std::map<Key, double> gaps(std::span<const NearPair> pairs) {
-  std::map<Key, double> out;
-  for (const NearPair& p : pairs) out[{p.triangle_a, p.triangle_b}] = p.gap;
-  return out;
-}
+using Keys = std::set<PairKey>;
 
 Keys keys(std::span<const NearPair> pairs, double nearer) {
   Keys out;

@@ -7,6 +7,7 @@
 
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
+#include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/exact_reference.hpp"
 #include "tests/support/pairs.hpp"
@@ -14,9 +15,7 @@
 namespace sonde {
 namespace {
 
-double rounding_at(const test::BodyPair& pair, const Pose& X) {
-  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
-}
+using test::rounding_at;
 
 /// A plate in `strips` strips along y, bent along x by `sag` (m) from a flat one, so that no two of
 /// its strips are one facet.

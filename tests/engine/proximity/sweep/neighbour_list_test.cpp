@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "engine/proximity/queries/placement.hpp"
+#include "tests/engine/proximity/pair_gaps.hpp"
+#include "tests/engine/proximity/small_motions.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"
@@ -16,24 +18,10 @@
 namespace sonde {
 namespace {
 
-using Key = std::pair<std::uint32_t, std::uint32_t>;
-
-std::map<Key, double> gaps(std::span<const NearPair> pairs) {
-  std::map<Key, double> out;
-  for (const NearPair& p : pairs) out[{p.triangle_a, p.triangle_b}] = p.gap;
-  return out;
-}
-
-/// A small random motion of X about the probe's centre of mass.
-Pose nudged(std::mt19937_64& random, const Body& a, const Pose& X, double by) {
-  const Vec3 turn = test::random_in_ball(random, by / a.mass.radius);
-  const Quat q = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * X.q).normalized();
-  return {q, X * a.mass.com + test::random_in_ball(random, by) - q * a.mass.com};
-}
-
-double rounding_at(const test::BodyPair& pair, const Pose& X) {
-  return 1e-14 * (extent(*pair.a) + extent(*pair.b) + X.p.cwiseAbs().maxCoeff());
-}
+using test::gaps;
+using test::nudged;
+using test::rolled;
+using test::rounding_at;
 
 // Reference: near_pairs, itself tested against all pairs. The list is asked again and again while
 // the probe walks off, so that its memory of bounds and normals is used.
@@ -150,14 +138,6 @@ TEST(NeighbourList, sweep_along_agrees_with_sweep) {
     EXPECT_GT(compared, 50) << pair.name;
     EXPECT_GT(hits, 5) << pair.name;
   }
-}
-
-/// A small motion of X: a turn of at most `turn` about the point of the probe at `centre` (mesh
-/// frame), and that point moved by at most `by`.
-Pose rolled(std::mt19937_64& random, const Pose& X, const Vec3& centre, double by, double turn) {
-  const Vec3 about = test::random_in_ball(random, turn);
-  const Quat q = (Quat(Eigen::AngleAxisd(about.norm(), about.normalized())) * X.q).normalized();
-  return {q, X * centre + test::random_in_ball(random, by) - q * centre};
 }
 
 // Reference: distances of all pairs, and exact predicates on all pairs for what a sweep calls free.

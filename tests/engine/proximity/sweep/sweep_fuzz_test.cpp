@@ -22,7 +22,7 @@ using test::BodyPair;
 using test::HardMotion;
 using test::Placed;
 
-struct Tally {
+struct FuzzTally {
   std::size_t motions = 0, hits = 0, contacts = 0, samples = 0, no_start = 0;
   /// Stops from a start with room; those of them before their time.
   std::size_t judged = 0, early = 0, much_too_early = 0;
@@ -59,7 +59,7 @@ std::vector<double> sampled(const Run& run, int samples) {
 
 // References: the engine's own exact triangles_meet (itself tested against all pairs) at each
 // sample; all pairs by exact predicates at every sample of a small soup, at a few of a large one.
-void check_free(const Run& run, int samples, bool all_pairs, Tally& tally) {
+void check_free(const Run& run, int samples, bool all_pairs, FuzzTally& tally) {
   int i = 0;
   for (const double s : sampled(run, samples)) {
     ASSERT_FALSE(triangles_meet(*run.pair.a, *run.pair.b, run.path.at(s), Doubt::exact))
@@ -96,7 +96,7 @@ constexpr double in_time = 1.1;
 constexpr double much_room = 0.1;
 
 // Reference: the exact distance of the pair that stopped it.
-void check_not_early(const Run& run, bool with_room, Tally& tally) {
+void check_not_early(const Run& run, bool with_room, FuzzTally& tally) {
   if (!run.swept.hit) return;
   ++tally.hits;
   if (!with_room) return;
@@ -110,7 +110,7 @@ void check_not_early(const Run& run, bool with_room, Tally& tally) {
 }
 
 void check_motion(const BodyPair& pair, const HardMotion& motion, const std::string& what,
-                  int samples, bool all_pairs, Tally& tally) {
+                  int samples, bool all_pairs, FuzzTally& tally) {
   const Motion path = motion.motion();
   Run run{pair, motion, path, sweep(*pair.a, *pair.b, path, motion.clearance), Placed(*pair.b, {}),
           0,    what};
@@ -134,7 +134,8 @@ struct Plan {
   bool all_pairs;
 };
 
-void check_family(const Plan& plan, test::Family family, std::mt19937_64& random, Tally& tally) {
+void check_family(const Plan& plan, test::Family family, std::mt19937_64& random,
+                  FuzzTally& tally) {
   for (int place = 0; place < static_cast<int>(test::Place::count); ++place)
     for (int p = 0; p < plan.pairs; ++p) {
       const BodyPair pair =
@@ -155,7 +156,7 @@ void check_family(const Plan& plan, test::Family family, std::mt19937_64& random
 
 void check_sweeps(std::uint64_t seed, const Plan& plan) {
   std::mt19937_64 random(seed);
-  Tally tally;
+  FuzzTally tally;
   for (int f = 0; f < test::families; ++f)
     check_family(plan, static_cast<test::Family>(f), random, tally);
   EXPECT_GT(tally.contacts, tally.motions / 5) << "paths that run through a known contact";
@@ -185,7 +186,7 @@ PolygonSoup two_ends(double radius) {
 // all of its way down is acceleration. A bound of that which is too small is not forgiven here.
 TEST(SweepFuzz, what_swings_inwards_is_seen_to_fall) {
   std::mt19937_64 random(7);
-  Tally tally;
+  FuzzTally tally;
   for (int i = 0; i < 500; ++i) {
     const double gap = std::pow(10.0, test::uniform(random, -6, -1));
     const double z = 1 - gap;

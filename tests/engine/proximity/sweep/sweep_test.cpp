@@ -18,14 +18,14 @@ namespace sonde {
 namespace {
 
 /// One motion from a free pose, in the pair's own size.
-struct Case {
+struct SweepCase {
   Chart chart;
   Vec6 from, to;
   double clearance;
   Motion motion() const { return {chart, from, to}; }
 };
 
-Case random_case(std::mt19937_64& random, const test::BodyPair& pair) {
+SweepCase random_case(std::mt19937_64& random, const test::BodyPair& pair) {
   const double size = pair.a->mass.radius;
   for (;;) {
     const Chart chart(pair.a->mass, test::random_pose(random, *pair.a, *pair.b, 0.8));
@@ -46,16 +46,16 @@ Case random_case(std::mt19937_64& random, const test::BodyPair& pair) {
 }
 
 /// Counts over many motions; the checks are within.
-struct Tally {
+struct SweepTally {
   int hits = 0, free = 0, lazy = 0;
 };
 
 // Reference: exact predicates on all pairs of triangles at samples of the path, more of them near
 // its end; distances of all pairs there for the clearance and for not stopping too early.
 void check_sweeps(const test::BodyPair& pair, std::mt19937_64& random, int motions, int samples,
-                  Tally& tally) {
+                  SweepTally& tally) {
   for (int i = 0; i < motions; ++i) {
-    const Case c = random_case(random, pair);
+    const SweepCase c = random_case(random, pair);
     const Motion motion = c.motion();
     const Sweep swept = sweep(*pair.a, *pair.b, motion, c.clearance);
     ASSERT_GE(swept.free_until, 0);
@@ -90,7 +90,7 @@ void check_sweeps(const test::BodyPair& pair, std::mt19937_64& random, int motio
 void check_all_pairs(std::uint64_t seed, int motions, int samples) {
   std::mt19937_64 random(seed);
   for (const auto& pair : test::body_pairs(seed)) {
-    Tally tally;
+    SweepTally tally;
     check_sweeps(pair, random, motions, samples, tally);
     EXPECT_GT(tally.hits, motions / 10) << pair.name;
     EXPECT_GT(tally.free, motions / 10) << pair.name;
@@ -102,7 +102,7 @@ void check_all_pairs(std::uint64_t seed, int motions, int samples) {
 TEST(Sweep, what_it_calls_free_is_free_and_it_stops_at_contact) { check_all_pairs(41, 60, 24); }
 TEST(Sweep, Full_on_thousands_of_motions) { check_all_pairs(42, 600, 60); }
 
-Case straight(const Body& body, const Vec3& start, const Vec3& step, double clearance) {
+SweepCase straight(const Body& body, const Vec3& start, const Vec3& step, double clearance) {
   Vec6 to = Vec6::Zero();
   to.tail<3>() = step;
   return {Chart(body.mass, {Quat::Identity(), start}), Vec6::Zero(), to, clearance};
@@ -112,7 +112,7 @@ Case straight(const Body& body, const Vec3& start, const Vec3& step, double clea
 TEST(Sweep, translations_by_hand) {
   const auto cube = test::body(test::box({1, 1, 1}));
   const auto stop = [&](const Vec3& start, const Vec3& step) {
-    const Case c = straight(*cube, start, step, 1e-9);
+    const SweepCase c = straight(*cube, start, step, 1e-9);
     return sweep(*cube, *cube, c.motion(), c.clearance);
   };
   EXPECT_NEAR(stop({3, 0.1, 0.2}, {-4, 0, 0}).free_until, 0.5, 1e-8);
@@ -130,7 +130,7 @@ TEST(Sweep, no_step_jumps_over_a_thin_plate) {
   const auto sheet = test::body({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   for (const auto& wall : {plate, sheet})
     for (const double length : {0.2, 1.0, 100.0, 1e6}) {
-      const Case c = straight(*probe, {0.01, 0.02, 0.1}, {0, 0, -length}, 1e-8);
+      const SweepCase c = straight(*probe, {0.01, 0.02, 0.1}, {0, 0, -length}, 1e-8);
       const Sweep swept = sweep(*probe, *wall, c.motion(), c.clearance);
       EXPECT_TRUE(swept.hit);
       EXPECT_NEAR(swept.free_until * length, wall == plate ? 0.0495 : 0.05, 1e-7) << length;
@@ -141,7 +141,7 @@ TEST(Sweep, a_start_that_touches_goes_nowhere) {
   const auto cube = test::body(test::box({1, 1, 1}));
   for (const Vec3& start : {Vec3(1, 0.25, 0.5), Vec3(0.5, 0.25, 0.5)})
     for (const Vec3& step : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0.01, 0)}) {
-      const Case c = straight(*cube, start, step, 1e-6);
+      const SweepCase c = straight(*cube, start, step, 1e-6);
       const Sweep swept = sweep(*cube, *cube, c.motion(), c.clearance);
       EXPECT_TRUE(swept.hit);
       EXPECT_EQ(swept.free_until, 0);
@@ -154,7 +154,7 @@ TEST(Sweep, a_start_nearer_than_the_clearance_can_slide_and_leave) {
   const auto cube = test::body(test::box({1, 1, 1}));
   const double gap = 1e-6;
   const auto go = [&](const Vec3& step, double clearance = 1e-3) {
-    const Case c = straight(*cube, {1 + gap, 0.25, 0.5}, step, clearance);
+    const SweepCase c = straight(*cube, {1 + gap, 0.25, 0.5}, step, clearance);
     return sweep(*cube, *cube, c.motion(), c.clearance);
   };
   EXPECT_FALSE(go({1, 0, 0}).hit);
@@ -206,7 +206,7 @@ TEST(Sweep, safe_advance_is_the_first_root) {
 TEST(Sweep, does_not_allocate) {
   std::mt19937_64 random(6);
   const auto pairs = test::body_pairs(43);
-  std::vector<Case> cases;
+  std::vector<SweepCase> cases;
   for (const auto& pair : pairs)
     for (int i = 0; i < 10; ++i) cases.push_back(random_case(random, pair));
   int hits = 0;
@@ -225,7 +225,7 @@ TEST(Sweep, gives_up_with_what_is_known_when_the_effort_runs_out) {
   int given_up = 0, finished = 0;
   for (const auto& pair : test::body_pairs(55))
     for (int i = 0; i < 20; ++i) {
-      const Case c = random_case(random, pair);
+      const SweepCase c = random_case(random, pair);
       const Motion motion = c.motion();
       const Sweep whole = sweep(*pair.a, *pair.b, motion, c.clearance);
       double before = 0;

@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "engine/proximity/triangles/triangle_pair.hpp"
+#include "tests/engine/proximity/triangles/supported_sets.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
+using test::supported_sets;
+
 /// Eight pairs, two places of A, and how it is bent, with what plain code makes of them.
-struct Case {
+struct EightPairs {
   PairLanes lanes;
   Corners arms[8], fixed[8];
   Vec3 normal[8];
@@ -24,7 +27,8 @@ struct Case {
   Vec3 p[2];
   double size, far;
 
-  Case(std::mt19937_64& random, double size_of, double distance) : size(size_of), far(distance) {
+  EightPairs(std::mt19937_64& random, double size_of, double distance)
+      : size(size_of), far(distance) {
     const auto point = [&](double within) { return test::random_in_ball(random, within); };
     const Vec3 there = far * point(1).normalized();
     for (int i = 0; i < 8; ++i) {
@@ -64,14 +68,7 @@ void for_cases(std::uint64_t seed, const Check& check) {
   std::mt19937_64 random(seed);
   for (const double size : {1e-9, 1e-3, 1.0, 1e6})
     for (const double far : {0.0, 1.0, 1e3})
-      for (int i = 0; i < 200; ++i) check(Case(random, size, far * size));
-}
-
-std::vector<InstructionSet> supported_sets() {
-  std::vector<InstructionSet> out;
-  for (int i = 0; i < static_cast<int>(InstructionSet::count); ++i)
-    if (is_supported(static_cast<InstructionSet>(i))) out.push_back(static_cast<InstructionSet>(i));
-  return out;
+      for (int i = 0; i < 200; ++i) check(EightPairs(random, size, far * size));
 }
 
 bool same(const double (&x)[8], const double (&y)[8]) {
@@ -82,7 +79,7 @@ bool same(const double (&x)[8], const double (&y)[8]) {
 
 // Reference: gap_along of the placed corners.
 TEST(PairLanes, gaps_are_those_of_plain_code) {
-  for_cases(1, [](const Case& c) {
+  for_cases(1, [](const EightPairs& c) {
     alignas(64) double gap[8];
     gaps_at(c.lanes, c.at(0), gap);
     PathLanes path;
@@ -100,7 +97,7 @@ TEST(PairLanes, every_instruction_set_gives_the_same_bits) {
   const std::vector<InstructionSet> sets = supported_sets();
   ASSERT_FALSE(sets.empty());
   EXPECT_TRUE(is_supported(widest_instruction_set()));
-  for_cases(2, [&](const Case& c) {
+  for_cases(2, [&](const EightPairs& c) {
     const ArmMap bend = arm_map(c.bend, Vec3::Zero());
     alignas(64) double first[8], other[8];
     PathLanes first_path, other_path;
@@ -125,7 +122,7 @@ TEST(PairLanes, every_instruction_set_gives_the_same_bits) {
 
 TEST(PairLanes, a_lane_does_not_depend_on_the_others) {
   std::mt19937_64 random(3);
-  for_cases(3, [&](const Case& c) {
+  for_cases(3, [&](const EightPairs& c) {
     PairLanes others = c.lanes;
     const auto lane = static_cast<int>(random() % 8);
     for (int i = 0; i < 8; ++i)
@@ -141,7 +138,7 @@ TEST(PairLanes, a_lane_does_not_depend_on_the_others) {
 // A lane without a direction, as of pairs that meet.
 TEST(PairLanes, no_direction_leaves_no_gap) {
   std::mt19937_64 random(4);
-  const Case c(random, 1, 1);
+  const EightPairs c(random, 1, 1);
   PairLanes none = c.lanes;
   for (int i = 0; i < 8; ++i)
     none.normal[0][i] = none.normal[1][i] = none.normal[2][i] = none.top[i] = 0;
@@ -152,7 +149,7 @@ TEST(PairLanes, no_direction_leaves_no_gap) {
 
 TEST(PairLanes, do_not_allocate) {
   std::mt19937_64 random(5);
-  const Case c(random, 1, 1);
+  const EightPairs c(random, 1, 1);
   alignas(64) double gap[8];
   PathLanes path;
   test::AllocationCounter counter;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/engine/proximity/triangles/supported_sets.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/triangle_families.hpp"
@@ -20,6 +21,7 @@
 namespace sonde {
 namespace {
 
+using test::supported_sets;
 using test::TrianglePair;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -47,13 +49,6 @@ void for_all_batches(std::uint64_t seed, int batches_each, const Check& check) {
         }
         check(batch);
       }
-}
-
-std::vector<InstructionSet> supported_sets() {
-  std::vector<InstructionSet> out;
-  for (int i = 0; i < static_cast<int>(InstructionSet::count); ++i)
-    if (is_supported(static_cast<InstructionSet>(i))) out.push_back(static_cast<InstructionSet>(i));
-  return out;
 }
 
 /// One lane's results.

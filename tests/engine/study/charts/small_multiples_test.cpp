@@ -13,6 +13,7 @@
 namespace sonde {
 namespace {
 
+using test::has_text;
 using test::parse_xml;
 using test::Xml;
 
@@ -25,10 +26,6 @@ SmallMultiples table() {
     out.cells.push_back(
         {{0, 1, 2}, {{0, 1.0 + i, 2}, {0, NAN, 3}}, "note " + std::to_string(i), i == 4});
   return out;
-}
-
-bool has_text(const Xml& in, const std::string& text) {
-  return std::ranges::any_of(in.all("text"), [&](const Xml* each) { return each->text == text; });
 }
 
 TEST(SmallMultiples, has_a_line_for_each_quantity_of_each_cell_and_every_name) {

@@ -13,6 +13,7 @@
 namespace sonde {
 namespace {
 
+using test::has_text;
 using test::parse_xml;
 using test::Xml;
 
@@ -22,10 +23,6 @@ StackedBars chart() {
           .unit = "µs",
           .part_names = {"look", "solve", "none"},
           .bars = {{"one", {1, 3, 0}}, {"two", {2000, 500, 0}}}};
-}
-
-bool has_text(const Xml& in, const std::string& text) {
-  return std::ranges::any_of(in.all("text"), [&](const Xml* each) { return each->text == text; });
 }
 
 /// The widths of the parts: each has a title.

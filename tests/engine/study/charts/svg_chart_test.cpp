@@ -186,7 +186,7 @@ TEST(SvgChart, a_thinned_line_keeps_its_peaks) {
 }
 
 TEST(SvgChart, nothing_to_draw_is_a_picture_as_well) {
-  EXPECT_EQ(parse_xml(to_svg({})).all("g").size(), 0u);
+  EXPECT_EQ(parse_xml(to_svg(SvgChart{})).all("g").size(), 0u);
   EXPECT_EQ(drawn(plain_panel({})).all("polyline").size(), 0u);
   EXPECT_EQ(drawn(plain_panel({{"a", {}, {}}, {"b", {0, 1, 2}, {}}})).all("polyline").size(), 0u);
 }

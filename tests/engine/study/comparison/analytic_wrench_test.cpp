@@ -7,14 +7,15 @@
 #include <numbers>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
-RenderSetup setup(const PolygonSoup& probe, const PolygonSoup& fixed) {
+RenderSetup setup_of(const PolygonSoup& probe, const PolygonSoup& fixed) {
   RenderSetup out{.pair = {test::body(probe), test::body(fixed)}};
   out.coupling.k = 400;
   return out;
@@ -34,7 +35,7 @@ std::vector<TimedPose> press(const Body& probe) {
 // Reference of the rendering: the search over rotations. It was compared with the solver on many
 // poses elsewhere (exact_cases_test.cpp); here the two meet as wrenches.
 TEST(AnalyticWrench, on_a_large_box_the_rendering_of_pdg_agrees) {
-  const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::box({0.8, 0.8, 0.4}));
+  const RenderSetup s = setup_of(test::box({0.03, 0.05, 0.07}), test::box({0.8, 0.8, 0.4}));
   const auto path = press(s.pair.probe());
   const AnalyticWrenches known = analytic_wrenches(s, path, 1, 8, never);
   ASSERT_EQ(known.kind, AnalyticKind::half_space);
@@ -51,7 +52,7 @@ TEST(AnalyticWrench, on_a_large_box_the_rendering_of_pdg_agrees) {
 // Reference: symmetry. A facet spans 7.5° by 7.5°, so its normal is at most 5.4° off the radius to
 // any of its points, and the force has at most that much of an arm.
 TEST(AnalyticWrench, nothing_turns_a_ball) {
-  const RenderSetup s = setup(test::sphere(0.03, 24, 48), test::torus(0.08, 0.03, 40, 20));
+  const RenderSetup s = setup_of(test::sphere(0.03, 24, 48), test::torus(0.08, 0.03, 40, 20));
   std::vector<TimedPose> path;
   for (int i = 0; i <= 30; ++i)
     path.push_back({0.001 * i, {Quat::Identity(), Vec3(0.13 - 0.0005 * i, 0.013, 0.02)}});
@@ -63,7 +64,7 @@ TEST(AnalyticWrench, nothing_turns_a_ball) {
 }
 
 TEST(AnalyticWrench, of_other_pairs_none_is_known) {
-  const RenderSetup s = setup(test::box({0.03, 0.05, 0.07}), test::torus(0.08, 0.03, 40, 20));
+  const RenderSetup s = setup_of(test::box({0.03, 0.05, 0.07}), test::torus(0.08, 0.03, 40, 20));
   const AnalyticWrenches known = analytic_wrenches(s, press(s.pair.probe()), 1, 8, never);
   EXPECT_EQ(known.kind, AnalyticKind::none);
   EXPECT_EQ(torque_realism(render(s, Method::pdg, press(s.pair.probe()), never), known, 0.04).ticks,

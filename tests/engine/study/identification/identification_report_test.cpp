@@ -7,17 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/engine/study/identification/bundled_profiles.hpp"
 #include "tests/engine/study/identification/made_up_identification.hpp"
 
 namespace sonde {
 namespace {
 
+using test::assumed_profile;
 using test::made_up_identification;
 using testing::HasSubstr;
-
-DeviceProfile assumed_profile() {
-  return read_device_profile(SONDE_RESOURCES "/devices/sigma.7.json");
-}
 
 TEST(IdentificationReport, has_each_figure_with_its_interval_beside_the_profiles_and_a_unit) {
   DeviceProfile profile = assumed_profile();

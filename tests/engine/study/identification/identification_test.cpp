@@ -8,18 +8,18 @@
 #include <array>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/identification/bundled_profiles.hpp"
 #include "tests/engine/study/identification/plan_along.hpp"
 #include "tests/engine/study/identification/true_handle.hpp"
 
 namespace sonde {
 namespace {
 
+using test::bundled;
 using test::device_of_mass;
 using test::plan_along;
 using test::TrueHandle;
 using testing::HasSubstr;
-
-const std::filesystem::path bundled = SONDE_RESOURCES "/devices";
 
 struct Figure {
   const char* name;
@@ -124,7 +124,7 @@ TEST(Identification, axes_that_differ_lie_within_the_interval_of_their_kind) {
 }
 
 /// Why the recording tells nothing.
-std::string complaint(const Response& response) {
+std::string identifying_complaint(const Response& response) {
   try {
     identify(response);
   } catch (const InputError& error) {
@@ -140,57 +140,61 @@ class Refused : public testing::Test {
 };
 
 TEST_F(Refused, a_handle_that_does_not_move) {
-  EXPECT_THAT(complaint(test::answer({0.1, 0.4, 3, 1e-3, 3e-5}, plan, 0)),
+  EXPECT_THAT(identifying_complaint(test::answer({0.1, 0.4, 3, 1e-3, 3e-5}, plan, 0)),
               HasSubstr("force along x: the handle did not move under pulses of up to 2 N"));
-  EXPECT_THAT(complaint(test::answer({0.1, 0.4, 0.1, 1e-3, 1e-3}, plan, 0)),
+  EXPECT_THAT(identifying_complaint(test::answer({0.1, 0.4, 0.1, 1e-3, 1e-3}, plan, 0)),
               HasSubstr("20 steps of its encoder"));
 }
 
 TEST_F(Refused, too_few_and_too_short_pulses) {
   PulsePlan few = plan;
   few.pulses.resize(6);
-  EXPECT_THAT(complaint(test::answer(truth, few, 0)), HasSubstr("6 pulses; it takes 8"));
+  EXPECT_THAT(identifying_complaint(test::answer(truth, few, 0)),
+              HasSubstr("6 pulses; it takes 8"));
   PulsePlan brief = plan;
   for (Pulse& pulse : brief.pulses) pulse.part = 4;
-  EXPECT_THAT(complaint(test::answer(truth, brief, 0)),
+  EXPECT_THAT(identifying_complaint(test::answer(truth, brief, 0)),
               HasSubstr("t = 0.25 s has 16 samples; it takes 20"));
 }
 
 TEST_F(Refused, one_amplitude) {
   PulsePlan same = plan;
   for (Pulse& pulse : same.pulses) pulse.amplitude = std::copysign(2.0, pulse.amplitude);
-  EXPECT_THAT(complaint(test::answer(truth, same, 0)), HasSubstr("friction and damping are told"));
+  EXPECT_THAT(identifying_complaint(test::answer(truth, same, 0)),
+              HasSubstr("friction and damping are told"));
 }
 
 TEST_F(Refused, noise_as_large_as_the_motion) {
-  EXPECT_THAT(complaint(test::answer(truth, plan, 0, 1, 0.01)), HasSubstr("beyond its noise"));
+  EXPECT_THAT(identifying_complaint(test::answer(truth, plan, 0, 1, 0.01)),
+              HasSubstr("beyond its noise"));
 }
 
 TEST_F(Refused, a_hand_that_holds_the_handle) {
   TrueHandle held = truth;
   held.hand = 300;
-  EXPECT_THAT(complaint(test::answer(held, plan, 0)), HasSubstr("Was it held"));
+  EXPECT_THAT(identifying_complaint(test::answer(held, plan, 0)), HasSubstr("Was it held"));
 }
 
 TEST_F(Refused, missing_samples) {
   Response response = test::answer(truth, plan, 0);
   response.erase(response.begin() + 270, response.begin() + 275);
-  EXPECT_THAT(complaint(response), HasSubstr("no sample for 6 ms before t = 0.275 s"));
+  EXPECT_THAT(identifying_complaint(response), HasSubstr("no sample for 6 ms before t = 0.275 s"));
 }
 
 TEST_F(Refused, two_axes_at_once) {
   Response response = test::answer(truth, plan, 0);
   for (ResponseSample& s : response) s.command.force.y() = 0.5 * s.command.force.x();
-  EXPECT_THAT(complaint(response), HasSubstr("another axis is commanded too at t = 0.25 s"));
+  EXPECT_THAT(identifying_complaint(response),
+              HasSubstr("another axis is commanded too at t = 0.25 s"));
 }
 
 TEST_F(Refused, a_recording_without_commands) {
   Response response = test::answer(truth, plan, 0);
   for (ResponseSample& s : response) s.command = {};
-  EXPECT_THAT(complaint(response), HasSubstr("no pulse in the recording"));
-  EXPECT_THAT(complaint({}), HasSubstr("no samples"));
+  EXPECT_THAT(identifying_complaint(response), HasSubstr("no pulse in the recording"));
+  EXPECT_THAT(identifying_complaint({}), HasSubstr("no samples"));
   response.resize(1);
-  EXPECT_THAT(complaint(response), HasSubstr("a single sample"));
+  EXPECT_THAT(identifying_complaint(response), HasSubstr("a single sample"));
 }
 
 TEST_F(Refused, an_axis_beside_one_that_tells) {

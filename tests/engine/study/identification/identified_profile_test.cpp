@@ -3,17 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/study/identification/bundled_profiles.hpp"
 #include "tests/engine/study/identification/made_up_identification.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
+using test::assumed_profile;
 using test::made_up_identification;
-
-DeviceProfile assumed_profile() {
-  return read_device_profile(SONDE_RESOURCES "/devices/sigma.7.json");
-}
 
 TEST(IdentifiedProfile, has_what_was_measured_with_its_interval_and_how) {
   const DeviceProfile out =

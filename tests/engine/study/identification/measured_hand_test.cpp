@@ -7,16 +7,19 @@
 
 #include "engine/study/identification/identification.hpp"
 #include "tests/engine/haptics/loop/hand_loop_bench.hpp"
+#include "tests/engine/study/identification/bundled_profiles.hpp"
+#include "tests/engine/study/identification/expect_near.hpp"
 #include "tests/support/allocation_counter.hpp"
 
 namespace sonde::test {
 namespace {
 
-const std::filesystem::path bundled = SONDE_RESOURCES "/devices";
 /// 2 mm in the block: a contact that pushes with 1 N.
 const Pose in_contact = at_depth(0.002);
 
-DeviceProfile profile(const std::string& id) { return find_device_profile(id, {&bundled, 1}); }
+DeviceProfile bundled_profile(const std::string& id) {
+  return find_device_profile(id, {&bundled, 1});
+}
 
 struct Measurement {
   explicit Measurement(const DeviceProfile& device)
@@ -41,14 +44,10 @@ struct Measurement {
   double most_force = 0, most_torque = 0;
 };
 
-void expect_near(const Estimate& found, const ProfileValue& truth, const char* name) {
-  EXPECT_NEAR(found.value, truth.value, 0.05 * truth.value) << name;
-}
-
 TEST(MeasuredHand, through_the_loop_every_profile_is_recovered_within_a_twentieth) {
   for (const std::string& id : device_profile_ids({&bundled, 1})) {
     SCOPED_TRACE(id);
-    const DeviceProfile p = profile(id);
+    const DeviceProfile p = bundled_profile(id);
     Measurement m(p);
     while (m.progress().end == PulsesEnd::none) m.tick();
     ASSERT_EQ(m.progress().end, PulsesEnd::done) << words(m.progress().end);
@@ -72,7 +71,7 @@ TEST(MeasuredHand, through_the_loop_every_profile_is_recovered_within_a_twentiet
 }
 
 TEST(MeasuredHand, the_contact_is_not_rendered_and_the_probe_stays) {
-  Measurement m(profile("sigma.7"));
+  Measurement m(bundled_profile("sigma.7"));
   for (std::size_t i = 0; i < m.plan.rest; ++i) {
     const HandTick& out = m.tick();
     EXPECT_EQ(out.wrench.force.norm(), 0);
@@ -86,7 +85,7 @@ TEST(MeasuredHand, the_contact_is_not_rendered_and_the_probe_stays) {
 }
 
 TEST(MeasuredHand, a_force_that_is_switched_off_ends_it_in_that_tick) {
-  Measurement m(profile("sigma.7"));
+  Measurement m(bundled_profile("sigma.7"));
   while (m.tick().wrench.force.isZero(0)) continue;
   EXPECT_TRUE(m.tick(Withheld::stopped).wrench.force.isZero(0));
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(m.tick().wrench.force.isZero(0)) << "and stays so";
@@ -95,7 +94,7 @@ TEST(MeasuredHand, a_force_that_is_switched_off_ends_it_in_that_tick) {
 }
 
 TEST(MeasuredHand, a_handle_that_is_thrown_ends_it) {
-  DeviceProfile light = profile("sigma.7");
+  DeviceProfile light = bundled_profile("sigma.7");
   PulsePlan plan = plan_pulses(light, {}, dt);
   light.mass.value = 0.005;  // a sixtieth of what the plan was made for
   light.friction.value = light.damping.value = 0;
@@ -111,7 +110,7 @@ TEST(MeasuredHand, a_handle_that_is_thrown_ends_it) {
 }
 
 TEST(MeasuredHand, a_device_that_is_not_there_gets_nothing) {
-  const DeviceProfile p = profile("sigma.7");
+  const DeviceProfile p = bundled_profile("sigma.7");
   const PulsePlan plan = plan_pulses(p, {}, dt);
   MeasuredHand hand(std::make_shared<InputDevice>(DeviceChoice{.path = "/dev/no_such"}), plan,
                     bounds_of(plan, {}), in_contact);
@@ -123,7 +122,7 @@ TEST(MeasuredHand, a_device_that_is_not_there_gets_nothing) {
 }
 
 TEST(MeasuredHand, it_neither_allocates_nor_frees) {
-  Measurement m(profile("sigma.7"));
+  Measurement m(bundled_profile("sigma.7"));
   m.tick();
   AllocationCounter counter;
   for (int i = 0; i < 500; ++i) m.tick();

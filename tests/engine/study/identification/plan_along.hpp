@@ -15,6 +15,16 @@ inline DeviceProfile device_of_mass(double mass) {
   return device;
 }
 
+/// A handle of 0.1 kg whose motors give no more than this (N and N·m).
+inline DeviceProfile device_of_force(double max_force = 10, double max_torque = 0.3) {
+  DeviceProfile p;
+  p.max_force.value = max_force;
+  p.max_torque.value = max_torque;
+  p.mass.value = 0.1;
+  p.inertia.value = 1e-4;
+  return p;
+}
+
 /// Pulses along one axis, for a device that may differ from the one that answers.
 inline PulsePlan plan_along(std::size_t axis, const DeviceProfile& device,
                             const PulseLimits& limits = {}) {

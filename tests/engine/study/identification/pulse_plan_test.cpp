@@ -13,14 +13,7 @@
 namespace sonde {
 namespace {
 
-DeviceProfile device(double max_force = 10, double max_torque = 0.3) {
-  DeviceProfile p;
-  p.max_force.value = max_force;
-  p.max_torque.value = max_torque;
-  p.mass.value = 0.1;
-  p.inertia.value = 1e-4;
-  return p;
-}
+using test::device_of_force;
 
 double largest(const std::vector<Wrench>& commands, Vec3 Wrench::*of) {
   double most = 0;
@@ -29,20 +22,21 @@ double largest(const std::vector<Wrench>& commands, Vec3 Wrench::*of) {
 }
 
 TEST(PulsePlan, stays_within_the_limits_and_half_of_what_the_device_can) {
-  const auto usual = commands_of(plan_pulses(device(), {}, 1e-3));
+  const auto usual = commands_of(plan_pulses(device_of_force(), {}, 1e-3));
   EXPECT_DOUBLE_EQ(largest(usual, &Wrench::force), 2);
   EXPECT_DOUBLE_EQ(largest(usual, &Wrench::torque), 0.05);
-  const auto weak = commands_of(plan_pulses(device(3, 0.04), {}, 1e-3));
+  const auto weak = commands_of(plan_pulses(device_of_force(3, 0.04), {}, 1e-3));
   EXPECT_DOUBLE_EQ(largest(weak, &Wrench::force), 1.5);
   EXPECT_DOUBLE_EQ(largest(weak, &Wrench::torque), 0.02);
-  const auto less = commands_of(plan_pulses(device(), {.force = 0.7, .torque = 0.01}, 1e-3));
+  const auto less =
+      commands_of(plan_pulses(device_of_force(), {.force = 0.7, .torque = 0.01}, 1e-3));
   EXPECT_DOUBLE_EQ(largest(less, &Wrench::force), 0.7);
   EXPECT_DOUBLE_EQ(largest(less, &Wrench::torque), 0.01);
 }
 
 TEST(PulsePlan, moves_one_axis_at_a_time_and_those_with_motors_alone) {
   for (const double torque : {0.0, 0.3}) {
-    const PulsePlan plan = plan_pulses(device(10, torque), {}, 1e-3);
+    const PulsePlan plan = plan_pulses(device_of_force(10, torque), {}, 1e-3);
     std::set<std::size_t> axes;
     for (const Pulse& pulse : plan.pulses) axes.insert(pulse.axis);
     EXPECT_EQ(axes.size(), torque > 0 ? 6u : 3u);
@@ -52,7 +46,7 @@ TEST(PulsePlan, moves_one_axis_at_a_time_and_those_with_motors_alone) {
 }
 
 TEST(PulsePlan, every_pulse_has_a_mean_of_zero_and_an_amplitude_of_its_own) {
-  const PulsePlan plan = plan_pulses(device(), {}, 1e-3);
+  const PulsePlan plan = plan_pulses(device_of_force(), {}, 1e-3);
   std::set<double> sizes;
   double sum = 0;
   for (const Pulse& pulse : plan.pulses)
@@ -70,7 +64,7 @@ TEST(PulsePlan, every_pulse_has_a_mean_of_zero_and_an_amplitude_of_its_own) {
 }
 
 TEST(PulsePlan, the_largest_pulse_moves_the_handle_as_far_as_asked_and_back) {
-  PulsePlan plan = test::plan_along(0, device(), {.travel = 0.02});
+  PulsePlan plan = test::plan_along(0, device_of_force(), {.travel = 0.02});
   plan.pulses.erase(plan.pulses.begin(), plan.pulses.end() - 1);
   double most = 0;
   const Response truth = test::answer({0.1, 0, 0, 0, 0.0}, plan, 0);
@@ -80,15 +74,15 @@ TEST(PulsePlan, the_largest_pulse_moves_the_handle_as_far_as_asked_and_back) {
 }
 
 TEST(PulsePlan, its_duration_is_that_of_its_commands) {
-  const PulsePlan plan = plan_pulses(device(), {}, 5e-4);
+  const PulsePlan plan = plan_pulses(device_of_force(), {}, 5e-4);
   EXPECT_DOUBLE_EQ(time_of(plan), 5e-4 * static_cast<double>(commands_of(plan).size()));
 }
 
 TEST(PulsePlan, limits_that_are_none_are_refused) {
-  EXPECT_THROW(plan_pulses(device(), {.force = 0}, 1e-3), std::invalid_argument);
-  EXPECT_THROW(plan_pulses(device(), {.torque = -1}, 1e-3), std::invalid_argument);
-  EXPECT_THROW(plan_pulses(device(), {.travel = HUGE_VAL}, 1e-3), std::invalid_argument);
-  EXPECT_THROW(plan_pulses(device(), {}, 0), std::invalid_argument);
+  EXPECT_THROW(plan_pulses(device_of_force(), {.force = 0}, 1e-3), std::invalid_argument);
+  EXPECT_THROW(plan_pulses(device_of_force(), {.torque = -1}, 1e-3), std::invalid_argument);
+  EXPECT_THROW(plan_pulses(device_of_force(), {.travel = HUGE_VAL}, 1e-3), std::invalid_argument);
+  EXPECT_THROW(plan_pulses(device_of_force(), {}, 0), std::invalid_argument);
 }
 
 }  // namespace

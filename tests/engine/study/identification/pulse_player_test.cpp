@@ -6,26 +6,21 @@
 
 #include <limits>
 
+#include "tests/engine/study/identification/plan_along.hpp"
 #include "tests/support/allocation_counter.hpp"
 
 namespace sonde {
 namespace {
 
+using test::device_of_force;
+
 constexpr double period = 1e-3;
 /// Where the handle begins: any place.
-const Pose start{Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())), Vec3(0.1, 0.2, 0.3)};
-
-DeviceProfile device() {
-  DeviceProfile p;
-  p.max_force.value = 10;
-  p.max_torque.value = 0.3;
-  p.mass.value = 0.1;
-  p.inertia.value = 1e-4;
-  return p;
-}
+const Pose handle_start{Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())),
+                        Vec3(0.1, 0.2, 0.3)};
 
 struct Bench {
-  PulsePlan plan = plan_pulses(device(), {}, period);
+  PulsePlan plan = plan_pulses(device_of_force(), {}, period);
   PulseBounds bounds = bounds_of(plan, {});
   PulsePlayer player{plan, bounds};
   double most_force = 0, most_torque = 0;
@@ -43,14 +38,14 @@ struct Bench {
   }
   PulsesEnd end() const { return player.progress().end; }
   /// Until a pulse pushes.
-  void to_a_pulse(const Pose& at = start) {
+  void to_a_pulse(const Pose& at = handle_start) {
     while (tick(at).force.isZero(0) && end() == PulsesEnd::none) continue;
   }
   /// It ended so, and asks for nothing any more, whatever happens.
   void expect_ended(PulsesEnd why) {
     EXPECT_EQ(end(), why);
     for (int i = 0; i < 1000; ++i) {
-      const Wrench asked = tick(start);
+      const Wrench asked = tick(handle_start);
       ASSERT_TRUE(asked.force.isZero(0) && asked.torque.isZero(0));
     }
     EXPECT_EQ(end(), why);
@@ -60,7 +55,7 @@ struct Bench {
 Pose moved(const Vec3& by, const Vec3& turned = Vec3::Zero()) {
   const double angle = turned.norm();
   const Quat turn(Eigen::AngleAxisd(angle, angle > 0 ? Vec3(turned / angle) : Vec3::UnitX()));
-  return {turn * start.q, start.p + by};
+  return {turn * handle_start.q, handle_start.p + by};
 }
 
 TEST(PulsePlayer, plays_the_plan_and_records_what_was_rendered_with_the_pose_of_the_tick) {
@@ -69,7 +64,7 @@ TEST(PulsePlayer, plays_the_plan_and_records_what_was_rendered_with_the_pose_of_
   EXPECT_EQ(bench.player.progress().samples, plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i) {
     ASSERT_EQ(bench.end(), PulsesEnd::none) << i;
-    const Wrench asked = bench.tick(start);
+    const Wrench asked = bench.tick(handle_start);
     EXPECT_EQ(asked.force, plan[i].force) << i;
     EXPECT_EQ(asked.torque, plan[i].torque) << i;
   }
@@ -78,7 +73,7 @@ TEST(PulsePlayer, plays_the_plan_and_records_what_was_rendered_with_the_pose_of_
   ASSERT_EQ(recorded.size(), plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i) {
     EXPECT_EQ(recorded[i].command.force, plan[i].force);
-    EXPECT_EQ(recorded[i].X_BH.p, start.p);
+    EXPECT_EQ(recorded[i].X_BH.p, handle_start.p);
     EXPECT_DOUBLE_EQ(recorded[i].t, period * double(i));
   }
   EXPECT_EQ(bench.player.progress().pulse, bench.plan.pulses.size());
@@ -89,7 +84,7 @@ TEST(PulsePlayer, plays_the_plan_and_records_what_was_rendered_with_the_pose_of_
 TEST(PulsePlayer, what_the_loop_made_of_a_command_is_what_is_recorded) {
   Bench bench;
   for (int i = 0; i < 300; ++i) {
-    HandTrial& trial = bench.player.next(period * i, start, true);
+    HandTrial& trial = bench.player.next(period * i, handle_start, true);
     EXPECT_EQ(trial.max_force, bench.bounds.force);
     bench.player.rendered({.force = 0.5 * trial.wrench.force});
   }
@@ -100,7 +95,7 @@ TEST(PulsePlayer, what_the_loop_made_of_a_command_is_what_is_recorded) {
 
 TEST(PulsePlayer, never_asks_for_more_than_the_limits) {
   Bench bench;
-  while (bench.end() == PulsesEnd::none) bench.tick(start);
+  while (bench.end() == PulsesEnd::none) bench.tick(handle_start);
   EXPECT_DOUBLE_EQ(bench.most_force, 2);
   EXPECT_DOUBLE_EQ(bench.most_torque, 0.05);
   EXPECT_DOUBLE_EQ(bench.bounds.force, 2);
@@ -109,10 +104,10 @@ TEST(PulsePlayer, never_asks_for_more_than_the_limits) {
 
 TEST(PulsePlayer, ends_where_the_loop_withholds_the_force_and_keeps_the_reason) {
   Bench bench;
-  bench.tick(start, Withheld::changed);  // as every hand begins
+  bench.tick(handle_start, Withheld::changed);  // as every hand begins
   bench.to_a_pulse();
-  bench.tick(start, Withheld::stopped);
-  EXPECT_TRUE(bench.tick(start).force.isZero(0));
+  bench.tick(handle_start, Withheld::stopped);
+  EXPECT_TRUE(bench.tick(handle_start).force.isZero(0));
   EXPECT_EQ(bench.player.progress().withheld, Withheld::stopped);
   bench.expect_ended(PulsesEnd::withheld);
 }
@@ -121,17 +116,17 @@ TEST(PulsePlayer, ends_when_it_is_stopped) {
   Bench bench;
   bench.to_a_pulse();
   bench.player.stop();
-  EXPECT_TRUE(bench.tick(start).force.isZero(0));
+  EXPECT_TRUE(bench.tick(handle_start).force.isZero(0));
   bench.expect_ended(PulsesEnd::stopped);
 }
 
 TEST(PulsePlayer, ends_where_the_device_is_lost_or_says_what_is_no_number) {
   Bench bench;
   bench.to_a_pulse();
-  EXPECT_TRUE(bench.tick(start, Withheld::nothing, false).force.isZero(0));
+  EXPECT_TRUE(bench.tick(handle_start, Withheld::nothing, false).force.isZero(0));
   bench.expect_ended(PulsesEnd::lost);
   Bench other;
-  Pose none = start;
+  Pose none = handle_start;
   none.p.x() = std::numeric_limits<double>::quiet_NaN();
   other.to_a_pulse();
   EXPECT_TRUE(other.tick(none).force.isZero(0));
@@ -162,7 +157,7 @@ TEST(PulsePlayer, does_not_begin_before_the_handle_rests) {
 TEST(PulsePlayer, a_handle_that_slides_to_rest_after_a_pulse_may) {
   Bench bench;
   const std::size_t pulse = bench.plan.rest + 4 * bench.plan.pulses[0].part;
-  for (std::size_t i = 0; i < pulse; ++i) bench.tick(start);
+  for (std::size_t i = 0; i < pulse; ++i) bench.tick(handle_start);
   for (std::size_t i = 0; i < 160; ++i) bench.tick(moved({0.02e-3 * double(i), 0, 0}));
   for (std::size_t i = 0; i < 200; ++i) bench.tick(moved({3.2e-3, 0, 0}));
   EXPECT_EQ(bench.end(), PulsesEnd::none);
@@ -175,7 +170,7 @@ PulsesEnd played(Bench& bench, const std::vector<double>& ways) {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const std::size_t middle = begin + 2 * bench.plan.pulses[k].part;
     const std::size_t end = begin + 4 * bench.plan.pulses[k].part;
-    for (; i <= end; ++i) bench.tick(i == middle ? moved({ways[k], 0, 0}) : start);
+    for (; i <= end; ++i) bench.tick(i == middle ? moved({ways[k], 0, 0}) : handle_start);
     begin = end + bench.plan.rest;
   }
   return bench.end();
@@ -191,7 +186,7 @@ TEST(PulsePlayer, a_grip_shows_in_a_larger_pulse_that_moves_less) {
 
 TEST(PulsePlayer, tells_the_loop_how_the_handle_moved) {
   Bench bench;
-  bench.player.next(0, start, true);
+  bench.player.next(0, handle_start, true);
   bench.player.rendered({});
   const HandTrial& trial = bench.player.next(period, moved({0, 1e-3, 0}, {0, 0, 0.01}), true);
   EXPECT_LT((trial.way - Vec3(0, 1e-3, 0)).norm(), 1e-15);
@@ -200,7 +195,7 @@ TEST(PulsePlayer, tells_the_loop_how_the_handle_moved) {
 
 TEST(PulsePlayer, a_loop_that_rests_adds_nothing) {
   Bench bench;
-  bench.tick(start);
+  bench.tick(handle_start);
   for (int i = 0; i < 10; ++i) bench.player.rendered({});
   EXPECT_EQ(bench.player.progress().sample, 1U);
 }
@@ -208,9 +203,9 @@ TEST(PulsePlayer, a_loop_that_rests_adds_nothing) {
 TEST(PulsePlayer, it_neither_allocates_nor_frees) {
   Bench bench;
   test::AllocationCounter counter;
-  for (int i = 0; i < 2000; ++i) bench.tick(start);
+  for (int i = 0; i < 2000; ++i) bench.tick(handle_start);
   bench.player.stop();
-  bench.tick(start);
+  bench.tick(handle_start);
   counter.stop();
   EXPECT_EQ(counter.allocations() + counter.frees(), 0U);
   EXPECT_EQ(bench.end(), PulsesEnd::stopped);

@@ -34,23 +34,23 @@ TEST(Response, is_read_as_it_is_written_to_the_bit) {
   }
 }
 
-std::string complaint(const std::string& text) {
+std::string reading_complaint(const std::string& text) {
   return test::complaint_of(text, "r.csv", read_response);
 }
 
 TEST(Response, bad_lines_are_named_with_their_reason) {
   const std::string row = "0,1,0,0,0,0,0,0,0,0,1,0,0,0\n";
-  EXPECT_EQ(complaint(header + row), "");
-  EXPECT_THAT(complaint("t,px,py,pz,qw,qx,qy,qz\n"),
+  EXPECT_EQ(reading_complaint(header + row), "");
+  EXPECT_THAT(reading_complaint("t,px,py,pz,qw,qx,qy,qz\n"),
               AllOf(StartsWith("1: "), HasSubstr("t,fx,fy")));
-  EXPECT_THAT(complaint(header + row + row),
+  EXPECT_THAT(reading_complaint(header + row + row),
               AllOf(StartsWith("3: "), HasSubstr("t must rise from row to row")));
-  EXPECT_THAT(complaint(header + "0,1,0,0,0,0,0,0,0,0,1,0,0\n"),
+  EXPECT_THAT(reading_complaint(header + "0,1,0,0,0,0,0,0,0,0,1,0,0\n"),
               AllOf(StartsWith("2: "), HasSubstr("13 columns; expected 14")));
-  EXPECT_THAT(complaint(header + "0,1,0,x,0,0,0,0,0,0,1,0,0,0\n"),
+  EXPECT_THAT(reading_complaint(header + "0,1,0,x,0,0,0,0,0,0,1,0,0,0\n"),
               AllOf(StartsWith("2: "), HasSubstr("fz is \"x\"")));
-  EXPECT_THAT(complaint(header + "0,inf,0,0,0,0,0,0,0,0,1,0,0,0\n"), HasSubstr("finite"));
-  EXPECT_THAT(complaint(header + "0,1,0,0,0,0,0,0,0,0,2,0,0,0\n"),
+  EXPECT_THAT(reading_complaint(header + "0,inf,0,0,0,0,0,0,0,0,1,0,0,0\n"), HasSubstr("finite"));
+  EXPECT_THAT(reading_complaint(header + "0,1,0,0,0,0,0,0,0,0,2,0,0,0\n"),
               AllOf(StartsWith("2: "), HasSubstr("quaternion")));
 }
 

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "engine/study/identification/identification.hpp"
+#include "tests/engine/study/identification/bundled_profiles.hpp"
+#include "tests/engine/study/identification/expect_near.hpp"
 
 namespace sonde {
 namespace {
 
-const std::filesystem::path bundled = SONDE_RESOURCES "/devices";
+using test::bundled;
+using test::expect_near;
 
-void expect_near(const Estimate& found, const ProfileValue& truth, const char* name) {
-  EXPECT_NEAR(found.value, truth.value, 0.05 * truth.value) << name;
-}
 void expect_kind(const IdentifiedKind& found, const ProfileValue& inertia,
                  const ProfileValue& damping, const ProfileValue& friction,
                  const ProfileValue& resolution) {

@@ -6,16 +6,16 @@
 #include <map>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
 namespace fs = std::filesystem;
+using test::never;
 using test::TempFolder;
 using testing::HasSubstr;
-
-const Stop never = [] { return false; };
 
 Study study(int parts, const std::string& about = R"({"k": 500.0})", int changed = -1) {
   Study out{"numbers", about, {}};

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 /// Two cubes of 2 m with the same axes overlap where their centres are up to 2 m apart.
 std::vector<Pose> row_of_poses(int n, double step) {

@@ -8,15 +8,15 @@
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
+using test::never;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-const Stop never = [] { return false; };
 
 /// Parts that write the square of their number, and count how often they are computed.
 struct Squares {

@@ -4,14 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
-RenderSetup setup() {
+RenderSetup box_on_block() {
   RenderSetup out{
       .pair = {test::body(test::box({0.02, 0.03, 0.05})), test::body(test::box({0.3, 0.3, 0.1}))}};
   out.coupling.k = 400;
@@ -31,7 +32,7 @@ std::vector<TimedPose> press() {
 // Reference: a box flat on a block: depth is how far its lower face is below the upper one.
 TEST(Rendering, a_box_pressed_on_a_block) {
   for (const Method method : {Method::pdg, Method::pdt}) {
-    const Rendering r = render(setup(), method, press(), never);
+    const Rendering r = render(box_on_block(), method, press(), never);
     ASSERT_EQ(r.size(), 41u);
     EXPECT_EQ(r[0].force, Vec3::Zero().eval());
     EXPECT_EQ(r[0].moved, 0);
@@ -45,10 +46,10 @@ TEST(Rendering, a_box_pressed_on_a_block) {
 }
 
 TEST(Rendering, the_same_bits_after_being_written_and_read) {
-  const Rendering once = render(setup(), Method::pdg, press(), never);
+  const Rendering once = render(box_on_block(), Method::pdg, press(), never);
   const std::string text = to_json(once);
   EXPECT_EQ(to_json(rendering_of(text, "part")), text);
-  EXPECT_EQ(to_json(render(setup(), Method::pdg, press(), never)), text);
+  EXPECT_EQ(to_json(render(box_on_block(), Method::pdg, press(), never)), text);
   EXPECT_EQ(rendering_of(text, "part")[20].force, once[20].force);
   for (const char* wrong : {"", "{}", "{\"ticks\":[[1,2]]}", "[]"})
     EXPECT_THROW(rendering_of(wrong, "part"), InputError) << wrong;
@@ -56,7 +57,8 @@ TEST(Rendering, the_same_bits_after_being_written_and_read) {
 
 TEST(Rendering, can_be_stopped) {
   int asked = 0;
-  EXPECT_THROW(render(setup(), Method::pdg, press(), [&] { return ++asked > 5; }), Cancelled);
+  EXPECT_THROW(render(box_on_block(), Method::pdg, press(), [&] { return ++asked > 5; }),
+               Cancelled);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace sonde {
 namespace {
 
-ClosedLoopSetup setup() {
+ClosedLoopSetup cube_over_block() {
   // Off its own centre, so that handle and mesh frame are not the same.
   PolygonSoup cube = test::box({0.05, 0.05, 0.05});
   for (Vec3& x : cube.points) x += Vec3(0.01, 0.02, 0.03);
@@ -27,38 +27,38 @@ ClosedLoopSetup setup() {
   return out;
 }
 
-const Pose start{Quat::Identity(), {-0.01, -0.02, 0.1 + 0.025 - 0.03 + 0.002}};
+const Pose loop_start{Quat::Identity(), {-0.01, -0.02, 0.1 + 0.025 - 0.03 + 0.002}};
 
 TEST(ClosedLoop, is_the_device_and_the_loop_tick_by_tick) {
-  const ClosedLoopSetup s = setup();
+  const ClosedLoopSetup s = cube_over_block();
   ClosedLoop loop(s);
-  loop.reset(start);
+  loop.reset(loop_start);
 
   HapticLoop haptic(s.pair, s.method, s.coupling);
-  haptic.reset(start, {});
+  haptic.reset(loop_start, {});
   const Pose X_MD{Quat::Identity(), s.pair.probe().mass.com};
-  SimulatedDevice device(s.device, s.sample_time, start * X_MD);
+  SimulatedDevice device(s.device, s.sample_time, loop_start * X_MD);
   Wrench push;
   push.force = {0.2, 0, -2};
   for (int i = 0; i < 400; ++i) {
-    loop.step(start, push);
+    loop.step(loop_start, push);
     haptic.tick(device.measured() * inverse(X_MD), s.sample_time, {});
-    device.step(haptic.wrench(), start * X_MD, push);
+    device.step(haptic.wrench(), loop_start * X_MD, push);
     ASSERT_NEAR((loop.X_FM().p - (device.state().X_WD * inverse(X_MD)).p).norm(), 0, 1e-12) << i;
   }
   EXPECT_EQ(loop.haptic_loop().separation().status, Status::penetrating);
 }
 
 TEST(ClosedLoop, at_rest_the_motors_balance_the_hand) {
-  ClosedLoopSetup s = setup();
+  ClosedLoopSetup s = cube_over_block();
   s.device.translation.friction = 0;
   s.device.translation.resolution = s.device.rotation.resolution = 0;
   ClosedLoop loop(s);
-  loop.reset(start);
+  loop.reset(loop_start);
   Wrench push;
   push.force = {0, 0, -2};
-  for (int i = 0; i < 3000; ++i) loop.step(start, push);
-  const double hand = -2 + 300 * (start.p.z() - loop.X_FM().p.z());
+  for (int i = 0; i < 3000; ++i) loop.step(loop_start, push);
+  const double hand = -2 + 300 * (loop_start.p.z() - loop.X_FM().p.z());
   EXPECT_NEAR(loop.device().motors().force.z(), -hand, 1e-4);
   const Wrench hooke =
       spring_wrench(s.pair.probe().mass, loop.haptic_loop().separation(), s.coupling);
@@ -68,13 +68,13 @@ TEST(ClosedLoop, at_rest_the_motors_balance_the_hand) {
 
 TEST(ClosedLoop, same_input_same_bits_and_no_allocation_in_a_step) {
   const auto run = [] {
-    ClosedLoop loop(setup());
-    loop.reset(start);
+    ClosedLoop loop(cube_over_block());
+    loop.reset(loop_start);
     Wrench push;
     push.force = {0.3, 0.1, -3};
     push.torque = {0, 0.01, 0};
     test::AllocationCounter counter;
-    for (int i = 0; i < 500; ++i) loop.step(start, push);
+    for (int i = 0; i < 500; ++i) loop.step(loop_start, push);
     counter.stop();
     EXPECT_EQ(counter.allocations(), 0u);
     return loop.X_FM();

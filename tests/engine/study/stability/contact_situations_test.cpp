@@ -8,14 +8,15 @@
 
 #include "engine/base/error.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
-Contact contact(const Vec3& normal, const Vec3& at) {
+Contact contact_at(const Vec3& normal, const Vec3& at) {
   return {.on_probe = at, .on_fixed = at, .normal = normal.normalized(), .gap = 0, .multiplier = 1};
 }
 Separation separation(std::initializer_list<Contact> contacts) {
@@ -28,15 +29,15 @@ Separation separation(std::initializer_list<Contact> contacts) {
 
 TEST(ContactSituations, kinds_by_clusters_and_rows) {
   const Vec3 up = Vec3::UnitZ(), o = Vec3::Zero();
-  EXPECT_EQ(contact_kind(separation({contact(up, o)})), ContactKind::flat);
-  EXPECT_EQ(contact_kind(separation({contact(up, o), contact(up, {0.05, 0, 0})})),
+  EXPECT_EQ(contact_kind(separation({contact_at(up, o)})), ContactKind::flat);
+  EXPECT_EQ(contact_kind(separation({contact_at(up, o), contact_at(up, {0.05, 0, 0})})),
             ContactKind::edge);
-  EXPECT_EQ(contact_kind(
-                separation({contact(up, o), contact(up, {0.05, 0, 0}), contact(up, {0, 0.05, 0})})),
+  EXPECT_EQ(contact_kind(separation(
+                {contact_at(up, o), contact_at(up, {0.05, 0, 0}), contact_at(up, {0, 0.05, 0})})),
             ContactKind::conforming);
-  EXPECT_EQ(contact_kind(separation({contact(up, o), contact(Vec3::UnitX(), {0.05, 0, 0})})),
+  EXPECT_EQ(contact_kind(separation({contact_at(up, o), contact_at(Vec3::UnitX(), {0.05, 0, 0})})),
             ContactKind::corner);
-  EXPECT_EQ(contact_kind(separation({contact(up, o), contact(-up, {0.05, 0, 0})})),
+  EXPECT_EQ(contact_kind(separation({contact_at(up, o), contact_at(-up, {0.05, 0, 0})})),
             ContactKind::jammed);
 }
 

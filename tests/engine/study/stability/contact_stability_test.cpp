@@ -13,7 +13,7 @@
 namespace sonde {
 namespace {
 
-SampledContact contact(double delay) {
+SampledContact contact_with_delay(double delay) {
   SampledContact out;
   out.device.translation = {.inertia = 0.1, .damping = 0.5};
   out.device.rotation = {.inertia = 5e-5, .damping = 4e-4};
@@ -24,7 +24,7 @@ SampledContact contact(double delay) {
 TEST(ContactStability, one_axis_is_the_sampled_axis) {
   for (const double delay : {0.0, 4e-4, 1e-3, 2.7e-3})
     for (const double B : {0.0, 1.0}) {
-      SampledContact c = contact(delay);
+      SampledContact c = contact_with_delay(delay);
       c.stiffness(2, 2) = 1;
       c.damping(2, 2) = B;
       const SampledAxis axis{0.1, 0.5, B, 1e-3, delay};
@@ -35,14 +35,14 @@ TEST(ContactStability, one_axis_is_the_sampled_axis) {
 }
 
 TEST(ContactStability, of_several_axes_the_weakest_counts) {
-  SampledContact c = contact(1e-3);
+  SampledContact c = contact_with_delay(1e-3);
   c.stiffness(0, 0) = 1;
   c.stiffness(4, 4) = 2e-3;
   const double turning = largest_stable_stiffness({5e-5, 4e-4, 0, 1e-3, 1e-3}) / 2e-3;
   const double moving = largest_stable_stiffness({0.1, 0.5, 0, 1e-3, 1e-3});
   EXPECT_NEAR(largest_stable_factor(c) / std::min(turning, moving), 1, 3e-4);
   // What is held adds to what is multiplied.
-  SampledContact half = contact(1e-3);
+  SampledContact half = contact_with_delay(1e-3);
   half.stiffness(0, 0) = 1;
   half.held_stiffness(0, 0) = moving / 4;
   EXPECT_NEAR(largest_stable_factor(half) / (0.75 * moving), 1, 1e-3);
@@ -50,7 +50,7 @@ TEST(ContactStability, of_several_axes_the_weakest_counts) {
 
 TEST(ContactStability, a_contact_with_a_lever_is_one_axis_along_it) {
   // One row w = (n, r×n): in the mode it moves, a mass of 1/(wᵀM⁻¹w), if dampings go with masses.
-  SampledContact c = contact(1e-3);
+  SampledContact c = contact_with_delay(1e-3);
   c.device.rotation.damping = 0.5 / 0.1 * 5e-5;
   Vec6 w;
   w << 0, 0, 1, 0.01, -0.02, 0;
@@ -79,7 +79,7 @@ double growth(const SimulatedDeviceParameters& device, double K) {
 
 TEST(ContactStability, a_hand_counts_as_the_simulated_device_has_it) {
   for (const double delay : {0.0, 1e-3, 1.4e-3}) {
-    SampledContact c = contact(delay);
+    SampledContact c = contact_with_delay(delay);
     c.stiffness(0, 0) = 1;
     c.device.translation.limit = 1e6;
     c.device.translation.hand_stiffness = 200;
@@ -91,7 +91,7 @@ TEST(ContactStability, a_hand_counts_as_the_simulated_device_has_it) {
 }
 
 TEST(ContactStability, sliding_away_is_no_buzz) {
-  SampledContact c = contact(1e-3);
+  SampledContact c = contact_with_delay(1e-3);
   c.stiffness(0, 0) = -1;
   EXPECT_LE(buzz_radius(c), 1);
   c.stiffness(2, 2) = 1;

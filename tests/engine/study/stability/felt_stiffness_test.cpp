@@ -11,12 +11,13 @@
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/study/stability/contact_situations.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 TEST(FeltStiffness, of_a_box_pressed_flat_is_that_of_its_three_degrees) {
   const auto probe = test::body(test::box({0.06, 0.04, 0.02}));

@@ -7,11 +7,11 @@
 namespace sonde {
 namespace {
 
-const Pose start{Quat::Identity(), {1, 2, 3}};
+const Pose course_start{Quat::Identity(), {1, 2, 3}};
 const Wrench push{{0, 0, -4}, {0.2, 0, 0}};
 
 double share(HandCourse course, double t) {
-  const HandInput hand = hand_at(course, course_place(start, push, 0.05), t);
+  const HandInput hand = hand_at(course, course_place(course_start, push, 0.05), t);
   EXPECT_NEAR(hand.push.torque.x() / 0.2, hand.push.force.z() / -4, 1e-12);
   return hand.push.force.z() / -4;
 }
@@ -37,19 +37,19 @@ TEST(HandCourse, pushes_as_it_says) {
 }
 
 TEST(HandCourse, only_a_slide_draws_and_at_right_angles_to_the_push) {
-  const CoursePlace place = course_place(start, push, 0.05);
+  const CoursePlace place = course_place(course_start, push, 0.05);
   EXPECT_NEAR(place.along.norm(), 1, 1e-12);
   EXPECT_NEAR(place.along.dot(push.force), 0, 1e-12);
   for (const HandCourse course : all_hand_courses)
     for (const double t : {0., 0.4, 0.6, 0.8, 1.}) {
-      const Vec3 moved = hand_at(course, place, t).X_FH.p - start.p;
+      const Vec3 moved = hand_at(course, place, t).X_FH.p - course_start.p;
       const double part = course == HandCourse::slide ? (t < 0.5 ? 0 : t < 0.7 ? 0.5 : 1) : 0;
       EXPECT_LT((moved - part * 0.005 * place.along).norm(), 1e-12) << name_of(course) << " " << t;
     }
 }
 
 TEST(HandCourse, is_steady_from_where_it_says) {
-  const CoursePlace place = course_place(start, push, 0.05);
+  const CoursePlace place = course_place(course_start, push, 0.05);
   for (const HandCourse course : all_hand_courses) {
     const HandInput last = hand_at(course, place, course_time);
     for (double t = steady_from(course); t < course_time; t += 0.01) {
@@ -60,7 +60,7 @@ TEST(HandCourse, is_steady_from_where_it_says) {
 }
 
 TEST(HandCourse, without_a_force_there_is_a_direction_too) {
-  EXPECT_NEAR(course_place(start, {}, 0.05).along.norm(), 1, 1e-12);
+  EXPECT_NEAR(course_place(course_start, {}, 0.05).along.norm(), 1, 1e-12);
 }
 
 }  // namespace

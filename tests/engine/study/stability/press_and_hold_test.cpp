@@ -14,7 +14,7 @@ namespace {
 
 constexpr double no_motors = 1e6;
 
-ClosedLoopSetup setup(double k) {
+ClosedLoopSetup box_on_wall(double k) {
   ClosedLoopSetup out{
       .pair = {test::body(test::box({0.05, 0.05, 0.05})), test::body(test::box({1, 1, 0.2}))}};
   out.coupling.k = k;
@@ -37,7 +37,7 @@ HoldReport report(const ClosedLoopSetup& setup, const Press& press) {
 }
 
 TEST(PressAndHold, a_quiet_hold_is_described_as_it_is) {
-  ClosedLoopSetup s = setup(500);
+  ClosedLoopSetup s = box_on_wall(500);
   s.device.translation.damping = 20;  // it settles within the hold
   const HoldReport r = report(s, press(2));
   EXPECT_TRUE(r.stable);
@@ -58,8 +58,8 @@ TEST(PressAndHold, beyond_the_eigenvalues_it_grows_and_the_motors_give_energy) {
   const double K = largest_stable_stiffness({0.1, 1, 0, 1e-3, 0});
   Press light = press(2);
   light.knock = 0.1;  // the swing stays in contact
-  const HoldReport below = report(setup(0.7 * K), light);
-  const HoldReport above = report(setup(1.3 * K), light);
+  const HoldReport below = report(box_on_wall(0.7 * K), light);
+  const HoldReport above = report(box_on_wall(1.3 * K), light);
   EXPECT_TRUE(below.stable);
   EXPECT_LT(below.growth, 0.95);
   EXPECT_FALSE(above.stable);
@@ -69,7 +69,7 @@ TEST(PressAndHold, beyond_the_eigenvalues_it_grows_and_the_motors_give_energy) {
 }
 
 TEST(PressAndHold, limits_that_are_reached_are_seen) {
-  ClosedLoopSetup s = setup(500);
+  ClosedLoopSetup s = box_on_wall(500);
   s.coupling.max_force = 1.9;  // less than the hand pushes: the probe sinks in
   const HoldReport r = report(s, press(2));
   EXPECT_TRUE(r.saturated);
@@ -79,7 +79,7 @@ TEST(PressAndHold, limits_that_are_reached_are_seen) {
 }
 
 TEST(PressAndHold, without_contact_nothing_is_held) {
-  const HoldReport r = report(setup(500), press(-2));
+  const HoldReport r = report(box_on_wall(500), press(-2));
   EXPECT_EQ(r.contact, 0);
   EXPECT_FALSE(r.stable);
   EXPECT_EQ(r.force, 0);
@@ -88,7 +88,7 @@ TEST(PressAndHold, without_contact_nothing_is_held) {
 
 TEST(PressAndHold, any_stiffness_gives_an_honest_report) {
   for (const double k : {1e-3, 1e12}) {
-    ClosedLoopSetup s = setup(k);
+    ClosedLoopSetup s = box_on_wall(k);
     s.coupling.max_force = s.device.translation.limit = 12;
     const HoldReport r = report(s, press(2));
     for (const double x : {r.growth, r.kinetic, r.work, r.chatter, r.depth, r.force})

@@ -122,7 +122,7 @@ struct Wall {
   bool turning = false;  ///< the wall is one for rotations
 };
 
-SimulatedDevice device(const Wall& wall) {
+SimulatedDevice device_of(const Wall& wall) {
   SimulatedDeviceParameters parameters;
   parameters.translation = {
       .inertia = wall.axis.inertia, .damping = wall.axis.damping, .limit = 1e6};
@@ -139,7 +139,7 @@ double coordinate(const SimulatedDevice& device, bool turning) {
 /// True where the swing about the balance grows: its largest in the last quarter of the run is
 /// above that in the quarter before.
 bool buzzes(const Wall& wall, double stiffness, int samples) {
-  SimulatedDevice handle = device(wall);
+  SimulatedDevice handle = device_of(wall);
   const double depth = 1e-3;  // of the balance; swings stay within the wall until they are as large
   const double push = stiffness * depth;
   handle.reset(wall.turning ? Pose{Quat(Eigen::AngleAxisd(depth, Vec3::UnitX())), Vec3::Zero()}

@@ -9,11 +9,12 @@
 #include <functional>
 
 #include "engine/base/error.hpp"
+#include "tests/engine/study/never.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 /// Saturated from one stiffness on, unstable from another.
 struct MadeUp {

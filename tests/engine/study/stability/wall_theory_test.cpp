@@ -15,7 +15,7 @@
 namespace sonde {
 namespace {
 
-constexpr double half_wall = 0.1, pressed = 2e-3;
+constexpr double half_wall = 0.1, pressed_depth = 2e-3;
 
 /// What does not move in the axis that is studied.
 constexpr HandleMotion immobile{.inertia = 1e3, .damping = 1e5, .limit = 1e6};
@@ -50,13 +50,13 @@ Coupling coupling(const WallCase& wall, double stiffness) {
   return c;
 }
 
-/// Pressed in to `pressed`, at rest there; then a knock of a few ticks.
+/// Pressed in to `pressed_depth`, at rest there; then a knock of a few ticks.
 Press press(const WallCase& wall, const Coupling& c, double stiffness) {
   const double half = wall.turning ? 0.01 : 0.025;
   const double k = c.mode == Coupling::Mode::object ? c.k : c.k_t;
   Press out;
-  out.X_FM = {Quat::Identity(), {0, 0, half_wall + half - pressed}};
-  out.push.force = {0, 0, -k * pressed};
+  out.X_FM = {Quat::Identity(), {0, 0, half_wall + half - pressed_depth}};
+  out.push.force = {0, 0, -k * pressed_depth};
   if (wall.turning) out.push.torque = {0, stiffness * 2e-4, 0};
   out.rise_time = wall.axis.sample_time;
   out.settle_time = 0.01;

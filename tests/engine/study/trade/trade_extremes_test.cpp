@@ -7,12 +7,13 @@
 
 #include "engine/base/error.hpp"
 #include "engine/penetration/search/static_search.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 std::vector<Pose> some_poses() {
   const Quat q(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));

@@ -10,21 +10,22 @@
 
 #include "engine/base/error.hpp"
 #include "engine/study/trade/trade_results.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 /// A cube of 1 m on one of 2 m, so deep in it from above.
-Pose pressed(double depth) { return {Quat::Identity(), Vec3(0.1, 0.05, 1.5 - depth)}; }
+Pose pressed_by(double depth) { return {Quat::Identity(), Vec3(0.1, 0.05, 1.5 - depth)}; }
 
 TradeSetup cubes() {
   TradeSetup setup{.pair = {test::body(test::box({1, 1, 1})), test::body(test::box({2, 2, 2}))}};
-  setup.poses = {pressed(0.1), pressed(0.3)};
-  for (int i = 0; i < 30; ++i) setup.path.push_back({0.001 * i, pressed(0.01 * i - 0.05)});
+  setup.poses = {pressed_by(0.1), pressed_by(0.3)};
+  for (int i = 0; i < 30; ++i) setup.path.push_back({0.001 * i, pressed_by(0.01 * i - 0.05)});
   setup.scene = "cubes";
   return setup;
 }

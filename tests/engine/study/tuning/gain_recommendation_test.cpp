@@ -16,8 +16,7 @@ using test::column;
 using test::line;
 using test::results;
 using test::stable_up_to;
-
-constexpr auto unstable = HoldFault::unstable;
+using test::unstable;
 
 TEST(GainRecommendation, stability_is_the_least_of_all_situations_with_its_margin) {
   TuningResults r = stable_up_to({3000, 1500});

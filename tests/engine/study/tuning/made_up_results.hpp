@@ -9,6 +9,8 @@
 
 namespace sonde::test {
 
+inline constexpr auto unstable = HoldFault::unstable;
+
 inline TuningColumn column(double damping, double stable, double good, HoldFault fault) {
   TuningColumn c;
   c.damping = damping;

@@ -8,6 +8,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/study/tuning/traces_report.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/xml.hpp"
@@ -15,13 +16,12 @@
 namespace sonde {
 namespace {
 
+using test::never;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Stop never = [] { return false; };
-
 /// A small box pressed on a large one.
-TracesRequest boxes(Coupling::Mode mode) {
+TracesRequest traces_of_boxes(Coupling::Mode mode) {
   TuningRequest tuning{
       .pair = {test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({0.2, 0.2, 0.1}))}};
   tuning.X_FM = {Quat::Identity(), {0, 0, 0.1}};
@@ -40,7 +40,8 @@ std::vector<std::string> names(const std::vector<StudyFile>& files) {
 
 TEST(Traces, of_the_object_norm_are_one_picture_of_stiffness_by_course) {
   const test::TempFolder folder;
-  compute_parts(folder.path(), plan_traces(boxes(Coupling::Mode::object), never), {}, 2, never);
+  compute_parts(folder.path(), plan_traces(traces_of_boxes(Coupling::Mode::object), never), {}, 2,
+                never);
   const auto files = traces_files(folder.path().string(), read_study(folder.path()));
   ASSERT_THAT(names(files), ElementsAre("traces.csv", "summary.csv", "summary.md", "traces.svg"));
   EXPECT_EQ(test::parse_xml(files[3].text).all("g", "cell").size(), 2u * 4);
@@ -51,7 +52,7 @@ TEST(Traces, of_the_object_norm_are_one_picture_of_stiffness_by_course) {
 }
 
 TEST(Traces, of_the_classic_coupling_are_a_picture_of_stiffness_by_damping_for_each_course) {
-  TracesRequest request = boxes(Coupling::Mode::classic);
+  TracesRequest request = traces_of_boxes(Coupling::Mode::classic);
   request.damping = {0, 5};
   const test::TempFolder folder;
   compute_parts(folder.path(), plan_traces(request, never), {}, 2, never);
@@ -64,7 +65,7 @@ TEST(Traces, of_the_classic_coupling_are_a_picture_of_stiffness_by_damping_for_e
 
 /// Reference: theory, whose limit the study names in the same place.
 TEST(Traces, without_a_stiffness_they_are_at_shares_of_what_theory_allows) {
-  TracesRequest request = boxes(Coupling::Mode::object);
+  TracesRequest request = traces_of_boxes(Coupling::Mode::object);
   request.stiffness.clear();
   const auto about = nlohmann::json::parse(plan_traces(request, never).about);
   const double theory = about.at("theory_stable");
@@ -75,7 +76,7 @@ TEST(Traces, without_a_stiffness_they_are_at_shares_of_what_theory_allows) {
 }
 
 TEST(Traces, in_shards_they_are_the_same_bits) {
-  const TracesRequest request = boxes(Coupling::Mode::object);
+  const TracesRequest request = traces_of_boxes(Coupling::Mode::object);
   const test::TempFolder whole, shards;
   compute_parts(whole.path(), plan_traces(request, never), {}, 1, never);
   for (const std::size_t i : {1u, 0u})
@@ -87,7 +88,7 @@ TEST(Traces, in_shards_they_are_the_same_bits) {
 }
 
 TEST(Traces, what_is_not_there_is_said) {
-  TracesRequest request = boxes(Coupling::Mode::object);
+  TracesRequest request = traces_of_boxes(Coupling::Mode::object);
   request.kind = ContactKind::jammed;
   EXPECT_THROW(plan_traces(request, never), InputError);
   StudyFolder cut{.kind = "traces", .about = "{}", .names = {"step.k0.b0"}, .results = {{}}};

@@ -16,8 +16,7 @@ using test::column;
 using test::line;
 using test::results;
 using test::stable_up_to;
-
-constexpr auto unstable = HoldFault::unstable;
+using test::unstable;
 
 TEST(TuningMap, classes_from_the_worst_down) {
   HoldReport report;

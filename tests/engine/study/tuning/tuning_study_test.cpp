@@ -10,15 +10,16 @@
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-const Stop never = [] { return false; };
+using test::never;
 
 /// A box that comes down on a larger one.
-TuningRequest boxes(const std::string& device) {
+TuningRequest boxes_held_by(const std::string& device) {
   TuningRequest request{
       .pair = {test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({0.2, 0.2, 0.1}))}};
   request.X_FM = {Quat::Identity(), {0, 0, 0.1}};
@@ -39,7 +40,7 @@ AxisGains gains_of(const Study& study) {
 
 // Reference: the study itself. Both know a limit from below, each to its own ratio.
 TEST(TuningStudy, the_first_look_is_as_near_as_it_says) {
-  const auto plan = plan_of(boxes("sigma.7"));
+  const auto plan = plan_of(boxes_held_by("sigma.7"));
   const Study first = plan_first_look(plan), whole = plan_tuning(plan);
   EXPECT_LT(first.parts.size(), whole.parts.size());
   const AxisGains coarse = gains_of(first), fine = gains_of(whole);
@@ -49,7 +50,7 @@ TEST(TuningStudy, the_first_look_is_as_near_as_it_says) {
 }
 
 TEST(TuningStudy, what_finished_parts_allow_only_falls_as_parts_come_in) {
-  const auto plan = plan_of(boxes("sigma.7"));
+  const auto plan = plan_of(boxes_held_by("sigma.7"));
   const StudyFolder whole = compute_at_once(plan_tuning(plan), 2, never);
   StudyFolder so_far = whole;
   for (auto& result : so_far.results) result.reset();
@@ -68,7 +69,7 @@ TEST(TuningStudy, what_finished_parts_allow_only_falls_as_parts_come_in) {
 
 // Theory prefers the largest damping here; a real loop chatters at it.
 TEST(TuningStudy, assumed_values_are_varied_at_a_damping_at_which_something_is_good) {
-  TuningRequest request = boxes("sigma.7");
+  TuningRequest request = boxes_held_by("sigma.7");
   request.coupling.mode = Coupling::Mode::classic;
   const auto plan = plan_of(request);
   const TuningSetup setup = tuning_setup(*plan, hardest(*plan), hand_grips[0]);
@@ -80,7 +81,7 @@ TEST(TuningStudy, assumed_values_are_varied_at_a_damping_at_which_something_is_g
 
 // An interval that the search cannot tell apart is left out.
 TEST(TuningStudy, a_measured_value_is_varied_between_the_ends_of_its_interval) {
-  TuningRequest request = boxes("sigma.7");
+  TuningRequest request = boxes_held_by("sigma.7");
   const double delay = request.device.delay.value;
   request.device.delay.interval = {0.8 * delay, 1.5 * delay};
   request.device.mass.interval = {0.99 * request.device.mass.value,
@@ -104,7 +105,7 @@ TEST(TuningStudy, a_measured_value_is_varied_between_the_ends_of_its_interval) {
 
 // Reference: the search that such a part does not make, on the profile that it varies.
 TEST(TuningStudy, parts_that_vary_a_friction_go_by_the_limit_without_any) {
-  TuningRequest request = boxes("sigma.7");
+  TuningRequest request = boxes_held_by("sigma.7");
   request.device.friction.assumed = true;
   const auto plan = plan_of(request);
   const TuningResults results = read_tuning("", compute_at_once(plan_tuning(plan), 2, never));
@@ -125,7 +126,7 @@ TEST(TuningStudy, parts_that_vary_a_friction_go_by_the_limit_without_any) {
 }
 
 TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_no_use) {
-  TuningRequest request = boxes("sigma.7");
+  TuningRequest request = boxes_held_by("sigma.7");
   request.coupling.mode = Coupling::Mode::classic;
   const auto plan = plan_of(request);
   const TuningSetup setup = tuning_setup(*plan, hardest(*plan), hand_grips[0]);
@@ -138,7 +139,7 @@ TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_n
 
 // Where nothing resists a turn, a hand that pushes with a torque makes the handle spin ever faster.
 TEST(TuningStudy, a_device_without_torque_is_pushed_by_a_force_alone) {
-  const auto turns = plan_of(boxes("sigma.7")), slides = plan_of(boxes("touch"));
+  const auto turns = plan_of(boxes_held_by("sigma.7")), slides = plan_of(boxes_held_by("touch"));
   for (const TuningSituation& each : slides->contacts.situations) {
     EXPECT_EQ(each.push.torque, Vec3(Vec3::Zero()));
     // A quarter of the 3.3 N of its profile.

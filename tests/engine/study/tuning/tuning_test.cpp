@@ -13,15 +13,15 @@
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_report.hpp"
 #include "engine/study/tuning/tuning_study.hpp"
+#include "tests/engine/study/never.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/temp_folder.hpp"
 
 namespace sonde {
 namespace {
 
+using test::never;
 using testing::HasSubstr;
-
-const Stop never = [] { return false; };
 
 DeviceProfile profile(const std::string& id = "sigma.7") {
   return read_device_profile(std::string(SONDE_RESOURCES "/devices/") + id + ".json");
@@ -29,7 +29,7 @@ DeviceProfile profile(const std::string& id = "sigma.7") {
 
 /// A small box pressed on a large one, in one situation; of the assumed values only the mass: there
 /// is little to do.
-TuningRequest boxes() {
+TuningRequest pressed_boxes() {
   TuningRequest request{
       .pair = {test::body(test::box({0.06, 0.05, 0.04})), test::body(test::box({0.2, 0.2, 0.1}))}};
   request.X_FM = {Quat::Identity(), {0, 0, 0.1}};
@@ -50,7 +50,7 @@ std::string all_text(const std::filesystem::path& folder) {
 }
 
 TEST(Tuning, same_bits_at_any_thread_count_and_in_shards) {
-  const TuningRequest request = boxes();
+  const TuningRequest request = pressed_boxes();
   const test::TempFolder whole, threads, shards;
   compute_parts(whole.path(), plan_tuning(request, 1, never), {}, 1, never);
   compute_parts(threads.path(), plan_tuning(request, 1, never), {}, 3, never);
@@ -64,7 +64,7 @@ TEST(Tuning, same_bits_at_any_thread_count_and_in_shards) {
 }
 
 void expect_coupling(Coupling::Mode mode) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.coupling.mode = mode;
   request.device.mass.assumed = false;
   const test::TempFolder folder;
@@ -86,7 +86,7 @@ TEST(Tuning, what_it_recommends_a_scene_can_include) { expect_coupling(Coupling:
 TEST(Tuning, Full_of_the_classic_coupling_too) { expect_coupling(Coupling::Mode::classic); }
 
 TEST(Tuning, no_contact_is_an_error_that_says_so) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.path = {{0, {Quat::Identity(), {0, 0, 1}}}, {1, {Quat::Identity(), {0, 0, 2}}}};
   try {
     plan_tuning(request, 1, never);
@@ -94,12 +94,12 @@ TEST(Tuning, no_contact_is_an_error_that_says_so) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("contact at no pose of the trajectory"));
   }
-  EXPECT_THROW(tuning_contacts(boxes(), [] { return true; }), Cancelled);
+  EXPECT_THROW(tuning_contacts(pressed_boxes(), [] { return true; }), Cancelled);
 }
 
 TEST(Tuning, what_is_not_studied_is_said) {
   // Boxes flat on each other: no corner, and nothing that jams.
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   const TuningContacts contacts = tuning_contacts(request, never);
   EXPECT_FALSE(contacts.situations.empty());
   for (const ContactKind kind : all_contact_kinds) {
@@ -118,7 +118,7 @@ TEST(Tuning, what_is_not_studied_is_said) {
 }
 
 TEST(Tuning, stiffness_beyond_all_reason_gives_a_map_of_it) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.device.mass.assumed = false;
   request.low = 1e11;
   request.high = 1e12;
@@ -248,7 +248,7 @@ void expect_rest_in_every_situation(const TuningRequest& request, double seconds
 }
 
 TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_knock) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.device.mass.assumed = false;
   request.ratio = 1.1;
   expect_rest_in_every_situation(request, 0.6);
@@ -290,7 +290,7 @@ TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_co
 }
 
 TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.device.mass.assumed = false;
   request.ratio = 1.02;
   const TuningResults results = tuned(request);
@@ -312,7 +312,7 @@ TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
 }
 
 TEST(Tuning, the_recommended_gains_hold_and_beyond_the_boundary_they_do_not) {
-  TuningRequest request = boxes();
+  TuningRequest request = pressed_boxes();
   request.device.mass.assumed = false;
   request.ratio = 1.02;
   expect_recommendation_holds(request, 5);

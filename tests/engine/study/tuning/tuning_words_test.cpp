@@ -13,10 +13,9 @@ using test::column;
 using test::line;
 using test::results;
 using test::stable_up_to;
+using test::unstable;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-constexpr auto unstable = HoldFault::unstable;
 
 TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
   TuningResults r = stable_up_to({3000, 1500});
