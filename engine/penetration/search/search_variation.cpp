@@ -37,7 +37,6 @@ constexpr Named all[] = {
     {"pushes", &SearchTuning::pushes},
     {"narrow", &SearchTuning::narrow},
     {"most_after_sketches", &SearchTuning::most_after_sketches},
-    {"most_translations", &SearchTuning::most_translations},
     {"plainly_deep", &SearchTuning::plainly_deep},
     {"tries_in_a_ball", &SearchTuning::tries_in_a_ball},
     {"near_tries", &SearchTuning::near_tries},

@@ -280,9 +280,8 @@ class Search {
   }
   /// What is left open then, from random poses; without sketches that is all there is.
   void random_rounds() {
-    int most = options_.starts;
-    if (options_.by_evidence && sketched()) most = std::min(most, tuned_.most_after_sketches);
-    if (options_.by_evidence && !rotates()) most = std::min(most, tuned_.most_translations);
+    const bool few = sketched() && options_.by_evidence;
+    const int most = few ? std::min(tuned_.most_after_sketches, options_.starts) : options_.starts;
     int start = 0;
     for (; start < most && goes_on(); start += int{per_round}) random_starts(start);
     if (start >= most && goes_on()) ++limited_;

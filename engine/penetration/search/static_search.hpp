@@ -15,7 +15,7 @@ struct StaticOptions {
   Budget budget;
   std::uint64_t seed = 1;  ///< seed of the random starts; any number
   /// The search descends from at most this many random starts. With evidence from sketches it makes
-  /// fewer (SearchTuning::most_after_sketches), and for translations (most_translations).
+  /// fewer (SearchTuning::most_after_sketches).
   int starts = 384;
   /// The search ends when this many independent starts have ended at the best depth, to 2 %.
   int agreement = 12;

@@ -57,7 +57,7 @@ TEST(ContactClusters, a_box_flat_on_a_plate_is_one_at_the_centre_of_pressure) {
   CoherentSolver solver({box, plate});
   solver.reset({X.q, X.p + Vec3(0, 0, 0.01)});
   const Separation& s = solver.tick(X);
-  EXPECT_GE(s.contacts.size, 3);
+  EXPECT_GE(s.contacts.size, 2);  // corners across from each other carry a weight between them
   ASSERT_EQ(s.clusters.size, 1);
   const ContactCluster& c = s.clusters[0];
   EXPECT_EQ(c.rows, s.contacts.size);
