@@ -11,7 +11,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-
 #include "ui/base/theme.hpp"
 #include "ui/views/handle_view.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/handle_view.hpp"
 
-
 #include "ui/document/handles.hpp"
 
 namespace sonde::ui {
