@@ -80,6 +80,7 @@ void check_beside(const OutputOptions& result, const std::string& flag, const st
 /// Writes the result, whole.
 void write_result(const OutputOptions& options, const std::string& text);
 
+/// More is a mistake in typing.
 inline constexpr unsigned most_threads = 1024;
 
 /// Validators for CLI11 that read numbers the way the rest of the program does.

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int tick_digits = 6;
+constexpr int shown_digits = 6;
 
 /// Empty where both are as recorded.
 std::string wrong_meshes(const Recording& recording) {
@@ -37,9 +37,9 @@ std::string text_of(const Recording& r) {
   const Scene& scene = r.header.scene;
   line("recording of", scene.name);
   line("begun", r.header.started);
-  line("duration", number_text(duration(r), tick_digits) + " s");
+  line("duration", number_text(duration(r), shown_digits) + " s");
   line("ticks", std::to_string(ticks_in(r)));
-  line("rate asked", number_text(r.header.rate_hz, tick_digits) + " Hz");
+  line("rate asked", number_text(r.header.rate_hz, shown_digits) + " Hz");
   line("searches", std::to_string(r.ticks.searches().size()));
   line("probe", scene.probe.mesh.string());
   line("fixed body", scene.fixed.mesh.string());

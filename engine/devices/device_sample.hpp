@@ -61,7 +61,7 @@ struct DeviceWrench {
   DeviceClock::time_point sampled{};  ///< when the sample that it answers arrived; none: not known
 };
 
-/// A wrench that nobody renews is answered with for so long.
+/// A wrench that nobody renews is applied for so long.
 inline constexpr std::chrono::milliseconds wrench_lasts{50};
 
 /// Force and torque, each scaled down to the device's limits; zero where a number is not finite.

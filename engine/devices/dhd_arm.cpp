@@ -109,11 +109,12 @@ DhdArm::DhdArm(std::shared_ptr<const DhdLibrary> library, int index)
   if (index < 0 || index > 127) throw InputError::in(path, "there is no such device");
   const int id = api.dhdOpenID(static_cast<char>(index));
   if (id < 0 || id > 127)
-    throw InputError::in(path, "libdhd cannot open it: " + own_word(api.dhdErrorGetLastStr()));
+    throw InputError::in(path,
+                         "libdhd cannot open it: " + words_or_empty(api.dhdErrorGetLastStr()));
   id_ = static_cast<char>(id);
   wrist_ = api.dhdHasWrist(id_);
   const ModelLimits limits = limits_of(api.dhdGetSystemType(id_));
-  identity_.name = own_word(api.dhdGetSystemName(id_));
+  identity_.name = words_or_empty(api.dhdGetSystemName(id_));
   if (unsigned short serial = 0; api.dhdGetSerialNumber(&serial, id_) >= 0)
     identity_.serial = std::to_string(serial);
   identity_.capabilities = {.position = true,
@@ -177,7 +178,7 @@ ArmReading DhdArm::failure() const {
   const bool gone =
       code == dhd::error_com || code == dhd::error_no_device || code == dhd::error_timeout;
   return {.kind = gone ? ArmReading::Kind::gone : ArmReading::Kind::fault,
-          .words = "libdhd: " + own_word(library_->api().dhdErrorGetLastStr())};
+          .words = "libdhd: " + words_or_empty(library_->api().dhdErrorGetLastStr())};
 }
 
 ArmReading DhdArm::checked_status() {

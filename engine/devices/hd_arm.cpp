@@ -52,7 +52,7 @@ const VendorLibraryName& HdLibrary::name() {
 
 HdLibrary::HdLibrary(const std::filesystem::path& file) {
   hd::bind(api_, VendorLibrary(file));
-  version_ = own_word(api_.hdGetString(hd::version));
+  version_ = words_or_empty(api_.hdGetString(hd::version));
 }
 
 HdArm::HdArm(std::shared_ptr<const HdLibrary> library, const std::string& name)
@@ -105,11 +105,11 @@ void HdArm::check(const std::string& path, const char* what) const {
 
 void HdArm::identify(const std::string& path) {
   const hd::Api& api = library_->api();
-  if (const std::string version = own_word(api.hdGetString(hd::version));
+  if (const std::string version = words_or_empty(api.hdGetString(hd::version));
       !version.empty() && std::atoi(version.c_str()) != 3)
     throw InputError::in(path, "the version of libHD is " + version + "; this program knows 3");
-  identity_.name = own_word(api.hdGetString(hd::model_type));
-  identity_.serial = own_word(api.hdGetString(hd::serial_number));
+  identity_.name = words_or_empty(api.hdGetString(hd::model_type));
+  identity_.serial = words_or_empty(api.hdGetString(hd::serial_number));
   int dof = 3;
   api.hdGetIntegerv(hd::output_dof, &dof);
   six_ = dof == 6;
@@ -152,7 +152,7 @@ std::string HdArm::words_of(unsigned error) const {
     case hd::already_initiated:
       return "another program has it open";
     default:
-      return "libHD: " + own_word(library_->api().hdGetErrorString(error));
+      return "libHD: " + words_or_empty(library_->api().hdGetErrorString(error));
   }
 }
 

@@ -58,7 +58,7 @@ class VendorLibrary {
 };
 
 /// What a library answers in words; null: nothing.
-inline std::string own_word(const char* words) { return words ? words : ""; }
+inline std::string words_or_empty(const char* words) { return words ? words : ""; }
 
 /// "Get it from ...; or name its file by the variable ..."
 std::string how_to_get(const VendorLibraryName& name);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/numbers.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/shapes.hpp"
@@ -16,7 +17,6 @@ namespace sonde::reference {
 namespace {
 
 const DescentGoal coarse{.residual = 5e-3, .steps = 40};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A spiral over the sphere, turned at random: every seed comes in from elsewhere.
 std::vector<Vec3> directions(int count, std::mt19937_64& random) {

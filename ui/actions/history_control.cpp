@@ -20,7 +20,6 @@ namespace {
 constexpr qint64 state_ms = 60;  // faster than that nobody reads
 constexpr int ending_ms = 15;    // a recording is closed within that, but on a slow disk
 
-/// Whole: the program may be in another folder later.
 /// What a run with other gains is made of.
 struct Order {
   Pair pair;

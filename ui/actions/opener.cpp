@@ -15,7 +15,6 @@
 namespace sonde::ui {
 namespace {
 
-/// Whole: what is written of it later must not depend on the folder that the program is in then.
 /// What is open is written as text, for saving and recovery: a name that no text can hold is told
 /// of here, before anything is on show.
 LoadedScene nameable(LoadedScene opened) {

@@ -64,7 +64,7 @@ class Arrow {
   vtkSmartPointer<vtkActor> shaft_, head_;
 };
 
-/// An arc of this angle is a ring with room between its tip and its beginning.
+/// All but a little of a ring: where it begins and ends, its head says which way it turns.
 inline constexpr double ring_angle = 1.93 * std::numbers::pi;
 
 /// An arc round an axis, with a head at its end.

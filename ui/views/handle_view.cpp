@@ -8,7 +8,6 @@ namespace {
 
 constexpr double shaft_pixels = 1.6;
 constexpr double handle_ring_pixels = 1.1;
-// All but a little: where a ring begins and ends its head says which way it turns.
 
 struct Axis {
   const char* name;

@@ -16,8 +16,8 @@ namespace {
 // more: then the grid is made coarser.
 constexpr int first_divisions = 48;
 constexpr int least_divisions = 8;
-constexpr double sharp_edge_of_cells =
-    50;  // degrees; the edges between cells are not the body's own
+// Degrees; the edges between cells are not the body's own.
+constexpr double sharp_edge_of_cells = 50;
 
 /// What is drawn elsewhere is traversed there: a vtkCellArray remembers how far it was.
 vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {

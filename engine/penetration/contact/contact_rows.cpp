@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/numbers.hpp"
 #include "engine/base/phase_timer.hpp"
 #include "engine/penetration/contact/face_overlap.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -241,7 +242,7 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
     keep({a, b});
-    take({p.a, p.b, p.normal, p.gap, a, b}, X_, std::numeric_limits<double>::infinity());
+    take({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity);
   }
   linearise(chart, y, before);
   out.news = count_ > before;

@@ -24,8 +24,8 @@ struct Parts {
 };
 
 /// The active rows, and what they make of a further normal. Their normals are kept as N = QR, with
-/// orthonormal columns in Q and R upper triangular: a row that comes or leaves costs a few dozen
-/// multiplications.
+/// orthonormal columns in Q and R upper triangular: a row that comes or leaves costs at most
+/// two hundred multiplications.
 class ActiveSet {
  public:
   int size() const { return static_cast<int>(size_); }
@@ -79,7 +79,7 @@ class ActiveSet {
  private:
   /// Turns columns j and j + 1 of Q in their plane, so that column j of R ends on its diagonal.
   void turn(std::size_t j) {
-    const double length = std::hypot(R_[j][j], R_[j][j + 1]);
+    const double length = std::sqrt(R_[j][j] * R_[j][j] + R_[j][j + 1] * R_[j][j + 1]);
     const double c = R_[j][j] / length, s = R_[j][j + 1] / length;
     const Vec6 first = c * Q_[j] + s * Q_[j + 1];
     Q_[j + 1] = c * Q_[j + 1] - s * Q_[j];

@@ -73,7 +73,9 @@ double SketchDescent::depth_of_points(const Chart& chart, const Vec6& y) {
   return std::max(0.0, -find_near(Frame(chart, y, R_FB_, com_B_), 0, false));
 }
 
-/// The least gap of a group, or more than the reach; add(point, what is there) for all within.
+/// The least gap of a group, as far as it is within reach, else something beyond that; add(point,
+/// what is there) for all within. A field changes by no more than the way from a centre to a point,
+/// to a third of a cell: what is too far by that is passed over.
 template <class Place, class Add>
 double SketchDescent::find_near_in(const PointGroup& group, const DistanceField& field,
                                    Known& known, double reach, const Place& place, const Add& add) {

@@ -119,9 +119,8 @@ struct SearchTuning {
 
   // Random starts
   /// After sketches have said what they can. On depths.csv, 16, 32, 64 and 160 of them leave the
-  /// same poses of three seeds over 1 % too deep; with the bodies moved or mirrored, five poses
-  /// of 484 differ by more than 1 % with 64, as with 160, and seven with 32, one by 22 %.
-  /// StaticOptions::starts is the limit where there are no sketches.
+  /// same poses of three seeds over 1 % too deep; with the bodies moved, 32 lose two poses more
+  /// than 64, one by 22 %. StaticOptions::starts is the limit where there are no sketches.
   int most_after_sketches = 64;
   /// Grid cells: where sketches lie deeper in each other, a random pose is no free one, and the
   /// bodies are not asked. Lower: poses are lost that sketches are wrong about.

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "engine/base/numbers.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -203,7 +204,6 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
 
 void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
                            const Displacement& ahead, Effort& effort) noexcept {
-  const double infinity = std::numeric_limits<double>::infinity();
   const double clearance = pairs.clearance();
   TriangleBatch at_start(a_, b_, pairs.start().X), at_end(a_, b_, pairs.end());
   const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {

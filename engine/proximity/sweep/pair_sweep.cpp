@@ -16,8 +16,7 @@ constexpr int work_to_look_at_triangles = 50;
 
 double safe_advance(double slack, double speed, double acceleration) {
   if (slack <= 0) return 0;
-  if (acceleration <= 0)
-    return speed >= 0 ? std::numeric_limits<double>::infinity() : slack / -speed;
+  if (acceleration <= 0) return speed >= 0 ? infinity : slack / -speed;
   // The positive root of slack + speed x − ½ acceleration x², in the form that does not cancel.
   const double root = std::sqrt(speed * speed + 2 * acceleration * slack);
   return speed >= 0 ? (speed + root) / acceleration : 2 * slack / (root - speed);
@@ -89,7 +88,7 @@ bool PairSweep::is_clear_along(std::uint32_t i, std::uint32_t j, const Vec3& n) 
   const double to = gap_along(n, place(end, local), tb), floor = floor_of(from);
   if (!(from >= floor && to >= floor)) return false;
   const Vec3 bending = motion_.bend().transpose() * n;
-  double bend = -std::numeric_limits<double>::infinity();
+  double bend = -infinity;
   for (const Vec3& x : local) bend = std::max(bend, bending.dot(x - motion_.com()));
   return std::min(from, to) - floor >= until * until * hangs_by(bend);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel of triangle_lanes.hpp, for as many lanes as the including source says (lanes.hpp).
 #pragma once
+
 #include "engine/base/numbers.hpp"
 #include "engine/proximity/triangles/triangle_lanes.hpp"
 #include "engine/simd/lanes.hpp"

@@ -9,6 +9,7 @@
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
+#include "engine/study/trade/trade_results.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {

@@ -9,7 +9,6 @@
 #include "engine/scene/poses.hpp"
 #include "engine/study/parts/study_parts.hpp"
 #include "engine/study/trade/trade.hpp"
-#include "engine/study/trade/trade_results.hpp"
 
 namespace sonde {
 

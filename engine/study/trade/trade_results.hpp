@@ -18,7 +18,7 @@ namespace sonde {
 enum class TradeKind { search, bound, tick };
 const char* name_of(TradeKind kind);  ///< "static", "bound", "coherent"
 const char* title_of(Method method);  ///< "PD_g", "PD_t"
-/// Those that are studied.
+/// The methods that are studied.
 inline constexpr Method traded_methods[] = {Method::pdg, Method::pdt};
 
 /// One point of the trade. The budget is counted: steps of a search (Budget::steps), work of a

@@ -7,12 +7,11 @@
 #include <limits>
 #include <set>
 
+#include "engine/base/numbers.hpp"
 #include "engine/calibration/calibration_file.hpp"
 
 namespace sonde {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Ten errors of which nine are no more than this.
 std::vector<double> nine_within(double error) {
@@ -35,7 +34,7 @@ TEST(AccuracyCurve, is_the_ninth_of_ten_errors_and_logarithmic_in_between) {
   EXPECT_NEAR(curve.within(2000), 0.04, 1e-12);  // half-way: the geometric mean
   EXPECT_DOUBLE_EQ(curve.within(0), 1e-4);
   EXPECT_DOUBLE_EQ(curve.within(1e6), 0.01) << "a longer limit than was measured is no worse";
-  EXPECT_EQ(curve.within(900), infinite) << "less time than was measured";
+  EXPECT_EQ(curve.within(900), infinity) << "less time than was measured";
 }
 
 TEST(AccuracyCurve, may_be_of_one_pair_alone) {
@@ -67,9 +66,9 @@ TEST(AccuracyCurve, more_time_is_never_worse_and_failures_are_infinitely_wrong) 
   calibration.series[0].points[1].errors = nine_within(0.3);
   const AccuracyCurve worse(calibration, Answers::search, Method::pdg, true);
   EXPECT_DOUBLE_EQ(worse.within(4000), 0.16);
-  calibration.series[0].points[0].errors = {0, 0, infinite, infinite};
+  calibration.series[0].points[0].errors = {0, 0, infinity, infinity};
   const AccuracyCurve failing(calibration, Answers::search, Method::pdg, true);
-  EXPECT_EQ(failing.within(1000), infinite);
+  EXPECT_EQ(failing.within(1000), infinity);
   EXPECT_EQ(failing.time_for(0.35), 4000);
 }
 
@@ -77,7 +76,7 @@ TEST(AccuracyCurve, other_pairs_serve_where_none_of_the_kind_was_measured) {
   EXPECT_TRUE(AccuracyCurve(made_up_series(), Answers::search, Method::pdg, false).known());
   const AccuracyCurve none(made_up_series(), Answers::tick, Method::pdg, true);
   EXPECT_FALSE(none.known());
-  EXPECT_EQ(none.within(1000), infinite);
+  EXPECT_EQ(none.within(1000), infinity);
   EXPECT_EQ(none.time_for(0.1), 0);
 }
 

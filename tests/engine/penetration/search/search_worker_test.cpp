@@ -46,6 +46,22 @@ TEST_F(LaneTest, more_steps_of_a_descent_go_on_where_fewer_stop) {
   }
 }
 
+// References: exact predicates, and what is found without sketches.
+TEST_F(LaneTest, sketches_pass_over_no_free_pose_and_let_no_other_through) {
+  const Sketches sketches = make_sketches(*ring, *plate);
+  SketchDescent descent(*sketches.probe, *sketches.fixed, plate->mass);
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Random with(seed), without(seed);
+    const auto sample = [&](Random& from, SketchDescent* asked) {
+      return lane.free_sample(chart, from, Vec6::Zero(), 0.15, 200, Method::pdg, {}, asked);
+    };
+    const auto y = sample(with, &descent), other = sample(without, nullptr);
+    ASSERT_TRUE(y && other) << seed;
+    EXPECT_EQ(*y, *other) << seed;
+    EXPECT_FALSE(overlap(*ring, *plate, Transform(chart.pose(*y)), Doubt::exact)) << seed;
+  }
+}
+
 TEST_F(LaneTest, samples_of_translations_do_not_turn) {
   for (int i = 0; i < 20; ++i) {
     EXPECT_TRUE(lane.sample(random, 1, Method::pdt).head<3>().isZero(0));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/numbers.hpp"
 #include "tests/engine/proximity/triangles/supported_sets.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/shapes.hpp"
@@ -23,8 +24,6 @@ namespace {
 
 using test::supported_sets;
 using test::TrianglePair;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Eight pairs of one family at one place, and what they are called in a message.
 struct Batch {
