@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/support/brute_force.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
