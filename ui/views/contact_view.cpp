@@ -6,6 +6,7 @@
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui {
+
 ContactView::Marker::Marker(vtkRenderer& renderer, GlyphShapes& shapes)
     : on_probe{renderer, shapes, colour::probe.lighter(130)},
       on_fixed{renderer, shapes, colour::contact},

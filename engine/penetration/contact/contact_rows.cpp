@@ -11,6 +11,7 @@
 #include "engine/proximity/queries/triangle_batch.hpp"
 
 namespace sonde {
+
 ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
                          const Finding& finding)
     : probe_(probe),

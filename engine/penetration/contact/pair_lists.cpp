@@ -8,6 +8,7 @@
 #include "engine/penetration/contact/contact_tuning.hpp"
 
 namespace sonde {
+
 PairLists::PairLists(const Body& probe, const Body& fixed, std::size_t capacity)
     : radius_(probe.mass.radius),
       lists_{NeighbourList(probe, fixed, capacity), NeighbourList(probe, fixed, capacity)},
