@@ -62,19 +62,24 @@ TEST_P(ArmSafety, the_force_of_a_contact_rises_from_zero_and_no_faster_than_its_
   settings.safety.ramp_time = 0.2;
   settings.safety.force_slew = 20;  // N/s: a force of 1 N takes 50 ms
   begin(settings);
-  Snapshot tick;
-  while (loop->servo.next_tick(tick)) continue;
+  Snapshot tick, last;
+  while (loop->servo.next_tick(last)) continue;
   press_in();
-  double last = 0, most = 0;
+  // The reference is the limit itself over each tick's own time: a machine that does much else
+  // makes ticks late, and one that is later than 5 ms counts for 5 ms.
+  double pushed = 0;
   int rising = 0;
   while (loop->servo.next_tick(tick)) {
-    const double now = tick.wrench.force.norm();
-    if (now > last) ++rising;
-    most = std::max(most, now - last);
-    last = now;
+    const double since = tick.time - last.time;
+    const double more = tick.wrench.force.norm() - last.wrench.force.norm();
+    const double counted = 0.005 * static_cast<double>(tick.tick - last.tick);
+    EXPECT_LE(more, 20 * std::min(since, counted) + 1e-6) << "after " << since << " s";
+    if (more > 0) ++rising;
+    pushed = std::max(pushed, tick.wrench.force.norm());
+    last = tick;
   }
-  EXPECT_GT(rising, 30) << "50 ticks of 1 ms, fewer where some come late";
-  EXPECT_LT(most, 0.5) << "never all at once";
+  EXPECT_NEAR(pushed, 1, 0.02);
+  EXPECT_GE(rising, 9) << "1 N in steps of at most 0.1 N";
 }
 
 TEST_P(ArmSafety, escape_ends_the_force_and_after_it_the_force_rises_again) {
