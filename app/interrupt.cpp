@@ -10,15 +10,16 @@ namespace sonde::app {
 namespace {
 
 constexpr int interrupted_exit_code = 130;
-volatile sig_atomic_t writing = 0;
-volatile sig_atomic_t noting = 0;
+// The handler may run in any thread.
+std::atomic<bool> writing{false};
+std::atomic<bool> noting{false};
 std::atomic<bool> noted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 // Not cooperative by default: a single search may run for minutes, and there is nothing to undo.
 extern "C" void on_interrupt(int) {
-  if (noting != 0) return noted.store(true);
-  if (writing == 0) _exit(interrupted_exit_code);
+  if (noting.load()) return noted.store(true);
+  if (!writing.load()) _exit(interrupted_exit_code);
 }
 
 }  // namespace
@@ -34,9 +35,9 @@ void catch_interrupts() {
   signal(SIGPIPE, SIG_IGN);
 }
 
-void finish_despite_interrupts() { writing = 1; }
+void finish_despite_interrupts() { writing.store(true); }
 
-void note_interrupts() { noting = 1; }
+void note_interrupts() { noting.store(true); }
 bool interrupt_noted() { return noted.load(); }
 
 }  // namespace sonde::app

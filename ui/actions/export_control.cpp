@@ -17,6 +17,7 @@
 #include "ui/export/image_file.hpp"
 #include "ui/export/tables.hpp"
 #include "ui/views/drawn_session.hpp"
+#include "ui/views/surface.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -54,14 +55,9 @@ void ExportControl::attach(const DrawnSession* drawn) {
   drawn_ = drawn;
 }
 
-/// For another thread: shells of their own round the points and triangles that are drawn.
+/// For another thread.
 Surfaces ExportControl::surfaces() const {
-  const auto shell_of = [](vtkPolyData* surface) {
-    auto shell = vtkSmartPointer<vtkPolyData>::New();
-    shell->ShallowCopy(surface);
-    return shell;
-  };
-  return {shell_of(drawn_->bodies.probe_surface), shell_of(drawn_->bodies.fixed_surface),
+  return {shell_of(*drawn_->bodies.probe_surface), shell_of(*drawn_->bodies.fixed_surface),
           drawn_->session->probe().mass.com};
 }
 

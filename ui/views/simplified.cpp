@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/simplified.hpp"
 
-#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkQuadricClustering.h>
 
 #include <cmath>
+
+#include "ui/views/surface.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -19,14 +20,12 @@ constexpr int least_divisions = 8;
 // Degrees; the edges between cells are not the body's own.
 constexpr double sharp_edge_of_cells = 50;
 
-/// What is drawn elsewhere is traversed there: a vtkCellArray remembers how far it was.
-vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {
-  vtkNew<vtkCellArray> cells;
-  cells->ShallowCopy(surface.GetPolys());
-  auto shell = vtkSmartPointer<vtkPolyData>::New();
-  shell->SetPoints(surface.GetPoints());
-  shell->SetPolys(cells);
-  return shell;
+/// Only what the clustering is about: no normals.
+vtkSmartPointer<vtkPolyData> bare(vtkPolyData& surface) {
+  auto out = vtkSmartPointer<vtkPolyData>::New();
+  out->SetPoints(surface.GetPoints());
+  out->SetPolys(shell_of(surface)->GetPolys());
+  return out;
 }
 
 vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, int divisions) {
@@ -41,7 +40,7 @@ vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, int divisions) {
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> simplified(vtkPolyData& surface) {
-  const auto shell = shell_of(surface);
+  const auto shell = bare(surface);
   int divisions = first_divisions;
   auto coarse = clustered(*shell, divisions);
   while (coarse->GetNumberOfPolys() > simplified_triangles && divisions > least_divisions) {

@@ -57,4 +57,13 @@ vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup) {
   return smooth;
 }
 
+vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {
+  auto shell = vtkSmartPointer<vtkPolyData>::New();
+  shell->ShallowCopy(&surface);  // which shares the cells
+  vtkNew<vtkCellArray> cells;
+  cells->ShallowCopy(surface.GetPolys());
+  shell->SetPolys(cells);
+  return shell;
+}
+
 }  // namespace sonde::ui

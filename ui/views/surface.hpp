@@ -13,4 +13,8 @@ namespace sonde::ui {
 /// worker.
 vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup);
 
+/// The same points and triangles for another thread. What is drawn here is traversed here, and a
+/// vtkCellArray remembers how far it was: the shell has one of its own, round the same indices.
+vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface);
+
 }  // namespace sonde::ui

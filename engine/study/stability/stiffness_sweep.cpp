@@ -49,8 +49,8 @@ class Sweep {
     }
   }
 
-  /// Bisects below the first that fails above `from`, until the limit is known to the ratio.
-  SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, options_.ratio); }
+  /// Bisects below the first that fails above `from`, until the limit is known closely enough.
+  SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, options_.known_to); }
   SweepLimit limit(const Fits& fits, double from, double ratio) {
     for (;;) {
       double low = 0, high = 0;
@@ -149,7 +149,7 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
   // Nothing is recommended of a sweep without anything good: its map need not be fine.
-  const double finest = sweep.any(good) ? options.ratio : std::max(options.ratio, 1.1);
+  const double finest = sweep.any(good) ? options.known_to : std::max(options.known_to, 1.1);
   for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
     before = sweep.size();
     out.stable = sweep.limit(stable, options.low, finest);

@@ -47,8 +47,10 @@ struct SweepOptions {
   double start = 500;  ///< a stiffness that is likely to hold; in [low, high]
   double low = 1;      ///< allowed range, both above zero
   double high = 1e5;
-  double ratio =
-      1.02;  ///< search until the failing stiffness is at most this many times the holding one
+  /// Its sixteenth power is a step of the walk.
+  double ratio = 1.02;
+  /// Searches until the failing stiffness is at most this many times the holding one.
+  double known_to = 1.02;
   bool beyond = true;  ///< points above the limits too, for the map
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/text/json_numbers.hpp"
@@ -124,7 +125,8 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
                             const SweepLimit& stable, const Stop& stop) {
   const auto run = [&](double stiffness) {
     HoldReport report;
-    for (const double knock : harder_knocks) {
+    // The hardest first: where it fails the others need not be known.
+    for (const double knock : std::views::reverse(harder_knocks)) {
       report = hold(setup, options.axis, stiffness, damping, knock);
       if (!comes_to_rest(report)) break;
     }
@@ -150,13 +152,19 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const bool known = std::isfinite(theory.stable) && theory.stable > 0;
   const double start = known ? theory.stable : std::sqrt(range.low * range.high);
   const double low = known ? std::clamp(start / useful_range, range.low, range.high) : range.low;
-  const SweepOptions options{
-      axis, std::clamp(start, range.low, range.high), low, range.high, setup.ratio, extent.beyond};
+  const bool in_full = !extent.in_full || share == *extent.in_full;
+  const SweepOptions options{.axis = axis,
+                             .start = std::clamp(start, range.low, range.high),
+                             .low = low,
+                             .high = range.high,
+                             .ratio = setup.ratio,
+                             .known_to = in_full ? setup.ratio : coarse_ratio(setup.ratio),
+                             .beyond = extent.beyond && in_full};
   const auto run = [&](double stiffness) { return hold(setup, axis, stiffness, damping); };
   const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
   Json out = json_of(damping, theory, sweep, axis);
   // Nothing to recommend, so nothing to cap.
-  if (sweep.good.stiffness == 0 && share != extent.always_capped) return out;
+  if (sweep.good.stiffness == 0 && (!extent.in_full || !in_full)) return out;
   if (extent.without_friction) {
     const auto frictionless = without_friction(setup, options, damping, theory, stop);
     add_limit(out, "without_friction", frictionless.limit);
@@ -168,6 +176,8 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
 }
 
 }  // namespace
+
+double coarse_ratio(double ratio) { return std::min(2.0, std::pow(ratio, 5)); }
 
 Press press_of(const TuningSituation& situation) {
   return {.X_FM = situation.contact.separation.separated, .push = situation.push};

@@ -48,13 +48,17 @@ constexpr double harder_knocks[] = {2, 4};
 
 /// What a sweep searches beside the limits of the setup as it is.
 struct SweepExtent {
-  bool beyond = false;            ///< runs a little above the limits, for the map
+  bool beyond = false;            ///< runs above the limits, for the map
   bool without_friction = false;  ///< the limit of stability of a device without friction
   bool harder_knocks = false;     ///< that at harder_knocks, where it is lower
-  /// The share of the largest damping at which these two are searched for even where nothing is
-  /// good; elsewhere there is nothing to cap.
-  std::optional<double> always_capped = {};
+  /// The share of the largest damping that is searched in full; not given: each is. At others the
+  /// limits are known to `coarse_ratio` of the setup's, nothing is run above them, and where
+  /// nothing is good these two are not searched for: there is nothing to cap.
+  std::optional<double> in_full = {};
 };
+/// The fifth power of a sweep's ratio, at most 2: what holds is at most a tenth below the limit
+/// where the ratio is 1.02.
+double coarse_ratio(double ratio);
 
 /// The push alone, with its knock.
 Press press_of(const TuningSituation& situation);

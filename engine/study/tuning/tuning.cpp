@@ -221,6 +221,7 @@ Json about(const TuningPlan& plan) {
                              : r.coupling.max_torque},
           {"sample_time", r.sample_time},
           {"budget_steps", r.budget.steps},
+          {"budget_work", r.budget.work},
           {"seed", r.seed},
           {"ratio", r.ratio},
           {"low", r.low},
@@ -235,6 +236,16 @@ Json about(const TuningPlan& plan) {
 }
 
 }  // namespace
+
+Budget counted_budget(const Budget& servo) {
+  constexpr double units_per_us = 100;
+  constexpr std::int64_t most_work = 3'000'000;
+  Budget out{.steps = servo.steps > 0 ? servo.steps : 60, .work = most_work};
+  if (servo.microseconds > 0)
+    out.work =
+        std::clamp<std::int64_t>(std::llround(units_per_us * servo.microseconds), 1, most_work);
+  return out;
+}
 
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
                                const std::function<void(double)>& progress) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/settings/device_profile.hpp"
 #include "engine/study/parts/study_parts.hpp"
@@ -12,17 +13,21 @@
 
 namespace sonde {
 
+/// What a servo's tick may take, as counted work: a study may not depend on a clock. A µs is 100
+/// units of Effort. What takes a tick longer than the servo gives it does not come in time, and is
+/// not studied: it ends early, with a separation that is larger than it need be. Without a limit of
+/// time it is what a tick after a jump may take, some 30 ms: where a loop that is wild throws the
+/// probe about, one tick could otherwise take many seconds. Steps: 60 where the servo has no limit.
+Budget counted_budget(const Budget& servo);
+
 /// The input of a study of a coupling's gains.
 struct TuningRequest {
   Pair pair;
   Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
   Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
   Method method = Method::pdg;
-  double sample_time = 1e-3;  ///< s
-  /// Of a tick; counted work. What a tick after a jump may take, some 30 ms: where a loop that is
-  /// wild throws the probe about, one tick could otherwise take many seconds. It then ends early,
-  /// with a separation that is larger than it need be.
-  Budget budget{.steps = 60, .work = 3'000'000};
+  double sample_time = 1e-3;                               ///< s
+  Budget budget = counted_budget(ServoSettings{}.budget);  ///< of a tick
   DeviceProfile device = {};
   std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
   std::uint64_t seed = 1;

@@ -74,7 +74,7 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             if (part.first_look) setup.ratio = std::max(setup.ratio, first_look_ratio);
             // What an axis could do alone is for the map, and nothing is recommended by it.
             const bool alone = part.axis != main_axis(plan->request);
-            if (alone) setup.ratio = coarser(setup.ratio, 8);
+            if (alone) setup.ratio = coarser(setup.ratio, 16);
             if (!nominal) setup.ratio = varied_ratio(setup.ratio);
             // Parts that vary a friction go by the limit without any of the profile as it is.
             const bool varies_friction = !nominal && is_friction(part.assumed);
@@ -83,7 +83,7 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             SweepExtent extent{.beyond = in_full,
                                .without_friction = rubs && !varies_friction,
                                .harder_knocks = rubs && nominal};
-            if (in_full) extent.always_capped = plan->damping_share;
+            if (in_full) extent.in_full = plan->damping_share;
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},
                       {"hand", part.grip->name},

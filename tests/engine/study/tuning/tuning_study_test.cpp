@@ -116,13 +116,51 @@ TEST(TuningStudy, parts_that_vary_a_friction_go_by_the_limit_without_any) {
     DeviceProfile device = request.device;
     device.friction.value *= line.times;
     const TuningSetup setup = tuning_setup(*plan, line.situation, hand_grips[0], device);
-    const auto searched = nlohmann::json::parse(sweep_gains(
-        setup, GainAxis::object, {0}, {.without_friction = true, .always_capped = 0}, never));
+    const auto searched = nlohmann::json::parse(
+        sweep_gains(setup, GainAxis::object, {0}, {.without_friction = true, .in_full = 0}, never));
     const double reference = searched.at("columns").front().at("without_friction");
     ASSERT_TRUE(line.columns.front().without_friction) << line.times;
     EXPECT_DOUBLE_EQ(line.columns.front().without_friction->stiffness, reference);
   }
   EXPECT_EQ(varied, 2);
+}
+
+// Reference: the same sweep with every damping in full.
+TEST(TuningStudy, limits_at_other_dampings_are_known_to_a_coarser_ratio) {
+  TuningRequest request = boxes_held_by("sigma.7");
+  request.coupling.mode = Coupling::Mode::classic;
+  const auto plan = plan_of(request);
+  const TuningSetup setup = tuning_setup(*plan, hardest(*plan), hand_grips[1]);
+  const std::vector<double> shares{0, 0.125};
+  const auto columns = [&](const SweepExtent& extent) {
+    return nlohmann::json::parse(sweep_gains(setup, GainAxis::together, shares, extent, never))
+        .at("columns");
+  };
+  const auto fine = columns({.beyond = true});
+  const auto coarse = columns({.beyond = true, .in_full = 0});
+  EXPECT_EQ(coarse[0], fine[0]);
+  EXPECT_LT(coarse[1].at("runs").size(), fine[1].at("runs").size());
+  const double known_to = coarse_ratio(setup.ratio);
+  EXPECT_LE(known_to, 1.11 * std::pow(setup.ratio / 1.02, 5));
+  for (const char* limit : {"stable", "good"}) {
+    ASSERT_GT(fine[1].at(limit), 0) << limit;
+    const double times = coarse[1].at(limit).get<double>() / fine[1].at(limit).get<double>();
+    EXPECT_LE(times, setup.ratio) << limit;
+    EXPECT_GE(times, 1 / known_to) << limit;
+  }
+}
+
+TEST(TuningStudy, a_tick_may_take_what_the_servo_gives_it) {
+  const Budget of_servo = counted_budget({.steps = 0, .microseconds = 800});
+  EXPECT_EQ(of_servo.work, 80'000);
+  EXPECT_EQ(of_servo.microseconds, 0) << "a clock";
+  EXPECT_EQ(of_servo.steps, 60);
+  EXPECT_EQ(counted_budget({.steps = 7, .microseconds = 0.001}).work, 1);
+  EXPECT_EQ(counted_budget({.steps = 7}).steps, 7);
+  EXPECT_EQ(counted_budget({}).work, 3'000'000);
+  EXPECT_EQ(counted_budget({.microseconds = 1e6}).work, 3'000'000);
+  EXPECT_EQ(TuningRequest{.pair = boxes_held_by("sigma.7").pair}.budget.work,
+            counted_budget(ServoSettings{}.budget).work);
 }
 
 TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_no_use) {

@@ -257,14 +257,14 @@ TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
 
-// Known, and said with the recommendation: there the motors drive the swing, whatever the
-// stiffness.
+// Known, and said with the recommendation: at no stiffness it comes to rest there. The motors drive
+// the swing; at 300 N/m and below they may as well take from it, where the probe slides about.
 TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_contact) {
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
   const TuningPlan plan = tuning_plan(request, never);
   ASSERT_EQ(plan.contacts.situations[0].contact.kind, ContactKind::flat);
-  for (const double k : {172.0, 551.0, 1801.0}) {
+  for (const double k : {172.0, 400.0, 551.0, 1801.0}) {
     TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
     set_gains(setup.loop.coupling, GainAxis::together, k, 0, plan.joint);
     setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
@@ -273,7 +273,9 @@ TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_co
     ClosedLoop loop(setup.loop);
     const HoldReport held = press_and_hold(loop, press);
     EXPECT_FALSE(comes_to_rest(held)) << k << ' ' << held.growth;
-    EXPECT_GT(held.work, 0.05) << k;  // J
+    if (k >= 400) {
+      EXPECT_GT(held.work, 0.05) << k;  // J
+    }
   }
   const auto swings = [](const TuningSetup& setup, GainAxis axis) {
     const SweepExtent extent{.without_friction = true};
