@@ -150,6 +150,21 @@ TEST_F(Faults, a_home_that_takes_nothing_is_not_needed) {
   EXPECT_EQ(sonde_after("env -u HOME", query).exit_code, 0);
 }
 
+/// SIGPIPE would end it without a word.
+TEST_F(Faults, a_reader_that_goes_away_is_told_of) {
+  std::string poses = "px,py,pz,qw,qx,qy,qz\n";
+  for (int i = 0; i < 20000; ++i) poses += "9,0,0,1,0,0,0\n";  // more than a pipe holds
+  folder.write("many.csv", poses);
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && { '" SONDE_PROGRAM
+                              "' query boxes.sonde.json --poses many.csv 2>err; echo $? >code; } | "
+                              "head -c 10 >seen";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(text_of(folder / "seen"), "index,stat");
+  EXPECT_EQ(text_of(folder / "code"), "3\n");
+  EXPECT_THAT(text_of(folder / "err"), HasSubstr("standard output: cannot be written: "));
+}
+
 TEST_F(Faults, a_study_refuses_a_folder_that_holds_other_things) {
   std::filesystem::create_directory(folder / "mine");
   folder.write("mine/letter.txt", "dear");
