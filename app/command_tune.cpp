@@ -61,7 +61,8 @@ Command add_tune_command(CLI::App& program) {
   parser
       ->add_option(
           "--ratio", options->ratio,
-          "search limits until the failing stiffness is at most this many times the holding one")
+          "search limits until the failing stiffness is at most this many times the holding one, "
+          "at the damping that allows most; at others to its fifth power")
       ->check(check_ratio)
       ->capture_default_str();
   parser->add_option("--from", options->low, "least stiffness studied, N/m")

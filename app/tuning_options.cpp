@@ -35,7 +35,7 @@ TuningRequest request_of(const Scene& scene, const TuningOptions& options, const
   if (const auto mode = coupling_mode(options.coupling_mode)) request.coupling.mode = *mode;
   request.method = method_named(options.method).value();
   request.sample_time = 1 / scene.servo.rate_hz;
-  request.budget = counted_budget(scene.servo.budget);
+  request.budget = counted_budget(scene.servo);
   request.device = device;
   if (!options.trajectory.empty()) request.path = path_to_study(options.trajectory);
   request.seed = options.seed;

@@ -61,7 +61,7 @@ TuningRequest request_of(const TuningOrder& order, const LoadedScene& opened) {
   request.coupling = opened.coupling;
   request.coupling.mode = order.mode;
   request.sample_time = 1 / opened.servo.rate_hz;
-  request.budget = counted_budget(opened.servo.budget);
+  request.budget = counted_budget(opened.servo);
   request.device = order.device;
   request.inputs = inputs_of(opened);
   return request;

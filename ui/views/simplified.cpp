@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/simplified.hpp"
 
+#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
@@ -24,7 +25,7 @@ constexpr double sharp_edge_of_cells = 50;
 vtkSmartPointer<vtkPolyData> bare(vtkPolyData& surface) {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   out->SetPoints(surface.GetPoints());
-  out->SetPolys(shell_of(surface)->GetPolys());
+  out->SetPolys(own_cells(surface));
   return out;
 }
 

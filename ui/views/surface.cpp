@@ -57,12 +57,16 @@ vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup) {
   return smooth;
 }
 
+vtkSmartPointer<vtkCellArray> own_cells(vtkPolyData& surface) {
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->ShallowCopy(surface.GetPolys());
+  return cells;
+}
+
 vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface) {
   auto shell = vtkSmartPointer<vtkPolyData>::New();
   shell->ShallowCopy(&surface);  // which shares the cells
-  vtkNew<vtkCellArray> cells;
-  cells->ShallowCopy(surface.GetPolys());
-  shell->SetPolys(cells);
+  shell->SetPolys(own_cells(surface));
   return shell;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/geometry/soup.hpp"
 
+class vtkCellArray;
 class vtkPolyData;
 
 namespace sonde::ui {
@@ -13,8 +14,10 @@ namespace sonde::ui {
 /// worker.
 vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup);
 
-/// The same points and triangles for another thread. What is drawn here is traversed here, and a
-/// vtkCellArray remembers how far it was: the shell has one of its own, round the same indices.
+/// The triangles of a surface for another thread than draws it: a vtkCellArray remembers how far it
+/// was traversed, so that each thread needs one of its own, round the same indices.
+vtkSmartPointer<vtkCellArray> own_cells(vtkPolyData& surface);
+/// The same surface for another thread; to be called in the one that draws it.
 vtkSmartPointer<vtkPolyData> shell_of(vtkPolyData& surface);
 
 }  // namespace sonde::ui

@@ -16,6 +16,8 @@ using Fits = std::function<bool(const HoldReport&)>;
 /// A swing that keeps this share of its energy from window to window may soon keep all of it.
 constexpr double slow_to_die = 0.1;
 
+double known_to(const SweepOptions& options) { return options.known_to.value_or(options.ratio); }
+
 class Sweep {
  public:
   Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
@@ -50,7 +52,7 @@ class Sweep {
   }
 
   /// Bisects below the first that fails above `from`, until the limit is known closely enough.
-  SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, options_.known_to); }
+  SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, known_to(options_)); }
   SweepLimit limit(const Fits& fits, double from, double ratio) {
     for (;;) {
       double low = 0, high = 0;
@@ -149,7 +151,7 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
   // Nothing is recommended of a sweep without anything good: its map need not be fine.
-  const double finest = sweep.any(good) ? options.known_to : std::max(options.known_to, 1.1);
+  const double finest = sweep.any(good) ? known_to(options) : std::max(known_to(options), 1.1);
   for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
     before = sweep.size();
     out.stable = sweep.limit(stable, options.low, finest);

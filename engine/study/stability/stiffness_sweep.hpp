@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "engine/study/parts/study_parts.hpp"
@@ -49,8 +50,9 @@ struct SweepOptions {
   double high = 1e5;
   /// Its sixteenth power is a step of the walk.
   double ratio = 1.02;
-  /// Searches until the failing stiffness is at most this many times the holding one.
-  double known_to = 1.02;
+  /// Searches until the failing stiffness is at most this many times the holding one; not given:
+  /// `ratio` times.
+  std::optional<double> known_to = {};
   bool beyond = true;  ///< points above the limits too, for the map
 };
 

@@ -124,13 +124,14 @@ FrictionlessLimit without_friction(TuningSetup setup, SweepOptions options, doub
 SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
                             const SweepLimit& stable, const Stop& stop) {
   const auto run = [&](double stiffness) {
-    HoldReport report;
+    HoldReport slowest;
     // The hardest first: where it fails the others need not be known.
     for (const double knock : std::views::reverse(harder_knocks)) {
-      report = hold(setup, options.axis, stiffness, damping, knock);
-      if (!comes_to_rest(report)) break;
+      const HoldReport report = hold(setup, options.axis, stiffness, damping, knock);
+      if (!comes_to_rest(report)) return report;
+      if (report.growth >= slowest.growth) slowest = report;
     }
-    return report;
+    return slowest;
   };
   // A usual knock has its fault there: nothing above counts.
   if (stable.stiffness == 0 || comes_to_rest(run(stable.stiffness))) return stable;

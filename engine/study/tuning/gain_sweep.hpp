@@ -51,9 +51,11 @@ struct SweepExtent {
   bool beyond = false;            ///< runs above the limits, for the map
   bool without_friction = false;  ///< the limit of stability of a device without friction
   bool harder_knocks = false;     ///< that at harder_knocks, where it is lower
-  /// The share of the largest damping that is searched in full; not given: each is. At others the
-  /// limits are known to `coarse_ratio` of the setup's, nothing is run above them, and where
-  /// nothing is good these two are not searched for: there is nothing to cap.
+  /// The share of the largest damping whose limits are known to the setup's ratio, with runs above
+  /// them, and with the limits without friction and at harder knocks even where nothing is good.
+  /// At others limits are known to `coarse_ratio`, and nothing is run above them. Not given: each
+  /// is known to the setup's ratio. Where nothing is good those two are not searched for, unless in
+  /// full: there is nothing to cap.
   std::optional<double> in_full = {};
 };
 /// The fifth power of a sweep's ratio, at most 2: what holds is at most a tenth below the limit

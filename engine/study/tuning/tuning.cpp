@@ -231,19 +231,20 @@ Json about(const TuningPlan& plan) {
           {"device", about(r.device)},
           {"rotational_stiffness_per_translational", plan.joint.stiffness},
           {"rotational_damping_per_translational", plan.joint.damping},
+          {"damping_share_in_full", plan.damping_share},
           {"situations", situations},
           {"skipped", skipped}};
 }
 
 }  // namespace
 
-Budget counted_budget(const Budget& servo) {
+Budget counted_budget(const ServoSettings& servo) {
   constexpr double units_per_us = 100;
   constexpr std::int64_t most_work = 3'000'000;
-  Budget out{.steps = servo.steps > 0 ? servo.steps : 60, .work = most_work};
-  if (servo.microseconds > 0)
-    out.work =
-        std::clamp<std::int64_t>(std::llround(units_per_us * servo.microseconds), 1, most_work);
+  Budget out{.steps = servo.budget.steps > 0 ? servo.budget.steps : 60, .work = most_work};
+  if (servo.accuracy == 0 && servo.budget.microseconds > 0)
+    out.work = std::clamp<std::int64_t>(std::llround(units_per_us * servo.budget.microseconds), 1,
+                                        most_work);
   return out;
 }
 

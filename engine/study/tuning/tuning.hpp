@@ -16,9 +16,10 @@ namespace sonde {
 /// What a servo's tick may take, as counted work: a study may not depend on a clock. A µs is 100
 /// units of Effort. What takes a tick longer than the servo gives it does not come in time, and is
 /// not studied: it ends early, with a separation that is larger than it need be. Without a limit of
-/// time it is what a tick after a jump may take, some 30 ms: where a loop that is wild throws the
-/// probe about, one tick could otherwise take many seconds. Steps: 60 where the servo has no limit.
-Budget counted_budget(const Budget& servo);
+/// time, or where the servo goes by an accuracy, it is what a tick after a jump may take, some 30
+/// ms: where a loop that is wild throws the probe about, one tick could otherwise take many
+/// seconds. Steps: 60 where the servo has no limit.
+Budget counted_budget(const ServoSettings& servo);
 
 /// The input of a study of a coupling's gains.
 struct TuningRequest {
@@ -26,8 +27,8 @@ struct TuningRequest {
   Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
   Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
   Method method = Method::pdg;
-  double sample_time = 1e-3;                               ///< s
-  Budget budget = counted_budget(ServoSettings{}.budget);  ///< of a tick
+  double sample_time = 1e-3;                        ///< s
+  Budget budget = counted_budget(ServoSettings{});  ///< of a tick
   DeviceProfile device = {};
   std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
   std::uint64_t seed = 1;
@@ -75,7 +76,8 @@ struct TuningPlan {
   TuningRequest request;
   TuningContacts contacts;
   JointGains joint = {};  ///< where all gains of the classic coupling are changed together
-  /// Of the largest damping: at which assumed values are varied, and the first look is taken.
+  /// Of the largest damping: what is searched in full, where assumed values are varied, and where
+  /// the first look is taken.
   double damping_share = 0;
 };
 /// Looks for the situations. Errors as tuning_contacts.

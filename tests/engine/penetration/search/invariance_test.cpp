@@ -202,7 +202,8 @@ TEST(Invariance, mass_moves_with_the_mesh) {
   for (const auto& pair : pairs())
     for (const auto& body : {pair.a, pair.b}) {
       const Pose X = random_motion(random, body->mass.radius);
-      const MassProperties &m = body->mass, &n = moved(*body, X, random)->mass;
+      const auto elsewhere = moved(*body, X, random);
+      const MassProperties &m = body->mass, &n = elsewhere->mass;
       EXPECT_NEAR(n.measure, m.measure, rigid * std::abs(m.measure)) << pair.name;
       EXPECT_LT((n.com - X * m.com).norm(), rigid * m.radius) << pair.name;
       EXPECT_NEAR(n.radius, m.radius, rigid * m.radius) << pair.name;

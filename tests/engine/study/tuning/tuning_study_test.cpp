@@ -140,6 +140,12 @@ TEST(TuningStudy, limits_at_other_dampings_are_known_to_a_coarser_ratio) {
   const auto coarse = columns({.beyond = true, .in_full = 0});
   EXPECT_EQ(coarse[0], fine[0]);
   EXPECT_LT(coarse[1].at("runs").size(), fine[1].at("runs").size());
+  const auto stiffest = [](const auto& column) {
+    return column.at("runs").back().at("stiffness").template get<double>() /
+           column.at("stable").template get<double>();
+  };
+  EXPECT_GT(stiffest(fine[1]), 3.9);
+  EXPECT_LE(stiffest(coarse[1]), 1.001 * std::pow(setup.ratio, 16)) << "a step of the walk";
   const double known_to = coarse_ratio(setup.ratio);
   EXPECT_LE(known_to, 1.11 * std::pow(setup.ratio / 1.02, 5));
   for (const char* limit : {"stable", "good"}) {
@@ -151,16 +157,22 @@ TEST(TuningStudy, limits_at_other_dampings_are_known_to_a_coarser_ratio) {
 }
 
 TEST(TuningStudy, a_tick_may_take_what_the_servo_gives_it) {
-  const Budget of_servo = counted_budget({.steps = 0, .microseconds = 800});
+  const auto counted = [](const Budget& budget, double accuracy = 0) {
+    ServoSettings servo;
+    servo.budget = budget;
+    servo.accuracy = accuracy;
+    return counted_budget(servo);
+  };
+  const Budget of_servo = counted({.steps = 0, .microseconds = 800});
   EXPECT_EQ(of_servo.work, 80'000);
   EXPECT_EQ(of_servo.microseconds, 0) << "a clock";
   EXPECT_EQ(of_servo.steps, 60);
-  EXPECT_EQ(counted_budget({.steps = 7, .microseconds = 0.001}).work, 1);
-  EXPECT_EQ(counted_budget({.steps = 7}).steps, 7);
-  EXPECT_EQ(counted_budget({}).work, 3'000'000);
-  EXPECT_EQ(counted_budget({.microseconds = 1e6}).work, 3'000'000);
-  EXPECT_EQ(TuningRequest{.pair = boxes_held_by("sigma.7").pair}.budget.work,
-            counted_budget(ServoSettings{}.budget).work);
+  EXPECT_EQ(counted({.steps = 7, .microseconds = 0.001}).work, 1);
+  EXPECT_EQ(counted({.steps = 7}).steps, 7);
+  EXPECT_EQ(counted({}).work, 3'000'000);
+  EXPECT_EQ(counted({.microseconds = 1e6}).work, 3'000'000);
+  EXPECT_EQ(TuningRequest{.pair = boxes_held_by("sigma.7").pair}.budget.work, 80'000);
+  EXPECT_EQ(counted({.microseconds = 100}, 0.01).work, 3'000'000) << "an accuracy goes before";
 }
 
 TEST(TuningStudy, a_sweep_without_anything_good_does_not_go_down_to_what_is_of_no_use) {

@@ -258,7 +258,7 @@ TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
 }
 
 // Known, and said with the recommendation: at no stiffness it comes to rest there. The motors drive
-// the swing; at 300 N/m and below they may as well take from it, where the probe slides about.
+// the swing at 400 N/m and above; softer, the probe slides about, and they may take from it.
 TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_contact) {
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
