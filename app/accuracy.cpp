@@ -29,12 +29,12 @@ void add_flags(CLI::App& parser, AccuracyOptions& options) {
 
 Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
     : options_(options) {
-  if (!options.time.empty() && !options.accuracy.empty())
+  if (options.time && options.accuracy)
     throw UsageError("--time and --accuracy: the one follows from the other");
   if (options.turned() && (solver.budget.microseconds > 0 || solver.budget.steps > 0))
     throw UsageError("--time and --accuracy are budgets: give no other");
-  if (!options.time.empty()) knob_.time = time_in(options.time, "--time");
-  if (!options.accuracy.empty()) knob_.accuracy = share_in(options.accuracy, "--accuracy");
+  if (options.time) knob_.time = time_in(*options.time, "--time");
+  if (options.accuracy) knob_.accuracy = share_in(*options.accuracy, "--accuracy");
   options_.claim |= options.turned();
   if (!options.calibration.empty())  // a bad file is told of whether it is needed or not
     calibration_ = read_calibration(options.calibration);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,11 @@ namespace sonde::app {
 
 /// The one knob on the command line: a time or an accuracy, and the calibration that relates them.
 struct AccuracyOptions {
-  std::string time, accuracy;  ///< as given; empty: not given
-  std::string calibration;     ///< a file; empty: the program's own
-  bool claim = false;          ///< results state their claim even without the knob
+  std::optional<std::string> time, accuracy;  ///< as given
+  std::string calibration;                    ///< a file; empty: the program's own
+  bool claim = false;                         ///< results state their claim even without the knob
 
-  bool turned() const { return !time.empty() || !accuracy.empty(); }
+  bool turned() const { return time || accuracy; }
 };
 void add_flags(CLI::App& parser, AccuracyOptions& options);
 

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/connected_response.hpp"
 #include "app/profiles.hpp"
+#include "app/progress_line.hpp"
 #include "engine/base/error.hpp"
 #include "engine/study/identification/identification_report.hpp"
 #include "engine/study/identification/identified_profile.hpp"
@@ -19,7 +21,8 @@ namespace {
 constexpr double sample_time = 1e-3;  // s, of the simulated pulses: what drivers run at
 
 struct IdentifyOptions {
-  std::string recording, simulated, device;
+  std::string recording, simulated, connected, device;
+  bool hands_off = false;
   std::string profile;  ///< to write; empty: none
   std::string record;   ///< to write; empty: none
   PulseLimits limits;
@@ -28,14 +31,21 @@ struct IdentifyOptions {
 };
 
 void check(const IdentifyOptions& options) {
-  if (options.recording.empty() == options.simulated.empty())
-    throw UsageError("it takes either a RECORDING or --simulated");
+  if (!options.recording.empty() + !options.simulated.empty() + !options.connected.empty() != 1)
+    throw UsageError("it takes either a RECORDING, --simulated or --connected");
   if (options.device.empty() && options.simulated.empty())
     throw UsageError("--device is missing: the profile whose other values are kept");
-  if (!options.record.empty() && options.simulated.empty())
-    throw UsageError("--record needs --simulated");
-  if (options.simulated.empty() && options.has_limits)
-    throw UsageError("--force and --torque need --simulated: a recording has its own pulses");
+  if (!options.record.empty() && !options.recording.empty())
+    throw UsageError("--record needs --simulated or --connected");
+  if (!options.recording.empty() && options.has_limits)
+    throw UsageError("--force and --torque: a recording has its own pulses");
+  if (!options.connected.empty() && !options.hands_off)
+    throw UsageError("--connected pushes the handle with up to " +
+                     number_text(options.limits.force, 3) + " N and " +
+                     number_text(options.limits.torque, 3) +
+                     " N·m: let go of it, clear 5 cm around it, and give --hands-off");
+  if (options.connected.empty() && options.hands_off)
+    throw UsageError("--hands-off needs --connected");
   if (same_file(options.record, options.profile))
     throw UsageError("--record and --out name the same file");
   std::vector<std::filesystem::path> inputs;
@@ -46,9 +56,20 @@ void check(const IdentifyOptions& options) {
 }
 
 Response response_of(const IdentifyOptions& options) {
-  if (options.simulated.empty()) return read_response(options.recording);
+  if (!options.recording.empty()) return read_response(options.recording);
+  if (!options.connected.empty()) {
+    ProgressLine line(false);
+    return connected_response(options.connected, device_named(options.device), options.limits,
+                              line.percent("measuring"));
+  }
   const DeviceProfile device = device_named(options.simulated);
   return simulated_response(simulated(device), plan_pulses(device, options.limits, sample_time));
+}
+
+/// A file, or a device.
+std::string subject_of(const IdentifyOptions& options) {
+  if (!options.recording.empty()) return options.recording;
+  return options.connected.empty() ? options.simulated : options.connected;
 }
 
 /// What cannot be told from a recording is an error of that file.
@@ -56,16 +77,16 @@ Identification identified(const IdentifyOptions& options, const Response& respon
   try {
     return identify(response);
   } catch (const InputError& error) {
-    throw InputError::in(options.recording.empty() ? options.simulated : options.recording,
-                         error.what());
+    throw InputError::in(subject_of(options), error.what());
   }
 }
 
 std::string source_of(const IdentifyOptions& options, const Identification& found) {
   std::size_t pulses = 0;
   for (const IdentifiedAxis& axis : found.axes) pulses += axis.pulses;
-  const std::string from = options.recording.empty()
-                               ? "the simulated device " + options.simulated
+  const std::string from = !options.simulated.empty() ? "the simulated device " + options.simulated
+                           : !options.connected.empty()
+                               ? "the connected device " + options.connected
                                : std::filesystem::path(options.recording).filename().string();
   return "sonde identify, " + std::to_string(pulses) + " pulses of " + from +
          "; low and high: 99 %";
@@ -106,20 +127,23 @@ Command add_identify_command(CLI::App& program) {
   parser->add_option("--device", options->device,
                      "profile whose other values are kept, an id or a file; without it the "
                      "simulated one");
+  parser->add_option("--connected", options->connected,
+                     "instead of a recording: give the pulses to this connected force device, as "
+                     "sonde devices lists it");
+  parser->add_flag("--hands-off", options->hands_off,
+                   "consent to that: nobody holds the handle, and nothing is within 5 cm of it");
   parser->add_option("--out", options->profile,
                      "profile to write, NAME.json, whole or not at all; without it none");
   parser->add_option("--record", options->record,
-                     "CSV to write: the simulated device's answer, whose commands are the pulses");
+                     "CSV to write: the device's answer, whose commands are the pulses");
   const CLI::Option* const force =
-      parser
-          ->add_option("--force", options->limits.force, "largest force of the simulated pulses, N")
+      parser->add_option("--force", options->limits.force, "largest force of the pulses, N")
           ->check(check_positive)
           ->capture_default_str();
-  const CLI::Option* const torque = parser
-                                        ->add_option("--torque", options->limits.torque,
-                                                     "largest torque of the simulated pulses, N·m")
-                                        ->check(check_positive)
-                                        ->capture_default_str();
+  const CLI::Option* const torque =
+      parser->add_option("--torque", options->limits.torque, "largest torque of the pulses, N·m")
+          ->check(check_positive)
+          ->capture_default_str();
   parser->add_flag("--json", options->json, "write JSON instead of text");
   return {parser, [options, force, torque] {
             options->has_limits = force->count() + torque->count() > 0;

@@ -37,6 +37,29 @@ TEST_F(Identify, a_simulated_device_is_recovered_and_written_as_a_profile) {
   EXPECT_THAT(mine.max_force.origin, HasSubstr("CHAI3D"));
 }
 
+// Reference: the mass and the damping that the stand-in for the maker's library moves with. A busy
+// machine makes the times of the samples uncertain, which widens the intervals and no more.
+TEST_F(Identify, a_connected_device_is_measured_with_consent) {
+  ::setenv("SONDE_LIBDHD", STANDIN_DHD, 1);
+  ::setenv("STANDIN_FREE_MASS", "0.3", 1);
+  const std::string flags = "identify --connected libdhd/0 --device omega.7 --out mine.json ";
+  const Outcome asked = sonde(flags);
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("up to 2 N and 0.05 N·m: let go of it"));
+  const Outcome run = sonde(flags + "--hands-off --record answer.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const DeviceProfile mine = profile("mine.json");
+  EXPECT_NEAR(mine.mass.value, 0.3, 0.1 * 0.3);
+  EXPECT_NEAR(mine.damping.value, 2, 0.25 * 2);
+  EXPECT_THAT(mine.mass.origin, HasSubstr("48 pulses of the connected device libdhd/0"));
+  EXPECT_GT(text_of(folder / "answer.csv").size(), 100'000u);
+  ::unsetenv("STANDIN_FREE_MASS");
+  ::unsetenv("SONDE_LIBDHD");
+  const Outcome gone = sonde(flags + "--hands-off");
+  EXPECT_EQ(gone.exit_code, 3);
+  EXPECT_THAT(gone.err, HasSubstr("libdhd/0: "));
+}
+
 TEST_F(Identify, a_recording_says_the_same_as_the_device_that_it_is_of) {
   const Outcome first = expect_done("identify --simulated touch --out a.json --record answer.csv");
   const Outcome again = expect_done("identify answer.csv --device touch --out b.json");
@@ -91,14 +114,15 @@ TEST_F(Identify, a_recording_that_tells_nothing_is_refused_with_its_reason) {
 
 TEST_F(Identify, flags_that_contradict_each_other_are_wrong_usage) {
   folder.write("a.csv", "");
-  expect_refused("identify", 2, "either a RECORDING or --simulated");
-  expect_refused("identify a.csv --simulated touch", 2, "either a RECORDING or --simulated");
+  expect_refused("identify", 2, "either a RECORDING, --simulated or --connected");
+  expect_refused("identify a.csv --simulated touch", 2,
+                 "either a RECORDING, --simulated or --connected");
   expect_refused("identify a.csv", 2, "--device is missing");
   expect_refused("identify a.csv --device touch --record b.csv", 2, "--record needs --simulated");
   expect_refused("identify a.csv --device touch --out a.csv", 2, "is one of the inputs");
   expect_refused("identify --simulated touch --record b --out b", 2, "name the same file");
   expect_refused("identify --simulated touch --record ./b --out b", 2, "name the same file");
-  expect_refused("identify a.csv --device touch --force 1", 2, "--force and --torque need");
+  expect_refused("identify a.csv --device touch --force 1", 2, "a recording has its own pulses");
   expect_refused("identify --simulated touch --force 0", 2, "above zero");
   expect_refused("identify --simulated tuch", 3, "\"touch\"");
 }

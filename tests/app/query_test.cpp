@@ -249,6 +249,8 @@ TEST_F(Query, a_knob_that_is_no_good_is_refused) {
     refused(std::string("--time=") + time, 3, "--time: \"");
   for (const char* accuracy : {"0%", "1000%", "100%", "-1%", "nan"})
     refused(std::string("--accuracy=") + accuracy, 3, "--accuracy: \"");
+  refused("--time ''", 3, "--time: \"\"");
+  refused("--accuracy ''", 3, "--accuracy: \"\"");
   folder.write("old.json", R"({"calibration": 0, "series": []})");
   refused("--time 1ms --calibration old.json", 3, "old.json:1: a calibration of version 0");
   folder.write("cut.json", R"({"calibration": 1, "series": [{"pair": "a")");

@@ -59,17 +59,4 @@ std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, Gai
   return out;
 }
 
-std::map<std::string, double> boundary_by_hand(const TuningResults& results,
-                                               const AxisGains& gains) {
-  std::map<std::string, double> out;
-  for (const TuningLine& line : results.lines) {
-    if (line.axis != gains.axis || !line.assumed.empty()) continue;
-    double& least = out.try_emplace(line.hand, infinity).first->second;
-    for (const TuningColumn& column : line.columns)
-      if (column.damping == gains.damping && column.stable.fault != HoldFault::none)
-        least = std::min(least, column.stable.stiffness);
-  }
-  return out;
-}
-
 }  // namespace sonde

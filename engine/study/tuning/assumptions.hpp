@@ -31,9 +31,4 @@ double boundary_that_counts(const TuningResults& results, const TuningColumn& co
 /// worse end the boundary that counts is least comes first.
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis);
 
-/// The boundary over all situations, by hand, at the damping of the gains; infinite where nothing
-/// was unstable.
-std::map<std::string, double> boundary_by_hand(const TuningResults& results,
-                                               const AxisGains& gains);
-
 }  // namespace sonde

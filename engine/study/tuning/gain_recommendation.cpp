@@ -194,6 +194,19 @@ std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainA
   return gains_at(results, lines, results.device, axis, beside->columns.front().damping);
 }
 
+std::map<std::string, AxisGains> recommend_by_hand(const TuningResults& results, GainAxis axis,
+                                                   double damping) {
+  std::map<std::string, AxisGains> out;
+  for (const TuningLine& any : results.lines) {
+    if (any.axis != axis || !any.assumed.empty() || out.contains(any.hand)) continue;
+    const Lines lines = lines_where(results, [&](const TuningLine& line) {
+      return line.axis == axis && line.assumed.empty() && line.hand == any.hand;
+    });
+    out.emplace(any.hand, gains_at(results, lines, results.device, axis, damping));
+  }
+  return out;
+}
+
 std::vector<GainAxis> axes_of(const TuningResults& results) {
   std::vector<GainAxis> out;
   for (const TuningLine& line : results.lines)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,10 @@ std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, G
 /// The same from only the situation and hand in which the assumed values are varied, at their
 /// damping: the reference for these.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);
+
+/// At one damping, from the lines of each hand alone: how the hand holds is an assumption too.
+std::map<std::string, AxisGains> recommend_by_hand(const TuningResults& results, GainAxis axis,
+                                                   double damping);
 
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);

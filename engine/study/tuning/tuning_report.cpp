@@ -122,11 +122,15 @@ Json dampings(const TuningResults& results, GainAxis axis) {
   return out;
 }
 
-/// How the hand holds is an assumption too: the boundary with each.
+/// How the hand holds is an assumption too: what each would allow by itself.
 Json hands(const TuningResults& results, const AxisGains& gains) {
   Json out = Json::array();
-  for (const auto& [hand, boundary] : boundary_by_hand(results, gains))
-    out.push_back({{"hand", hand}, {"boundary", number_or_null(boundary)}});
+  for (const auto& [hand, alone] : recommend_by_hand(results, gains.axis, gains.damping))
+    out.push_back({{"hand", hand},
+                   {"boundary", number_or_null(alone.boundary)},
+                   {"boundary_without_friction", number_or_null(alone.without_friction)},
+                   {"stiffness", alone.stiffness},
+                   {"limited_by", alone.limit.reason}});
   return out;
 }
 

@@ -95,13 +95,28 @@ std::string limiting_assumption_text(const TuningResults& results, GainAxis axis
   const auto intervals = assumed_intervals(results, axis);
   if (intervals.empty()) return {};
   const AssumedInterval& worst = intervals.front();
-  const auto end = [](const AssumedEnd& at) {
-    return stiffness_text(at.gains) + " at " + short_text(at.value);
+  const auto key = std::ranges::find(profile_keys(), worst.key, &ProfileKey::key);
+  const std::string unit = key == profile_keys().end() ? "" : std::string(" ") + key->unit;
+  const auto end = [&](const AssumedEnd& at) {
+    return stiffness_text(at.gains) + " at " + short_text(at.value) + unit;
   };
   std::string name = worst.key;
   std::ranges::replace(name, '_', ' ');
   return "of the device's values that are not sure, the " + name +
          " limits most: " + end(worst.low) + ", " + end(worst.high);
+}
+
+/// Empty where only one hand was studied.
+std::string hands_text(const TuningResults& results, const AxisGains& gains) {
+  const auto by_hand = recommend_by_hand(results, gains.axis, gains.damping);
+  if (by_hand.size() < 2) return {};
+  std::string out = "how the hand holds is assumed too: alone,";
+  const char* separator = " ";
+  for (const auto& [hand, alone] : by_hand) {
+    out += separator + ("the " + hand + " one allows " + stiffness_text(alone));
+    separator = ", ";
+  }
+  return out;
 }
 
 }  // namespace
@@ -140,6 +155,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));
+    add(hands_text(results, *gains));
   }
   return out;
 }

@@ -2,7 +2,9 @@
 // Stands in for Force Dimension's libdhd: the same C interface, as far as Sonde calls it. Written
 // from the same public descriptions (engine/devices/dhd_api.hpp says which), and none of it from
 // the adapter: the enumerations are numbers here.
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <thread>
@@ -29,6 +31,37 @@ int fail(int error) {
   last_error = error;
   return -1;
 }
+
+/// Where STANDIN_FREE_MASS (kg) is set, an omega.3 whose handle nobody holds: it moves by the force
+/// that it is given, against 2 N·s/m and steps of 2 µm, in real time.
+class FreeHandle {
+ public:
+  FreeHandle() {
+    const char* const mass = std::getenv("STANDIN_FREE_MASS");
+    if (!mass) return;
+    mass_ = std::atof(mass);
+    state.model = 33;
+  }
+  void move() {
+    if (mass_ == 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    const double dt = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    if (dt > 1) return;  // the first time
+    const double rate = 2 / mass_, kept = std::exp(-rate * dt);
+    for (int i = 0; i < 3; ++i) {
+      const double steady = state.force[i] / 2;  // m/s
+      x_[i] += steady * dt + (v_[i] - steady) * (1 - kept) / rate;
+      v_[i] = steady + (v_[i] - steady) * kept;
+      state.p[i] = 2e-6 * std::round(x_[i] / 2e-6);
+    }
+  }
+
+ private:
+  double mass_ = 0;
+  double x_[3] = {}, v_[3] = {};
+  std::chrono::steady_clock::time_point last_;
+} handle;
 
 }  // namespace
 
@@ -100,6 +133,7 @@ EXPORTED unsigned dhdGetButtonMask(char id) { return works(id) ? state.buttons.l
 
 EXPORTED int dhdGetPosition(double* x, double* y, double* z, char id) {
   if (!works(id)) return -1;
+  handle.move();
   *x = state.nan ? std::numeric_limits<double>::quiet_NaN() : state.p[0].load();
   *y = state.p[1];
   *z = state.p[2];
@@ -116,6 +150,7 @@ EXPORTED int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, 
 EXPORTED int dhdSetForceAndTorque(double fx, double fy, double fz, double tx, double ty, double tz,
                                   char id) {
   if (!works(id)) return -1;
+  handle.move();  // by the force of before
   const double given[6] = {fx, fy, fz, tx, ty, tz};
   for (int i = 0; i < 3; ++i) {
     state.rule(std::isfinite(given[i]) && std::isfinite(given[3 + i]),

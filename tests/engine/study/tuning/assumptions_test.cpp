@@ -59,16 +59,18 @@ TEST(Assumptions, none_where_nothing_was_varied) {
   EXPECT_TRUE(assumed_intervals(r, GainAxis::object).empty());
 }
 
-TEST(Assumptions, each_hand_has_its_own_boundary) {
+TEST(Assumptions, each_hand_has_its_own_boundary_and_gains) {
   TuningResults r = varied_results();
   r.lines.push_back(line(1, GainAxis::object, {column(0, 900)}));
   r.lines.push_back(line(0, GainAxis::object, {column(0, 5e4, 5e4, HoldFault::none)}));
   r.lines.back().hand = "firm";
   r.lines.back().columns[0].stable.fault = HoldFault::none;
-  const auto by_hand = boundary_by_hand(r, *recommend(r, GainAxis::object));
+  const auto by_hand = recommend_by_hand(r, GainAxis::object, 0);
   ASSERT_EQ(by_hand.size(), 2u);
-  EXPECT_DOUBLE_EQ(by_hand.at("light"), 900);
-  EXPECT_TRUE(std::isinf(by_hand.at("firm")));
+  EXPECT_DOUBLE_EQ(by_hand.at("light").boundary, 900);
+  EXPECT_DOUBLE_EQ(by_hand.at("light").stiffness, 600) << "by the margin of 1.5";
+  EXPECT_TRUE(std::isinf(by_hand.at("firm").boundary));
+  EXPECT_GT(by_hand.at("firm").stiffness, 600);
 }
 
 }  // namespace

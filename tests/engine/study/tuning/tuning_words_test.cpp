@@ -70,7 +70,7 @@ TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
   }
   EXPECT_THAT(recommendation_in_words(r).back(),
               testing::StrEq("of the device's values that are not sure, the max force limits most: "
-                             "2000 N/m at 5, 500 N/m at 20"));
+                             "2000 N/m at 5 N, 500 N/m at 20 N"));
 }
 
 }  // namespace
