@@ -191,7 +191,8 @@ void StiffnessControl::frame(qint64 now) {
 
 bool StiffnessControl::is_of_what_is_open() const {
   const auto& simulated = holder_.simulated;
-  return tuning_ && tuning_->doubt.isEmpty() && holder_.connected.isEmpty() &&
+  return tuning_ && tuning_->doubt.isEmpty() &&
+         (holder_.connected.isEmpty() || is_named_in(tuning_->results, holder_.connected)) &&
          (!simulated || simulated->id == tuning_->results.device_id) &&
          session_->coupling().mode == tuning_->results.mode;
 }

@@ -270,7 +270,7 @@ void StiffnessPanel::show_doubt() {
   if (tuning_ && !simulated_.empty() && simulated_ != tuning_->results.device_id)
     doubts << QStringLiteral("This map is of another device: %1, not %2.")
                   .arg(text(tuning_->results.device_id), text(simulated_));
-  if (tuning_ && !connected_.isEmpty())
+  if (tuning_ && !connected_.isEmpty() && !is_named_in(tuning_->results, connected_))
     doubts << QStringLiteral(
                   "This map is of %1. Whether %2 is one is not known: the view says "
                   "nothing of its boundary.")

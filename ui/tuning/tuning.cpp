@@ -108,6 +108,11 @@ void keep_newest(const fs::path& within) {
 
 }  // namespace
 
+bool is_named_in(const TuningResults& results, const QString& connected) {
+  const QString id = QString::fromStdString(results.device_id);
+  return !id.isEmpty() && connected.contains(id, Qt::CaseInsensitive);
+}
+
 Tuning load_tuning(const fs::path& folder_or_file, const LoadedScene& opened) {
   std::error_code none;
   const fs::path folder =

@@ -25,6 +25,10 @@ struct Tuning {
   bool finished() const { return rows == of_rows; }
 };
 
+/// Whether a connected device calls itself as the device that a map is of: an arm that says
+/// "sigma.7 right-handed" is a sigma.7.
+bool is_named_in(const TuningResults& results, const QString& connected);
+
 /// Reads a folder, or the folder of a file, for an open pair. Throws InputError naming what is
 /// missing or broken.
 Tuning load_tuning(const std::filesystem::path& folder_or_file, const LoadedScene& opened);

@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/text/json_numbers.hpp"
@@ -126,8 +126,8 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
   const auto run = [&](double stiffness) {
     HoldReport slowest;
     // The hardest first: where it fails the others need not be known.
-    for (const double knock : std::views::reverse(harder_knocks)) {
-      const HoldReport report = hold(setup, options.axis, stiffness, damping, knock);
+    for (auto knock = std::rbegin(harder_knocks); knock != std::rend(harder_knocks); ++knock) {
+      const HoldReport report = hold(setup, options.axis, stiffness, damping, *knock);
       if (!comes_to_rest(report)) return report;
       if (report.growth >= slowest.growth) slowest = report;
     }

@@ -251,6 +251,10 @@ TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
   stiffness().set_holder({std::nullopt, "force-42", "omega.7"});
   EXPECT_TRUE(wait_until([&] { return said().isEmpty(); })) << said().toStdString();
   EXPECT_TRUE(text("tuning_doubt").contains("This map is of sigma.7. Whether omega.7 is one"));
+  stiffness().set_holder({std::nullopt, "arm-7", "Sigma.7 right-handed"});
+  EXPECT_TRUE(wait_until([&] { return said() == "conforming: 2.00 times too stiff"; }))
+      << said().toStdString();
+  EXPECT_TRUE(text("tuning_doubt").isEmpty()) << text("tuning_doubt").toStdString();
   stiffness().set_holder({std::nullopt, "Mouse", {}});
   EXPECT_TRUE(wait_until([&] { return !said().isEmpty(); }));
   // Of another pair, it tells nothing of this one.
