@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace sonde::test {
 namespace {
@@ -120,6 +121,8 @@ struct MockSystem::State {
   };
   UMockdevTestbed* bed = nullptr;
   std::map<int, Plugged> plugged;
+  /// The bed's own thread may still answer for what is unplugged: it stays where it was.
+  std::vector<std::map<int, Plugged>::node_type> gone;
 
   int fd(int number) const { return plugged.at(number).fd; }
 };
@@ -165,7 +168,7 @@ void MockSystem::unplug(int number) {
   for (const auto folder : {node_folder, hid_folder, interface_folder, usb_folder})
     umockdev_testbed_remove_device(state_->bed, ("/sys" + folder(plugged.device)).c_str());
   if (plugged.handler) g_object_unref(plugged.handler);
-  state_->plugged.erase(number);
+  state_->gone.push_back(state_->plugged.extract(number));
 }
 
 void MockSystem::send(int number, std::span<const std::uint8_t> report) {
