@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/connected_response.hpp"
+#include "app/interrupt.hpp"
 #include "app/profiles.hpp"
 #include "app/progress_line.hpp"
 #include "engine/base/error.hpp"
@@ -100,6 +101,7 @@ void run(const IdentifyOptions& options) {
   const Identification found = identified(options, response);
   const std::string profile =
       device_profile_text(identified_profile(device, found, source_of(options, found)));
+  if (interrupt_noted()) throw Cancelled();
   // Both or none.
   std::vector<std::unique_ptr<PendingFile>> files;
   if (!options.record.empty())

@@ -8,6 +8,7 @@
 #include "app/interrupt.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "engine/study/identification/identified_profile.hpp"
 #include "engine/study/identification/measured_hand.hpp"
 
 namespace sonde::app {
@@ -44,13 +45,6 @@ Pair far_apart() {
   return {triangle(), triangle()};
 }
 
-/// The device's own word is nearer to the truth than any profile.
-DeviceProfile with_limits(DeviceProfile profile, const DeviceCapabilities& can) {
-  profile.max_force.value = can.max_force;
-  profile.max_torque.value = can.max_torque;
-  return profile;
-}
-
 }  // namespace
 
 Response connected_response(const std::string& path, const DeviceProfile& profile,
@@ -58,7 +52,7 @@ Response connected_response(const std::string& path, const DeviceProfile& profil
   note_interrupts();
   const auto device = opened(path);
   const ServoSettings settings;
-  const PulsePlan plan = plan_pulses(with_limits(profile, device->status().capabilities), limits,
+  const PulsePlan plan = plan_pulses(with_limits_of(profile, device->status().capabilities), limits,
                                      1 / settings.rate_hz);
   const Pose away{Quat::Identity(), Vec3(1, 0, 0)};
   MeasuredHand hand(device, plan, bounds_of(plan, limits), away);

@@ -24,14 +24,6 @@ QString nearest_profile(const QStringList& ids, const QString& device) {
   return ids.value(0);
 }
 
-/// What the device itself says of its motors is nearer to the truth than any profile.
-DeviceProfile with_limits(DeviceProfile profile, const DeviceCapabilities& can) {
-  const std::string source = "the connected device's own word";
-  profile.max_force = {can.max_force, source};
-  profile.max_torque = {can.max_torque, source};
-  return profile;
-}
-
 QString reason_of(const PulseProgress& progress) {
   if (progress.end == PulsesEnd::withheld) return QString::fromUtf8(words(progress.withheld));
   return QString::fromUtf8(words(progress.end));
@@ -78,8 +70,8 @@ void MeasureControl::show_subject(const QString& profile_id) {
         subject_.profiles << text(id);
       const QString id =
           profile_id.isEmpty() ? nearest_profile(subject_.profiles, subject_.device) : profile_id;
-      subject_.profile = with_limits(find_device_profile(id.toStdString(), profile_folders_),
-                                     devices_.report().device.capabilities);
+      subject_.profile = with_limits_of(find_device_profile(id.toStdString(), profile_folders_),
+                                        devices_.report().device.capabilities);
     } catch (const InputError& bad) {
       dialog_->deleteLater();
       dialog_ = nullptr;

@@ -47,4 +47,11 @@ DeviceProfile identified_profile(DeviceProfile profile, const Identification& id
   return profile;
 }
 
+DeviceProfile with_limits_of(DeviceProfile profile, const DeviceCapabilities& can) {
+  const std::string source = "the connected device's own word";
+  profile.max_force = {can.max_force, source};
+  profile.max_torque = {can.max_torque, source};
+  return profile;
+}
+
 }  // namespace sonde

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/devices/device_sample.hpp"
 #include "engine/settings/device_profile.hpp"
 #include "engine/study/identification/identification.hpp"
 
@@ -25,5 +26,9 @@ const ProfileKey& key_of(ProfileValue DeviceProfile::*value);
 /// measured stays.
 DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
                                  const std::string& source);
+
+/// The profile with the force and torque that a connected device says it can: its own word is
+/// nearer to the truth than any profile.
+DeviceProfile with_limits_of(DeviceProfile profile, const DeviceCapabilities& can);
 
 }  // namespace sonde
