@@ -69,7 +69,8 @@ void add_flags(CLI::App& parser, SolverOptions& options, const std::string& defa
       ->capture_default_str();
   parser.add_flag_callback(
       "--bound", [&options] { options.bound = true; },
-      "a certified lower bound too; it gets 0.3 of a limited time");
+      "the whole certified lower bound, which may take longer than the search; it gets 0.3 of a "
+      "limited time. Without this flag: what can be had in as much work as the search takes");
   parser
       .add_flag_callback(
           "--no-bound", [&options] { options.bound = false; }, "no lower bound")

@@ -35,9 +35,11 @@ struct SolverOptions {
   std::string mode;  ///< "static" or "coherent"
   Budget budget;
   std::uint64_t seed = 1;
-  std::optional<bool> bound;  ///< wanted or not; by default, where nothing limits the time
-  bool time_phases = false;   ///< say where the time of an answer went
-  unsigned threads = 0;       ///< 0: as many as the machine runs at once
+  /// Wanted whole, or not at all; by default as much of it as the search takes itself, where
+  /// nothing limits the time.
+  std::optional<bool> bound;
+  bool time_phases = false;  ///< say where the time of an answer went
+  unsigned threads = 0;      ///< 0: as many as the machine runs at once
 
   bool coherent() const { return mode == "coherent"; }
   Method chosen_method() const { return method_named(method).value(); }
@@ -46,6 +48,7 @@ struct SolverOptions {
             .budget = budget,
             .seed = seed,
             .want_lower_bound = bound.value_or(true),
+            .whole_bound = bound.value_or(false),
             .share_for_bound = bound.value_or(false) ? 0.3 : 0,
             .time_phases = time_phases};
   }

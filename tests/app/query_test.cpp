@@ -193,6 +193,9 @@ TEST_F(Query, one_knob_gives_two_columns_more) {
   EXPECT_GT(bounded.number(0, "lower_bound"), 0);
   EXPECT_LE(bounded.number(0, "lower_bound"), bounded.number(0, "depth"));
   EXPECT_EQ(query("--no-bound " + scene).text(0, "lower_bound"), "");
+  const double part = query(scene).number(0, "lower_bound");
+  EXPECT_GT(part, 0);
+  EXPECT_LE(part, query("--bound " + scene).number(0, "lower_bound")) << "all that it may become";
 }
 
 // Reference: the depth of the first pose by hand, 0.01, which no turn makes less.

@@ -103,6 +103,7 @@ std::vector<Cell> figure_row(const Figure& figure, const Pools& pools) {
 
 std::vector<Figure> figures() {
   return {
+      {"touch, far apart", "touch", {"far"}, "FCL", 0, 1},
       {"touch, overlapping", "touch", {"shallow", "deep"}, "FCL", 2, 3},
       {"touch, close but apart", "touch", {"near-5%", "near-1%", "touching"}, "FCL", 0, 3},
       {"touch, overlapping", "touch", {"shallow", "deep"}, "Bullet", 0, 0},

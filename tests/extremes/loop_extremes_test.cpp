@@ -6,15 +6,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
-#include "engine/geometry/rotation.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/extremes/press.hpp"
+#include "tests/extremes/teleports.hpp"
 
 namespace sonde {
 namespace {
@@ -23,16 +22,11 @@ constexpr double deep = 0.01;  // m
 /// What a descent may leave between the bodies, in parts of the depth.
 constexpr double clearance = 1e-4;
 
-Pair brick_on_plate() {
-  return {test::body(test::box({0.1, 0.08, 0.06})), test::body(test::box({2, 2, 1}))};
-}
-Pose held_at_depth(double depth) { return {Quat::Identity(), Vec3(0.02, -0.01, 0.53 - depth)}; }
-
 /// Brings the loop from free to the pose, in so many ticks.
 void press(HapticLoop& loop, double depth, int ticks, double dt, const Budget& budget = {}) {
-  loop.reset(held_at_depth(-0.01), {});
+  loop.reset(test::flat_in_plate(-0.01), {});
   for (int i = 1; i <= ticks; ++i)
-    loop.tick(held_at_depth(-0.01 + (depth + 0.01) * i / ticks), dt, budget);
+    loop.tick(test::flat_in_plate(-0.01 + (depth + 0.01) * i / ticks), dt, budget);
 }
 
 Coupling without_limits() {
@@ -46,7 +40,7 @@ TEST(LoopExtremes, stiffness_from_1e_minus_6_to_1e9) {
     Coupling c = without_limits();
     c.mode = Coupling::Mode::object;
     c.k = k;
-    HapticLoop loop(brick_on_plate(), Method::pdg, c);
+    HapticLoop loop(test::brick_and_plate(), Method::pdg, c);
     press(loop, deep, 20, 1e-3);
     const double off = loop.wrench().force.z() / (k * deep) - 1;
     EXPECT_GE(off, -1e-6) << k;
@@ -63,7 +57,7 @@ TEST(LoopExtremes, sample_times_from_50_us_to_20_ms) {
     c.mode = Coupling::Mode::classic;
     c.k_t = 1000;
     c.b_t = 5;
-    HapticLoop loop(brick_on_plate(), Method::pdg, c);
+    HapticLoop loop(test::brick_and_plate(), Method::pdg, c);
     constexpr int ticks = 40;
     press(loop, deep, ticks, T);
     const double speed = 2 * deep / (ticks * T);
@@ -79,12 +73,12 @@ void stand_still(int ticks) {
   Coupling c = without_limits();
   c.mode = Coupling::Mode::object;
   c.k = 1000;
-  HapticLoop loop(brick_on_plate(), Method::pdg, c);
+  HapticLoop loop(test::brick_and_plate(), Method::pdg, c);
   press(loop, deep, 20, 1e-3);
-  loop.tick(held_at_depth(deep), 1e-3, {});
+  loop.tick(test::flat_in_plate(deep), 1e-3, {});
   const Separation first = loop.separation();
   const Wrench wrench = loop.wrench();
-  for (int i = 0; i < ticks; ++i) loop.tick(held_at_depth(deep), 1e-3, {});
+  for (int i = 0; i < ticks; ++i) loop.tick(test::flat_in_plate(deep), 1e-3, {});
   const Separation& last = loop.separation();
   EXPECT_EQ(last.separated.p, first.separated.p);
   EXPECT_EQ(last.separated.q.coeffs(), first.separated.q.coeffs());
@@ -95,30 +89,12 @@ void stand_still(int ticks) {
 TEST(LoopExtremes, a_minute_of_standstill_moves_nothing) { stand_still(60'000); }
 TEST(LoopExtremes, Full_an_hour_of_standstill_moves_nothing) { stand_still(3'600'000); }
 
-/// A path of a probe that is put anywhere about a knot, from row to row.
-std::vector<Pose> teleports(int count) {
-  std::mt19937_64 random(40);
-  std::uniform_real_distribution<double> along(-1, 1);
-  std::vector<Pose> out;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 turn(3 * along(random), 3 * along(random), 3 * along(random));
-    const Vec3 at(0.12 * along(random), 0.12 * along(random), 0.06 * along(random));
-    out.push_back({rotation_by(turn), at});
-  }
-  return out;
-}
-
-Pair knots() {
-  const auto knot = test::body(test::torus_knot(2, 3, 0.06, 0.025, 0.012, 60, 8));
-  return {knot, knot};
-}
-
 /// Reference: the exact test, and what follows from the metric: the last separated pose is there to
 // stay at, so the depth rises by no more than the object norm of the device's own motion.
 void teleport(int count, std::int64_t work) {
-  const Pair pair = knots();
+  const Pair pair = test::knots();
   CoherentSolver solver(pair);
-  const std::vector<Pose> path = teleports(count);
+  const std::vector<Pose> path = test::teleports(count);
   Pose start;
   start.p.x() = 1;
   ASSERT_EQ(solver.reset(start).status, Status::separated);
@@ -146,14 +122,14 @@ TEST(LoopExtremes, teleports_leave_the_probe_free_without_a_budget) { teleport(4
 /// Without a budget a teleport takes what it is given for itself, which is counted: reference, the
 /// same with a budget of so much.
 TEST(LoopExtremes, a_teleport_without_a_budget_is_limited_by_counted_work) {
-  const Pair pair = knots();
+  const Pair pair = test::knots();
   Pose start;
   start.p.x() = 1;
   CoherentSolver one(pair), two(pair);
   one.reset(start);
   two.reset(start);
   int cut_short = 0;
-  for (const Pose& at : teleports(12)) {
+  for (const Pose& at : test::teleports(12)) {
     const Separation& a = one.tick(at);
     const Separation& b = two.tick(at, {.work = 3'000'000});
     ASSERT_EQ(a.depth, b.depth);
@@ -164,13 +140,13 @@ TEST(LoopExtremes, a_teleport_without_a_budget_is_limited_by_counted_work) {
 }
 
 TEST(LoopExtremes, the_same_path_again_gives_the_same_bits) {
-  const Pair pair = knots();
+  const Pair pair = test::knots();
   Pose start;
   start.p.x() = 1;
   CoherentSolver one(pair), two(pair);
   one.reset(start);
   two.reset(start);
-  for (const Pose& at : teleports(12)) {
+  for (const Pose& at : test::teleports(12)) {
     const Separation& a = one.tick(at, {.work = 50'000});
     const Separation& b = two.tick(at, {.work = 50'000});
     ASSERT_EQ(a.depth, b.depth);
@@ -181,12 +157,12 @@ TEST(LoopExtremes, the_same_path_again_gives_the_same_bits) {
 
 // A row that is repeated is no motion: the depth does not rise.
 TEST(LoopExtremes, repeated_rows_never_go_deeper) {
-  const Pair pair = knots();
+  const Pair pair = test::knots();
   Pose start;
   start.p.x() = 1;
   CoherentSolver solver(pair);
   solver.reset(start);
-  for (const Pose& at : teleports(12)) {
+  for (const Pose& at : test::teleports(12)) {
     double last = solver.tick(at, {.work = 50'000}).depth;
     for (int again = 0; again < 5; ++again) {
       const double now = solver.tick(at, {.work = 50'000}).depth;

@@ -6,15 +6,11 @@
 
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/extremes/press.hpp"
-#include "tests/support/shapes.hpp"
 
 namespace sonde {
 namespace {
 
-using test::brick;
-using test::plate;
-
-Pair brick_and_plate() { return {test::body(test::box(brick)), test::body(test::box(plate))}; }
+using test::brick_and_plate;
 
 /// Flat above the plate's top face, and into it by `deep`; below zero, off it.
 Pose flat_at(double x, double y, double deep) {

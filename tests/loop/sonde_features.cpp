@@ -14,6 +14,7 @@
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
+#include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/hand_loop.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
@@ -30,6 +31,9 @@ struct Options {
   int runs = 5;
   int searches = 12;
 };
+
+/// The window asks for what is shown beside once a picture: ticks of 1 ms, at 30 pictures a second.
+constexpr int picture_ticks = 33;
 
 /// The times of one run, µs of each tick or search.
 using Run = std::function<std::vector<double>()>;
@@ -159,6 +163,14 @@ void measure(const TickCase& c, const Options& o) {
             log.add(tick);
           });
         }));
+  print("PD_t and the bound beside, in their own thread", compare(o.runs, plain, [&] {
+          BackgroundSearch beside(pair);
+          int tick = 0;
+          return ticks(c, pair, false, [&](const Separation& s, double) {
+            if (tick++ % picture_ticks == 0) beside.request(s.device);
+            beside.latest();
+          });
+        }));
   print("passivity control, in the servo's own tick",
         compare(
             o.runs, [&] { return servo_ticks(c, pair, false); },
@@ -173,7 +185,9 @@ void measure(const TickCase& c, const Options& o) {
   StaticOptions bounded = search, pdt = search;
   bounded.want_lower_bound = true;
   pdt.method = Method::pdt;
-  print("lower bound of a search", compare(few, searched(search), searched(bounded)));
+  print("lower bound of a search, by default", compare(few, searched(search), searched(bounded)));
+  bounded.whole_bound = true;
+  print("lower bound of a search, whole", compare(few, searched(search), searched(bounded)));
   print("six degrees (off: translation alone, PD_t)",
         compare(few, searched(pdt), searched(search)));
 }

@@ -24,6 +24,8 @@ struct Measured {
   double excess() const;
 };
 
+/// The search, and then the bound by itself; or, where the options do not ask for the whole bound,
+/// the search again with what bound it makes, which takes so much more.
 Measured measure(const Row& row, const Pair& pair, const StaticOptions& options,
                  const SearchTuning& tuning = search_tuning);
 

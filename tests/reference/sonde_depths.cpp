@@ -12,6 +12,7 @@
 #include "engine/text/output_file.hpp"
 #include "tests/reference/calibrate_rows.hpp"
 #include "tests/reference/cases.hpp"
+#include "tests/reference/one_projection.hpp"
 #include "tests/reference/summary.hpp"
 
 namespace sonde::reference {
@@ -25,9 +26,11 @@ struct Options {
   int every = 1;
   std::size_t worst = 20;
   bool mend = false;
+  bool one_projection = false;
 };
 
 void add_options(CLI::App& app, Options& o) {
+  o.search.whole_bound = true;
   app.add_option("--in", o.in, "the file of references, from the folder one is in")
       ->capture_default_str();
   app.add_option("--budget-us", o.search.budget.microseconds, "wall-clock budget of a search");
@@ -52,6 +55,11 @@ void add_options(CLI::App& app, Options& o) {
           list_of_search_tuning());
   app.add_flag("--phases", o.search.time_phases, "say where the time went");
   app.add_flag("--two-threads", o.search.two_threads, "search on two threads");
+  app.add_flag_callback(
+      "--default-bound", [&o] { o.search.whole_bound = false; },
+      "the lower bound that a query makes by default, instead of the whole one");
+  app.add_flag("--one-projection", o.one_projection,
+               "PD_t by one local projection from outside instead of a search");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
 
@@ -88,7 +96,9 @@ std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options
     Row& row = rows[i];
     if (!options.only.empty() && options.only != row.pair) continue;
     if (!bodies.load(row.pair)) continue;
-    out.push_back(measure(row, *bodies.bodies, options.search, options.tuning));
+    out.push_back(options.one_projection
+                      ? measure_one_projection(row, *bodies.bodies)
+                      : measure(row, *bodies.bodies, options.search, options.tuning));
     if (options.mend) mend(row, out.back(), options.search.method);
   }
   return out;

@@ -46,6 +46,8 @@ constexpr Named all[] = {
     {"same", &SearchTuning::same},
     {"refined", &SearchTuning::refined},
     {"worth_refining", &SearchTuning::worth_refining},
+    {"bound_for_a_sketch", &SearchTuning::bound_for_a_sketch},
+    {"bound_for_a_step", &SearchTuning::bound_for_a_step},
 };
 
 template <class Value>

@@ -65,9 +65,16 @@ class Search {
     return finish();
   }
 
+  /// About what the search took, in the units of work of the bound: rather less than more.
+  int work_of_bound() const {
+    return tuned_.bound_for_a_sketch * sketches_made() +
+           tuned_.bound_for_a_step * budget_.steps_spent();
+  }
+
  private:
   using Round = std::array<LocalOptimum, per_round>;
   bool rotates() const { return options_.method == Method::pdg; }
+  int sketches_made() const { return other_sketches_ + sketches_.made(); }
   bool sketched() const { return !starts_.sketched().empty(); }
 
   SketchGoal sketch_goal(Method method) const {
@@ -241,6 +248,7 @@ class Search {
     if (!sketched()) return near_starts(Method::pdt);
     SketchSearch sketches(chart_, sketch_goal(Method::pdt), starts_.sketched(), threads_, tuned_);
     sketches.make_starts(tuned_.sketches_of_translations, tuned_.sketches_of_translations, 0);
+    other_sketches_ += sketches.made();
     from_ends(sketches, Method::pdt, evidence_.settles() ? 1 : 2);
   }
 
@@ -250,8 +258,10 @@ class Search {
   void finish_translation() {
     StaticOptions options = options_;
     options.method = Method::pdt;
-    const Separation found = Search(pair_, chart_.device(), options, tuned_, {}).run();
+    Search search(pair_, chart_.device(), options, tuned_, {});
+    const Separation found = search.run();
     budget_.spend(found.iterations);
+    other_sketches_ += search.sketches_made();
     limited_ += found.limited;
     times_ += found.phases;
     if (found.status != Status::penetrating) return;
@@ -365,6 +375,7 @@ class Search {
   int most_steps_ = std::numeric_limits<int>::max();          // of a start
   int share_ = 0;                                             // steps that a start may take
   int limited_ = 0;
+  int other_sketches_ = 0;  // starts on sketches, by searches for translations
 };
 
 }  // namespace
@@ -375,10 +386,13 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
   if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) return *settled;
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
-  Separation out = Search(pair, device, options, tuning, deadline.part(1 - kept)).run();
+  Search search(pair, device, options, tuning, deadline.part(1 - kept));
+  Separation out = search.run();
   if (options.want_lower_bound && out.status == Status::penetrating) {
     const PhaseTimer timer(options.time_phases ? &out.phases : nullptr, Phase::bound);
-    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline);
+    BoundOptions bound;
+    if (!options.whole_bound) bound.work = std::min(bound.work, search.work_of_bound());
+    out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline, bound);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 namespace sonde {
 
 bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
+  if (balls_are_apart(a, b, X_BA)) return false;
   const Placement at(a, b, X_BA);
   PairStack<SlotPair> stack;
   SlotPairs found;
@@ -34,6 +35,7 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
 }
 
 bool overlap(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
+  if (balls_are_apart(a, b, X_BA)) return false;
   return triangles_meet(a, b, X_BA, doubt) || component_inside(a, b, X_BA);
 }
 

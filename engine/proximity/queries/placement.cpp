@@ -17,6 +17,14 @@ double extent(const Body& body) {
   return std::max(body.tree.low.cwiseAbs().maxCoeff(), body.tree.high.cwiseAbs().maxCoeff());
 }
 
+bool balls_are_apart(const Body& a, const Body& b, const Transform& X_BA) {
+  const Vec3 between = X_BA * (0.5 * (a.tree.low + a.tree.high)) - 0.5 * (b.tree.low + b.tree.high);
+  const double radii =
+      0.5 * ((a.tree.high - a.tree.low).norm() + (b.tree.high - b.tree.low).norm());
+  const double reach = radii + rounding_guard(extent(a), extent(b), X_BA.p);
+  return between.squaredNorm() > reach * reach;
+}
+
 namespace {
 
 FrameChange::Column column(const Vec3& x) {

@@ -33,6 +33,11 @@ inline double rounding_guard(double extent_a, double extent_b, const Vec3& trans
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
 }
 
+/// True where the balls about the boxes along the axes of both meshes' frames have a gap between
+/// them, A placed at X in B's frame: no point of either body is in the other. What a query far
+/// apart needs, and no more.
+bool balls_are_apart(const Body& a, const Body& b, const Transform& X_BA);
+
 /// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, from the origin `to`,
 /// all in the unit of which there are per_unit to a metre.
 struct FrameChange {

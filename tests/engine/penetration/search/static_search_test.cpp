@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/engine/penetration/overlapping_pose.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
@@ -196,6 +197,25 @@ TEST(StaticSearch, is_no_deeper_than_the_translation_found_alone_among_many_as_g
     ASSERT_TRUE(g.pdt);
     EXPECT_NEAR(*g.pdt, t.depth, 1e-12 * t.depth) << seed;
   }
+}
+
+// By default the bound gets no more work than the search took, as counted; and what it is then, it
+// is again. Reference: the bound by itself (lower_bound_test.cpp), with all the work it may have.
+TEST(StaticSearch, the_bound_is_not_the_larger_part_unless_it_is_asked_for) {
+  const auto ring = test::body(test::torus(1, 0.3, 24, 12));
+  const Pair rings(ring, ring);
+  const Pose X{Quat(Eigen::AngleAxisd(0.4, Vec3(1, 0.3, 0.2).normalized())), Vec3(0.3, 0.2, 0.1)};
+  StaticOptions options;
+  const Separation cheap = separate_static(rings, X, options), again = separate_static(rings, X);
+  options.whole_bound = true;
+  const Separation whole = separate_static(rings, X, options);
+  ASSERT_EQ(cheap.status, Status::penetrating);
+  ASSERT_TRUE(cheap.lower_bound && whole.lower_bound);
+  EXPECT_EQ(*whole.lower_bound, *depth_lower_bound(*ring, *ring, X));
+  EXPECT_EQ(*cheap.lower_bound, *again.lower_bound);
+  EXPECT_GT(*cheap.lower_bound, 0);
+  EXPECT_LT(*cheap.lower_bound, *whole.lower_bound) << "else the test shows nothing";
+  EXPECT_LE(*whole.lower_bound, cheap.depth);
 }
 
 // What is found with so many steps is found with more: the depth never rises with the budget. And

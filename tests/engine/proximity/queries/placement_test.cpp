@@ -111,5 +111,24 @@ TEST(Placement, a_point_is_kept_whole) {
   }
 }
 
+// Reference: two boxes with sides 2 a along the axes, by hand. The balls about them have the radius
+// a √3, and where their gap is no more than rounding they do not count as apart.
+TEST(Placement, balls_are_apart_where_the_sum_of_radii_is_passed) {
+  for (const double a : {1e-9, 1.0, 1e9})
+    for (const double away : {0.0, 10.0, 1e6}) {
+      PolygonSoup box = test::box({2 * a, 2 * a, 2 * a});
+      for (Vec3& x : box.points) x += a * Vec3(away, -away, 0);
+      const auto body = test::body(box);
+      for (const Vec3& along : {Vec3(1, 0, 0), Vec3(Vec3(1, -2, 3).normalized())}) {
+        const auto at = [&](double gaps) {
+          return Transform(Pose{Quat::Identity(), 2 * std::sqrt(3.0) * a * gaps * along});
+        };
+        EXPECT_FALSE(balls_are_apart(*body, *body, at(0))) << a << ", " << away;
+        EXPECT_FALSE(balls_are_apart(*body, *body, at(1))) << a << ", " << away;
+        EXPECT_TRUE(balls_are_apart(*body, *body, at(1 + 1e-6))) << a << ", " << away;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace sonde
