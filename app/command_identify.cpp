@@ -56,15 +56,19 @@ void check(const IdentifyOptions& options) {
   if (!options.record.empty()) check_output("--record", options.record, inputs);
 }
 
-Response response_of(const IdentifyOptions& options) {
-  if (!options.recording.empty()) return read_response(options.recording);
+/// The answer to the pulses, and the profile whose other values are kept.
+ConnectedResponse response_of(const IdentifyOptions& options) {
+  const DeviceProfile device =
+      device_named(options.device.empty() ? options.simulated : options.device);
+  if (!options.recording.empty()) return {read_response(options.recording), device};
   if (!options.connected.empty()) {
     ProgressLine line(false);
-    return connected_response(options.connected, device_named(options.device), options.limits,
-                              line.percent("measuring"));
+    return connected_response(options.connected, device, options.limits, line.percent("measuring"));
   }
-  const DeviceProfile device = device_named(options.simulated);
-  return simulated_response(simulated(device), plan_pulses(device, options.limits, sample_time));
+  const DeviceProfile simulates = device_named(options.simulated);
+  return {
+      simulated_response(simulated(simulates), plan_pulses(simulates, options.limits, sample_time)),
+      device};
 }
 
 /// A file, or a device.
@@ -95,9 +99,7 @@ std::string source_of(const IdentifyOptions& options, const Identification& foun
 
 void run(const IdentifyOptions& options) {
   check(options);
-  const DeviceProfile device =
-      device_named(options.device.empty() ? options.simulated : options.device);
-  const Response response = response_of(options);
+  const auto [response, device] = response_of(options);
   const Identification found = identified(options, response);
   const std::string profile =
       device_profile_text(identified_profile(device, found, source_of(options, found)));

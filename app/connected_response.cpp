@@ -47,13 +47,13 @@ Pair far_apart() {
 
 }  // namespace
 
-Response connected_response(const std::string& path, const DeviceProfile& profile,
-                            const PulseLimits& limits, const Progress& progress) {
+ConnectedResponse connected_response(const std::string& path, const DeviceProfile& profile,
+                                     const PulseLimits& limits, const Progress& progress) {
   note_interrupts();
   const auto device = opened(path);
   const ServoSettings settings;
-  const PulsePlan plan = plan_pulses(with_limits_of(profile, device->status().capabilities), limits,
-                                     1 / settings.rate_hz);
+  const DeviceProfile limited = with_limits_of(profile, device->status().capabilities);
+  const PulsePlan plan = plan_pulses(limited, limits, 1 / settings.rate_hz);
   const Pose away{Quat::Identity(), Vec3(1, 0, 0)};
   MeasuredHand hand(device, plan, bounds_of(plan, limits), away);
   Servo servo(far_apart(), Method::pdg, Coupling{}, settings);
@@ -69,7 +69,7 @@ Response connected_response(const std::string& path, const DeviceProfile& profil
     }
   } while (now.end == PulsesEnd::none);
   servo.stop();
-  if (now.end == PulsesEnd::done) return hand.pulses().response();
+  if (now.end == PulsesEnd::done) return {hand.pulses().response(), limited};
   throw InputError::in(path, now.end == PulsesEnd::withheld ? words(now.withheld) : words(now.end));
 }
 

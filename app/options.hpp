@@ -35,8 +35,8 @@ struct SolverOptions {
   std::string mode;  ///< "static" or "coherent"
   Budget budget;
   std::uint64_t seed = 1;
-  /// Wanted whole, or not at all; by default as much of it as the search takes itself, where
-  /// nothing limits the time.
+  /// Wanted whole, or not at all. By default about as much work goes into it as into the search, in
+  /// what that leaves of a limited time.
   std::optional<bool> bound;
   bool time_phases = false;  ///< say where the time of an answer went
   unsigned threads = 0;      ///< 0: as many as the machine runs at once

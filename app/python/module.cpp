@@ -90,13 +90,14 @@ SharedBody body_in(const std::string& file, const std::string& model, double sca
 
 Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
              const std::string& method, std::uint64_t seed, unsigned threads, int budget_steps,
-             double budget_us) {
+             double budget_us, bool whole_bound) {
   const std::vector<Pose> given = poses_of(poses);
   app::SolverOptions options;
   options.method = name_of(method_of(method));
   options.budget = budget_of(budget_steps, budget_us);
   options.seed = seed;
   options.threads = std::min(threads, 1024U);
+  if (whole_bound) options.bound = true;
   std::vector<Separation> rows(given.size());
   {
     const py::gil_scoped_release released;
@@ -222,9 +223,11 @@ PYBIND11_MODULE(_sonde, module) {
   declare_follower(module);
   module.def("depth", &depth, "probe"_a, "fixed"_a, "poses"_a, py::kw_only(), "method"_a = "pdg",
              "seed"_a = 1, "threads"_a = 0, "budget_steps"_a = 0, "budget_us"_a = 0.0,
+             "whole_bound"_a = false,
              "The penetration depth of the probe at each of the poses, (7,) or (n, 7):\n"
              "px,py,pz,qw,qx,qy,qz, the probe's mesh frame in the fixed body's, metres.\n"
              "Searches each pose by itself, on `threads` threads (0: all of the machine's).\n"
              "The number of threads does not change the results. They are the same bits as\n"
-             "those of `sonde query`.");
+             "those of `sonde query`, and with `whole_bound` those of `sonde query --bound`:\n"
+             "a lower bound that may take longer than the search.");
 }

@@ -11,6 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "engine/penetration/search/coherent.hpp"
 #include "engine/text/number_text.hpp"
 #include "tests/extremes/press.hpp"
 
@@ -101,13 +102,22 @@ TEST(Extremes, turns_next_to_pi) {
     }
 }
 
-/// A search in another state of the processor, which is put back before anything else is computed.
+/// A search and a tick that follows the probe in, in another state of the processor, which is put
+/// back before anything else is computed.
 template <class Set, class Back>
-Separation searched_with(const Pair& pair, const Set& set, const Back& back) {
+std::pair<Separation, Separation> answers_with(const Pair& pair, const Set& set, const Back& back) {
+  CoherentSolver solver(pair);
   set();
-  const Separation s = separate_static(pair, flat_in_plate(0.01));
+  const Separation searched = separate_static(pair, flat_in_plate(0.01));
+  solver.reset(flat_in_plate(-0.01));
+  const Separation followed = solver.tick(flat_in_plate(0.01));
   back();
-  return s;
+  return {searched, followed};
+}
+void expect_answers(const std::string& host, const Pair& pair,
+                    const std::pair<Separation, Separation>& answers) {
+  expect_answer(host, pair, answers.first, 0.01, 0.01);
+  expect_answer(host + ", a tick", pair, answers.second, 0.01, 0.01);
 }
 
 TEST(Extremes, a_host_program_s_rounding_and_flushing) {
@@ -118,17 +128,17 @@ TEST(Extremes, a_host_program_s_rounding_and_flushing) {
   };
   for (const Mode& host : {Mode{"rounding up", FE_UPWARD}, Mode{"rounding down", FE_DOWNWARD},
                            Mode{"rounding to zero", FE_TOWARDZERO}}) {
-    const Separation s = searched_with(
+    const auto answers = answers_with(
         pair, [&] { ASSERT_EQ(std::fesetround(host.mode), 0); },
         [] { std::fesetround(FE_TONEAREST); });
-    expect_answer(host.name, pair, s, 0.01, 0.01);
+    expect_answers(host.name, pair, answers);
   }
 #if defined(__SSE__)
   const unsigned before = _mm_getcsr();
-  const Separation flushed = searched_with(
+  const auto flushed = answers_with(
       pair, [&] { _mm_setcsr(before | 0x8040); },  // denormals are zero, and flushed to it
       [&] { _mm_setcsr(before); });
-  expect_answer("denormals flushed", pair, flushed, 0.01, 0.01);
+  expect_answers("denormals flushed", pair, flushed);
 #endif
 }
 
@@ -143,7 +153,7 @@ TEST(Extremes, denormal_numbers_in_meshes_and_poses) {
     const Pose pose{Quat(1, tiny, -tiny, tiny), flat_in_plate(0.01).p - brick / 2};
     expect_depth("denormals, " + number_text(tiny), pair, pose, 0.01);
   }
-  EXPECT_THROW(test::body(scaled(test::box(brick), 1e-310)), InputError) << "nothing has an area";
+  EXPECT_THROW(test::body(scaled(test::box(brick), 1e-310)), InputError) << "too small";
 }
 
 // The bound far away may be weak, but not nothing.

@@ -15,6 +15,7 @@
 #include "tests/reference/cases.hpp"
 #include "tests/reference/depths_file.hpp"
 #include "tests/reference/measure.hpp"
+#include "tests/reference/one_projection.hpp"
 #include "tests/support/brute_force.hpp"
 
 namespace sonde::reference {
@@ -126,6 +127,21 @@ void check_search(Method method, std::size_t every, double share_within_5) {
   }
   std::printf("  %zu of %zu within 5 %%\n", within_5, searched);
   EXPECT_GE(static_cast<double>(within_5), share_within_5 * static_cast<double>(searched));
+}
+
+// Reference: PD_t of the committed depths, which no free pose that is only shifted beats.
+TEST(Depths, one_projection_ends_free_and_no_nearer_than_the_reference) {
+  const auto specs = reference::specs();
+  int near = 0;
+  for (const Row& row : sample(30)) {
+    const PairSpec& spec = *specs.at(row.pair);
+    const Measured m = measure_one_projection(row, {spec.probe(), spec.fixed()});
+    EXPECT_EQ(m.got.status, Status::penetrating) << name(row);
+    EXPECT_TRUE(m.free) << name(row);
+    EXPECT_GT(m.excess(), -repeats_to) << name(row);
+    near += m.excess() <= 0.05;
+  }
+  EXPECT_GE(near, 8);
 }
 
 /// The lower bound of every n-th row, which has to be below any free pose.

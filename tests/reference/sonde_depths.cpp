@@ -12,6 +12,7 @@
 #include "engine/text/output_file.hpp"
 #include "tests/reference/calibrate_rows.hpp"
 #include "tests/reference/cases.hpp"
+#include "tests/reference/more_time.hpp"
 #include "tests/reference/one_projection.hpp"
 #include "tests/reference/summary.hpp"
 
@@ -27,6 +28,7 @@ struct Options {
   std::size_t worst = 20;
   bool mend = false;
   bool one_projection = false;
+  std::vector<double> budgets_us;
 };
 
 void add_options(CLI::App& app, Options& o) {
@@ -58,8 +60,16 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag_callback(
       "--default-bound", [&o] { o.search.whole_bound = false; },
       "the lower bound that a query makes by default, instead of the whole one");
-  app.add_flag("--one-projection", o.one_projection,
-               "PD_t by one local projection from outside instead of a search");
+  CLI::Option* const one_projection =
+      app.add_flag("--one-projection", o.one_projection,
+                   "PD_t by one local projection from outside instead of a search");
+  for (const char* of_searches :
+       {"--method", "--seed", "--budget-us", "--budget-steps", "--vary", "--default-bound"})
+    one_projection->excludes(of_searches);
+  app.add_option("--more-time", o.budgets_us,
+                 "budgets of time, us, one after the other: how often more of it is worse")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
 
@@ -100,6 +110,16 @@ std::vector<Measured> measure_all(std::vector<Row>& rows, const Options& options
                       ? measure_one_projection(row, *bodies.bodies)
                       : measure(row, *bodies.bodies, options.search, options.tuning));
     if (options.mend) mend(row, out.back(), options.search.method);
+  }
+  return out;
+}
+
+std::vector<MoreTime> measure_budgets(std::vector<Row>& rows, const Options& options) {
+  std::vector<MoreTime> out;
+  for (const double budget_us : options.budgets_us) {
+    Options now = options;
+    now.search.budget.microseconds = budget_us;
+    out.push_back({budget_us, measure_all(rows, now)});
   }
   return out;
 }
@@ -151,6 +171,10 @@ int run(const Options& options) {
   for (const std::string& file : {options.csv, options.json})
     if (!file.empty()) check_writable(file);
   std::vector<Row> rows = read_rows(options.in);
+  if (!options.budgets_us.empty()) {
+    print("more and more time", more_time(measure_budgets(rows, options)));
+    return 0;
+  }
   const std::vector<Measured> all = measure_all(rows, options);
   if (all.empty()) throw InputError(options.in + ": no rows to measure");
   const bench::Table table = summary(all, options.search.budget.microseconds);

@@ -71,4 +71,5 @@ def depth(
     threads: int = 0,
     budget_steps: int = 0,
     budget_us: float = 0.0,
+    whole_bound: bool = False,
 ) -> Depths: ...

@@ -14,6 +14,7 @@ class SearchBudget {
   SearchBudget(const Budget& budget, const Deadline& deadline, const SearchTuning& tuning);
 
   bool is_limited() const { return budget_.microseconds > 0 || budget_.steps > 0; }
+  bool is_timed() const { return budget_.microseconds > 0; }
   /// So little time that a second thread costs more than it brings.
   bool is_short() const { return short_; }
   bool counts_steps() const { return budget_.steps > 0; }

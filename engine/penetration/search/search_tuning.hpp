@@ -180,6 +180,9 @@ struct SearchTuning {
   /// again: 0.70, and it takes longer than the search on 11 of them.
   int bound_for_a_sketch = 28;
   int bound_for_a_step = 95;
+  /// µs: with less of a limited time left there is none, unless it was asked for: the points that it
+  /// begins with would take longer.
+  double least_us_for_bound = 300;
 };
 inline constexpr SearchTuning search_tuning;
 

@@ -48,6 +48,7 @@ constexpr Named all[] = {
     {"worth_refining", &SearchTuning::worth_refining},
     {"bound_for_a_sketch", &SearchTuning::bound_for_a_sketch},
     {"bound_for_a_step", &SearchTuning::bound_for_a_step},
+    {"least_us_for_bound", &SearchTuning::least_us_for_bound},
 };
 
 template <class Value>

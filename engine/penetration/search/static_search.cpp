@@ -51,6 +51,11 @@ class Search {
     if (rotates() && budget_.counts_steps()) {
       first_sketched_start();
       first_translation();
+    } else if (rotates() && budget_.is_timed() && !sketched()) {
+      // What the first push ends in may be far out, and more time for it is then worse than the
+      // translation that less time had to do with.
+      first_translation();
+      turn_from_translation();
     }
     first_starts();
     if (optima_.empty()) beyond_ends();
@@ -66,9 +71,9 @@ class Search {
   }
 
   /// About what the search took, in the units of work of the bound: rather less than more.
-  int work_of_bound() const {
-    return tuned_.bound_for_a_sketch * sketches_made() +
-           tuned_.bound_for_a_step * budget_.steps_spent();
+  std::int64_t work_of_bound() const {
+    return std::int64_t{tuned_.bound_for_a_sketch} * sketches_made() +
+           std::int64_t{tuned_.bound_for_a_step} * budget_.steps_spent();
   }
 
  private:
@@ -237,6 +242,9 @@ class Search {
     if (!budget_.searching().passed()) first_translations();
     if (!std::isfinite(translated_.depth))
       starts_outside(budget_.searching().passed() ? 2 : per_round);
+    turn_from_translation();
+  }
+  void turn_from_translation() {
     if (budget_.search_is_over() || !std::isfinite(translated_.depth)) return;
     share_ = budget_.steps_left();
     accept(starts_.lane(0).descend(chart_, translated_.y, Method::pdg,
@@ -388,10 +396,12 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
   Search search(pair, device, options, tuning, deadline.part(1 - kept));
   Separation out = search.run();
-  if (options.want_lower_bound && out.status == Status::penetrating) {
+  const bool in_time = options.share_for_bound > 0 || !deadline.passed(tuning.least_us_for_bound);
+  if (options.want_lower_bound && in_time && out.status == Status::penetrating) {
     const PhaseTimer timer(options.time_phases ? &out.phases : nullptr, Phase::bound);
     BoundOptions bound;
-    if (!options.whole_bound) bound.work = std::min(bound.work, search.work_of_bound());
+    if (!options.whole_bound)
+      bound.work = static_cast<int>(std::min<std::int64_t>(bound.work, search.work_of_bound()));
     out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), device, deadline, bound);
   }
   return out;

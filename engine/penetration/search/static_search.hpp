@@ -23,8 +23,8 @@ struct StaticOptions {
   /// from all places that they show. False: only the two limits above end the search.
   bool by_evidence = true;
   bool want_lower_bound = true;  ///< compute the lower bound too; two surfaces have none
-  /// The bound takes whatever work raises it (some 5 ms). False: it is not the larger part of the
-  /// time, and ends with about as much counted work as the search took, where it may be lower.
+  /// The bound takes whatever work raises it (some 5 ms). False: about as much as the search took,
+  /// as counted, besides the points that it begins with. It may be lower then.
   bool whole_bound = false;
   /// The share of a budget of time that is kept for the bound. 0: the bound gets what the search
   /// leaves.

@@ -6,8 +6,9 @@
 
 namespace sonde {
 
-bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
-  if (balls_are_apart(a, b, X_BA)) return false;
+namespace {
+
+bool boxes_lead_to_a_meeting(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
   const Placement at(a, b, X_BA);
   PairStack<SlotPair> stack;
   SlotPairs found;
@@ -34,9 +35,15 @@ bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt d
   return false;
 }
 
+}  // namespace
+
+bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
+  return !balls_are_apart(a, b, X_BA) && boxes_lead_to_a_meeting(a, b, X_BA, doubt);
+}
+
 bool overlap(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt) {
-  if (balls_are_apart(a, b, X_BA)) return false;
-  return triangles_meet(a, b, X_BA, doubt) || component_inside(a, b, X_BA);
+  return !balls_are_apart(a, b, X_BA) &&
+         (boxes_lead_to_a_meeting(a, b, X_BA, doubt) || component_inside(a, b, X_BA));
 }
 
 }  // namespace sonde

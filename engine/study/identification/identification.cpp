@@ -54,16 +54,48 @@ double largest(const Windows& windows) {
   return std::ranges::max_element(windows, {}, &PulseWindow::amplitude)->amplitude;
 }
 
-/// The commands beside this axis are zero, and no sample is missing.
-void check_times(const AxisResponse& r, const PulseWindow& w, double step) {
-  for (std::size_t k = w.begin; k < w.end; ++k) {
-    const std::string when = "t = " + number_text(r.times[k]) + " s";
-    if (r.others[k]) throw std::invalid_argument("another axis is commanded too at " + when);
-    const double since = k > w.begin ? r.times[k] - r.times[k - 1] : 0;
-    if (since > longest_gap * step)
-      throw std::invalid_argument("no sample for " + number_text(1e3 * since, 3) + " ms before " +
-                                  when);
+/// Throws unless the commands beside this axis are zero.
+void check_alone(const AxisResponse& r, const PulseWindow& w) {
+  for (std::size_t k = w.begin; k < w.end; ++k)
+    if (r.others[k])
+      throw std::invalid_argument(
+          "another axis is commanded too at t = " + number_text(r.times[k]) + " s");
+}
+
+struct WithoutGaps {
+  Windows windows;
+  std::size_t gaps = 0;  ///< in the others
+};
+
+/// The first sample of a pulse, from the one before it to the one after, that comes too late. None:
+/// the size of the recording.
+std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step) {
+  for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k)
+    if (r.times[k] - r.times[k - 1] > longest_gap * step) return k;
+  return r.times.size();
+}
+
+/// Where a sample is missing, what was commanded meanwhile is not known: that pulse tells nothing.
+/// (A longer gap cuts a pulse in two, with the gap between them.)
+WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step) {
+  WithoutGaps out;
+  std::size_t last = r.times.size();
+  for (const PulseWindow& w : windows) {
+    const std::size_t late = late_sample(r, w, step);
+    if (late == r.times.size()) {
+      out.windows.push_back(w);
+    } else {
+      out.gaps += late != last;
+      last = late;
+    }
   }
+  if (out.gaps > 0 && out.windows.size() < least_pulses)
+    throw std::invalid_argument(
+        "no sample for " + number_text(1e3 * (r.times[last] - r.times[last - 1]), 3) +
+        " ms before t = " + number_text(r.times[last]) + " s, and samples are missing in " +
+        std::to_string(out.gaps) + " pulses: " + std::to_string(out.windows.size()) +
+        " are whole; it takes " + std::to_string(least_pulses));
+  return out;
 }
 
 /// Those by which the handle moved far enough to tell something.
@@ -82,7 +114,7 @@ Windows telling(const AxisResponse& r, const Windows& windows, double grain, std
                               std::to_string(least_pulses));
 }
 
-void check_pulses(const AxisResponse& r, const Windows& windows, double step) {
+void check_pulses(const AxisResponse& r, const Windows& windows) {
   if (windows.size() < least_pulses)
     throw std::invalid_argument(std::to_string(windows.size()) + " pulses; it takes " +
                                 std::to_string(least_pulses));
@@ -91,7 +123,7 @@ void check_pulses(const AxisResponse& r, const Windows& windows, double step) {
       throw std::invalid_argument("the pulse at t = " + number_text(r.times[w.first]) + " s has " +
                                   std::to_string(w.last - w.first) + " samples; it takes " +
                                   std::to_string(least_samples));
-    check_times(r, w, step);
+    check_alone(r, w);
   }
 }
 
@@ -132,16 +164,18 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 /// Throws std::invalid_argument, saying why, where the pulses cannot tell.
 IdentifiedAxis identified(const AxisResponse& r, const Windows& all, std::size_t axis,
                           double sample_time) {
-  check_pulses(r, all, sample_time);
+  const auto [whole, gaps] = without_gaps(r, all, sample_time);
+  check_pulses(r, whole);
   const std::optional<Estimate> step = encoder_step(r.positions);
-  const double grain = std::max(step ? step->value : 0, grain_of_noise(r, all));
-  const Windows windows = telling(r, all, grain, axis);
+  const double grain = std::max(step ? step->value : 0, grain_of_noise(r, whole));
+  const Windows windows = telling(r, whole, grain, axis);
   check_amplitudes(windows, axis);
   IdentifiedAxis out{.axis = axis,
                      .handle = fit_handle(r, windows, step ? step->value : 0),
                      .resolution = {},
                      .has_steps = step.has_value(),
                      .pulses = windows.size(),
+                     .with_gaps = gaps,
                      .most = largest(windows)};
   check_fit(out.handle, axis);
   out.resolution = step ? *step : largest_step(r, windows, out.handle);

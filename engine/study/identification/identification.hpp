@@ -15,10 +15,11 @@ namespace sonde {
 struct IdentifiedAxis {
   std::size_t axis = 0;
   HandleFit handle;
-  Estimate resolution;     ///< m | rad
-  bool has_steps = false;  ///< false: no step was seen, and `resolution` is how large it may be
-  std::size_t pulses = 0;  ///< that were used
-  double most = 0;         ///< N | N·m, the largest command among these
+  Estimate resolution;        ///< m | rad
+  bool has_steps = false;     ///< false: no step was seen, and `resolution` is how large it may be
+  std::size_t pulses = 0;     ///< that were used
+  std::size_t with_gaps = 0;  ///< others, in which samples are missing
+  double most = 0;            ///< N | N·m, the largest command among these
 };
 /// An axis along which there were pulses that cannot tell anything.
 struct RefusedAxis {
@@ -49,8 +50,8 @@ struct Identification {
 /// limit all; delay is resolved to a share of the sample time only as far as the recording's times
 /// are true; friction is one number, at rest as in motion. An axis is refused, with a reason, where
 /// its pulses cannot tell: no movement, too few or too short pulses, one amplitude, noise, another
-/// axis at the same time, a gap in time, a hand on the handle or a stop in its way. Throws
-/// InputError, with the reasons, where that leaves no axis.
+/// axis at the same time, gaps in time in all but a few, a hand on the handle or a stop in its way.
+/// Throws InputError, with the reasons, where that leaves no axis.
 Identification identify(const Response& response);
 
 /// "force along x", "torque about z".

@@ -39,6 +39,9 @@ std::string about(const IdentifiedAxis& axis) {
   std::string out = name_of_axis(axis.axis) + ": " + std::to_string(axis.pulses) +
                     " pulses of up to " + number_text(axis.most, 3) + unit + "; " +
                     number_text(100 * axis.handle.misfit, 2) + " % of the motion is unexplained";
+  if (axis.with_gaps > 0)
+    out +=
+        "; " + std::to_string(axis.with_gaps) + " more are left out, samples are missing in them";
   if (!axis.has_steps) out += "; no step of the encoder was seen: it may be as large as is said";
   return out + '\n';
 }
@@ -46,17 +49,12 @@ std::string about(const IdentifiedAxis& axis) {
 Json json_of(const Estimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
 
 Json json_of(const IdentifiedAxis& axis) {
-  return {{"axis", name_of_axis(axis.axis)},
-          {"pulses", axis.pulses},
-          {"largest_command", axis.most},
-          {"inertia", json_of(axis.handle.inertia)},
-          {"damping", json_of(axis.handle.damping)},
-          {"friction", json_of(axis.handle.friction)},
-          {"delay", json_of(axis.handle.delay)},
-          {"resolution", json_of(axis.resolution)},
-          {"steps_seen", axis.has_steps},
-          {"beside_the_command", axis.handle.offset},
-          {"unexplained", axis.handle.misfit}};
+  return {{"axis", name_of_axis(axis.axis)},           {"pulses", axis.pulses},
+          {"pulses_with_gaps", axis.with_gaps},        {"largest_command", axis.most},
+          {"inertia", json_of(axis.handle.inertia)},   {"damping", json_of(axis.handle.damping)},
+          {"friction", json_of(axis.handle.friction)}, {"delay", json_of(axis.handle.delay)},
+          {"resolution", json_of(axis.resolution)},    {"steps_seen", axis.has_steps},
+          {"beside_the_command", axis.handle.offset},  {"unexplained", axis.handle.misfit}};
 }
 
 }  // namespace

@@ -15,6 +15,10 @@ namespace {
 /// of a difference.
 constexpr double held_share = 0.2;
 constexpr double far = 3;  // times the travel that is intended
+/// Rests: a handle that still moves where a pulse is due is given so much longer. A tick that came
+/// late made the pulse before it longer than planned, and a heavy handle takes its time. A hand
+/// never rests so well.
+constexpr std::size_t most_waits = 4;
 
 Vec3 way(const Pose& from, const Pose& to) { return to.p - from.p; }
 Vec3 turn(const Pose& from, const Pose& to) { return rotation_vector(to.q * from.q.conjugate()); }
@@ -67,8 +71,9 @@ const char* words(PulsesEnd end) {
 PulsePlayer::PulsePlayer(const PulsePlan& plan, const PulseBounds& bounds)
     : bounds_(bounds),
       watched_rest_(plan.rest / 3),
+      longest_wait_(most_waits * plan.rest),
       commands_(commands_of(plan)),
-      rows_(commands_.size()) {
+      rows_(commands_.size() + plan.pulses.size() * longest_wait_) {
   std::size_t begin = plan.rest;
   for (const Pulse& pulse : plan.pulses) {
     pulses_.push_back({pulse, begin, begin + 4 * pulse.part});
@@ -82,24 +87,27 @@ void PulsePlayer::finish(PulsesEnd end) noexcept { end_.store(end, std::memory_o
 
 bool PulsePlayer::restless(const Pose& X_BH) noexcept {
   if (pulse_ >= pulses_.size()) return false;
-  const std::size_t sample = played_.load(std::memory_order_relaxed);
-  const std::size_t due = pulses_[pulse_].begin;
-  if (sample + watched_rest_ == due) rest_ = X_BH;
-  return sample + watched_rest_ > due && sample <= due &&
-         beyond(rest_, X_BH, bounds_.rest_travel, bounds_.rest_turn);
+  const std::size_t due = pulses_[pulse_].begin, watched = due - watched_rest_;
+  if (place_ < watched || place_ > due) return false;
+  if (place_ == watched) rest_ = X_BH;
+  if (!beyond(rest_, X_BH, bounds_.rest_travel, bounds_.rest_turn)) return false;
+  waited_ += place_ - watched;
+  place_ = watched;
+  rest_ = X_BH;
+  return waited_ > longest_wait_;
 }
 
 /// Follows the present pulse, from its first sample to the one after its last.
 bool PulsePlayer::held(const Pose& X_BH) noexcept {
-  const std::size_t sample = played_.load(std::memory_order_relaxed);
-  if (pulse_ >= pulses_.size() || sample <= pulses_[pulse_].begin) return false;
+  if (pulse_ >= pulses_.size() || place_ <= pulses_[pulse_].begin) return false;
   const Timed& present = pulses_[pulse_];
   excursion_ = std::max(excursion_, along(present.pulse, rest_, X_BH));
-  if (sample < present.end) return false;
+  if (place_ < present.end) return false;
   double& largest = largest_[present.pulse.axis];
   const bool is_held = excursion_ < held_share * largest;
   largest = std::max(largest, excursion_);
   excursion_ = 0;
+  waited_ = 0;
   ++pulse_;
   return is_held;
 }
@@ -119,13 +127,12 @@ PulsesEnd PulsePlayer::watch(double t, const Pose& X_BH, bool trusted) noexcept 
 }
 
 HandTrial& PulsePlayer::next(double t, const Pose& X_BH, bool trusted) noexcept {
-  const std::size_t sample = played_.load(std::memory_order_relaxed);
   const bool ended = end_.load(std::memory_order_relaxed) != PulsesEnd::none;
-  if (sample == 0) start_ = last_ = rest_ = X_BH;
+  if (played_.load(std::memory_order_relaxed) == 0) start_ = last_ = rest_ = X_BH;
   if (!ended)
     if (const PulsesEnd end = watch(t, X_BH, trusted); end != PulsesEnd::none) finish(end);
   asked_ = end_.load(std::memory_order_relaxed) == PulsesEnd::none;
-  trial_.wrench = asked_ ? commands_[sample] : Wrench{};
+  trial_.wrench = asked_ ? commands_[place_] : Wrench{};
   trial_.withheld = Withheld::nothing;
   const bool follows = trusted && is_finite(X_BH);
   trial_.way = follows ? way(last_, X_BH) : Vec3(Vec3::Zero());
@@ -138,18 +145,19 @@ HandTrial& PulsePlayer::next(double t, const Pose& X_BH, bool trusted) noexcept 
 void PulsePlayer::rendered(const Wrench& wrench) noexcept {
   if (!asked_) return;  // a loop that rests renders without a sample
   asked_ = false;
-  const std::size_t sample = played_.load(std::memory_order_relaxed);
+  const std::size_t row = played_.load(std::memory_order_relaxed);
   now_.command = wrench;
-  rows_[sample] = now_;
-  played_.store(sample + 1, std::memory_order_release);
-  if (sample + 1 == rows_.size()) finish(PulsesEnd::done);
+  rows_[row] = now_;
+  played_.store(row + 1, std::memory_order_release);
+  reached_.store(++place_, std::memory_order_relaxed);
+  if (place_ == commands_.size()) finish(PulsesEnd::done);
 }
 
 PulseProgress PulsePlayer::progress() const noexcept {
   PulseProgress out{.end = end_.load(std::memory_order_acquire),
                     .withheld = withheld_.load(std::memory_order_relaxed),
-                    .sample = played_.load(std::memory_order_acquire),
-                    .samples = rows_.size(),
+                    .sample = reached_.load(std::memory_order_relaxed),
+                    .samples = commands_.size(),
                     .pulse = 0,
                     .pulses = pulses_.size()};
   out.pulse = static_cast<std::size_t>(

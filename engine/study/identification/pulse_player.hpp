@@ -46,8 +46,9 @@ struct PulseProgress {
   std::size_t pulse = 0, pulses = 0;      ///< begun, and of the whole plan
 };
 
-/// Plays a plan of pulses to a handle and records its answer. It ends by itself where the handle
-/// does not move as one that nobody holds; from then on it asks for no force.
+/// Plays a plan of pulses to a handle and records its answer. A handle that still moves where a
+/// pulse is due gets up to four rests more. It ends by itself where the handle does not move as one
+/// that nobody holds; from then on it asks for no force.
 class PulsePlayer {
  public:
   /// Allocates all that it needs.
@@ -81,6 +82,7 @@ class PulsePlayer {
   };
   PulseBounds bounds_;
   std::size_t watched_rest_;  ///< samples at the end of a rest
+  std::size_t longest_wait_;  ///< samples more that a rest may take
   std::vector<Wrench> commands_;
   std::vector<Timed> pulses_;
 
@@ -89,12 +91,15 @@ class PulsePlayer {
   ResponseSample now_;
   bool asked_ = false;  ///< next() was called and rendered() not yet
   Pose start_, last_, rest_;
+  std::size_t place_ = 0;            ///< the next sample of the plan
   std::size_t pulse_ = 0;            ///< the present or the coming one
+  std::size_t waited_ = 0;           ///< samples, before that pulse, that are not in the plan
   double excursion_ = 0;             ///< m | rad, of the present pulse along its axis
   std::array<double, 6> largest_{};  ///< of the pulses before, for each axis
   Response rows_;
 
-  std::atomic<std::size_t> played_{0};
+  std::atomic<std::size_t> played_{0};   ///< rows
+  std::atomic<std::size_t> reached_{0};  ///< place_, for others
   std::atomic<PulsesEnd> end_{PulsesEnd::none};
   std::atomic<Withheld> withheld_{Withheld::nothing};
   std::atomic<bool> stopping_{false};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/tuning/traces_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "engine/base/error.hpp"
 #include "engine/study/charts/small_multiples.hpp"
@@ -138,29 +140,38 @@ SmallMultiples empty_picture(const Json& about, const std::vector<double>& stiff
   return out;
 }
 
-/// Parts come by course, then by stiffness, then by damping.
-std::vector<StudyFile> pictures(const Json& about, const std::vector<Trace>& traces) {
+/// Parts come by course, then by stiffness, then by damping. A picture has a row for each
+/// stiffness and a column for each damping, of some of the courses side by side.
+StudyFile picture(const std::string& file, const Json& about, const std::vector<Trace>& traces,
+                  std::span<const HandCourse> courses) {
   const auto stiffness = about.at("stiffness").get<std::vector<double>>();
   const auto damping = about.at("damping").get<std::vector<double>>();
   const std::size_t each = stiffness.size() * damping.size();
-  std::vector<StudyFile> out;
-  if (damping.size() == 1) {
-    SmallMultiples all = empty_picture(about, stiffness);
-    for (const HandCourse course : all_hand_courses) all.columns.emplace_back(name_of(course));
-    for (std::size_t k = 0; k < stiffness.size(); ++k)
-      for (std::size_t course = 0; course < all.columns.size(); ++course)
-        all.cells.push_back(cell_of(traces.at(course * each + k)));
-    return {{"traces.svg", to_svg(all)}};
-  }
-  for (std::size_t course = 0; course < std::size(all_hand_courses); ++course) {
-    const std::string name = name_of(all_hand_courses[course]);
-    SmallMultiples one = empty_picture(about, stiffness);
-    one.title += ", " + name;
-    for (const double b : damping) one.columns.push_back("b = " + figures_text(b) + " N·s/m");
-    for (std::size_t i = 0; i < each; ++i)
-      one.cells.push_back(cell_of(traces.at(course * each + i)));
-    out.push_back({"traces-" + name + ".svg", to_svg(one)});
-  }
+  const bool names_damping = damping.size() > 1, names_course = courses.size() > 1;
+  SmallMultiples out = empty_picture(about, stiffness);
+  if (!names_course) out.title += std::string(", ") + name_of(courses[0]);
+  for (const HandCourse course : courses)
+    for (const double b : damping) {
+      std::string column = names_course ? name_of(course) : "";
+      if (names_damping) column += (names_course ? ", b = " : "b = ") + figures_text(b) + " N·s/m";
+      out.columns.push_back(column);
+    }
+  for (std::size_t k = 0; k < stiffness.size(); ++k)
+    for (const HandCourse course : courses) {
+      const auto which = static_cast<std::size_t>(std::ranges::find(all_hand_courses, course) -
+                                                  std::begin(all_hand_courses));
+      for (std::size_t b = 0; b < damping.size(); ++b)
+        out.cells.push_back(cell_of(traces.at(which * each + k * damping.size() + b)));
+    }
+  return {file, to_svg(out)};
+}
+
+std::vector<StudyFile> pictures(const Json& about, const std::vector<Trace>& traces) {
+  std::vector<StudyFile> out{picture("traces.svg", about, traces, all_hand_courses)};
+  if (about.at("damping").size() == 1) return out;
+  for (const HandCourse& course : all_hand_courses)
+    out.push_back(picture(std::string("traces-") + name_of(course) + ".svg", about, traces,
+                          std::span(&course, 1)));
   return out;
 }
 

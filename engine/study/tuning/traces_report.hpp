@@ -9,9 +9,9 @@
 namespace sonde {
 
 /// The final files of `sonde traces`, from its parts alone: `traces.csv`, `summary.csv`,
-/// `summary.md`, and pictures: `traces.svg` (a row for each stiffness, a column for each course),
-/// or where there are several dampings a picture for each course, `traces-COURSE.svg`, with a
-/// column for each damping. Errors as tuning_files.
+/// `summary.md`, and pictures: `traces.svg`, with a row for each stiffness and a column for each
+/// course and damping; where there are several dampings also a picture for each course alone,
+/// `traces-COURSE.svg`. Errors as tuning_files.
 std::vector<StudyFile> traces_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -93,6 +93,9 @@ class Module(unittest.TestCase):
         self.assertEqual(found.status[0], "penetrating")
         self.assertLessEqual(found.depth[0], 0.1 * (1 + 1e-3))
         self.assertLessEqual(found.lower_bound[0], found.depth[0])
+        whole = sonde.depth(box(), box(), [1.9, 0, 0] + IDENTITY, whole_bound=True)
+        self.assertGreaterEqual(whole.lower_bound[0], found.lower_bound[0])
+        self.assertLessEqual(whole.lower_bound[0], found.depth[0])
         self.assertEqual(sonde.depth(box(), box(), [2.1, 0, 0] + IDENTITY).depth[0], 0)
 
     def test_a_body_says_what_it_is(self):

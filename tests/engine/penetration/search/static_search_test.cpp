@@ -216,6 +216,15 @@ TEST(StaticSearch, the_bound_is_not_the_larger_part_unless_it_is_asked_for) {
   EXPECT_GT(*cheap.lower_bound, 0);
   EXPECT_LT(*cheap.lower_bound, *whole.lower_bound) << "else the test shows nothing";
   EXPECT_LE(*whole.lower_bound, cheap.depth);
+  options.whole_bound = false;
+  double before = 0;
+  for (const int steps : {1, 4, 16, 64, 256}) {  // more work of the search, and of the bound
+    options.budget.steps = steps;
+    const double bound = *separate_static(rings, X, options).lower_bound;
+    EXPECT_GE(bound, before) << steps;
+    before = bound;
+  }
+  EXPECT_LE(before, *whole.lower_bound);
 }
 
 // What is found with so many steps is found with more: the depth never rises with the budget. And

@@ -175,10 +175,37 @@ TEST_F(Refused, a_hand_that_holds_the_handle) {
   EXPECT_THAT(identifying_complaint(test::answer(held, plan, 0)), HasSubstr("Was it held"));
 }
 
-TEST_F(Refused, missing_samples) {
-  Response response = test::answer(truth, plan, 0);
-  response.erase(response.begin() + 270, response.begin() + 275);
-  EXPECT_THAT(identifying_complaint(response), HasSubstr("no sample for 6 ms before t = 0.275 s"));
+/// The recording without `count` samples in the middle of so many pulses, the first ones.
+Response with_gaps(const Response& response, const PulsePlan& plan, std::size_t pulses,
+                   std::ptrdiff_t count) {
+  std::vector<std::size_t> middles;
+  std::size_t begin = plan.rest;
+  for (const Pulse& pulse : plan.pulses) {
+    middles.push_back(begin + 2 * pulse.part);
+    begin += 4 * pulse.part + plan.rest;
+  }
+  Response out = response;
+  for (std::size_t k = pulses; k-- > 0;) {
+    const auto from = out.begin() + static_cast<std::ptrdiff_t>(middles[k]);
+    out.erase(from, from + count);
+  }
+  return out;
+}
+
+TEST_F(Refused, samples_that_are_missing_in_all_but_a_few_pulses) {
+  const Response response = test::answer(truth, plan, 0);
+  const std::size_t pulses = plan.pulses.size();
+  ASSERT_GE(pulses, 12u);
+  EXPECT_THAT(identifying_complaint(with_gaps(response, plan, pulses - 7, 5)),
+              HasSubstr("no sample for 6 ms before t = "));
+  // Other ticks were late: these pulses are left out. Longer gaps cut a pulse in two.
+  for (const std::ptrdiff_t missing : {5, 30}) {
+    const Identification found = identify(with_gaps(response, plan, 4, missing));
+    ASSERT_EQ(found.axes.size(), 1u);
+    EXPECT_EQ(found.axes[0].pulses, pulses - 4);
+    EXPECT_EQ(found.axes[0].with_gaps, 4u);
+    EXPECT_NEAR(found.translation->inertia.value, 0.1, 0.01 * 0.1);
+  }
 }
 
 TEST_F(Refused, two_axes_at_once) {

@@ -148,10 +148,34 @@ TEST(PulsePlayer, ends_where_the_handle_goes_too_far) {
 
 TEST(PulsePlayer, does_not_begin_before_the_handle_rests) {
   Bench bench;
-  for (int i = 0; i < 300 && bench.end() == PulsesEnd::none; ++i)
-    bench.tick(moved({0.02e-3 * i, 0, 0}));  // 20 mm/s
+  int ticks = 0;
+  for (; ticks < 2000 && bench.end() == PulsesEnd::none; ++ticks)
+    bench.tick(moved({0.01e-3 * ticks, 0, 0}));  // 10 mm/s
   EXPECT_EQ(bench.most_force, 0);
+  EXPECT_GT(ticks, 5 * 250) << "it is given time";
+  EXPECT_LT(ticks, 6 * 250) << "and not for ever";
   bench.expect_ended(PulsesEnd::restless);
+}
+
+// A pulse that a late tick made longer leaves a heavy handle moving: the plan goes on where it
+// rests.
+TEST(PulsePlayer, waits_for_a_handle_that_comes_to_rest_late) {
+  Bench bench;
+  static constexpr int moving = 600;
+  const auto at = [](int tick) { return moved({0.01e-3 * std::min(tick, moving), 0, 0}); };
+  int tick = 0;
+  for (; bench.most_force == 0; ++tick) {
+    ASSERT_LT(tick, 2000);
+    bench.tick(at(tick));
+  }
+  EXPECT_GT(tick, moving) << "no pulse before it rests";
+  EXPECT_LT(tick, moving + 250);
+  for (; bench.end() == PulsesEnd::none; ++tick) bench.tick(at(tick));
+  EXPECT_EQ(bench.end(), PulsesEnd::done);
+  const std::size_t planned = commands_of(bench.plan).size();
+  EXPECT_EQ(bench.player.progress().sample, planned);
+  EXPECT_GT(bench.player.response().size(), planned) << "what was waited is in the recording";
+  EXPECT_EQ(bench.player.response().size(), static_cast<std::size_t>(bench.ticks));
 }
 
 TEST(PulsePlayer, a_handle_that_slides_to_rest_after_a_pulse_may) {

@@ -51,16 +51,20 @@ TEST(Traces, of_the_object_norm_are_one_picture_of_stiffness_by_course) {
   EXPECT_EQ(std::ranges::count(files[1].text, '\n'), 1 + 2 * 4);
 }
 
-TEST(Traces, of_the_classic_coupling_are_a_picture_of_stiffness_by_damping_for_each_course) {
+TEST(Traces, of_the_classic_coupling_are_one_picture_of_all_and_one_for_each_course) {
   TracesRequest request = traces_of_boxes(Coupling::Mode::classic);
   request.damping = {0, 5};
   const test::TempFolder folder;
   compute_parts(folder.path(), plan_traces(request, never), {}, 2, never);
   const auto files = traces_files(folder.path().string(), read_study(folder.path()));
   ASSERT_THAT(names(files),
-              ElementsAre("traces.csv", "summary.csv", "summary.md", "traces-step.svg",
-                          "traces-ramp.svg", "traces-slide.svg", "traces-reversal.svg"));
-  EXPECT_EQ(test::parse_xml(files[3].text).all("g", "cell").size(), 2u * 2);
+              ElementsAre("traces.csv", "summary.csv", "summary.md", "traces.svg",
+                          "traces-step.svg", "traces-ramp.svg", "traces-slide.svg",
+                          "traces-reversal.svg"));
+  EXPECT_EQ(test::parse_xml(files[3].text).all("g", "cell").size(), 2u * 4 * 2);
+  EXPECT_THAT(files[3].text, HasSubstr("reversal, b = 5 N·s/m"));
+  for (std::size_t course = 0; course < 4; ++course)
+    EXPECT_EQ(test::parse_xml(files[4 + course].text).all("g", "cell").size(), 2u * 2);
 }
 
 /// Reference: theory, whose limit the study names in the same place.

@@ -133,17 +133,18 @@ TEST(Tuning, stiffness_beyond_all_reason_gives_a_map_of_it) {
   EXPECT_EQ(recommend(results, GainAxis::object)->stiffness, 0);
 }
 
-// The spoon in the cup, on a sigma.7.
+// Scenes that ship, on devices that do.
 
-TuningRequest spoon_in_cup() {
-  const Scene scene = read_scene(SONDE_RESOURCES "/scenes/spoon-in-cup.sonde.json");
+TuningRequest in_scene(const std::string& name, const std::string& device = "sigma.7") {
+  const Scene scene = read_scene(SONDE_RESOURCES "/scenes/" + name + ".sonde.json");
   TuningRequest request{.pair = {load(scene.probe, scene.unit), load(scene.fixed, scene.unit)}};
   request.X_FM = relative_pose(scene);
   request.coupling = scene.coupling;
-  request.device = profile();
+  request.device = profile(device);
   for (const ProfileKey& key : profile_keys()) (request.device.*key.value).assumed = false;
   return request;
 }
+TuningRequest spoon_in_cup() { return in_scene("spoon-in-cup"); }
 
 TEST(Tuning, Full_a_contact_that_cannot_be_held_is_left_out_with_the_reason) {
   // On the rim of the cup the spoon slips off where theory has it hardest.
@@ -256,6 +257,30 @@ TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_kn
 TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
+
+/// A scene, and the device that it is felt on.
+using Felt = std::pair<const char*, const char*>;
+class HeldForAMinute : public testing::TestWithParam<Felt> {};
+
+TEST_P(HeldForAMinute, Full_whatever_the_friction_and_the_knock) {
+  const auto& [scene, device] = GetParam();
+  TuningRequest request = in_scene(scene, device);
+  const TuningResults results = tuned(request);
+  const auto gains = recommend(results, recommended_axes(results).front());
+  ASSERT_TRUE(gains);
+  RecordProperty("stiffness", std::to_string(gains->stiffness));
+  ASSERT_GT(gains->stiffness, 0) << "there is nothing to hold";
+  const auto situations = tuning_contacts(request, never).situations;
+  for (const TuningLine& line : results.lines)
+    expect_rest_whatever_the_friction(request, situations[line.situation], line,
+                                      recommended_coupling(results), 60);
+}
+INSTANTIATE_TEST_SUITE_P(Felt, HeldForAMinute,
+                         testing::Values(Felt("torus-knots", "omega.7"),
+                                         Felt("linked-tori", "touch"), Felt("terrain", "touch-x"),
+                                         Felt("crumpled-soup", "lambda.7"),
+                                         Felt("nut-on-bolt", "premium-1.5-6dof"),
+                                         Felt("peg-in-hole", "premium-3.0-6dof")));
 
 // Known, and said with the recommendation: at no stiffness it comes to rest there. The motors drive
 // the swing at 400 N/m and above; softer, the probe slides about, and they may take from it.
