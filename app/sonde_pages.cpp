@@ -29,7 +29,7 @@ void write_pages(const fs::path& folder, const CLI::App& program, const std::str
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 2) throw std::invalid_argument("usage: sonde-pages FOLDER");
+  if (argc != 2 || argv[1][0] == '-') throw std::invalid_argument("usage: sonde-pages FOLDER");
   CLI::App headless(sonde::app::program_summary, sonde::app::program_name);
   const auto commands = sonde::app::declare_command_line(headless);
   write_pages(argv[1], headless, "sonde\\-view (1)");

@@ -16,8 +16,8 @@ const char* refusal(int error) {
       return "processors may sleep deeply: this system has no /dev/cpu_dma_latency";
     case EACCES:
     case EPERM:
-      return "processors may sleep deeply: not permitted (a udev rule for /dev/cpu_dma_latency "
-             "would allow it)";
+      return "processors may sleep deeply: not permitted (70-sonde-devices.rules in "
+             "/etc/udev/rules.d allows it to the user at the screen)";
     default:
       return "processors may sleep deeply: the system refused";
   }

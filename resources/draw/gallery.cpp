@@ -97,7 +97,7 @@ int draw_all(const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
+  if (argc != 2 || argv[1][0] == '-') {
     std::fprintf(stderr, "usage: sonde-gallery FOLDER\n");
     return 2;
   }

@@ -114,7 +114,7 @@ std::string picture() {
 }  // namespace sonde::draw
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
+  if (argc != 2 || argv[1][0] == '-') {
     std::fputs("usage: sonde-draw FILE   (gets the picture of the two depths, SVG)\n", stderr);
     return 2;
   }

@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   using namespace sonde::generate;
-  if (argc != 2) {
+  if (argc != 2 || argv[1][0] == '-') {
     std::fputs("usage: sonde-generate FOLDER   (gets FOLDER/models and FOLDER/scenes)\n", stderr);
     return 2;
   }
