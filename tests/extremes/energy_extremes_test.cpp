@@ -51,14 +51,16 @@ double net_work(const Pair& pair, double size, double k, int strides) {
   Pose last = flat_in_plate(-pressed, size);
   loop.reset(last, {});
   Vec3 force = Vec3::Zero();
-  double work = 0;
+  double work = 0, most = 0;
   for (const Pose& X : closed_path(size, strides)) {
     loop.tick(X, 1e-3, {});
     EXPECT_TRUE(loop.wrench().force.allFinite());
+    most = std::max(most, loop.wrench().force.norm());
     work += 0.5 * (force + loop.wrench().force).dot(X.p - last.p);
     force = loop.wrench().force;
     last = X;
   }
+  EXPECT_NEAR(most / (k * pressed * size), 1, 2e-4) << "it was pressed";
   return work / (0.5 * k * pressed * pressed * size * size);
 }
 

@@ -66,10 +66,13 @@ void add_options(CLI::App& app, Options& o) {
   for (const char* of_searches :
        {"--method", "--seed", "--budget-us", "--budget-steps", "--vary", "--default-bound"})
     one_projection->excludes(of_searches);
-  app.add_option("--more-time", o.budgets_us,
-                 "budgets of time, us, one after the other: how often more of it is worse")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+  CLI::Option* const more_time =
+      app.add_option("--more-time", o.budgets_us,
+                     "budgets of time, us, one after the other: how often more of it is worse")
+          ->delimiter(',')
+          ->check(CLI::PositiveNumber);
+  for (const char* of_one : {"--csv", "--json", "--budget-us", "--one-projection"})
+    more_time->excludes(of_one);
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
 

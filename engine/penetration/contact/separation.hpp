@@ -130,8 +130,8 @@ struct Separation {
   /// than the device moved (with translation only: by more than any point of the device moved).
   bool jumped = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
-  /// Static only: the translational depth that the search found on the way, m. None if the time ran
-  /// out before that.
+  /// Static only: the translational depth that the search found on the way, m: PD_t where nothing
+  /// limits the search, and an upper bound of it else. None if the time ran out before that.
   std::optional<double> pdt;
   PhaseTimes phases;  ///< where the time went, if it was asked for
 };

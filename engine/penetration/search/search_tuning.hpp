@@ -176,12 +176,12 @@ struct SearchTuning {
   // The lower bound where it is not to take longer than the search
   /// Units of its work (BoundOptions) for each start on sketches and for each step of the bodies
   /// that the search made. On the 224 poses of depths.csv with a solid it then takes 17 % of the
-  /// time in the median, and its median is 0.66 of the reference instead of 0.84. Half as many
+  /// time in the median, and its median is 0.66 of the reference instead of 0.85. Half as many
   /// again: 0.70, and it takes longer than the search on 11 of them.
   int bound_for_a_sketch = 28;
   int bound_for_a_step = 95;
-  /// µs: with less of a limited time left there is none, unless it was asked for: the points that it
-  /// begins with would take longer.
+  /// µs: with less of a limited time left there is none, unless it was asked for: the points that
+  /// it begins with would take longer.
   double least_us_for_bound = 300;
 };
 inline constexpr SearchTuning search_tuning;

@@ -396,7 +396,8 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
   Search search(pair, device, options, tuning, deadline.part(1 - kept));
   Separation out = search.run();
-  const bool in_time = options.share_for_bound > 0 || !deadline.passed(tuning.least_us_for_bound);
+  const bool in_time = options.whole_bound || options.share_for_bound > 0 ||
+                       !deadline.passed(tuning.least_us_for_bound);
   if (options.want_lower_bound && in_time && out.status == Status::penetrating) {
     const PhaseTimer timer(options.time_phases ? &out.phases : nullptr, Phase::bound);
     BoundOptions bound;

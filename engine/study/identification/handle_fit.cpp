@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
@@ -38,6 +39,21 @@ VectorXd within(const std::vector<double>& of, const PulseWindow& w) {
   const auto size = static_cast<Index>(w.end - w.begin);
   return Eigen::Map<const VectorXd>(of.data() + w.begin, size);
 }
+/// The model's motion under the recorded commands, in parts that each begin at rest.
+std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse& r) {
+  std::vector<double> out;
+  out.reserve(r.times.size());
+  for (std::size_t part = 0; part <= r.at_rest.size(); ++part) {
+    const std::size_t begin = part == 0 ? 0 : r.at_rest[part - 1];
+    const std::size_t end = part == r.at_rest.size() ? r.times.size() : r.at_rest[part];
+    const std::span times(r.times), commands(r.commands);
+    const auto motion = free_motion(handle, times.subspan(begin, end - begin),
+                                    commands.subspan(begin, end - begin));
+    out.insert(out.end(), motion.begin(), motion.end());
+  }
+  return out;
+}
+
 VectorXd without_mean(const VectorXd& x) { return x.array() - x.mean(); }
 
 /// Measured less modelled motion, in shares of the whole motion's rms, for Eigen's solver.
@@ -60,8 +76,7 @@ struct Residuals {
     return static_cast<int>(n);
   }
   int operator()(const VectorXd& p, VectorXd& out) const {
-    const std::vector<double> modelled =
-        free_motion(handle_of(p, scale), response->times, response->commands);
+    const std::vector<double> modelled = modelled_motion(handle_of(p, scale), *response);
     Index at = 0;
     for (const PulseWindow& w : *windows) {
       const VectorXd left = without_mean(within(response->positions, w) - within(modelled, w));
@@ -96,7 +111,7 @@ double first_delay(const AxisResponse& r, const PulseWindow& w) {
 
 /// The inertia with which the largest pulse has the excursion that it has, without losses.
 double first_inertia(const AxisResponse& r, const PulseWindow& w) {
-  const std::vector<double> modelled = free_motion({.inertia = 1}, r.times, r.commands);
+  const std::vector<double> modelled = modelled_motion({.inertia = 1}, r);
   return excursion(modelled, w) / excursion(r.positions, w);
 }
 
@@ -168,8 +183,7 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
                                double step) {
   constexpr int phases = 16;
   const AxisResponse& r = *residuals.response;
-  const std::vector<double> motion =
-      free_motion(handle_of(p, residuals.scale), r.times, r.commands);
+  const std::vector<double> motion = modelled_motion(handle_of(p, residuals.scale), r);
   const Eigen::LDLT<MatrixXd> information(J.transpose() * J);
   MatrixXd spread = MatrixXd::Zero(Index{parameter_count}, Index{parameter_count});
   for (int phase = 0; phase < phases && step > 0; ++phase) {

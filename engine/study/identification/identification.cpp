@@ -64,7 +64,8 @@ void check_alone(const AxisResponse& r, const PulseWindow& w) {
 
 struct WithoutGaps {
   Windows windows;
-  std::size_t gaps = 0;  ///< in the others
+  std::vector<std::size_t> at_rest;  ///< where the next of them begins after a gap
+  std::size_t gaps = 0;              ///< in the others
 };
 
 /// The first sample of a pulse, from the one before it to the one after, that comes too late. None:
@@ -80,14 +81,17 @@ std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step
 WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step) {
   WithoutGaps out;
   std::size_t last = r.times.size();
+  bool after_gap = false;
   for (const PulseWindow& w : windows) {
     const std::size_t late = late_sample(r, w, step);
     if (late == r.times.size()) {
+      if (after_gap) out.at_rest.push_back(w.begin);
       out.windows.push_back(w);
     } else {
       out.gaps += late != last;
       last = late;
     }
+    after_gap = late != r.times.size();
   }
   if (out.gaps > 0 && out.windows.size() < least_pulses)
     throw std::invalid_argument(
@@ -162,9 +166,10 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 }
 
 /// Throws std::invalid_argument, saying why, where the pulses cannot tell.
-IdentifiedAxis identified(const AxisResponse& r, const Windows& all, std::size_t axis,
+IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis,
                           double sample_time) {
-  const auto [whole, gaps] = without_gaps(r, all, sample_time);
+  const auto [whole, at_rest, gaps] = without_gaps(r, all, sample_time);
+  r.at_rest = at_rest;
   check_pulses(r, whole);
   const std::optional<Estimate> step = encoder_step(r.positions);
   const double grain = std::max(step ? step->value : 0, grain_of_noise(r, whole));

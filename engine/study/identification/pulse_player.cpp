@@ -16,9 +16,10 @@ namespace {
 constexpr double held_share = 0.2;
 constexpr double far = 3;  // times the travel that is intended
 /// Rests: a handle that still moves where a pulse is due is given so much longer. A tick that came
-/// late made the pulse before it longer than planned, and a heavy handle takes its time. A hand
-/// never rests so well.
+/// late made the pulse before it longer than planned, and a heavy handle takes its time.
 constexpr std::size_t most_waits = 4;
+/// Rests, in all: by then the recording is half as long again, and there is no room for more of it.
+constexpr std::size_t most_waits_in_all = 40;
 
 Vec3 way(const Pose& from, const Pose& to) { return to.p - from.p; }
 Vec3 turn(const Pose& from, const Pose& to) { return rotation_vector(to.q * from.q.conjugate()); }
@@ -73,7 +74,8 @@ PulsePlayer::PulsePlayer(const PulsePlan& plan, const PulseBounds& bounds)
       watched_rest_(plan.rest / 3),
       longest_wait_(most_waits * plan.rest),
       commands_(commands_of(plan)),
-      rows_(commands_.size() + plan.pulses.size() * longest_wait_) {
+      left_to_wait_(most_waits_in_all * plan.rest),
+      rows_(commands_.size() + left_to_wait_ + watched_rest_) {
   std::size_t begin = plan.rest;
   for (const Pulse& pulse : plan.pulses) {
     pulses_.push_back({pulse, begin, begin + 4 * pulse.part});
@@ -91,10 +93,13 @@ bool PulsePlayer::restless(const Pose& X_BH) noexcept {
   if (place_ < watched || place_ > due) return false;
   if (place_ == watched) rest_ = X_BH;
   if (!beyond(rest_, X_BH, bounds_.rest_travel, bounds_.rest_turn)) return false;
-  waited_ += place_ - watched;
+  const std::size_t more = place_ - watched;
+  waited_ += more;
+  if (waited_ > longest_wait_ || more > left_to_wait_) return true;
+  left_to_wait_ -= more;
   place_ = watched;
   rest_ = X_BH;
-  return waited_ > longest_wait_;
+  return false;
 }
 
 /// Follows the present pulse, from its first sample to the one after its last.
@@ -149,7 +154,9 @@ void PulsePlayer::rendered(const Wrench& wrench) noexcept {
   now_.command = wrench;
   rows_[row] = now_;
   played_.store(row + 1, std::memory_order_release);
-  reached_.store(++place_, std::memory_order_relaxed);
+  ++place_;
+  reached_.store(std::max(place_, reached_.load(std::memory_order_relaxed)),
+                 std::memory_order_relaxed);
   if (place_ == commands_.size()) finish(PulsesEnd::done);
 }
 

@@ -83,6 +83,7 @@ class PulsePlayer {
   PulseBounds bounds_;
   std::size_t watched_rest_;  ///< samples at the end of a rest
   std::size_t longest_wait_;  ///< samples more that a rest may take
+  std::size_t left_to_wait_;  ///< samples, of all rests
   std::vector<Wrench> commands_;
   std::vector<Timed> pulses_;
 
@@ -99,7 +100,7 @@ class PulsePlayer {
   Response rows_;
 
   std::atomic<std::size_t> played_{0};   ///< rows
-  std::atomic<std::size_t> reached_{0};  ///< place_, for others
+  std::atomic<std::size_t> reached_{0};  ///< the furthest place_, for others
   std::atomic<PulsesEnd> end_{PulsesEnd::none};
   std::atomic<Withheld> withheld_{Withheld::nothing};
   std::atomic<bool> stopping_{false};

@@ -22,6 +22,9 @@ struct AxisResponse {
   std::vector<double> commands;   ///< N | N·m
   std::vector<double> positions;  ///< m | rad, from the first pose
   std::vector<bool> others;       ///< another axis is commanded
+  /// Samples, rising, at which a handle is taken to be at rest, besides the first: after what is
+  /// not known of the commands before.
+  std::vector<std::size_t> at_rest;
 };
 AxisResponse axis_response(const Response& response, std::size_t axis);
 

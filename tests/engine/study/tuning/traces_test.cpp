@@ -57,10 +57,9 @@ TEST(Traces, of_the_classic_coupling_are_one_picture_of_all_and_one_for_each_cou
   const test::TempFolder folder;
   compute_parts(folder.path(), plan_traces(request, never), {}, 2, never);
   const auto files = traces_files(folder.path().string(), read_study(folder.path()));
-  ASSERT_THAT(names(files),
-              ElementsAre("traces.csv", "summary.csv", "summary.md", "traces.svg",
-                          "traces-step.svg", "traces-ramp.svg", "traces-slide.svg",
-                          "traces-reversal.svg"));
+  ASSERT_THAT(names(files), ElementsAre("traces.csv", "summary.csv", "summary.md", "traces.svg",
+                                        "traces-step.svg", "traces-ramp.svg", "traces-slide.svg",
+                                        "traces-reversal.svg"));
   EXPECT_EQ(test::parse_xml(files[3].text).all("g", "cell").size(), 2u * 4 * 2);
   EXPECT_THAT(files[3].text, HasSubstr("reversal, b = 5 N·s/m"));
   for (std::size_t course = 0; course < 4; ++course)
