@@ -73,8 +73,8 @@ PulsePlayer::PulsePlayer(const PulsePlan& plan, const PulseBounds& bounds)
     : bounds_(bounds),
       watched_rest_(plan.rest / 3),
       longest_wait_(most_waits * plan.rest),
-      commands_(commands_of(plan)),
       left_to_wait_(most_waits_in_all * plan.rest),
+      commands_(commands_of(plan)),
       rows_(commands_.size() + left_to_wait_ + watched_rest_) {
   std::size_t begin = plan.rest;
   for (const Pulse& pulse : plan.pulses) {
