@@ -225,7 +225,7 @@ void MeasureDialog::describe() {
   const PulseBounds bounds = bounds_of(plan, wanted);
   what_->setText(
       QStringLiteral(
-          "<p><b>%1</b> will be pushed: %2, along one axis after the other, in %3 s or some more. "
+          "<p><b>%1</b> will be pushed: %2, along one axis after the other, in at least %3 s. "
           "The largest "
           "move the handle by about %4 to either side.</p><ul>"
           "<li><b>Take your hand off the handle</b>, let it rest, and keep clear: nothing within "
