@@ -225,9 +225,8 @@ void MeasureDialog::describe() {
   const PulseBounds bounds = bounds_of(plan, wanted);
   what_->setText(
       QStringLiteral(
-          "<p><b>%1</b> will be pushed: %2, along one axis after the other, in at least %3 s. "
-          "The largest "
-          "move the handle by about %4 to either side.</p><ul>"
+          "<p><b>%1</b> will be pushed: %2, along one axis after the other, in at least %3 s. The "
+          "largest move the handle by about %4 to either side.</p><ul>"
           "<li><b>Take your hand off the handle</b>, let it rest, and keep clear: nothing within "
           "5 cm of it.</li>"
           "<li>Contacts are not felt meanwhile.</li>"
