@@ -66,9 +66,9 @@ bool LeapDescent::is_free(const Chart& chart, const Vec6& y) const {
   return !overlap(probe_, fixed_, Transform(chart.pose(y)), Doubt::contact);
 }
 
-Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
+Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y, const Deadline& deadline) const {
   double taken = 0, free = 1;
-  for (int i = 0; i < leaps.bisections; ++i) {
+  for (int i = 0; i < leaps.bisections && !deadline.passed(); ++i) {
     const double middle = 0.5 * (taken + free);
     (is_free(chart, middle * y) ? free : taken) = middle;
   }
@@ -76,10 +76,12 @@ Vec6 LeapDescent::pull_in(const Chart& chart, const Vec6& y) const {
 }
 
 std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, double margin,
-                                        ContactRows& rows, double trust, const Vec6& y) {
+                                        ContactRows& rows, double trust, const Vec6& y,
+                                        const Deadline& deadline) {
   Vec6 step = first;
   Effort unlimited;
   for (int round = 0; round < descent_tuning.most_cuts; ++round) {
+    if (deadline.passed()) return std::nullopt;
     const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
       // The rows know all that is in the way, and it bends into it; or there is no room for more.
@@ -95,11 +97,11 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
 }
 
 bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double margin,
-                       ContactRows& rows, Pace& pace, Vec6& y) {
+                       ContactRows& rows, Pace& pace, Vec6& y, const Deadline& deadline) {
   const Vec6 step = worth_trying(chart, y, nearest.y - y, pace.trust);
   const double length = step.norm();
   const auto take = [&](const Vec6& leap) {
-    if (!is_free(chart, y + leap)) return false;
+    if (deadline.passed() || !is_free(chart, y + leap)) return false;
     y += leap;
     pace.moved = leap.norm();
     return true;
@@ -115,8 +117,8 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
       worth_trying(chart, y, rows.solve(room, ContactRows::SmallGaps::widen).y - y, pace.trust);
   if (-y.dot(lifted) > leaps.worth * -y.dot(step) && take(lifted)) return true;
   // The rows may lack what is in the way: the nearest pairs are a guess of it.
-  if (const auto round =
-          pace.complete ? detour(chart, step, margin, rows, pace.trust, y) : std::nullopt) {
+  if (const auto round = pace.complete ? detour(chart, step, margin, rows, pace.trust, y, deadline)
+                                       : std::nullopt) {
     y += *round;
     pace.moved = round->norm();
     pace.trust = leaps.trust_after_part * std::max(pace.moved, leaps.trust_kept * pace.trust);
@@ -168,7 +170,7 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
     if (out.iterations >= goal.steps || pace.trust < leaps.least_trust * margin) return out;
     if (deadline.passed()) return out;
     ++out.iterations;
-    leap(chart, nearest, margin, rows, pace, out.y);
+    leap(chart, nearest, margin, rows, pace, out.y, deadline);
   }
 }
 

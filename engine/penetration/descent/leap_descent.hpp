@@ -41,7 +41,7 @@ class LeapDescent {
 
   bool is_free(const Chart& chart, const Vec6& y) const;
   /// From the free pose at y straight towards the origin, by bisection: a nearer free pose, or y.
-  Vec6 pull_in(const Chart& chart, const Vec6& y) const;
+  Vec6 pull_in(const Chart& chart, const Vec6& y, const Deadline& deadline = {}) const;
 
   /// Leaps so far that were cut short since there was no room for more rows, or what was in the way
   /// had been thought over often enough. None makes an end converged: it is so by rows that hold
@@ -51,12 +51,14 @@ class LeapDescent {
  private:
   struct Pace;
   ContactRows& rows(Guide guide);
-  /// Towards the nearest point of the rows, as far as it is free; false where no part of it is.
+  /// Towards the nearest point of the rows, as far as it is free; false where no part of it is, or
+  /// where there was no time to find one.
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
-            Pace& pace, Vec6& y);
+            Pace& pace, Vec6& y, const Deadline& deadline);
   /// A free leap round what is in the way of the first, by rows of all that is (ContactRows::cut).
   std::optional<Vec6> detour(const Chart& chart, const Vec6& first, double margin,
-                             ContactRows& rows, double trust, const Vec6& y);
+                             ContactRows& rows, double trust, const Vec6& y,
+                             const Deadline& deadline);
 
   const Body& probe_;
   const Body& fixed_;

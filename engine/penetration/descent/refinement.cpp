@@ -50,10 +50,12 @@ Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent&
     go_on(next);
   }
   if (out.contacts.size == 0 && deadline.passed()) {
+    // The nearer it is to what it touches, the less there is to look at.
+    out.move_to(leaps.pull_in(chart, out.y, {refinement_tuning.us_of_last_pull, now_us()}));
     Effort last(refinement_tuning.last_look, 0);
     descent_.forget();
-    go_on(descent_.run(chart, out.y, {.steps = 0}, refinement_tuning.expected_step * out.y.norm(),
-                       last));
+    go_on(descent_.run(chart, out.y, {.steps = 0},
+                       refinement_tuning.expected_after_pull * out.y.norm(), last));
   }
   out.iterations = std::max(taken, 1);
   return out;
