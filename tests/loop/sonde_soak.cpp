@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/base/processor_time.hpp"
+#include "engine/base/wakeful_processors.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"
@@ -21,6 +22,7 @@ struct Options {
   std::string scene;
   double seconds = 60;
   double rate_hz = 0;
+  bool awake = false;
   bool histogram = false;
 };
 
@@ -87,6 +89,7 @@ bool run(const Options& o) {
   if (path.size() < 2) throw InputError::in(o.scene, "the path has a single pose");
   ServoSettings settings = scene.servo;
   if (o.rate_hz > 0) settings.rate_hz = o.rate_hz;
+  const WakefulProcessors awake(o.awake);
   PathThereAndBack hand(path);
   const Pair pair(load(scene.probe, scene.unit), load(scene.fixed, scene.unit));
   Servo servo(pair, Method::pdg, scene.coupling, settings);
@@ -110,8 +113,9 @@ bool run(const Options& o) {
   read();
 
   const ServoTiming& timing = servo.timing();
-  std::printf("%s: %.0f s at %g Hz; %s; %s\n", scene.name.c_str(), o.seconds, settings.rate_hz,
-              timing.real_time.scheduling, timing.real_time.memory);
+  std::printf("%s: %.0f s at %g Hz; %s; %s; %s\n", scene.name.c_str(), o.seconds, settings.rate_hz,
+              timing.real_time.scheduling, timing.real_time.memory,
+              o.awake ? awake.words() : "processors may sleep deeply: not asked for");
   print("period", timing.period);
   print("tick, wall clock", timing.tick);
   print("tick, processor time", hand.cpu());
@@ -150,6 +154,8 @@ int main(int argc, char** argv) {
   app.add_option("SCENE", o.scene, "scene file that names a trajectory")->required();
   app.add_option("--seconds", o.seconds, "how long")->capture_default_str();
   app.add_option("--rate-hz", o.rate_hz, "of the servo; 0: the scene's own");
+  app.add_flag("--awake", o.awake,
+               "keep the processors awake, as the thread of a force device does");
   app.add_flag("--histogram", o.histogram, "print the bins too");
   CLI11_PARSE(app, argc, argv);
   try {

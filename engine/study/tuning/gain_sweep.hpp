@@ -42,6 +42,9 @@ struct TuningSetup {
   double most_rotational_damping = 0;  ///< N·m·s/rad
 };
 
+/// The recommended stiffness is this much below the least at which a hold is not stable.
+constexpr double stability_margin = 1.5;
+
 /// So many times as hard the hand also knocks: what friction ends at a soft knock it may not end at
 /// a hard one.
 constexpr double harder_knocks[] = {2, 4};

@@ -21,7 +21,8 @@ struct TuningColumn {
   /// The limits of stability on a device without friction, and at harder_knocks; no value where a
   /// study did not search for them.
   std::optional<SweepLimit> without_friction, harder_knocks;
-  /// Without friction it came to rest at no stiffness: theory's limit stands for the measured one.
+  /// Without friction it swings on: it came to rest at no stiffness, so that theory's limit stands
+  /// for the measured one, or it does not over seconds at the measured one over stability_margin.
   bool swings_without_friction = false;
   std::vector<SweepPoint> runs;
 };

@@ -133,6 +133,8 @@ TEST(HidDevice, the_udev_rule_knows_every_id_and_opens_nothing_to_all) {
   EXPECT_LT(std::string(udev_rule_file), "73-seat-late.rules");
   const std::string rules = text_of(file);
   EXPECT_THAT(rules, Not(HasSubstr("MODE")));
+  // What WakefulProcessors opens, and where it says so.
+  EXPECT_THAT(rules, HasSubstr(R"(KERNEL=="cpu_dma_latency", SUBSYSTEM=="misc", TAG+="uaccess")"));
   for (unsigned product = 0; product <= 0xffff; ++product) {
     const auto id = static_cast<std::uint16_t>(product);
     if (!space_mouse_name(0x046d, id)) continue;

@@ -69,7 +69,7 @@ TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
   r.lines[0].columns[0].without_friction = {1200, HoldFault::unstable};
   r.lines[0].columns[0].swings_without_friction = true;
   EXPECT_TRUE(recommendation_text(r, GainAxis::object)
-                  .contains("Relies on friction: without it the probe swings on at every stiffness "
+                  .contains("Relies on friction: without it the probe swings on "
                             "(edge contact, light hand)."));
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
@@ -181,49 +182,90 @@ TEST(Tuning, Full_within_five_percent_of_a_ten_times_finer_sweep) {
   RecordProperty("boundary", std::to_string(coarse.boundary) + " " + std::to_string(fine.boundary));
 }
 
+/// What a lab may meet, as multiples: of the profile's friction, of the knock of a sweep.
+struct Met {
+  double friction = 1, knock = 1;
+};
+
 /// With the knock of a sweep: what a push alone does not set swinging could pass for stable.
-HoldReport hold(const TuningRequest& request, const TuningSituation& situation,
-                const std::string& hand, GainAxis axis, const Coupling& gains, double seconds) {
-  const auto grip = std::ranges::find(hand_grips, hand, &HandGrip::name);
-  TuningSetup setup = tuning_setup(request, situation, *grip);
+HoldReport hold(const TuningRequest& request, const TuningSituation& at, const TuningLine& line,
+                const Coupling& gains, double seconds, const Met& met = {}) {
+  const auto grip = std::ranges::find(hand_grips, line.hand, &HandGrip::name);
+  TuningSetup setup = tuning_setup(request, at, *grip);
   setup.loop.coupling = gains;
-  Press press = press_of(setup, axis);
+  setup.loop.device.translation.friction *= met.friction;
+  setup.loop.device.rotation.friction *= met.friction;
+  Press press = press_of(setup, line.axis);
+  press.knock *= met.knock;
+  press.jolt.force *= met.knock;
+  press.jolt.torque *= met.knock;
   press.window_time = seconds / 2;
   ClosedLoop loop(setup.loop);
   return press_and_hold(loop, press);
 }
 
-/// What a lab may meet: other friction than the profile's, harder knocks. It stays stable; and from
-/// so much of the profile's friction on it is at rest in the end.
-void expect_rest_whatever_the_friction(const TuningRequest& request, const TuningSituation& at,
-                                       const TuningLine& line, const Coupling& gains,
-                                       double seconds, double rests_from = 0) {
-  const auto grip = std::ranges::find(hand_grips, line.hand, &HandGrip::name);
-  for (const double friction : {0.0, 0.5, 1.0, 2.0})
-    for (const double knock : {1.0, 2.0, 4.0}) {
-      TuningSetup setup = tuning_setup(request, at, *grip);
-      setup.loop.coupling = gains;
-      setup.loop.device.translation.friction *= friction;
-      setup.loop.device.rotation.friction *= friction;
-      Press press = press_of(setup, line.axis);
-      press.knock *= knock;
-      press.jolt.torque *= knock;
-      press.window_time = seconds / 2;
-      ClosedLoop loop(setup.loop);
-      const HoldReport held = press_and_hold(loop, press);
-      EXPECT_TRUE(friction < rests_from ? held.stable : comes_to_rest(held))
-          << line.kind << ' ' << line.hand << " friction x " << friction << " knock x " << knock
-          << ": " << held.growth << ' ' << held.contact;
-    }
+enum class Expected { rest, stability, nothing };
+using Expectation = std::function<Expected(const TuningLine&, const Met&)>;
+Expected always_rest(const TuningLine&, const Met&) { return Expected::rest; }
+Expected rest_with_friction(const TuningLine&, const Met& met) {
+  return met.friction < 0.5 ? Expected::stability : Expected::rest;
 }
 
-/// Every situation and hand: for `seconds` at the recommended gains, and as in a sweep at 1.3 × its
-/// own boundary (there friction may end in many seconds what does not die down in a fraction).
+void expect_rest_in_every_situation(const TuningRequest& request, double seconds,
+                                    const Expectation& expectation = always_rest) {
+  const TuningResults results = tuned(request);
+  const auto gains = recommend(results, recommended_axes(results).front());
+  ASSERT_TRUE(gains);
+  testing::Test::RecordProperty("stiffness", std::to_string(gains->stiffness));
+  ASSERT_GT(gains->stiffness, 0) << "there is nothing to hold";
+  const auto situations = tuning_contacts(request, never).situations;
+  const Coupling coupling = recommended_coupling(results);
+  for (const TuningLine& line : results.lines)
+    for (const double friction : {0.0, 0.5, 1.0, 2.0})
+      for (const double knock : {1.0, 2.0, 4.0}) {
+        const Met met{friction, knock};
+        const Expected expected = expectation(line, met);
+        if (expected == Expected::nothing) continue;
+        const HoldReport held =
+            hold(request, situations[line.situation], line, coupling, seconds, met);
+        EXPECT_TRUE(expected == Expected::rest ? comes_to_rest(held) : held.stable)
+            << line.kind << ' ' << line.hand << " friction x " << friction << " knock x " << knock
+            << ": " << held.growth << ' ' << held.contact;
+      }
+}
+
+/// At 1.3 × its boundaries a line does what ends them: at the usual knock in a sweep's time (in
+/// many seconds friction may end what does not die down in a fraction); without friction, and at a
+/// harder knock where that has a boundary of its own, in a longer time (what ends in a lasting
+/// swing may die down to that in a fraction).
+void expect_fault_beyond(const TuningRequest& request, const TuningSituation& at,
+                         const TuningLine& line, const TuningColumn& column,
+                         const TuningResults& results) {
+  const auto beyond = [&](const SweepLimit& limit, const Met& met, double seconds) {
+    Coupling gains = recommended_coupling(results);
+    set_gains(gains, line.axis, 1.3 * limit.stiffness, column.damping, results.joint);
+    return hold(request, at, line, gains, seconds, met);
+  };
+  if (column.stable.fault != HoldFault::none) {
+    EXPECT_FALSE(beyond(column.stable, {}, 0.6).stable);
+  }
+  ASSERT_TRUE(column.without_friction && column.harder_knocks);
+  if (column.without_friction->fault != HoldFault::none && !column.swings_without_friction) {
+    EXPECT_FALSE(beyond(*column.without_friction, {.friction = 0}, 4).stable);
+  }
+  if (column.harder_knocks->stiffness < column.stable.stiffness) {
+    const auto rests = [&](double knock) {
+      return comes_to_rest(beyond(*column.harder_knocks, {.knock = knock}, 4));
+    };
+    EXPECT_FALSE(rests(2) && rests(4));
+  }
+}
+
+/// Every situation and hand: for `seconds` at the recommended gains, and beyond its own boundaries.
 void expect_recommendation_holds(const TuningRequest& request, double seconds) {
   const TuningResults results = tuned(request);
-  const GainAxis axis = recommended_axes(results).front();
   const Coupling gains = recommended_coupling(results);
-  const double damping = recommend(results, axis)->damping;
+  const double damping = recommend(results, recommended_axes(results).front())->damping;
   testing::Test::RecordProperty("gains", std::to_string(gains.k) + " " + std::to_string(gains.k_t) +
                                              " " + std::to_string(gains.k_r) + " " +
                                              std::to_string(gains.b_t));
@@ -231,22 +273,11 @@ void expect_recommendation_holds(const TuningRequest& request, double seconds) {
   for (const TuningLine& line : results.lines) {
     const TuningSituation& at = situations[line.situation];
     SCOPED_TRACE(line.kind + " " + line.hand);
-    const HoldReport held = hold(request, at, line.hand, axis, gains, seconds);
+    const HoldReport held = hold(request, at, line, gains, seconds);
     EXPECT_TRUE(held.stable) << held.growth << ' ' << held.contact;
     const auto column = std::ranges::find(line.columns, damping, &TuningColumn::damping);
-    if (column->stable.fault == HoldFault::none) continue;
-    Coupling beyond = gains;
-    set_gains(beyond, axis, 1.3 * column->stable.stiffness, damping, results.joint);
-    EXPECT_FALSE(hold(request, at, line.hand, axis, beyond, 0.6).stable);
+    expect_fault_beyond(request, at, line, *column, results);
   }
-}
-
-void expect_rest_in_every_situation(const TuningRequest& request, double seconds) {
-  const TuningResults results = tuned(request);
-  const Coupling gains = recommended_coupling(results);
-  const auto situations = tuning_contacts(request, never).situations;
-  for (const TuningLine& line : results.lines)
-    expect_rest_whatever_the_friction(request, situations[line.situation], line, gains, seconds);
 }
 
 TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_knock) {
@@ -258,6 +289,17 @@ TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_kn
 TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
+// What is left out is known: the light hand's swing of that size does not end at less stiffness
+// either.
+TEST(Tuning, Full_those_of_the_classic_coupling_do_while_the_knock_is_small_for_the_friction) {
+  TuningRequest request = spoon_in_cup();
+  request.coupling.mode = Coupling::Mode::classic;
+  const auto expectation = [](const TuningLine& line, const Met& met) {
+    const bool rests = line.hand == "firm" || met.knock <= 2 * met.friction;
+    return rests ? Expected::rest : Expected::nothing;
+  };
+  expect_rest_in_every_situation(request, 60, expectation);
+}
 
 /// A scene, and the device that it is felt on. Without any friction what swings may take longer
 /// than a minute: in the edge contact of the peg, knocked four times as hard, 5 % of its energy are
@@ -267,16 +309,7 @@ class HeldForAMinute : public testing::TestWithParam<Felt> {};
 
 TEST_P(HeldForAMinute, Full_whatever_the_friction_and_the_knock) {
   const auto& [scene, device] = GetParam();
-  TuningRequest request = in_scene(scene, device);
-  const TuningResults results = tuned(request);
-  const auto gains = recommend(results, recommended_axes(results).front());
-  ASSERT_TRUE(gains);
-  RecordProperty("stiffness", std::to_string(gains->stiffness));
-  ASSERT_GT(gains->stiffness, 0) << "there is nothing to hold";
-  const auto situations = tuning_contacts(request, never).situations;
-  for (const TuningLine& line : results.lines)
-    expect_rest_whatever_the_friction(request, situations[line.situation], line,
-                                      recommended_coupling(results), 60, 0.5);
+  expect_rest_in_every_situation(in_scene(scene, device), 60, rest_with_friction);
 }
 INSTANTIATE_TEST_SUITE_P(Felt, HeldForAMinute,
                          testing::Values(Felt("torus-knots", "omega.7"),
