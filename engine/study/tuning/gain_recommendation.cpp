@@ -127,7 +127,7 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     add_hard_conditions(*line, column, results.trusts_friction, limits);
     if (column.swings_without_friction && !results.trusts_friction)
       out.swings_without_friction.push_back(
-          {"friction", column.without_friction->stiffness, line->kind, line->hand});
+          {"friction", column.theory_stable, line->kind, line->hand});
     lower(out.boundary, column.stable);
     lower(out.without_friction, column.without_friction);
     lower(out.harder_knocks, column.harder_knocks);
