@@ -73,7 +73,7 @@ QString margin(const AxisGains& gains) {
     QStringList places;
     for (const GainLimit& each : gains.swings_without_friction)
       places << QStringLiteral("%1 contact, %2 hand").arg(text(each.kind), text(each.hand));
-    line += QStringLiteral(" Relies on friction: without it the probe swings on (%1).")
+    line += QStringLiteral(" May rely on friction: without it the probe swings on (%1).")
                 .arg(places.join(QStringLiteral("; ")));
   }
   if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)

@@ -31,8 +31,8 @@ struct AxisGains {
   /// The same on a device without friction, and at harder_knocks; infinite also where the study did
   /// not search for them.
   double without_friction = 0, harder_knocks = 0;
-  /// Where a device without friction swings on, with the limit of theory: the gains rely on friction.
-  /// Empty where friction is trusted.
+  /// Where a device without friction swings on (TuningColumn), with the limit of theory: the gains
+  /// may rely on friction. Empty where friction is trusted.
   std::vector<GainLimit> swings_without_friction;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction

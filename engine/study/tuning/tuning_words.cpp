@@ -80,7 +80,7 @@ std::string beyond_theory(const AxisGains& gains) {
 
 std::string reliance_on_friction(const AxisGains& gains) {
   if (gains.swings_without_friction.empty() || gains.stiffness <= 0) return {};
-  std::string out = "these gains rely on friction: without it, the probe swings on in";
+  std::string out = "these gains may rely on friction: without it, the probe swings on in";
   const char* separator = " ";
   for (const GainLimit& each : gains.swings_without_friction) {
     out += separator + ("the " + each.kind + " contact (" + each.hand + " hand)");

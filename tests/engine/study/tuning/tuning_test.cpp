@@ -289,8 +289,7 @@ TEST(Tuning, the_recommended_gains_come_to_rest_whatever_the_friction_and_the_kn
 TEST(Tuning, Full_they_do_for_a_minute_in_the_cup) {
   expect_rest_in_every_situation(spoon_in_cup(), 60);
 }
-// What is left out is known: the light hand's swing of that size does not end at less stiffness
-// either.
+// What is left out is known: the light hand's swing of that size goes on there.
 TEST(Tuning, Full_those_of_the_classic_coupling_do_while_the_knock_is_small_for_the_friction) {
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
