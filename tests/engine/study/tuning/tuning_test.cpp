@@ -243,6 +243,7 @@ void expect_fault_beyond(const TuningRequest& request, const TuningSituation& at
                          const TuningLine& line, const TuningColumn& column,
                          const TuningResults& results) {
   const auto beyond = [&](const SweepLimit& limit, const Met& met, double seconds) {
+    EXPECT_GT(limit.stiffness, 0);
     Coupling gains = recommended_coupling(results);
     set_gains(gains, line.axis, 1.3 * limit.stiffness, column.damping, results.joint);
     return hold(request, at, line, gains, seconds, met);

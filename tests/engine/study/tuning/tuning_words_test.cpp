@@ -52,8 +52,7 @@ TEST(TuningWords, say_where_the_gains_rely_on_friction) {
   TuningResults r = stable_up_to({3000, 1500});
   const auto relies = testing::Contains(
       "these gains may rely on friction: without it, the probe swings on in the flat contact "
-      "(light "
-      "hand)");
+      "(light hand)");
   EXPECT_THAT(recommendation_in_words(r), testing::Not(relies));
   r.lines[0].columns[0].without_friction = {1500, unstable};
   r.lines[0].columns[0].swings_without_friction = true;
