@@ -59,6 +59,13 @@ QString values(const AxisGains& gains) {
   return line;
 }
 
+QString contacts(const std::vector<GainLimit>& places) {
+  QStringList out;
+  for (const GainLimit& each : places)
+    out << QStringLiteral("%1 contact, %2 hand").arg(text(each.kind), text(each.hand));
+  return out.join(QStringLiteral("; "));
+}
+
 QString margin(const AxisGains& gains) {
   const QString unit = stiffness_unit(gains.axis);
   QString line =
@@ -67,18 +74,19 @@ QString margin(const AxisGains& gains) {
     line += QStringLiteral(" Measured to be stable up to %1: a margin of %2.")
                 .arg(with_unit(gains.boundary, unit), number(gains.margin()));
   if (std::isfinite(gains.without_friction))
-    line +=
-        QStringLiteral(" Without friction, up to %1.").arg(with_unit(gains.without_friction, unit));
-  if (!gains.swings_without_friction.empty()) {
-    QStringList places;
-    for (const GainLimit& each : gains.swings_without_friction)
-      places << QStringLiteral("%1 contact, %2 hand").arg(text(each.kind), text(each.hand));
+    line += QStringLiteral(" Without friction, up to %1%2.")
+                .arg(with_unit(gains.without_friction, unit),
+                     QLatin1String(gains.without_friction_by_theory ? " in theory" : ""));
+  if (!gains.swings_without_friction.empty())
     line += QStringLiteral(" May rely on friction: without it the probe swings on (%1).")
-                .arg(places.join(QStringLiteral("; ")));
-  }
+                .arg(contacts(gains.swings_without_friction));
   if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)
     line +=
         QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
+  if (!gains.swings_at_harder_knocks.empty())
+    line +=
+        QStringLiteral(" After a knock of %1 times the strength the probe swings on (%2).")
+            .arg(number(std::ranges::max(harder_knocks)), contacts(gains.swings_at_harder_knocks));
   if (std::isfinite(gains.passive))
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
   return line;

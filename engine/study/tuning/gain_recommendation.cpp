@@ -116,6 +116,8 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
                 .without_friction = infinity,
                 .harder_knocks = infinity,
                 .swings_without_friction = {},
+                .swings_at_harder_knocks = {},
+                .without_friction_by_theory = false,
                 .passive = infinity,
                 .theory = infinity,
                 .limit = {},
@@ -128,6 +130,11 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     if (column.swings_without_friction && !results.trusts_friction)
       out.swings_without_friction.push_back(
           {"friction", column.theory_stable, line->kind, line->hand});
+    if (column.swings_at_harder_knocks)
+      out.swings_at_harder_knocks.push_back(
+          {"knocks", column.theory_stable, line->kind, line->hand});
+    if (column.without_friction && column.without_friction->stiffness < out.without_friction)
+      out.without_friction_by_theory = column.without_friction->stiffness == column.theory_stable;
     lower(out.boundary, column.stable);
     lower(out.without_friction, column.without_friction);
     lower(out.harder_knocks, column.harder_knocks);

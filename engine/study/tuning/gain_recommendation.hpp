@@ -34,6 +34,10 @@ struct AxisGains {
   /// Where a device without friction swings on (TuningColumn), with the limit of theory: the gains
   /// may rely on friction. Empty where friction is trusted.
   std::vector<GainLimit> swings_without_friction;
+  /// Where the probe swings on after the hardest of harder_knocks, the same way.
+  std::vector<GainLimit> swings_at_harder_knocks;
+  /// without_friction is theory's: no hold without friction came to rest there.
+  bool without_friction_by_theory = false;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction
   GainLimit limit;     ///< the one that holds: its stiffness is the recommended one

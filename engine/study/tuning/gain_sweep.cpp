@@ -23,10 +23,10 @@ constexpr double jolt_share = 0.25;  // of the largest torque
 /// limit that is lower counts as 0.
 constexpr double useful_range = 32;
 
-/// s, of each of the two windows of the hold that tells whether a device without friction swings
-/// on: what grows into a lasting swing may die down for a second before. On the spoon in the cup,
-/// classic mode, these swings fell to a tenth within two windows of 0.3 s, and grew 3 to 12 times
-/// within two of 0.9 or 3 s.
+/// s, of each of the two windows of the hold that tells whether the probe swings on, without
+/// friction or after a hard knock: what grows into a lasting swing may die down for a second
+/// before. On the spoon in the cup, classic mode, without friction, these swings fell to a tenth
+/// within two windows of 0.3 s, and grew 3 to 12 times within two of 0.9 or 3 s.
 constexpr double long_window = 1.5;
 
 /// The range of an axis in its own unit.
@@ -102,16 +102,23 @@ HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, doubl
   return press_and_hold(closed, press);
 }
 
-struct FrictionlessLimit {
+struct HeldLimit {
   SweepLimit limit;
-  bool swings = false;  ///< as TuningColumn::swings_without_friction
+  bool swings = false;  ///< as TuningColumn's: it swings on for long below the limit
 };
+
+/// At what a limit allows, over seconds. False where it allows nothing.
+bool swings_on(const TuningSetup& setup, GainAxis axis, const SweepLimit& limit, double damping,
+               double knock = 1) {
+  return limit.stiffness > 0 && !comes_to_rest(hold(setup, axis, limit.stiffness / stability_margin,
+                                                    damping, knock, long_window));
+}
 
 /// Theory ignores friction: the walk to the limit begins close below it. Where a probe without
 /// friction holds still at no stiffness, theory alone has a limit. There it slides away to where it
 /// rests, or swings on wherever it is.
-FrictionlessLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
-                                   const TheoryLimits& theory, const Stop& stop) {
+HeldLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
+                           const TheoryLimits& theory, bool long_hold, const Stop& stop) {
   setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
   options.start = std::clamp(0.8 * options.start, options.low, options.high);
   bool rests = false;
@@ -121,17 +128,17 @@ FrictionlessLimit without_friction(TuningSetup setup, SweepOptions options, doub
     return report;
   };
   const auto holds = [](const HoldReport& report) { return report.stable; };
-  const SweepLimit found = search_limit(run, holds, options, stop);
-  if (found.stiffness > 0)
-    return {found, !comes_to_rest(hold(setup, options.axis, found.stiffness / stability_margin,
-                                       damping, 1, long_window))};
-  if (!std::isfinite(theory.stable)) return {found, !rests};
-  return {{theory.stable, HoldFault::unstable}, !rests};
+  SweepLimit limit = search_limit(run, holds, options, stop);
+  const bool moves_on = limit.stiffness == 0 && !rests;
+  if (limit.stiffness == 0 && std::isfinite(theory.stable))
+    limit = {theory.stable, HoldFault::unstable};
+  if (moves_on || !long_hold) return {limit, moves_on};
+  return {limit, swings_on(setup, options.axis, limit, damping)};
 }
 
 /// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
-SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
-                            const SweepLimit& stable, const Stop& stop) {
+SweepLimit limit_at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
+                                  const SweepLimit& stable, const Stop& stop) {
   const auto run = [&](double stiffness) {
     HoldReport slowest;
     // The hardest first: where it fails the others need not be known.
@@ -147,6 +154,13 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
   options.high = stable.stiffness;
   options.start = std::min(options.start, options.high);
   return search_limit(run, comes_to_rest, options, stop);
+}
+
+HeldLimit at_harder_knocks(const TuningSetup& setup, const SweepOptions& options, double damping,
+                           const SweepLimit& stable, bool long_hold, const Stop& stop) {
+  const SweepLimit limit = limit_at_harder_knocks(setup, options, damping, stable, stop);
+  const double hardest = std::ranges::max(harder_knocks);
+  return {limit, long_hold && swings_on(setup, options.axis, limit, damping, hardest)};
 }
 
 void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
@@ -175,13 +189,17 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   Json out = json_of(damping, theory, sweep, axis);
   // Nothing to recommend, so nothing to cap.
   if (sweep.good.stiffness == 0 && (!extent.in_full || !in_full)) return out;
+  const bool long_holds = extent.long_holds;
   if (extent.without_friction) {
-    const auto frictionless = without_friction(setup, options, damping, theory, stop);
-    add_limit(out, "without_friction", frictionless.limit);
-    out["swings_without_friction"] = frictionless.swings;
+    const auto held = without_friction(setup, options, damping, theory, long_holds, stop);
+    add_limit(out, "without_friction", held.limit);
+    out["swings_without_friction"] = held.swings;
   }
-  if (extent.harder_knocks)
-    add_limit(out, "harder_knocks", at_harder_knocks(setup, options, damping, sweep.stable, stop));
+  if (extent.harder_knocks) {
+    const auto held = at_harder_knocks(setup, options, damping, sweep.stable, long_holds, stop);
+    add_limit(out, "harder_knocks", held.limit);
+    out["swings_at_harder_knocks"] = held.swings;
+  }
   return out;
 }
 

@@ -25,14 +25,18 @@ Json json_of(const GainLimit& limit) {
   return out;
 }
 
+Json json_of_swings(const std::vector<GainLimit>& places) {
+  Json out = Json::array();
+  for (const GainLimit& each : places)
+    out.push_back({{"situation", each.kind},
+                   {"hand", each.hand},
+                   {"theory_stable", number_or_null(each.stiffness)}});
+  return out;
+}
+
 Json json_of(const AxisGains& gains) {
   Json limits = Json::array();
   for (const GainLimit& limit : gains.limits) limits.push_back(json_of(limit));
-  Json swings = Json::array();
-  for (const GainLimit& each : gains.swings_without_friction)
-    swings.push_back({{"situation", each.kind},
-                      {"hand", each.hand},
-                      {"theory_stable", number_or_null(each.stiffness)}});
   return {{"stiffness", gains.stiffness},
           {"damping", gains.damping},
           {"limited_by", json_of(gains.limit)},
@@ -42,7 +46,8 @@ Json json_of(const AxisGains& gains) {
           {"boundary_at_harder_knocks", number_or_null(gains.harder_knocks)},
           {"theory_stable", number_or_null(gains.theory)},
           {"theory_passive", number_or_null(gains.passive)},
-          {"swings_without_friction_in", swings},
+          {"swings_without_friction_in", json_of_swings(gains.swings_without_friction)},
+          {"swings_at_harder_knocks_in", json_of_swings(gains.swings_at_harder_knocks)},
           {"limits", limits}};
 }
 

@@ -84,6 +84,7 @@ TuningColumn column_of(const Json& json) {
   column.without_friction = limit_if_any(json, "without_friction");
   column.harder_knocks = limit_if_any(json, "harder_knocks");
   column.swings_without_friction = json.value("swings_without_friction", false);
+  column.swings_at_harder_knocks = json.value("swings_at_harder_knocks", false);
   for (const Json& run : json.at("runs")) column.runs.push_back(point_of(run));
   if (column.runs.empty()) throw std::out_of_range("a column without runs");
   return column;

@@ -24,6 +24,9 @@ struct TuningColumn {
   /// Without friction it swings on: it came to rest at no stiffness, so that theory's limit stands
   /// for the measured one, or it does not over seconds at the measured one over stability_margin.
   bool swings_without_friction = false;
+  /// After the hardest of harder_knocks it swings on over seconds, with the profile's friction, at
+  /// that limit over stability_margin.
+  bool swings_at_harder_knocks = false;
   std::vector<SweepPoint> runs;
 };
 

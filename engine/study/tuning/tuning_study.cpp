@@ -82,7 +82,8 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool in_full = nominal && !alone && !part.first_look;
             SweepExtent extent{.beyond = in_full,
                                .without_friction = rubs && !varies_friction,
-                               .harder_knocks = rubs && nominal};
+                               .harder_knocks = rubs && nominal,
+                               .long_holds = nominal && !part.first_look};
             if (in_full) extent.in_full = plan->damping_share;
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},

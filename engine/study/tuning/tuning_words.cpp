@@ -78,15 +78,24 @@ std::string beyond_theory(const AxisGains& gains) {
          stiffness_unit(gains.axis);
 }
 
+std::string contacts_text(const std::vector<GainLimit>& places) {
+  std::string out;
+  for (const GainLimit& each : places)
+    out += (out.empty() ? "the " : ", the ") + each.kind + " contact (" + each.hand + " hand)";
+  return out;
+}
+
 std::string reliance_on_friction(const AxisGains& gains) {
   if (gains.swings_without_friction.empty() || gains.stiffness <= 0) return {};
-  std::string out = "these gains may rely on friction: without it, the probe swings on in";
-  const char* separator = " ";
-  for (const GainLimit& each : gains.swings_without_friction) {
-    out += separator + ("the " + each.kind + " contact (" + each.hand + " hand)");
-    separator = ", ";
-  }
-  return out;
+  return "these gains may rely on friction: without it, the probe swings on in " +
+         contacts_text(gains.swings_without_friction);
+}
+
+std::string swings_after_knocks(const AxisGains& gains) {
+  if (gains.swings_at_harder_knocks.empty() || gains.stiffness <= 0) return {};
+  return "after a knock of " + short_text(std::ranges::max(harder_knocks)) +
+         " times the strength, the probe swings on for long in " +
+         contacts_text(gains.swings_at_harder_knocks);
 }
 
 std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
@@ -150,6 +159,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     const auto gains = recommend(results, axis);
     if (!gains) continue;
     add(reliance_on_friction(*gains));
+    add(swings_after_knocks(*gains));
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));

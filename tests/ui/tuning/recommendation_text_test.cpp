@@ -73,6 +73,29 @@ TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
                             "(edge contact, light hand)."));
 }
 
+TEST(RecommendationText, says_where_a_hard_knock_swings_on) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
+  EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("After a knock"));
+  r.lines[0].columns[0].swings_at_harder_knocks = true;
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object)
+                  .contains("After a knock of 4.00 times the strength the probe swings on (edge "
+                            "contact, light hand)."));
+}
+
+TEST(RecommendationText, says_where_the_boundary_without_friction_is_theorys) {
+  TuningResults r = sonde::test::results();
+  r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
+  TuningColumn& only = r.lines[0].columns[0];
+  only.without_friction = {1200, HoldFault::unstable};
+  EXPECT_TRUE(
+      recommendation_text(r, GainAxis::object).contains("Without friction, up to 1200 N/m."))
+      << recommendation_text(r, GainAxis::object).toStdString();
+  only.without_friction->stiffness = only.theory_stable = 1100;
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object)
+                  .contains("Without friction, up to 1100 N/m in theory."));
+}
+
 TEST(RecommendationText, says_why_no_damping_is_best) {
   TuningResults r = sonde::test::results();
   r.mode = Coupling::Mode::classic;

@@ -61,6 +61,18 @@ TEST(TuningWords, say_where_the_gains_rely_on_friction) {
   EXPECT_THAT(recommendation_in_words(r), testing::Not(relies)) << "as asked";
 }
 
+TEST(TuningWords, say_where_a_hard_knock_swings_on) {
+  TuningResults r = stable_up_to({3000, 1500});
+  const auto swings = testing::Contains(
+      "after a knock of 4 times the strength, the probe swings on for long in the flat contact "
+      "(light hand)");
+  EXPECT_THAT(recommendation_in_words(r), testing::Not(swings));
+  r.lines[0].columns[0].swings_at_harder_knocks = true;
+  EXPECT_THAT(recommendation_in_words(r), swings);
+  r.trusts_friction = true;
+  EXPECT_THAT(recommendation_in_words(r), swings) << "friction does not end it";
+}
+
 TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
   TuningResults r = stable_up_to({1500});
   for (const auto& [times, stable] : {std::pair{0.5, 3000.0}, {2.0, 750.0}}) {
