@@ -56,6 +56,10 @@ class Measuring : public WindowTest {
   MeasureDialog* dialog() const {
     return static_cast<MeasureDialog*>(window->findChild<QDialog*>("measure_dialog"));
   }
+  /// A whole measurement: half a minute or so, many times that in a thread sanitizer.
+  void wait_for_the_end() {
+    for (int i = 0; i < 20 && running(); ++i) wait_until([this] { return !running(); });
+  }
   bool closed() const { return !dialog() || !dialog()->isVisible(); }
   QString ended() const {
     const auto* label = window->findChild<QLabel*>("measure_ended");
@@ -218,7 +222,7 @@ TEST_F(Measuring, a_simulated_device_is_recovered_within_a_twentieth_saved_and_u
   begin();
   keep_picture("measure_progress");
   auto* table = find<QTableWidget>("measure_table");
-  for (int i = 0; i < 5 && running(); ++i) wait_until([this] { return !running(); });
+  wait_for_the_end();
   ASSERT_TRUE(wait_until([&] { return table->isVisible(); })) << ended().toStdString();
   wait(100);
   keep_picture("measure_result");
@@ -266,7 +270,7 @@ TEST_F(Measuring, a_profile_that_cannot_be_written_is_a_complaint) {
   ask();
   start();
   auto* table = find<QTableWidget>("measure_table");
-  for (int i = 0; i < 5 && running(); ++i) wait_until([this] { return !running(); });
+  wait_for_the_end();
   ASSERT_TRUE(wait_until([&] { return table->isVisible(); })) << ended().toStdString();
   folder.write("file", "");
   file = path("file/below.json");
