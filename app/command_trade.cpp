@@ -62,12 +62,11 @@ void write_calibration(const TradeOptions& options, const TradeSetup& setup) {
 }
 
 /// The picture again, with the answers of others in it.
-void draw_series(const TradeOptions& options) {
+void draw_series(const TradeOptions& options, const std::vector<TradeAnswer>& answers) {
   const std::string& folder = options.study.out;
   const TradeResults results = read_trade(folder, read_study(folder));
-  const auto others = read_trade_series(options.series, results);
   write_whole(std::filesystem::path(folder) / "trade.svg",
-              trade_picture(results, trade_figures(results), others));
+              trade_picture(results, trade_figures(results), trade_series(answers, results)));
 }
 
 void run_pair(const TradeOptions& options) {
@@ -89,11 +88,13 @@ void run_pair(const TradeOptions& options) {
   setup.inputs = inputs.dump();
   progress.show("trade, looking for poses in contact", 0, 1);
   setup.poses = choose_poses(options, setup, scene.trajectory.value_or("").string());
+  std::vector<TradeAnswer> answers;  // what is wrong in them is said before the study begins
+  if (!options.series.empty()) answers = read_trade_answers(options.series, setup.poses.size());
   const Study study = trade_study(setup);
   progress.clear();
   run_study(study, options.study, trade_files);
   if (options.calibrate) write_calibration(options, setup);
-  if (!options.series.empty()) draw_series(options);
+  if (!options.series.empty()) draw_series(options, answers);
 }
 
 /// Each scene of a folder into a folder of its own, and the front over all of them.

@@ -38,9 +38,9 @@ void run(const TuneOptions& options) {
   const Study study = plan_tuning(plan);
   if (output.quiet) return run_study(study, output, tuning_files);
   note_skipped(study);
-  claim_folder(output.out, study);  // before the first look, which takes seconds
+  claim_folder(output.out, study);  // what is refused gets no first look
   TuningNotes notes(plan, output);
-  notes.look_first();
+  notes.tell_first_look();
   run_study(study, output, tuning_files, [&](ProgressLine& line) { notes.look_again(line); });
   notes.conclude();
 }

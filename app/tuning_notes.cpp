@@ -13,14 +13,11 @@ bool TuningNotes::has_study() const {
   return std::filesystem::exists(std::filesystem::path(options_.out) / "study.json");
 }
 
-void TuningNotes::look_first() {
+void TuningNotes::tell_first_look() const {
   const GainAxis axis = main_axis(plan_->request);
   if (has_study() && tuning_so_far(options_.out, read_study(options_.out), axis)) return;
-  const Study study = plan_first_look(plan_);
-  const auto results =
-      read_tuning("", compute_at_once(study, threads_of(options_), stop_on_interrupt()));
-  std::cerr << "sonde: first look, in large steps: " << gains_in_words(results)
-            << "; the study goes on\n";
+  std::cerr << "sonde: first look, in large steps: "
+            << gains_in_words(read_tuning("", plan_->first_look)) << "; the study goes on\n";
 }
 
 void TuningNotes::look_again(ProgressLine& progress) {

@@ -16,8 +16,8 @@ class TuningNotes {
   TuningNotes(std::shared_ptr<const TuningPlan> plan, const StudyOptions& options)
       : plan_(std::move(plan)), options_(options) {}
 
-  /// Runs the first look, unless finished parts in the folder know better already.
-  void look_first();
+  /// Of the plan, unless finished parts in the folder know better already.
+  void tell_first_look() const;
   /// A part is finished.
   void look_again(ProgressLine& progress);
   /// The study is joined; nothing where other shares are missing.

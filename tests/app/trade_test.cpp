@@ -211,8 +211,9 @@ TEST_F(Trade, answers_of_another_program_are_in_the_picture) {
   expect_done(boxes + "--series s.csv --out t");
   EXPECT_THAT(text_of(folder / "t/trade.svg"), HasSubstr("Peer, median"));
   folder.write("bad.csv", "series,pose,depth,time_us\nPeer,9,0.01,3\n");
-  const Outcome bad = sonde(boxes + "--series bad.csv --out t");
+  const Outcome bad = sonde(boxes + "--series bad.csv --out refused");
   EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_FALSE(fs::exists(folder / "refused")) << "before anything is computed";
   EXPECT_THAT(bad.err, HasSubstr("bad.csv:2: pose 9 is none of the study, which has 3"));
 }
 

@@ -73,7 +73,7 @@ Session::Session(LoadedScene loaded)
 Session::~Session() = default;
 
 Pose Session::probe_pose() {
-  const Snapshot* now = servo_.latest();
+  const Snapshot* now = latest();  // none while it is placed: where it will be counts then
   return now ? now->separation.device : target_;
 }
 

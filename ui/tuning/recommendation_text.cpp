@@ -77,19 +77,33 @@ QString margin(const AxisGains& gains) {
     line += QStringLiteral(" Without friction, up to %1%2.")
                 .arg(with_unit(gains.without_friction, unit),
                      QLatin1String(gains.without_friction_by_theory ? " in theory" : ""));
-  if (!gains.swings_without_friction.empty())
-    line += QStringLiteral(" May rely on friction: without it the probe swings on (%1).")
-                .arg(contacts(gains.swings_without_friction));
   if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)
     line +=
         QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
-  if (!gains.swings_at_harder_knocks.empty())
-    line +=
-        QStringLiteral(" After a knock of %1 times the strength the probe swings on (%2).")
-            .arg(number(std::ranges::max(harder_knocks)), contacts(gains.swings_at_harder_knocks));
   if (std::isfinite(gains.passive))
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
   return line;
+}
+
+/// Of what was held for seconds.
+QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
+  if (gains.held_at == 0)
+    return QStringLiteral(
+        "Whether the probe swings on for seconds, without friction or after a hard knock, was not "
+        "looked at at this damping.");
+  const QString at = with_unit(gains.held_at, stiffness_unit(gains.axis));
+  QStringList out;
+  if (!gains.swings_without_friction.empty())
+    out << (has_friction(results)
+                ? QStringLiteral(
+                      "May rely on friction: without it, at %1, the probe swings on (%2).")
+                : QStringLiteral("The device has no friction: at %1 the probe swings on (%2)."))
+               .arg(at, contacts(gains.swings_without_friction));
+  if (!gains.swings_at_harder_knocks.empty())
+    out << QStringLiteral("After a knock of %1 times the strength, at %2, it swings on (%3).")
+               .arg(std::ranges::max(harder_knocks))
+               .arg(at, contacts(gains.swings_at_harder_knocks));
+  return out.join(' ');
 }
 
 /// Why a coupling that could be damped is best without it; empty where it is not.
@@ -202,6 +216,9 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
   else
     lines << QStringLiteral("No stiffness in the range studied is good: %1%2.")
                  .arg(words_of(gains->limit.reason), where(gains->limit));
+  const QString swings =
+      alone || gains->stiffness <= 0 ? QString() : lasting_swings(results, *gains);
+  if (!swings.isEmpty()) lines << swings;
   const QString undamped = why_no_damping(results, *gains);
   if (!undamped.isEmpty()) lines << undamped;
   const QString assumed = alone ? QString() : rests_on(results, axis);

@@ -42,13 +42,7 @@ double number_in(const std::string& field, const char* name) {
   return *value;
 }
 
-struct Answer {
-  std::string series;
-  std::size_t pose;
-  double depth, time_us;  ///< infinite: no depth
-};
-
-Answer answer_in(const std::string& line, std::size_t poses) {
+TradeAnswer answer_in(const std::string& line, std::size_t poses) {
   const auto [series, pose, depth, time_us] = fields_of(line);
   if (series.empty()) throw std::invalid_argument("the series has no name");
   const double index = number_in(pose, "pose");
@@ -59,7 +53,7 @@ Answer answer_in(const std::string& line, std::size_t poses) {
           depth.empty() ? infinity : number_in(depth, "depth"), number_in(time_us, "time_us")};
 }
 
-void add(std::vector<TradeSeries>& all, const Answer& answer, const TradeResults& results) {
+void add(std::vector<TradeSeries>& all, const TradeAnswer& answer, const TradeResults& results) {
   const double reference = results.poses[answer.pose].reference(Method::pdg);
   if (!is_deep_enough(results, results.poses[answer.pose])) return;
   auto at = std::ranges::find(all, answer.series, &TradeSeries::name);
@@ -70,21 +64,27 @@ void add(std::vector<TradeSeries>& all, const Answer& answer, const TradeResults
 
 }  // namespace
 
-std::vector<TradeSeries> read_trade_series(const std::filesystem::path& file,
-                                           const TradeResults& results) {
+std::vector<TradeAnswer> read_trade_answers(const std::filesystem::path& file, std::size_t poses) {
   std::istringstream text(read_text(file, most_bytes));
-  std::vector<TradeSeries> all;
+  std::vector<TradeAnswer> out;
   std::string line;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     if (line.ends_with('\r')) line.pop_back();
     try {
       if (number == 1 && line != header)
         throw std::invalid_argument(std::string("the header must be ") + header);
-      if (number > 1 && !line.empty()) add(all, answer_in(line, results.poses.size()), results);
+      if (number > 1 && !line.empty()) out.push_back(answer_in(line, poses));
     } catch (const std::invalid_argument& bad) {
       throw InputError::at_line(file.string(), number, bad.what());
     }
   }
+  return out;
+}
+
+std::vector<TradeSeries> trade_series(const std::vector<TradeAnswer>& answers,
+                                      const TradeResults& results) {
+  std::vector<TradeSeries> all;
+  for (const TradeAnswer& answer : answers) add(all, answer, results);
   for (TradeSeries& series : all) {
     std::ranges::sort(series.errors);
     std::ranges::sort(series.times);

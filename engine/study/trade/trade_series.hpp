@@ -16,10 +16,22 @@ struct TradeSeries {
   std::vector<double> times;   ///< µs, ascending
 };
 
+/// One of them.
+struct TradeAnswer {
+  std::string series;
+  std::size_t pose;  ///< of the study
+  double depth;      ///< m; infinite where it gave none
+  double time_us;
+};
+
 /// Reads them: CSV `series,pose,depth,time_us`, the pose by its place in poses.csv, depths in m,
-/// empty where there is none. The reference is the study's PD_g at that pose; poses that the study
-/// leaves out are left out here. Throws InputError with the file, the line and the reason.
-std::vector<TradeSeries> read_trade_series(const std::filesystem::path& file,
-                                           const TradeResults& results);
+/// empty where there is none. Throws InputError with the file, the line and the reason; that the
+/// study has no such pose is one.
+std::vector<TradeAnswer> read_trade_answers(const std::filesystem::path& file, std::size_t poses);
+
+/// The reference is the study's PD_g at the pose; poses that the study leaves out are left out
+/// here.
+std::vector<TradeSeries> trade_series(const std::vector<TradeAnswer>& answers,
+                                      const TradeResults& results);
 
 }  // namespace sonde

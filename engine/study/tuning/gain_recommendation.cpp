@@ -95,8 +95,23 @@ void add_hard_conditions(const TuningLine& line, const TuningColumn& column, boo
     add("knocks", column.harder_knocks);
 }
 
-void lower(double& boundary, const std::optional<SweepLimit>& limit) {
-  if (limit && limit->fault != HoldFault::none) boundary = std::min(boundary, limit->stiffness);
+/// True where it did.
+bool lower(double& boundary, const std::optional<SweepLimit>& limit) {
+  if (!limit || limit->fault == HoldFault::none || limit->stiffness >= boundary) return false;
+  boundary = limit->stiffness;
+  return true;
+}
+
+void add_long_hold(const TuningResults& results, const TuningLine& line, const TuningColumn& column,
+                   AxisGains& out) {
+  const auto add = [&](const char* reason, std::vector<GainLimit>& places) {
+    places.push_back({reason, column.theory_stable, line.kind, line.hand});
+  };
+  out.held_at = column.long_hold->stiffness;
+  const bool trusted = results.trusts_friction && has_friction(results);
+  if (column.long_hold->swings_without_friction && !trusted)
+    add("friction", out.swings_without_friction);
+  if (column.long_hold->swings_at_harder_knocks) add("knocks", out.swings_at_harder_knocks);
 }
 
 /// The least of each reason, lowest first.
@@ -117,7 +132,6 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
                 .harder_knocks = infinity,
                 .swings_without_friction = {},
                 .swings_at_harder_knocks = {},
-                .without_friction_by_theory = false,
                 .passive = infinity,
                 .theory = infinity,
                 .limit = {},
@@ -127,16 +141,10 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     const TuningColumn& column = *column_at(*line, damping);
     add_measured_limits(*line, column, limits);
     add_hard_conditions(*line, column, results.trusts_friction, limits);
-    if (column.swings_without_friction && !results.trusts_friction)
-      out.swings_without_friction.push_back(
-          {"friction", column.theory_stable, line->kind, line->hand});
-    if (column.swings_at_harder_knocks)
-      out.swings_at_harder_knocks.push_back(
-          {"knocks", column.theory_stable, line->kind, line->hand});
-    if (column.without_friction && column.without_friction->stiffness < out.without_friction)
-      out.without_friction_by_theory = column.without_friction->stiffness == column.theory_stable;
+    if (column.long_hold) add_long_hold(results, *line, column, out);
     lower(out.boundary, column.stable);
-    lower(out.without_friction, column.without_friction);
+    if (lower(out.without_friction, column.without_friction))
+      out.without_friction_by_theory = column.without_friction_by_theory;
     lower(out.harder_knocks, column.harder_knocks);
     out.passive = std::min(out.passive, column.theory_passive);
     out.theory = std::min(out.theory, column.theory_stable);

@@ -31,13 +31,13 @@ struct AxisGains {
   /// The same on a device without friction, and at harder_knocks; infinite also where the study did
   /// not search for them.
   double without_friction = 0, harder_knocks = 0;
-  /// Where a device without friction swings on (TuningColumn), with the limit of theory: the gains
-  /// may rely on friction. Empty where friction is trusted.
-  std::vector<GainLimit> swings_without_friction;
-  /// Where the probe swings on after the hardest of harder_knocks, the same way.
-  std::vector<GainLimit> swings_at_harder_knocks;
-  /// without_friction is theory's: no hold without friction came to rest there.
-  bool without_friction_by_theory = false;
+  bool without_friction_by_theory = false;  ///< as TuningColumn, where that is
+  /// At this stiffness the probe was held for seconds (LongHold): what the first look recommends; 0
+  /// where it was not, at this damping.
+  double held_at = 0;
+  /// Where it swings on then without friction, so that the gains may rely on it (empty where
+  /// friction is trusted), and after the hardest of harder_knocks; with the limit of theory.
+  std::vector<GainLimit> swings_without_friction, swings_at_harder_knocks;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction
   GainLimit limit;     ///< the one that holds: its stiffness is the recommended one

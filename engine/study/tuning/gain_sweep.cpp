@@ -23,7 +23,7 @@ constexpr double jolt_share = 0.25;  // of the largest torque
 /// limit that is lower counts as 0.
 constexpr double useful_range = 32;
 
-/// s, of each of the two windows of the hold that tells whether the probe swings on, without
+/// s, of each of the two windows of the holds that tell whether the probe swings on, without
 /// friction or after a hard knock: what grows into a lasting swing may die down for a second
 /// before. On the spoon in the cup, classic mode, without friction, these swings fell to a tenth
 /// within two windows of 0.3 s, and grew 3 to 12 times within two of 0.9 or 3 s.
@@ -102,43 +102,35 @@ HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, doubl
   return press_and_hold(closed, press);
 }
 
-struct HeldLimit {
-  SweepLimit limit;
-  bool swings = false;  ///< as TuningColumn's: it swings on for long below the limit
-};
+void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
+  json[name] = limit.stiffness;
+  json[name + "_ends_by"] = name_of(limit.fault);
+}
 
-/// At what a limit allows, over seconds. False where it allows nothing.
-bool swings_on(const TuningSetup& setup, GainAxis axis, const SweepLimit& limit, double damping,
-               double knock = 1) {
-  return limit.stiffness > 0 && !comes_to_rest(hold(setup, axis, limit.stiffness / stability_margin,
-                                                    damping, knock, long_window));
+TuningSetup without_friction(TuningSetup setup) {
+  setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
+  return setup;
 }
 
 /// Theory ignores friction: the walk to the limit begins close below it. Where a probe without
 /// friction holds still at no stiffness, theory alone has a limit. There it slides away to where it
 /// rests, or swings on wherever it is.
-HeldLimit without_friction(TuningSetup setup, SweepOptions options, double damping,
-                           const TheoryLimits& theory, bool long_hold, const Stop& stop) {
-  setup.loop.device.translation.friction = setup.loop.device.rotation.friction = 0;
+void add_without_friction(Json& json, const TuningSetup& setup, SweepOptions options,
+                          double damping, const TheoryLimits& theory, const Stop& stop) {
+  const TuningSetup smooth = without_friction(setup);
   options.start = std::clamp(0.8 * options.start, options.low, options.high);
-  bool rests = false;
-  const auto run = [&](double stiffness) {
-    const HoldReport report = hold(setup, options.axis, stiffness, damping);
-    rests |= comes_to_rest(report);
-    return report;
-  };
+  const auto run = [&](double stiffness) { return hold(smooth, options.axis, stiffness, damping); };
   const auto holds = [](const HoldReport& report) { return report.stable; };
   SweepLimit limit = search_limit(run, holds, options, stop);
-  const bool moves_on = limit.stiffness == 0 && !rests;
-  if (limit.stiffness == 0 && std::isfinite(theory.stable))
-    limit = {theory.stable, HoldFault::unstable};
-  if (moves_on || !long_hold) return {limit, moves_on};
-  return {limit, swings_on(setup, options.axis, limit, damping)};
+  const bool by_theory = limit.stiffness == 0 && std::isfinite(theory.stable);
+  if (by_theory) limit = {theory.stable, HoldFault::unstable};
+  add_limit(json, "without_friction", limit);
+  json["without_friction_by_theory"] = by_theory;
 }
 
 /// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
-SweepLimit limit_at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
-                                  const SweepLimit& stable, const Stop& stop) {
+SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
+                            const SweepLimit& stable, const Stop& stop) {
   const auto run = [&](double stiffness) {
     HoldReport slowest;
     // The hardest first: where it fails the others need not be known.
@@ -156,16 +148,14 @@ SweepLimit limit_at_harder_knocks(const TuningSetup& setup, SweepOptions options
   return search_limit(run, comes_to_rest, options, stop);
 }
 
-HeldLimit at_harder_knocks(const TuningSetup& setup, const SweepOptions& options, double damping,
-                           const SweepLimit& stable, bool long_hold, const Stop& stop) {
-  const SweepLimit limit = limit_at_harder_knocks(setup, options, damping, stable, stop);
-  const double hardest = std::ranges::max(harder_knocks);
-  return {limit, long_hold && swings_on(setup, options.axis, limit, damping, hardest)};
-}
-
-void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
-  json[name] = limit.stiffness;
-  json[name + "_ends_by"] = name_of(limit.fault);
+/// What holds of seconds show.
+Json long_hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping) {
+  const auto swings_on = [&](const TuningSetup& held, double knock) {
+    return !comes_to_rest(hold(held, axis, stiffness, damping, knock, long_window));
+  };
+  return {{"stiffness", stiffness},
+          {"swings_without_friction", swings_on(without_friction(setup), 1)},
+          {"swings_at_harder_knocks", swings_on(setup, std::ranges::max(harder_knocks))}};
 }
 
 Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepExtent& extent,
@@ -189,17 +179,11 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   Json out = json_of(damping, theory, sweep, axis);
   // Nothing to recommend, so nothing to cap.
   if (sweep.good.stiffness == 0 && (!extent.in_full || !in_full)) return out;
-  const bool long_holds = extent.long_holds;
-  if (extent.without_friction) {
-    const auto held = without_friction(setup, options, damping, theory, long_holds, stop);
-    add_limit(out, "without_friction", held.limit);
-    out["swings_without_friction"] = held.swings;
-  }
-  if (extent.harder_knocks) {
-    const auto held = at_harder_knocks(setup, options, damping, sweep.stable, long_holds, stop);
-    add_limit(out, "harder_knocks", held.limit);
-    out["swings_at_harder_knocks"] = held.swings;
-  }
+  if (extent.without_friction) add_without_friction(out, setup, options, damping, theory, stop);
+  if (extent.harder_knocks)
+    add_limit(out, "harder_knocks", at_harder_knocks(setup, options, damping, sweep.stable, stop));
+  if (in_full && extent.long_hold > 0)
+    out["long_hold"] = long_hold(setup, axis, extent.long_hold, damping);
   return out;
 }
 

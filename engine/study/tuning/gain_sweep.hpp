@@ -54,8 +54,9 @@ struct SweepExtent {
   bool beyond = false;            ///< runs above the limits, for the map
   bool without_friction = false;  ///< the limit of stability of a device without friction
   bool harder_knocks = false;     ///< that at harder_knocks, where it is lower
-  /// Below each of these two limits, one hold of seconds: whether the probe swings on there.
-  bool long_holds = true;
+  /// N/m (N·m/rad): whether the probe swings on at this stiffness for seconds, without friction and
+  /// after the hardest of harder_knocks, is looked at in full; 0: it is not.
+  double long_hold = 0;
   /// The share of the largest damping whose limits are known to the setup's ratio, with runs above
   /// them, and with the limits without friction and at harder knocks even where nothing is good.
   /// At others limits are known to `coarse_ratio`, and nothing is run above them. Not given: each

@@ -79,6 +79,11 @@ struct TuningPlan {
   /// Of the largest damping: what is searched in full, where assumed values are varied, and where
   /// the first look is taken.
   double damping_share = 0;
+  /// A first result: what is recommended alone, coarsely, in each situation in a light hand, at the
+  /// one damping.
+  StudyFolder first_look = {};
+  /// What it recommends, N/m; 0: nothing. There the study holds the probe for seconds (LongHold).
+  double held_stiffness = 0;
 };
 /// Looks for the situations. Errors as tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,

@@ -25,7 +25,9 @@ Json json_of(const GainLimit& limit) {
   return out;
 }
 
-Json json_of_swings(const std::vector<GainLimit>& places) {
+/// Null where nothing was held for seconds.
+Json json_of_swings(const AxisGains& gains, const std::vector<GainLimit>& places) {
+  if (gains.held_at == 0) return nullptr;
   Json out = Json::array();
   for (const GainLimit& each : places)
     out.push_back({{"situation", each.kind},
@@ -43,11 +45,13 @@ Json json_of(const AxisGains& gains) {
           {"boundary", number_or_null(gains.boundary)},
           {"margin", number_or_null(gains.margin())},
           {"boundary_without_friction", number_or_null(gains.without_friction)},
+          {"boundary_without_friction_by_theory", gains.without_friction_by_theory},
           {"boundary_at_harder_knocks", number_or_null(gains.harder_knocks)},
           {"theory_stable", number_or_null(gains.theory)},
           {"theory_passive", number_or_null(gains.passive)},
-          {"swings_without_friction_in", json_of_swings(gains.swings_without_friction)},
-          {"swings_at_harder_knocks_in", json_of_swings(gains.swings_at_harder_knocks)},
+          {"held_for_seconds_at", gains.held_at > 0 ? Json(gains.held_at) : Json(nullptr)},
+          {"swings_without_friction_in", json_of_swings(gains, gains.swings_without_friction)},
+          {"swings_at_harder_knocks_in", json_of_swings(gains, gains.swings_at_harder_knocks)},
           {"limits", limits}};
 }
 

@@ -83,8 +83,11 @@ TuningColumn column_of(const Json& json) {
   column.good = limit_of(json, "good");
   column.without_friction = limit_if_any(json, "without_friction");
   column.harder_knocks = limit_if_any(json, "harder_knocks");
-  column.swings_without_friction = json.value("swings_without_friction", false);
-  column.swings_at_harder_knocks = json.value("swings_at_harder_knocks", false);
+  column.without_friction_by_theory = json.value("without_friction_by_theory", false);
+  if (const auto held = json.find("long_hold"); held != json.end())
+    column.long_hold = {held->at("stiffness").get<double>(),
+                        held->at("swings_without_friction").get<bool>(),
+                        held->at("swings_at_harder_knocks").get<bool>()};
   for (const Json& run : json.at("runs")) column.runs.push_back(point_of(run));
   if (column.runs.empty()) throw std::out_of_range("a column without runs");
   return column;
@@ -129,7 +132,7 @@ void share_frictionless(std::vector<TuningLine>& lines) {
         const auto& same =
             *std::ranges::find(other.columns, column.damping, &TuningColumn::damping);
         column.without_friction = same.without_friction;
-        column.swings_without_friction = same.swings_without_friction;
+        column.without_friction_by_theory = same.without_friction_by_theory;
       }
     }
 }
@@ -153,6 +156,10 @@ void read_about(const Json& json, TuningResults& out) {
 }
 
 }  // namespace
+
+bool has_friction(const TuningResults& results) {
+  return results.device.at("friction") > 0 || results.device.at("rotational_friction") > 0;
+}
 
 bool is_friction(const std::string& key) {
   return key == "friction" || key == "rotational_friction";

@@ -12,6 +12,13 @@
 
 namespace sonde {
 
+/// Whether the probe swings on over seconds at this stiffness, N/m | N·m/rad.
+struct LongHold {
+  double stiffness = 0;
+  bool swings_without_friction = false;  ///< after the usual knock
+  bool swings_at_harder_knocks = false;  ///< after the hardest, with the profile's friction
+};
+
 /// A sweep of the stiffness at one damping, as a part of the study holds it.
 struct TuningColumn {
   double damping = 0;
@@ -21,12 +28,9 @@ struct TuningColumn {
   /// The limits of stability on a device without friction, and at harder_knocks; no value where a
   /// study did not search for them.
   std::optional<SweepLimit> without_friction, harder_knocks;
-  /// Without friction it swings on: it came to rest at no stiffness, so that theory's limit stands
-  /// for the measured one, or it does not over seconds at the measured one over stability_margin.
-  bool swings_without_friction = false;
-  /// After the hardest of harder_knocks it swings on over seconds, with the profile's friction, at
-  /// that limit over stability_margin.
-  bool swings_at_harder_knocks = false;
+  /// No stiffness held without friction: theory's limit stands for the measured one.
+  bool without_friction_by_theory = false;
+  std::optional<LongHold> long_hold;  ///< no value where it was not made
   std::vector<SweepPoint> runs;
 };
 
@@ -59,6 +63,8 @@ struct TuningResults {
   std::vector<Felt> felt;
   std::vector<TuningLine> lines;  ///< those of the profile as it is come first
 };
+
+bool has_friction(const TuningResults& results);
 
 /// Keys of the profile. Without friction it does not matter what it was.
 bool is_friction(const std::string& key);

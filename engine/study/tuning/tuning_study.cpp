@@ -82,9 +82,11 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool in_full = nominal && !alone && !part.first_look;
             SweepExtent extent{.beyond = in_full,
                                .without_friction = rubs && !varies_friction,
-                               .harder_knocks = rubs && nominal,
-                               .long_holds = nominal && !part.first_look};
-            if (in_full) extent.in_full = plan->damping_share;
+                               .harder_knocks = nominal && !alone};
+            if (in_full) {
+              extent.in_full = plan->damping_share;
+              extent.long_hold = plan->held_stiffness;
+            }
             Json json{{"situation", part.situation},
                       {"kind", name_of(situation.contact.kind)},
                       {"hand", part.grip->name},
@@ -153,6 +155,14 @@ double best_damping_share(const std::shared_ptr<const TuningPlan>& plan, unsigne
   return shares[static_cast<std::size_t>(std::ranges::max_element(allowed) - allowed.begin())];
 }
 
+/// Each situation in a light hand, at the plan's one damping.
+Study first_look(const std::shared_ptr<const TuningPlan>& plan) {
+  std::vector<PartOf> parts;
+  for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
+    parts.push_back(first_look_at(*plan, i, {plan->damping_share}));
+  return study_of(plan, parts);
+}
+
 }  // namespace
 
 std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsigned threads,
@@ -160,6 +170,9 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
                                              const std::function<void(double)>& progress) {
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
   plan->damping_share = best_damping_share(plan, threads, stop);
+  plan->first_look = compute_at_once(first_look(plan), threads, stop);
+  plan->held_stiffness =
+      recommend(read_tuning("", plan->first_look), main_axis(plan->request))->stiffness;
   return plan;
 }
 
@@ -170,13 +183,6 @@ Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
 Study plan_tuning(const TuningRequest& request, unsigned threads, const Stop& stop,
                   const std::function<void(double)>& progress) {
   return plan_tuning(study_plan(request, threads, stop, progress));
-}
-
-Study plan_first_look(const std::shared_ptr<const TuningPlan>& plan) {
-  std::vector<PartOf> parts;
-  for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
-    parts.push_back(first_look_at(*plan, i, {plan->damping_share}));
-  return study_of(plan, parts);
 }
 
 }  // namespace sonde

@@ -10,7 +10,7 @@
 namespace sonde {
 
 /// Looks for the situations, and, on so many threads, for the damping at which assumed values are
-/// varied. Errors as tuning_contacts.
+/// varied; takes the first look. Errors as tuning_contacts.
 std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsigned threads,
                                              const Stop& stop,
                                              const std::function<void(double)>& progress = {});
@@ -26,8 +26,5 @@ Study plan_tuning(const TuningRequest& request, unsigned threads, const Stop& st
 
 /// Limits of a first look are known to this ratio.
 constexpr double first_look_ratio = 1.3;
-/// The same study in a few seconds, for a first result: what is recommended alone, coarsely, in
-/// each situation in a light hand, at the plan's one damping.
-Study plan_first_look(const std::shared_ptr<const TuningPlan>& plan);
 
 }  // namespace sonde

@@ -85,17 +85,29 @@ std::string contacts_text(const std::vector<GainLimit>& places) {
   return out;
 }
 
-std::string reliance_on_friction(const AxisGains& gains) {
-  if (gains.swings_without_friction.empty() || gains.stiffness <= 0) return {};
-  return "these gains may rely on friction: without it, the probe swings on in " +
-         contacts_text(gains.swings_without_friction);
+std::string swings_without_friction(const TuningResults& results, const AxisGains& gains) {
+  if (gains.swings_without_friction.empty()) return {};
+  const char* begin = has_friction(results) ? "these gains may rely on friction: without it, at "
+                                            : "the device has no friction: at ";
+  return begin + short_text(gains.held_at) + stiffness_unit(gains.axis) +
+         ", the probe swings on in " + contacts_text(gains.swings_without_friction);
 }
 
 std::string swings_after_knocks(const AxisGains& gains) {
-  if (gains.swings_at_harder_knocks.empty() || gains.stiffness <= 0) return {};
+  if (gains.swings_at_harder_knocks.empty()) return {};
   return "after a knock of " + short_text(std::ranges::max(harder_knocks)) +
-         " times the strength, the probe swings on for long in " +
-         contacts_text(gains.swings_at_harder_knocks);
+         " times the strength, at " + short_text(gains.held_at) + stiffness_unit(gains.axis) +
+         ", the probe swings on in " + contacts_text(gains.swings_at_harder_knocks);
+}
+
+/// Of what was held for seconds.
+std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
+  if (gains.stiffness <= 0) return {};
+  if (gains.held_at == 0)
+    return {
+        "whether the probe swings on for seconds, without friction or after a hard knock, was "
+        "not looked at at this damping"};
+  return {swings_without_friction(results, gains), swings_after_knocks(gains)};
 }
 
 std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {
@@ -158,8 +170,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
   for (const GainAxis axis : recommended_axes(results)) {
     const auto gains = recommend(results, axis);
     if (!gains) continue;
-    add(reliance_on_friction(*gains));
-    add(swings_after_knocks(*gains));
+    for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));

@@ -63,6 +63,19 @@ TEST_F(SessionTest, what_is_said_while_it_searches_holds_when_it_has_found) {
   EXPECT_EQ(now->hand.withheld, Withheld::stopped);
 }
 
+TEST_F(SessionTest, while_it_searches_the_probe_is_where_it_is_placed) {
+  ASSERT_TRUE(first());
+  Pose far = at(0.1);
+  far.p.x() += 10 * session->fixed().mass.radius;
+  session->replay({{0, far}});  // what the servo says is asked for, not what the mouse wants
+  session->place(at(0.1));
+  while (session->placing()) {
+    ASSERT_EQ(session->device_pose().p, at(0.1).p);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(first());
+}
+
 TEST_F(SessionTest, it_can_end_while_it_searches) {
   Endings endings;
   session->place(at(0.1));

@@ -67,20 +67,27 @@ TEST(RecommendationText, says_where_the_gains_rely_on_friction) {
   r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
   EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("rely on friction"));
   r.lines[0].columns[0].without_friction = {1200, HoldFault::unstable};
-  r.lines[0].columns[0].swings_without_friction = true;
+  r.lines[0].columns[0].long_hold = {900, true, false};
   EXPECT_TRUE(recommendation_text(r, GainAxis::object)
-                  .contains("May rely on friction: without it the probe swings on "
+                  .contains("May rely on friction: without it, at 900 N/m, the probe swings on "
                             "(edge contact, light hand)."));
+  r.device["friction"] = r.device["rotational_friction"] = 0;
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object)
+                  .contains("The device has no friction: at 900 N/m the probe swings on"));
 }
 
 TEST(RecommendationText, says_where_a_hard_knock_swings_on) {
   TuningResults r = sonde::test::results();
   r.lines = {line(1, GainAxis::object, {column(0, 1500)})};
   EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("After a knock"));
-  r.lines[0].columns[0].swings_at_harder_knocks = true;
+  r.lines[0].columns[0].long_hold.reset();
+  EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("was not looked at"));
+  r.lines[0].columns[0].long_hold = {900, false, true};
   EXPECT_TRUE(recommendation_text(r, GainAxis::object)
-                  .contains("After a knock of 4.00 times the strength the probe swings on (edge "
+                  .contains("After a knock of 4 times the strength, at 900 N/m, it swings on (edge "
                             "contact, light hand)."));
+  r.lines[0].columns[0].long_hold = {900, false, false};
+  EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("swings on"));
 }
 
 TEST(RecommendationText, says_where_the_boundary_without_friction_is_theorys) {
@@ -91,7 +98,8 @@ TEST(RecommendationText, says_where_the_boundary_without_friction_is_theorys) {
   EXPECT_TRUE(
       recommendation_text(r, GainAxis::object).contains("Without friction, up to 1200 N/m."))
       << recommendation_text(r, GainAxis::object).toStdString();
-  only.without_friction->stiffness = only.theory_stable = 1100;
+  only.without_friction->stiffness = 1100;
+  only.without_friction_by_theory = true;
   EXPECT_TRUE(recommendation_text(r, GainAxis::object)
                   .contains("Without friction, up to 1100 N/m in theory."));
 }

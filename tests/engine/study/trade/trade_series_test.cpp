@@ -22,7 +22,8 @@ TEST(TradeSeries, errors_are_of_the_studys_reference) {
   const test::TempFolder folder;
   const auto file = folder.write(
       "s.csv", std::string(head) + "FCL,0,0.25,10\nFCL,1,1.5,30\nBullet,0,,5\r\nFCL,2,1,20\n");
-  const auto all = read_trade_series(file, test::made_up_trade());
+  const TradeResults made_up = test::made_up_trade();
+  const auto all = trade_series(read_trade_answers(file, made_up.poses.size()), made_up);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].name, "FCL");
   EXPECT_THAT(all[0].errors, testing::ElementsAre(0, 0.5, 0.75));
@@ -45,7 +46,7 @@ TEST(TradeSeries, what_is_wrong_is_named_with_its_line) {
   const auto refused = [&](const std::string& text, const std::string& reason) {
     const auto file = folder.write("bad.csv", text);
     try {
-      read_trade_series(file, test::made_up_trade());
+      read_trade_answers(file, test::made_up_trade().poses.size());
       ADD_FAILURE() << "accepted: " << text;
     } catch (const InputError& bad) {
       EXPECT_THAT(bad.what(), HasSubstr("bad.csv"));

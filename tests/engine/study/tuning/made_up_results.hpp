@@ -18,6 +18,7 @@ inline TuningColumn column(double damping, double stable, double good, HoldFault
   c.theory_passive = 0.25 * stable;
   c.stable = {stable, HoldFault::unstable};
   c.good = {good, fault};
+  c.long_hold = {900, false, false};
   HoldReport quiet, wild;
   quiet.stable = true;
   c.runs = {{good, quiet}, {2 * stable, wild}};

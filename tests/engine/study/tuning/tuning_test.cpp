@@ -257,7 +257,7 @@ void expect_fault_beyond(const TuningRequest& request, const TuningSituation& at
     EXPECT_FALSE(beyond(column.stable, {}, 0.6).stable);
   }
   ASSERT_TRUE(column.without_friction && column.harder_knocks);
-  if (column.without_friction->fault != HoldFault::none && !column.swings_without_friction) {
+  if (column.without_friction->fault != HoldFault::none && !column.without_friction_by_theory) {
     EXPECT_FALSE(beyond(*column.without_friction, {.friction = 0}, 4).stable);
   }
   if (column.harder_knocks->stiffness < column.stable.stiffness) {
@@ -303,11 +303,13 @@ TEST(Tuning, Full_those_of_the_classic_coupling_do_while_the_knock_is_small_for_
   TuningRequest request = spoon_in_cup();
   request.coupling.mode = Coupling::Mode::classic;
   const auto expectation = [](const TuningLine& line, const Met& met) {
-    const TuningColumn& undamped = line.columns.front();
+    const LongHold& held = line.columns.front().long_hold.value();
+    const auto said = [](bool swings) { return swings ? Expected::swing : Expected::rest; };
+    if (met.friction == 0 && met.knock == 1) return said(held.swings_without_friction);
+    if (met.friction == 1 && met.knock == std::ranges::max(harder_knocks))
+      return said(held.swings_at_harder_knocks);
     if (line.hand == "firm" || met.knock <= 2 * met.friction) return Expected::rest;
-    if (met.friction == 0 && undamped.swings_without_friction) return Expected::swing;
-    if (met.friction != 1 || met.knock != std::ranges::max(harder_knocks)) return Expected::nothing;
-    return undamped.swings_at_harder_knocks ? Expected::swing : Expected::rest;
+    return Expected::nothing;
   };
   expect_rest_in_every_situation(request, 60, expectation);
 }
@@ -329,6 +331,16 @@ INSTANTIATE_TEST_SUITE_P(Felt, HeldForAMinute,
                                          Felt("nut-on-bolt", "premium-1.5-6dof"),
                                          Felt("peg-in-hole", "premium-3.0-6dof")));
 
+/// What a sweep says of holds of seconds, in the first contact by a light hand.
+nlohmann::json held(const TuningPlan& plan, GainAxis axis, double stiffness) {
+  const SweepExtent extent{.long_hold = stiffness};
+  return nlohmann::json::parse(
+             sweep_gains(tuning_setup(plan, 0, hand_grips[0]), axis, {0}, extent, never))
+      .at("columns")
+      .at(0)
+      .at("long_hold");
+}
+
 // Known, and said with the recommendation: at no stiffness it comes to rest there. The motors drive
 // the swing at 400 N/m and above; softer, the probe slides about, and they may take from it.
 TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_contact) {
@@ -349,18 +361,74 @@ TEST(Tuning, Full_without_friction_the_classic_coupling_swings_on_in_the_flat_co
       EXPECT_GT(held.work, 0.05) << k;  // J
     }
   }
-  const auto swings = [](const TuningSetup& setup, GainAxis axis) {
-    const SweepExtent extent{.without_friction = true};
-    return nlohmann::json::parse(sweep_gains(setup, axis, {0}, extent, never))
-        .at("columns")
-        .at(0)
-        .at("swings_without_friction")
-        .get<bool>();
-  };
-  EXPECT_TRUE(swings(tuning_setup(plan, 0, hand_grips[0]), GainAxis::together));
+  EXPECT_TRUE(held(plan, GainAxis::together, 551).at("swings_without_friction").get<bool>());
   request.coupling.mode = Coupling::Mode::object;
-  EXPECT_FALSE(
-      swings(tuning_setup(tuning_plan(request, never), 0, hand_grips[0]), GainAxis::object));
+  const auto object = held(tuning_plan(request, never), GainAxis::object, 344);
+  EXPECT_FALSE(object.at("swings_without_friction").get<bool>());
+}
+
+// Reference: theory, of the one contact without friction. Far below its limit the probe comes to
+// rest, and at twice that it cannot.
+TEST(Tuning, holds_of_seconds_tell_a_lasting_swing_from_rest) {
+  TuningRequest request = pressed_boxes();
+  for (const auto mode : {Coupling::Mode::object, Coupling::Mode::classic}) {
+    request.coupling.mode = mode;
+    const TuningPlan plan = tuning_plan(request, never);
+    const GainAxis axis = main_axis(request);
+    const double limit = theory_limits(tuning_setup(plan, 0, hand_grips[0]), axis, 0).stable;
+    const auto soft = held(plan, axis, limit / 4), stiff = held(plan, axis, 2 * limit);
+    EXPECT_EQ(soft.at("stiffness"), limit / 4);
+    EXPECT_FALSE(soft.at("swings_without_friction").get<bool>());
+    EXPECT_FALSE(soft.at("swings_at_harder_knocks").get<bool>());
+    EXPECT_TRUE(stiff.at("swings_without_friction").get<bool>());
+    EXPECT_FALSE(stiff.at("swings_at_harder_knocks").get<bool>()) << "friction ends it";
+  }
+}
+
+TEST(Tuning, what_the_holds_of_seconds_show_is_in_the_recommendation) {
+  TuningRequest request = pressed_boxes();
+  request.device.mass.assumed = false;
+  const auto plan = study_plan(request, 1, never);
+  ASSERT_GT(plan->held_stiffness, 0);
+  StudyFolder study = compute_at_once(plan_tuning(plan), 2, never);
+  const auto said = [&] {
+    for (const StudyFile& file : tuning_files("", study))
+      if (file.name == "recommendation.json")
+        return nlohmann::json::parse(file.text).at("axes").at(0);
+    return nlohmann::json();
+  };
+  EXPECT_EQ(said().at("held_for_seconds_at"), plan->held_stiffness);
+  EXPECT_TRUE(said().at("swings_without_friction_in").empty());
+  EXPECT_TRUE(said().at("swings_at_harder_knocks_in").is_array());
+  for (const char* key : {"swings_without_friction", "swings_at_harder_knocks"}) {
+    const StudyFolder quiet = study;
+    nlohmann::json part = nlohmann::json::parse(*study.results[0]);
+    part["columns"][0]["long_hold"][key] = true;
+    study.results[0] = part.dump();
+    ASSERT_EQ(said().at(std::string(key) + "_in").size(), 1u);
+    EXPECT_EQ(said().at(std::string(key) + "_in")[0].at("hand"), "light");
+    study = quiet;
+  }
+  nlohmann::json part = nlohmann::json::parse(*study.results[0]);
+  for (auto& result : study.results) {
+    part = nlohmann::json::parse(*result);
+    part["columns"][0].erase("long_hold");
+    result = part.dump();
+  }
+  EXPECT_TRUE(said().at("held_for_seconds_at").is_null());
+  EXPECT_TRUE(said().at("swings_without_friction_in").is_null()) << "nobody looked";
+}
+
+// A device without friction: hard knocks are hard for it too, and what swings on is said.
+TEST(Tuning, a_device_without_friction_is_knocked_and_held_as_others_are) {
+  TuningRequest request = pressed_boxes();
+  request.device.mass.assumed = false;
+  request.device.friction.value = request.device.rotational_friction.value = 0;
+  const TuningResults results = tuned(request);
+  for (const TuningLine& line : results.lines) {
+    EXPECT_TRUE(line.columns.front().harder_knocks) << line.kind << ' ' << line.hand;
+    EXPECT_TRUE(line.columns.front().long_hold) << line.kind << ' ' << line.hand;
+  }
 }
 
 TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
@@ -375,12 +443,13 @@ TEST(Tuning, without_friction_the_boundary_is_that_of_a_profile_that_has_none) {
     const TuningColumn& column = results.lines[i].columns.front();
     const TuningColumn& reference = smooth.lines[i].columns.front();
     ASSERT_TRUE(column.without_friction && column.harder_knocks);
-    EXPECT_FALSE(reference.without_friction || reference.harder_knocks);
+    EXPECT_FALSE(reference.without_friction);
+    ASSERT_TRUE(reference.harder_knocks) << "knocks are hard without friction too";
     // Each is known to the ratio, from its own side.
     EXPECT_NEAR(column.without_friction->stiffness / reference.stable.stiffness, 1, 0.02)
         << results.lines[i].kind << ' ' << results.lines[i].hand;
     EXPECT_LT(column.without_friction->stiffness, column.stable.stiffness);
-    EXPECT_FALSE(column.swings_without_friction);
+    EXPECT_FALSE(column.without_friction_by_theory);
     EXPECT_LE(column.harder_knocks->stiffness, column.stable.stiffness);
   }
 }

@@ -51,23 +51,30 @@ TEST(TuningWords, say_why_no_virtual_damping_is_best) {
 TEST(TuningWords, say_where_the_gains_rely_on_friction) {
   TuningResults r = stable_up_to({3000, 1500});
   const auto relies = testing::Contains(
-      "these gains may rely on friction: without it, the probe swings on in the flat contact "
-      "(light hand)");
+      "these gains may rely on friction: without it, at 900 N/m, the probe swings on in the flat "
+      "contact (light hand)");
   EXPECT_THAT(recommendation_in_words(r), testing::Not(relies));
   r.lines[0].columns[0].without_friction = {1500, unstable};
-  r.lines[0].columns[0].swings_without_friction = true;
+  r.lines[0].columns[0].long_hold = {900, true, false};
   EXPECT_THAT(recommendation_in_words(r), relies);
   r.trusts_friction = true;
   EXPECT_THAT(recommendation_in_words(r), testing::Not(relies)) << "as asked";
+  r.device["friction"] = r.device["rotational_friction"] = 0;
+  EXPECT_THAT(
+      recommendation_in_words(r),
+      testing::Contains("the device has no friction: at 900 N/m, the probe swings on in the "
+                        "flat contact (light hand)"));
 }
 
 TEST(TuningWords, say_where_a_hard_knock_swings_on) {
   TuningResults r = stable_up_to({3000, 1500});
   const auto swings = testing::Contains(
-      "after a knock of 4 times the strength, the probe swings on for long in the flat contact "
+      "after a knock of 4 times the strength, at 900 N/m, the probe swings on in the flat contact "
       "(light hand)");
   EXPECT_THAT(recommendation_in_words(r), testing::Not(swings));
-  r.lines[0].columns[0].swings_at_harder_knocks = true;
+  for (TuningLine& line : r.lines) line.columns[0].long_hold.reset();
+  EXPECT_THAT(recommendation_in_words(r), testing::Contains(HasSubstr("was not looked at")));
+  r.lines[0].columns[0].long_hold = {900, false, true};
   EXPECT_THAT(recommendation_in_words(r), swings);
   r.trusts_friction = true;
   EXPECT_THAT(recommendation_in_words(r), swings) << "friction does not end it";
