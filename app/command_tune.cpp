@@ -22,6 +22,7 @@ struct TuneOptions {
 void run(const TuneOptions& options) {
   const StudyOptions& output = options.common.study;
   check_output(output);
+  refuse_other_things(output.out);
   if (!(options.low < options.high)) throw UsageError("--from must be below --to");
   const Scene scene = scene_of(options.common.bodies);
   const DeviceProfile device = device_named(options.common.device);
@@ -33,12 +34,12 @@ void run(const TuneOptions& options) {
   request.low = options.low;
   request.high = options.high;
   const auto plan = study_plan(request, threads_of(output), stop_on_interrupt(),
-                               progress.percent("tune, looking for contacts"));
+                               progress.percent("tune, contacts and a first look"));
   progress.clear();
   const Study study = plan_tuning(plan);
   if (output.quiet) return run_study(study, output, tuning_files);
   note_skipped(study);
-  claim_folder(output.out, study);  // what is refused gets no first look
+  claim_folder(output.out, study);  // what is refused is told no first look
   TuningNotes notes(plan, output);
   notes.tell_first_look();
   run_study(study, output, tuning_files, [&](ProgressLine& line) { notes.look_again(line); });

@@ -9,13 +9,9 @@
 
 namespace sonde::app {
 
-bool TuningNotes::has_study() const {
-  return std::filesystem::exists(std::filesystem::path(options_.out) / "study.json");
-}
-
 void TuningNotes::tell_first_look() const {
   const GainAxis axis = main_axis(plan_->request);
-  if (has_study() && tuning_so_far(options_.out, read_study(options_.out), axis)) return;
+  if (tuning_so_far(options_.out, read_study(options_.out), axis)) return;
   std::cerr << "sonde: first look, in large steps: "
             << gains_in_words(read_tuning("", plan_->first_look)) << "; the study goes on\n";
 }

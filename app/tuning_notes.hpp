@@ -24,7 +24,6 @@ class TuningNotes {
   void conclude() const;
 
  private:
-  bool has_study() const;
   std::shared_ptr<const TuningPlan> plan_;
   const StudyOptions& options_;
   std::string last_;

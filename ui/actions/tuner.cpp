@@ -105,7 +105,8 @@ void Tuner::look(double fraction) {
   if (!progressed) return;
   if (rows_ == 0)
     return progressed(StudyProgress{
-        fraction, QStringLiteral("For %1: looking for contacts, then the first row").arg(device_)});
+        fraction,
+        QStringLiteral("For %1: contacts and a first look, then the first row").arg(device_)});
   const double now = 1e-3 * double(since_first_.elapsed());
   const QString left =
       time_left_text(newest_at_, rows_ - first_, of_rows_ - rows_, now - newest_at_);

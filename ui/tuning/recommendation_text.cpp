@@ -90,19 +90,25 @@ QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
   if (gains.held_at == 0)
     return QStringLiteral(
         "Whether the probe swings on for seconds, without friction or after a hard knock, was not "
-        "looked at at this damping.");
-  const QString at = with_unit(gains.held_at, stiffness_unit(gains.axis));
+        "looked at.");
+  const QString at =
+      QStringLiteral("at %1%2").arg(with_unit(gains.held_at, stiffness_unit(gains.axis)),
+                                    QLatin1String(held_elsewhere(gains) ? ", far from this" : ""));
+  const QString knock =
+      QStringLiteral("fter a knock of %1 times the strength").arg(std::ranges::max(harder_knocks));
+  const bool trusts = trusts_friction(results);
   QStringList out;
-  if (!gains.swings_without_friction.empty())
+  if (!trusts && !gains.swings_without_friction.empty())
     out << (has_friction(results)
-                ? QStringLiteral(
-                      "May rely on friction: without it, at %1, the probe swings on (%2).")
-                : QStringLiteral("The device has no friction: at %1 the probe swings on (%2)."))
+                ? QStringLiteral("May rely on friction: without it, %1, the probe swings on (%2).")
+                : QStringLiteral("The device has no friction: %1 the probe swings on (%2)."))
                .arg(at, contacts(gains.swings_without_friction));
   if (!gains.swings_at_harder_knocks.empty())
-    out << QStringLiteral("After a knock of %1 times the strength, at %2, it swings on (%3).")
-               .arg(std::ranges::max(harder_knocks))
-               .arg(at, contacts(gains.swings_at_harder_knocks));
+    out << QStringLiteral("A%1, %2, it swings on (%3).")
+               .arg(knock, at, contacts(gains.swings_at_harder_knocks));
+  if (out.empty())
+    out << QStringLiteral("Held for seconds %1%2a%3, the probe comes to rest.")
+               .arg(at, QLatin1String(trusts ? " " : " without friction and "), knock);
   return out.join(' ');
 }
 

@@ -57,19 +57,6 @@ std::string study_text(const Study& study) {
   return json.dump(2) + "\n";
 }
 
-/// Refuses a folder that holds other things and no study. "parts" alone is what another process has
-/// just begun; hidden files are not yet whole.
-void refuse_other_things(const fs::path& folder) {
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name != "parts" && name != "study.json" && !name.starts_with('.'))
-      throw InputError::in(
-          folder.string(),
-          "holds \"" + name + "\" and no study; take an empty folder or a new one");
-  }
-}
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "parts", error);
@@ -97,6 +84,19 @@ std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study
 
 }  // namespace
 
+// "parts" alone is what another process has just begun; hidden files are not yet whole.
+void refuse_other_things(const fs::path& folder) {
+  if (fs::exists(study_file(folder))) return;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "parts" && name != "study.json" && !name.starts_with('.'))
+      throw InputError::in(
+          folder.string(),
+          "holds \"" + name + "\" and no study; take an empty folder or a new one");
+  }
+}
+
 // Parts depend on nothing but `about` and their name: another list of parts (contacts of one kind,
 // or of all) can take over what is finished.
 void claim_folder(const fs::path& folder, const Study& study) {
@@ -109,9 +109,8 @@ void claim_folder(const fs::path& folder, const Study& study) {
       throw InputError::in(file.string(),
                            "is of a study with other inputs or settings; take another folder");
     stays = has_all(there, study) || read_text(file, most_bytes) == text;
-  } else {
-    refuse_other_things(folder);
   }
+  refuse_other_things(folder);
   make_folder(folder);
   if (!stays) write_whole(file, text);
 }

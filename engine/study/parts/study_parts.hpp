@@ -57,6 +57,10 @@ std::optional<Shard> shard_of(std::string_view text);
 /// `done` parts of `total` in the shard are finished.
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
+/// Throws InputError where the folder holds other things and no study: to be asked before a study
+/// is planned, where that takes seconds.
+void refuse_other_things(const std::filesystem::path& folder);
+
 /// Makes the folder the study's: writes its study.json. A folder with other parts of the same study
 /// (the same kind and `about`) becomes the requested study and keeps its finished parts; where it
 /// is finished and has all of them, it stays as it is. Throws InputError where the folder holds

@@ -102,15 +102,12 @@ bool lower(double& boundary, const std::optional<SweepLimit>& limit) {
   return true;
 }
 
-void add_long_hold(const TuningResults& results, const TuningLine& line, const TuningColumn& column,
-                   AxisGains& out) {
+void add_long_hold(const TuningLine& line, const TuningColumn& column, AxisGains& out) {
   const auto add = [&](const char* reason, std::vector<GainLimit>& places) {
     places.push_back({reason, column.theory_stable, line.kind, line.hand});
   };
   out.held_at = column.long_hold->stiffness;
-  const bool trusted = results.trusts_friction && has_friction(results);
-  if (column.long_hold->swings_without_friction && !trusted)
-    add("friction", out.swings_without_friction);
+  if (column.long_hold->swings_without_friction) add("friction", out.swings_without_friction);
   if (column.long_hold->swings_at_harder_knocks) add("knocks", out.swings_at_harder_knocks);
 }
 
@@ -141,7 +138,7 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
     const TuningColumn& column = *column_at(*line, damping);
     add_measured_limits(*line, column, limits);
     add_hard_conditions(*line, column, results.trusts_friction, limits);
-    if (column.long_hold) add_long_hold(results, *line, column, out);
+    if (column.long_hold) add_long_hold(*line, column, out);
     lower(out.boundary, column.stable);
     if (lower(out.without_friction, column.without_friction))
       out.without_friction_by_theory = column.without_friction_by_theory;
@@ -220,6 +217,16 @@ std::map<std::string, AxisGains> recommend_by_hand(const TuningResults& results,
     out.emplace(any.hand, gains_at(results, lines, results.device, axis, damping));
   }
   return out;
+}
+
+bool held_elsewhere(const AxisGains& gains) {
+  constexpr double near = 1.5;
+  const double ratio = gains.held_at > 0 ? gains.stiffness / gains.held_at : 1;
+  return ratio > near || ratio < 1 / near;
+}
+
+bool trusts_friction(const TuningResults& results) {
+  return results.trusts_friction && has_friction(results);
 }
 
 std::vector<GainAxis> axes_of(const TuningResults& results) {

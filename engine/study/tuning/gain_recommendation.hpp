@@ -32,11 +32,11 @@ struct AxisGains {
   /// not search for them.
   double without_friction = 0, harder_knocks = 0;
   bool without_friction_by_theory = false;  ///< as TuningColumn, where that is
-  /// At this stiffness the probe was held for seconds (LongHold): what the first look recommends; 0
-  /// where it was not, at this damping.
+  /// At this stiffness the probe was held for seconds (LongHold): what the first look recommends,
+  /// over all contacts; 0 where it was not held so, at this damping.
   double held_at = 0;
-  /// Where it swings on then without friction, so that the gains may rely on it (empty where
-  /// friction is trusted), and after the hardest of harder_knocks; with the limit of theory.
+  /// Where it swings on then without friction, so that the gains may rely on it, and after the
+  /// hardest of harder_knocks; with the limit of theory.
   std::vector<GainLimit> swings_without_friction, swings_at_harder_knocks;
   double passive = 0;  ///< up to which theory has every situation passive
   double theory = 0;   ///< up to which theory has every situation stable, without friction
@@ -59,6 +59,12 @@ std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainA
 /// At one damping, from the lines of each hand alone: how the hand holds is an assumption too.
 std::map<std::string, AxisGains> recommend_by_hand(const TuningResults& results, GainAxis axis,
                                                    double damping);
+
+/// Held for seconds at another stiffness than the recommended one: further away than a first look
+/// can be, as where contacts of one kind alone are studied.
+bool held_elsewhere(const AxisGains& gains);
+/// What is recommended relies on friction only where that is asked for.
+bool trusts_friction(const TuningResults& results);
 
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);

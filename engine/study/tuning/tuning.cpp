@@ -232,7 +232,6 @@ Json about(const TuningPlan& plan) {
           {"rotational_stiffness_per_translational", plan.joint.stiffness},
           {"rotational_damping_per_translational", plan.joint.damping},
           {"damping_share_in_full", plan.damping_share},
-          {"held_stiffness", plan.held_stiffness},
           {"situations", situations},
           {"skipped", skipped}};
 }

@@ -138,29 +138,40 @@ Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<
   return study;
 }
 
-/// The share of the largest damping at which a coarse sweep of the hardest situation allows most;
-/// of equal ones the least. Theory alone would take dampings at which the real loop chatters.
-double best_damping_share(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
-                          const Stop& stop) {
+/// A first look at one contact, at one damping.
+struct Look {
+  double share = 0;    ///< of the largest damping
+  StudyFolder result;  ///< of one part
+};
+
+/// Looks at the hardest situation at each damping. The share of the largest damping that allows
+/// most, of equal ones the least. Theory alone would take dampings at which the real loop chatters.
+Look best_damping(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
+                  const Stop& stop) {
   const GainAxis axis = main_axis(plan->request);
   const std::size_t where = hardest(*plan);
   const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
   const std::vector<double> shares = damping_shares(setup, axis);
-  if (shares.size() == 1) return shares.front();
+  std::vector<Look> looks(shares.size());
   std::vector<double> allowed(shares.size());
   run_parallel(shares.size(), threads, [&](std::size_t i) {
     const Study study = study_of(plan, {first_look_at(*plan, where, {shares[i]})});
-    allowed[i] = recommend(read_tuning("", compute_at_once(study, 1, stop)), axis)->stiffness;
+    looks[i] = {shares[i], compute_at_once(study, 1, stop)};
+    allowed[i] = recommend(read_tuning("", looks[i].result), axis)->stiffness;
   });
-  return shares[static_cast<std::size_t>(std::ranges::max_element(allowed) - allowed.begin())];
+  return looks[static_cast<std::size_t>(std::ranges::max_element(allowed) - allowed.begin())];
 }
 
-/// Each situation in a light hand, at the plan's one damping.
-Study first_look(const std::shared_ptr<const TuningPlan>& plan) {
-  std::vector<PartOf> parts;
+/// The one at the hardest situation, and the same of the others at its damping.
+StudyFolder first_look(const std::shared_ptr<const TuningPlan>& plan, const Look& at_hardest,
+                       unsigned threads, const Stop& stop) {
+  std::vector<PartOf> others;
   for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
-    parts.push_back(first_look_at(*plan, i, {plan->damping_share}));
-  return study_of(plan, parts);
+    if (i != hardest(*plan)) others.push_back(first_look_at(*plan, i, {at_hardest.share}));
+  StudyFolder out = compute_at_once(study_of(plan, others), threads, stop);
+  out.names.push_back(at_hardest.result.names.front());
+  out.results.push_back(at_hardest.result.results.front());
+  return out;
 }
 
 }  // namespace
@@ -168,16 +179,28 @@ Study first_look(const std::shared_ptr<const TuningPlan>& plan) {
 std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsigned threads,
                                              const Stop& stop,
                                              const std::function<void(double)>& progress) {
-  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, progress));
-  plan->damping_share = best_damping_share(plan, threads, stop);
-  plan->first_look = compute_at_once(first_look(plan), threads, stop);
+  // Contacts take half of the time or more.
+  const auto part = [&](double from, double to) {
+    return [&progress, from, to](double done) {
+      if (progress) progress(from + (to - from) * done);
+    };
+  };
+  const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5)));
+  const Look at_hardest = best_damping(plan, threads, stop);
+  part(0.5, 1)(0.5);
+  plan->damping_share = at_hardest.share;
+  plan->first_look = first_look(plan, at_hardest, threads, stop);
   plan->held_stiffness =
       recommend(read_tuning("", plan->first_look), main_axis(plan->request))->stiffness;
   return plan;
 }
 
 Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
-  return study_of(plan, parts_of(*plan));
+  Study study = study_of(plan, parts_of(*plan));
+  Json about = Json::parse(study.about);
+  about["held_stiffness"] = plan->held_stiffness;
+  study.about = about.dump();
+  return study;
 }
 
 Study plan_tuning(const TuningRequest& request, unsigned threads, const Stop& stop,

@@ -85,29 +85,30 @@ std::string contacts_text(const std::vector<GainLimit>& places) {
   return out;
 }
 
-std::string swings_without_friction(const TuningResults& results, const AxisGains& gains) {
-  if (gains.swings_without_friction.empty()) return {};
-  const char* begin = has_friction(results) ? "these gains may rely on friction: without it, at "
-                                            : "the device has no friction: at ";
-  return begin + short_text(gains.held_at) + stiffness_unit(gains.axis) +
-         ", the probe swings on in " + contacts_text(gains.swings_without_friction);
-}
-
-std::string swings_after_knocks(const AxisGains& gains) {
-  if (gains.swings_at_harder_knocks.empty()) return {};
-  return "after a knock of " + short_text(std::ranges::max(harder_knocks)) +
-         " times the strength, at " + short_text(gains.held_at) + stiffness_unit(gains.axis) +
-         ", the probe swings on in " + contacts_text(gains.swings_at_harder_knocks);
-}
-
 /// Of what was held for seconds.
 std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
   if (gains.stiffness <= 0) return {};
   if (gains.held_at == 0)
     return {
         "whether the probe swings on for seconds, without friction or after a hard knock, was "
-        "not looked at at this damping"};
-  return {swings_without_friction(results, gains), swings_after_knocks(gains)};
+        "not looked at"};
+  const std::string at = "at " + short_text(gains.held_at) + stiffness_unit(gains.axis) +
+                         (held_elsewhere(gains) ? ", far from these gains," : ",");
+  const std::string knock =
+      "after a knock of " + short_text(std::ranges::max(harder_knocks)) + " times the strength";
+  const bool trusts = trusts_friction(results);
+  std::vector<std::string> out;
+  if (!trusts && !gains.swings_without_friction.empty())
+    out.push_back((has_friction(results) ? "these gains may rely on friction: without it, "
+                                         : "the device has no friction: ") +
+                  at + " the probe swings on in " + contacts_text(gains.swings_without_friction));
+  if (!gains.swings_at_harder_knocks.empty())
+    out.push_back(knock + ", " + at + " the probe swings on in " +
+                  contacts_text(gains.swings_at_harder_knocks));
+  if (out.empty())
+    out.push_back("held for seconds " + at + (trusts ? " " : " without friction and ") + knock +
+                  ", the probe comes to rest");
+  return out;
 }
 
 std::string limiting_assumption_text(const TuningResults& results, GainAxis axis) {

@@ -69,8 +69,10 @@ TEST_F(SessionTest, while_it_searches_the_probe_is_where_it_is_placed) {
   far.p.x() += 10 * session->fixed().mass.radius;
   session->replay({{0, far}});  // what the servo says is asked for, not what the mouse wants
   session->place(at(0.1));
-  while (session->placing()) {
-    ASSERT_EQ(session->device_pose().p, at(0.1).p);
+  for (;;) {
+    const Pose is = session->device_pose();
+    if (!session->placing()) break;
+    ASSERT_EQ(is.p, at(0.1).p);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_TRUE(first());

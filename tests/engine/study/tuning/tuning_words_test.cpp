@@ -22,7 +22,8 @@ TEST(TuningWords, say_what_is_recommended_and_what_limits_it) {
   r.lines[1].columns[0].theory_stable = 1200;
   // The lower boundary by the margin of 1.5.
   EXPECT_THAT(recommendation_in_words(r),
-              ElementsAre("k 1000 N/m, limited by stability (edge contact, light hand)"));
+              ElementsAre("k 1000 N/m, limited by stability (edge contact, light hand)",
+                          HasSubstr("held for seconds at 900 N/m")));
   r.lines[1].columns[0].theory_stable = 750;
   EXPECT_THAT(recommendation_in_words(r).back(),
               HasSubstr("above the limit in theory, which has no friction: 750 N/m"));
@@ -78,6 +79,17 @@ TEST(TuningWords, say_where_a_hard_knock_swings_on) {
   EXPECT_THAT(recommendation_in_words(r), swings);
   r.trusts_friction = true;
   EXPECT_THAT(recommendation_in_words(r), swings) << "friction does not end it";
+  r.lines[0].columns[0].long_hold = {900, true, false};
+  EXPECT_THAT(
+      recommendation_in_words(r),
+      testing::Contains("held for seconds at 900 N/m, after a knock of 4 times the strength, "
+                        "the probe comes to rest"));
+  for (TuningLine& line : r.lines) line.columns[0].long_hold = {90, false, false};
+  r.trusts_friction = false;
+  EXPECT_THAT(
+      recommendation_in_words(r),
+      testing::Contains("held for seconds at 90 N/m, far from these gains, without friction "
+                        "and after a knock of 4 times the strength, the probe comes to rest"));
 }
 
 TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
