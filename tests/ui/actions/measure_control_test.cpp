@@ -56,9 +56,13 @@ class Measuring : public WindowTest {
   MeasureDialog* dialog() const {
     return static_cast<MeasureDialog*>(window->findChild<QDialog*>("measure_dialog"));
   }
-  /// A whole measurement: half a minute or so, many times that in a thread sanitizer.
+  /// A whole measurement, with the fit after it: half a minute or so, many times that in a thread
+  /// sanitizer.
   void wait_for_the_end() {
-    for (int i = 0; i < 20 && running(); ++i) wait_until([this] { return !running(); });
+    const auto is_there = [this] {
+      return find<QTableWidget>("measure_table")->isVisible() || !ended().isEmpty();
+    };
+    for (int i = 0; i < 20 && !is_there(); ++i) wait_until(is_there);
   }
   bool closed() const { return !dialog() || !dialog()->isVisible(); }
   QString ended() const {
