@@ -188,9 +188,13 @@ void StiffnessPanel::show_tuning(const std::optional<Tuning>& tuning) {
   words_->setVisible(tuning_.has_value());
   const bool any = recommends();
   apply_->setVisible(any);
-  if (any)
-    apply_->setText(QStringLiteral("Use recommended: %1")
-                        .arg(words_of(recommended_coupling(tuning_->results)).replace('\n', ", ")));
+  if (any) {
+    const Coupling gains = recommended_coupling(tuning_->results);
+    // In a line of its own where it is long: the dock is to be no wider.
+    const char between = gains.mode == Coupling::Mode::object ? ' ' : '\n';
+    apply_->setText(QStringLiteral("Use recommended:") + between +
+                    words_of(gains).replace('\n', ", "));
+  }
   show_source();
   choose_axes();
   show_doubt();

@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QTest>
 #include <cmath>
+#include <fstream>
 
 #include "engine/study/stability/press_and_hold.hpp"
 #include "tests/ui/actions/stiffness_fixture.hpp"
@@ -231,6 +232,25 @@ TEST_F(StiffnessTest, use_recommended_is_in_sight_at_1280_by_800) {
   EXPECT_TRUE(use->text().contains("600 N/m"));
   QTest::mouseClick(use, Qt::LeftButton);
   EXPECT_EQ(k(), 600);
+}
+
+TEST_F(StiffnessTest, so_are_the_gains_of_the_classic_coupling) {
+  const auto replace = [](const std::filesystem::path& file, const QString& what, const char* by) {
+    const std::string text = read_text(file, 1 << 20);
+    std::ofstream(file) << QString::fromStdString(text).replace(what, by).toStdString();
+  };
+  const std::filesystem::path study = folder / "tuned";
+  replace(study / "study.json", R"("mode": "object")", R"("mode": "classic")");
+  replace(study / "study.json", R"("rotational_stiffness_per_translational": 0)",
+          R"("rotational_stiffness_per_translational": 5.5e-5)");
+  for (const auto& part : std::filesystem::directory_iterator(study / "parts"))
+    replace(part.path(), R"("axis": "object")", R"("axis": "together")");
+  load("tuned");
+  auto* use = find<QPushButton>("apply_recommended");
+  ASSERT_TRUE(wait_until([&] { return use->isVisible(); }));
+  wait(100);  // the layout
+  EXPECT_EQ(use->text(), "Use recommended:\nk_t 600 N/m, k_r 0.0330 N·m/rad");
+  EXPECT_EQ(use->visibleRegion().boundingRect(), use->rect());
 }
 
 TEST_F(StiffnessTest, the_view_says_beside_the_force_how_far_the_boundary_is) {
