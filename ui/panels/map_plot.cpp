@@ -206,14 +206,21 @@ void MapPlot::paint_cells(QPainter& painter, const Scales& scales) const {
 
 void MapPlot::paint_stiffness(QPainter& painter, const Scales& scales) const {
   const QRectF& area = scales.area;
-  const double line = QFontMetrics(painter.font()).height();
+  const QFontMetrics metrics(painter.font());
+  const double line = metrics.height();
+  double free = 0;  // px, where a label may begin
   for (const ChartScale::Tick& tick : scales.x.ticks()) {
     const double x = area.left() + tick.place * area.width();
     painter.setPen(QColor(0, 0, 0, tick.text.empty() ? 30 : 70));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    // Within the plot, or not at all: half of a number is another number.
+    const QString text = QString::fromStdString(tick.text);
+    const double wide = metrics.horizontalAdvance(text);
+    const double left = std::min(x - wide / 2, width() - wide);
     painter.setPen(faint_text(palette()));
-    painter.drawText(QRectF(x - 30, area.bottom() + 2, 60, line), Qt::AlignCenter,
-                     QString::fromStdString(tick.text));
+    if (text.isEmpty() || left < free) continue;
+    painter.drawText(QRectF(left, area.bottom() + 2, wide, line), Qt::AlignCenter, text);
+    free = left + wide + 4;
   }
   painter.drawText(
       QRectF(0, area.bottom() + 2 + line, width(), line), Qt::AlignCenter,
