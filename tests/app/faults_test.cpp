@@ -54,6 +54,7 @@ class Faults : public AppTest {
   }
 };
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they map terabytes at once
 /// From a limit at which not even the words for the version fit, to one at which all does.
 TEST_F(Faults, memory_that_ends_is_told_of_wherever_that_is) {
   folder.write("sheet.off", sheet_off(150));
@@ -78,6 +79,7 @@ TEST_F(Faults, memory_that_ends_is_told_of_wherever_that_is) {
   EXPECT_GT(refused, 0) << "no limit was too low";
   EXPECT_GT(done, 0) << "no limit was high enough";
 }
+#endif
 
 /// The comma is decimal in German; "i" in capitals has a dot in Turkish, which finds no ".STI".
 TEST_F(Faults, the_same_bits_in_german_and_in_turkish) {
