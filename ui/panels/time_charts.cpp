@@ -330,7 +330,8 @@ bool TimeCharts::eventFilter(QObject* watched, QEvent* event) {
     if (zoomed) zoomed(std::pow(wheel_zoom, -notches), time_at(wheel->position().x()));
     return true;
   }
-  const auto* mouse = static_cast<QMouseEvent*>(event);
+  const auto* mouse = dynamic_cast<QMouseEvent*>(event);
+  if (!mouse) return QWidget::eventFilter(watched, event);
   if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton) {
     pressed_ = last_ = mouse->localPos().x();
     moved_ = false;
