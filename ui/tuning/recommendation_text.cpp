@@ -95,7 +95,7 @@ QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
       QStringLiteral("at %1%2").arg(with_unit(gains.held_at, stiffness_unit(gains.axis)),
                                     QLatin1String(held_elsewhere(gains) ? ", far from this" : ""));
   const QString knock =
-      QStringLiteral("fter a knock of %1 times the strength").arg(std::ranges::max(harder_knocks));
+      QStringLiteral("a knock of %1 times the strength").arg(std::ranges::max(harder_knocks));
   const bool trusts = trusts_friction(results);
   QStringList out;
   if (!trusts && !gains.swings_without_friction.empty())
@@ -104,11 +104,11 @@ QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
                 : QStringLiteral("The device has no friction: %1 the probe swings on (%2)."))
                .arg(at, contacts(gains.swings_without_friction));
   if (!gains.swings_at_harder_knocks.empty())
-    out << QStringLiteral("A%1, %2, it swings on (%3).")
+    out << QStringLiteral("After %1, %2, it swings on (%3).")
                .arg(knock, at, contacts(gains.swings_at_harder_knocks));
   if (out.empty())
-    out << QStringLiteral("Held for seconds %1%2a%3, the probe comes to rest.")
-               .arg(at, QLatin1String(trusts ? " " : " without friction and "), knock);
+    out << QStringLiteral("Held for seconds %1,%2 after %3, the probe comes to rest.")
+               .arg(at, QLatin1String(trusts ? "" : " once without friction and once"), knock);
   return out.join(' ');
 }
 

@@ -106,8 +106,8 @@ std::vector<std::string> lasting_swings(const TuningResults& results, const Axis
     out.push_back(knock + ", " + at + " the probe swings on in " +
                   contacts_text(gains.swings_at_harder_knocks));
   if (out.empty())
-    out.push_back("held for seconds " + at + (trusts ? " " : " without friction and ") + knock +
-                  ", the probe comes to rest");
+    out.push_back("held for seconds " + at + (trusts ? " " : " once without friction and once ") +
+                  knock + ", the probe comes to rest");
   return out;
 }
 

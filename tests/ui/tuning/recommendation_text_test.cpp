@@ -89,8 +89,8 @@ TEST(RecommendationText, says_where_a_hard_knock_swings_on) {
   r.lines[0].columns[0].long_hold = {900, false, false};
   EXPECT_FALSE(recommendation_text(r, GainAxis::object).contains("swings on"));
   EXPECT_TRUE(recommendation_text(r, GainAxis::object)
-                  .contains("Held for seconds at 900 N/m without friction and after a knock of 4 "
-                            "times the strength, the probe comes to rest."));
+                  .contains("Held for seconds at 900 N/m, once without friction and once after a "
+                            "knock of 4 times the strength, the probe comes to rest."));
   r.lines[0].columns[0].long_hold = {90, false, false};
   EXPECT_TRUE(recommendation_text(r, GainAxis::object).contains("at 90.0 N/m, far from this"));
 }

@@ -88,8 +88,9 @@ TEST(TuningWords, say_where_a_hard_knock_swings_on) {
   r.trusts_friction = false;
   EXPECT_THAT(
       recommendation_in_words(r),
-      testing::Contains("held for seconds at 90 N/m, far from these gains, without friction "
-                        "and after a knock of 4 times the strength, the probe comes to rest"));
+      testing::Contains("held for seconds at 90 N/m, far from these gains, once without "
+                        "friction and once after a knock of 4 times the strength, the probe comes "
+                        "to rest"));
 }
 
 TEST(TuningWords, name_the_limiting_assumption_at_both_ends) {
