@@ -47,16 +47,7 @@ class Search {
   }
 
   Separation run() {
-    if (rotates() && !budget_.is_limited()) finish_translation();
-    if (rotates() && budget_.counts_steps()) {
-      first_sketched_start();
-      first_translation();
-    } else if (rotates() && budget_.is_timed() && !sketched()) {
-      // What the first push ends in may be far out, and more time for it is then worse than the
-      // translation that less time had to do with.
-      first_translation();
-      turn_from_translation();
-    }
+    begin();
     first_starts();
     if (optima_.empty()) beyond_ends();
     more_sketches();
@@ -143,6 +134,25 @@ class Search {
     if (!sketched()) return;
     first_sketches();
     from_ends(sketches_, options_.method, 1);
+  }
+
+  /// What comes before all others, by what the time or the steps are for.
+  void begin() {
+    if (rotates() && !budget_.is_limited()) {
+      finish_translation();
+    } else if (rotates() && budget_.counts_steps()) {
+      first_sketched_start();
+      first_translation();
+    } else if (rotates() && budget_.is_timed() && !sketched()) {
+      // What the first push ends in may be far out, and more time for it is then worse than the
+      // translation that less time had to do with.
+      first_translation();
+      turn_from_translation();
+    } else if (budget_.is_timed() && !sketched()) {
+      // A translation: in 1 ms, 206 to 208 poses of depths.csv are within 5 % of the reference, and
+      // 199 to 202 where the device pose is pushed apart first.
+      starts_outside(1);
+    }
   }
 
   /// From the sketches' ends and the device pose itself.
