@@ -52,9 +52,14 @@ target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 # the engine, whose names are hidden.
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
                                 "${PROJECT_SOURCE_DIR}/engine/penetration/search/pair.cpp")
+# Below 1.0 each minor version may change the face, from then on each major one.
+set(SONDE_SOVERSION ${PROJECT_VERSION_MAJOR})
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(SONDE_SOVERSION 0.${PROJECT_VERSION_MINOR})
+endif()
 set(sonde_map "${PROJECT_SOURCE_DIR}/packaging/sonde.map")
 set_target_properties(sonde_shared PROPERTIES
-  OUTPUT_NAME sonde EXPORT_NAME engine VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+  OUTPUT_NAME sonde EXPORT_NAME engine VERSION ${PROJECT_VERSION} SOVERSION ${SONDE_SOVERSION}
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib" CXX_VISIBILITY_PRESET default
   LINK_DEPENDS "${sonde_map}")
 if(NOT SONDE_INSTALL)

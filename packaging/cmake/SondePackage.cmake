@@ -36,10 +36,9 @@ function(sonde_package COMPONENT NAME SUMMARY TEXT)
           DESTINATION "${documents}" COMPONENT ${COMPONENT})
 endfunction()
 
-set(soname ${PROJECT_VERSION_MAJOR})
 sonde_package(program sonde "penetration depth of two polygon soups, without a window"
               "This package has the headless program, example scenes, and the manual.")
-sonde_package(library libsonde${soname} "penetration depth of two polygon soups - library"
+sonde_package(library libsonde${SONDE_SOVERSION} "penetration depth of two polygon soups - library"
               "This package has the shared library.")
 sonde_package(development libsonde-dev "penetration depth of two polygon soups - development files"
               "This package has the header, <sonde/sonde.hpp>, and what CMake and\npkg-config read.")
@@ -55,11 +54,11 @@ endif()
 
 set(same "(= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "sonde ${same}") # its scenes and manual
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsonde${soname} ${same}, libeigen3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsonde${SONDE_SOVERSION} ${same}, libeigen3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 file(WRITE "${PROJECT_BINARY_DIR}/debian/shlibs"
-     "libsonde ${soname} libsonde${soname} (= ${PROJECT_VERSION})\n")
+     "libsonde ${SONDE_SOVERSION} libsonde${SONDE_SOVERSION} (= ${PROJECT_VERSION})\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/shlibs"
                                                "${SONDE_PACKAGING}/debian/triggers")
 
@@ -68,6 +67,7 @@ if(SONDE_BUILD_PYTHON) # the compiled part is of one version of Python, whose na
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib) # its example draws with that
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${SONDE_PACKAGING}/debian/python/postinst"
                                                 "${SONDE_PACKAGING}/debian/python/prerm")

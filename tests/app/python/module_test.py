@@ -178,7 +178,8 @@ class Module(unittest.TestCase):
             command = [sys.executable, example, *meshes, path, picture]
             run = subprocess.run(command, capture_output=True, text=True, check=True)
             self.assertRegex(run.stdout, r"deepest: [0-9.]+ mm of 10 poses")
-            self.assertTrue(os.path.exists(picture) or "matplotlib" in run.stderr)
+            with open(picture, "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n", run.stderr)
 
 
 if __name__ == "__main__":
