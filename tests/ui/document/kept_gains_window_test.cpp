@@ -109,7 +109,7 @@ TEST_F(GainsInTheWindow, DISABLED_child) {
   keep_settings_in(folder_of_both);
   open({QString::fromStdString(folder_of_both + "/cubes.sonde.json")});
   type("k_value", "800");
-  wait(2 * patience_ms);
+  wait(patience_ms);
 }
 
 TEST_F(GainsInTheWindow, a_typed_stiffness_is_there_again_after_kill_9) {
