@@ -54,19 +54,12 @@ Keys device_keys() {
   return keys;
 }
 
-/// Whether a file, there or not, lies below a folder, when links are followed.
-bool lies_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  std::error_code error;
-  const auto whole = std::filesystem::weakly_canonical(file, error);
-  if (error) return false;
-  const auto below = whole.lexically_relative(std::filesystem::canonical(folder, error));
-  return !error && !below.empty() && *below.begin() != "..";
-}
-
 /// Reads the values of one file and complains with its name and the line.
 struct Reader {
   std::filesystem::path file;
   std::filesystem::path within = {};  ///< the folder that its paths stay in; empty: anywhere
+  /// Keeps those that do not, instead of refusing them; then no file of gains is read.
+  std::vector<std::filesystem::path>* outside = nullptr;
 
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
     fail_at(file, line, reason);
@@ -93,9 +86,11 @@ struct Reader {
     if (node.text.find('\0') != std::string::npos)
       fail(node.line, in_quotes(node.key) + " is a path with a null character");
     auto whole = (file.parent_path() / node.text).lexically_normal();
-    if (!within.empty() && !lies_within(within, whole))
+    if (within.empty() || lies_within(within, whole)) return whole;
+    if (!outside)
       fail(node.line, in_quotes(node.key) + " leads out of the folder " + within.string() + ": " +
                           in_quotes(node.text));
+    outside->push_back(whole);
     return whole;
   }
 
@@ -145,6 +140,12 @@ struct Reader {
     return body;
   }
 
+  /// The gains, or the path of a file with them.
+  Coupling coupling_or_path(const JsonNode& node) const {
+    if (node.kind != Kind::string) return coupling(node);
+    const std::filesystem::path gains = path(node);
+    return outside ? Coupling{} : read_coupling(gains);
+  }
   Coupling coupling(const JsonNode& node) const {
     Coupling coupling;
     expect_object(node, coupling_keys());
@@ -194,8 +195,7 @@ Scene read(const Reader& reader, const std::string& text) {
   scene.fixed = reader.body(reader.need(root, "fixed"), scene.unit);
   if (const JsonNode* path = root.find("trajectory")) scene.trajectory = reader.path(*path);
   if (const JsonNode* coupling = root.find("coupling"))
-    scene.coupling = coupling->kind == Kind::string ? read_coupling(reader.path(*coupling))
-                                                    : reader.coupling(*coupling);
+    scene.coupling = reader.coupling_or_path(*coupling);
   if (const JsonNode* servo = root.find("servo")) scene.servo = reader.servo(*servo);
   if (const JsonNode* device = root.find("device")) scene.device = reader.device(*device);
   if (const JsonNode* view = root.find("view")) {
@@ -225,6 +225,21 @@ Scene read_scene(const std::filesystem::path& file) {
 
 Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
   return read(Reader{file, folder}, read_text(file, most_scene_bytes));
+}
+
+std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
+                                                const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> out;
+  read(Reader{file, folder, &out}, read_text(file, most_scene_bytes));
+  return out;
+}
+
+bool lies_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const auto whole = std::filesystem::weakly_canonical(file, error);
+  if (error) return false;
+  const auto below = whole.lexically_relative(std::filesystem::canonical(folder, error));
+  return !error && !below.empty() && *below.begin() != "..";
 }
 
 Scene scene_in(const std::string& text, const std::filesystem::path& file) {

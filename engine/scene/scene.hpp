@@ -55,6 +55,12 @@ Scene read_scene(const std::filesystem::path& file);
 /// The same, and refuses a path in the scene (mesh, trajectory, gains, profile) that leads out of
 /// that folder, links followed.
 Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file);
+/// The files that a scene names (mesh, trajectory, gains, profile) outside of a folder, links
+/// followed; none of them is read. Throws as read_scene does.
+std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
+                                                const std::filesystem::path& file);
+/// Whether a file, there or not, lies below a folder, when links are followed.
+bool lies_within(const std::filesystem::path& folder, const std::filesystem::path& file);
 /// As read_scene, from the text of a file, wherever it comes from.
 Scene scene_in(const std::string& text, const std::filesystem::path& file);
 

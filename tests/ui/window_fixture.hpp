@@ -25,7 +25,12 @@
 
 namespace sonde::ui::test {
 
-inline constexpr int patience_ms = 30'000;  // on a machine that does much else
+/// On a machine that does much else.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int patience_ms = 120'000;
+#else
+inline constexpr int patience_ms = 30'000;
+#endif
 
 /// Tells when a window paints itself and hands its picture to the display.
 class TestApplication : public QApplication {
@@ -105,6 +110,10 @@ class WindowTest : public ::testing::Test {
     window->prompts().ask_bodies = [this](const MeshPair& pair, const PairSetup&) {
       guess = guess_unit(pair);
       return answered_unit ? std::optional(same_unit(*answered_unit)) : std::nullopt;
+    };
+    window->prompts().ask_paths = [this](const QString&, const QStringList& paths) {
+      paths_asked_for << paths;
+      return consent;
     };
     window->prompts().ask_leaving = [this](const QString&) {
       ++asked_to_leave;
@@ -224,6 +233,8 @@ class WindowTest : public ::testing::Test {
   std::unique_ptr<MainWindow> window;
   std::vector<QString> complaints;
   std::optional<double> answered_unit;
+  Consent consent = Consent::kept;  // to what scenes name outside of their folders
+  QStringList paths_asked_for;
   Leaving leaving = Leaving::discard;  ///< the answer
   int asked_to_leave = 0;
   std::string guess;

@@ -14,6 +14,7 @@
 #include "engine/scene/write_scene.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/document/paths_asked_for.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/document/recent_files.hpp"
 
@@ -115,6 +116,7 @@ bool DocumentControl::write(const std::filesystem::path& file) {
     document_.save(file);
     written = true;
     remember_recent({text_of(file)});
+    agree_to_paths(file, paths_to_ask_for(file));  // the user's own
     view_.say(QStringLiteral("Saved %1").arg(text_of(file)));
     recovery_.clear();
     kept_ = text_for_recovery();
@@ -164,7 +166,13 @@ void DocumentControl::file_changed(const QString& file) {
   const QString what = QStringLiteral("Reading %1 again").arg(QFileInfo(file).fileName());
   const Scene scene = document_.content().scene;
   if (is_scene)
-    reload(file, what, [path = scene.file](const Progress& p) { return open_scene(path, p); });
+    reload(file, what, [path = scene.file](const Progress& p) {
+      if (!paths_to_ask_for(path).isEmpty())
+        throw InputError::in(
+            path.string(),
+            "it names other files outside of its folder now: open it again to be asked");
+      return open_scene(path, p);
+    });
   else
     reload(file, what, [scene](const Progress& p) { return open_scene(scene, p); });
   reading_scene_ = is_scene;

@@ -11,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "ui/base/absolute_path.hpp"
+#include "ui/document/paths_asked_for.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -33,10 +34,20 @@ LoadedScene nameable(LoadedScene opened) {
 Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
 
 void Opener::open_scene(const QString& file) {
-  begin(QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()),
-        [path = absolute_path(file)](const Progress& progress) {
-          return ui::open_scene(path, progress);
-        });
+  give_up();
+  const QString name = QFileInfo(file).fileName();
+  what_ = QStringLiteral("Opening %1").arg(name);
+  const auto paths = std::make_shared<QStringList>();
+  job_.start(
+      what_,
+      [paths, scene = absolute_path(file)](const Progress&) { *paths = paths_to_ask_for(scene); },
+      [this, paths, name, scene = absolute_path(file)](const std::exception_ptr& error) {
+        if (error) return fail(error);
+        const Consent consent = paths->isEmpty() ? Consent::once : prompts_.ask_paths(name, *paths);
+        if (consent == Consent::refused) return fail(std::make_exception_ptr(Cancelled()));
+        if (consent == Consent::kept) agree_to_paths(scene, *paths);
+        begin(what_, [scene](const Progress& progress) { return ui::open_scene(scene, progress); });
+      });
 }
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {

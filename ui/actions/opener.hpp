@@ -19,6 +19,7 @@ class Opener : public QObject {
  public:
   Opener(QWidget& window, Prompts& prompts);
 
+  /// Asks first where it names files outside of its folder (paths_to_ask_for).
   void open_scene(const QString& file);
   /// Without a unit, asks for it once both files are read.
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "engine/text/printable.hpp"
 #include "ui/actions/bodies_dialog.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 
@@ -67,6 +68,16 @@ void add_document_questions(Prompts& prompts, QWidget* parent) {
         {{"Recover", QMessageBox::AcceptRole},
          {"Discard", QMessageBox::DestructiveRole},
          {"Later", QMessageBox::RejectRole}}));
+  };
+  prompts.ask_paths = [parent](const QString& scene, const QStringList& paths) {
+    QString text = QStringLiteral("“%1” names files outside of its folder:\n").arg(scene);
+    for (const QString& path : paths)
+      text += '\n' + QString::fromStdString(printable(path.toStdString()));
+    const int answer = choose(
+        parent, "paths_box", text,
+        QStringLiteral("Sonde only reads them. A stranger's scene should not name your own files."),
+        {{"Open", QMessageBox::AcceptRole}, {"Cancel", QMessageBox::RejectRole}});
+    return answer == 0 ? Consent::kept : Consent::refused;
   };
   prompts.ask_replace = [parent](const QString& file) {
     return choose(parent, "replace_box", QStringLiteral("%1 is there already.").arg(file),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@ namespace sonde::ui {
 enum class Leaving { save, discard, stay };
 enum class Recovering { open, discard, later };
 enum class Role { probe, fixed };
+enum class Consent { refused, once, kept };
 
 /// Every question and every error message of the window, so that tests and command lines can answer
 /// in the user's place.
@@ -27,9 +29,11 @@ struct Prompts {
   /// Asks whether to read a changed file again, and to lose unsaved changes.
   std::function<bool(const QString& file)> ask_reload;
   std::function<Recovering(const QString& what)> ask_recover;
-  /// Asks what to use a single mesh for; none: cancelled.
+  /// Asks whether a scene may name these files outside of its folder.
+  std::function<Consent(const QString& scene, const QStringList& paths)> ask_paths;
   /// A file that goes with the one that was chosen, and is there already.
   std::function<bool(const QString& file)> ask_replace;
+  /// Asks what to use a single mesh for; none: cancelled.
   std::function<std::optional<Role>(const QString& file)> ask_role;
   std::function<QString()> ask_scene;  ///< empty: given up
   /// Probe and fixed body, of which one may be known.

@@ -90,10 +90,14 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
   const Prompts interactive = window.prompts();
   const bool unattended = !arguments.demo.empty() || !arguments.screenshot.empty();
   window.prompts().report_error = say;
-  if (unattended)
+  if (unattended) {
     window.prompts().ask_bodies = [](const MeshPair&, const PairSetup& guess) {
       return std::optional(guess);
     };
+    window.prompts().ask_paths = [](const QString&, const QStringList&) {
+      return Consent::once;  // as `sonde` reads it: nobody is there to ask
+    };
+  }
   const auto first = std::make_shared<bool>(true);
   QObject::connect(&window, &MainWindow::opened, &window,
                    [&window, arguments, interactive, unattended, first] {

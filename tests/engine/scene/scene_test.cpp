@@ -311,6 +311,38 @@ TEST(Scene, its_paths_stay_in_a_folder_where_that_is_asked) {
         << line;
 }
 
+/// The names of what a scene in the folder "own" names outside of it.
+std::vector<std::string> names_out_of(const std::string& scene) {
+  const TempFolder folder;
+  for (const char* name : {"own", "own/meshes", "other"})
+    std::filesystem::create_directory(folder / name);
+  folder.write("other/b.off", "");
+  std::filesystem::create_symlink(folder / "other/b.off", folder / "own/link.off");
+  std::vector<std::string> out;
+  for (const auto& path : paths_out_of(folder / "own", folder.write("own/a.sonde.json", scene)))
+    out.push_back(path.lexically_relative(folder.path()).generic_string());
+  return out;
+}
+
+TEST(Scene, its_paths_out_of_a_folder_are_listed_and_not_read) {
+  EXPECT_THAT(names_out_of(smallest), testing::IsEmpty());
+  EXPECT_THAT(names_out_of(R"({"probe": {"mesh": "meshes/../a.off"}, "device": "touch",
+                               "fixed": {"mesh": "meshes/b.off"}, "coupling": {"k": 100}})"),
+              testing::IsEmpty());
+  EXPECT_THAT(names_out_of(R"({"probe": {"mesh": "link.off"}, "fixed": {"mesh": "../other/b.off"},
+                               "trajectory": "../none.csv", "coupling": "../none.json",
+                               "device": {"profile": "../other/none.json"}})"),
+              testing::ElementsAre("own/link.off", "other/b.off", "none.csv", "none.json",
+                                   "other/none.json"));
+  EXPECT_THROW(names_out_of("{"), InputError);
+}
+
+TEST(Scene, a_file_of_gains_is_an_object_not_another_name) {
+  const TempFolder folder;
+  const auto gains = folder.write("gains.json", "\"gains.json\"");
+  EXPECT_THROW(read_coupling(gains), InputError);
+}
+
 TEST(Scene, a_mesh_that_is_not_there_is_told_with_the_scenes_line) {
   const TempFolder folder;
   folder.write("b.off", "OFF");

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene names outside of its folder is asked for before any of it is read.
+
+#include "ui/document/paths_asked_for.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <filesystem>
+
+#include "tests/ui/window_fixture.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+class PathsAskedFor : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    for (const char* name : {"own", "other"}) std::filesystem::create_directory(folder / name);
+    folder.write("own/cube.off", cube(0.1));
+    cube_elsewhere = folder.write("other/cube.off", cube(0.1));
+    gains = folder.write("other/gains.json", R"({"k": 321})");
+  }
+  std::filesystem::path write_scene(const std::string& fixed, const std::string& more = {}) {
+    return folder.write("own/pair.sonde.json", R"({"unit": "m", "probe": {"mesh": "cube.off",
+        "pose": [0.09, 0.02, 0.013, 1, 0, 0, 0]}, "fixed": {"mesh": ")" +
+                                                   fixed + "\"}" + more + '}');
+  }
+  void open_file(const std::filesystem::path& file) {
+    paths_asked_for.clear();
+    open({QString::fromStdString(file.string())});
+  }
+  static QString canonical(const std::filesystem::path& path) {
+    return QString::fromStdString(std::filesystem::canonical(path).string());
+  }
+  std::filesystem::path cube_elsewhere, gains;
+};
+
+TEST_F(PathsAskedFor, files_of_its_own_folder_and_sondes_own_scenes_are_not) {
+  open_file(write_scene("cube.off"));
+  EXPECT_EQ(opened, 1);
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+  open_file(std::filesystem::path(SONDE_RESOURCES) / "scenes" / "torus-knots.sonde.json");
+  EXPECT_EQ(opened, 2);
+  EXPECT_TRUE(paths_asked_for.isEmpty()) << paths_asked_for[0].toStdString();
+}
+
+TEST_F(PathsAskedFor, refused_nothing_is_read_and_what_was_open_stays) {
+  open_file(write_scene("cube.off"));
+  consent = Consent::refused;
+  // Were the gains read, they would be complained about.
+  const auto bad = folder.write("other/bad.json", "none");
+  open_file(write_scene("../other/cube.off", R"(, "coupling": "../other/bad.json")"));
+  EXPECT_EQ(paths_asked_for, QStringList({canonical(cube_elsewhere), canonical(bad)}));
+  EXPECT_EQ(opened, 1);
+  EXPECT_EQ(failed, 1);
+  EXPECT_TRUE(complaints.empty());
+  EXPECT_TRUE(window->shown().has_value());
+}
+
+TEST_F(PathsAskedFor, agreed_to_once_it_is_asked_again_kept_it_is_not) {
+  const auto scene = write_scene("../other/cube.off", R"(, "coupling": "../other/gains.json")");
+  consent = Consent::once;
+  open_file(scene);
+  EXPECT_EQ(paths_asked_for.size(), 2);
+  EXPECT_EQ(window->session()->coupling().k, 321);
+  consent = Consent::kept;
+  open_file(scene);
+  EXPECT_EQ(paths_asked_for.size(), 2);
+  open_file(scene);
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+  EXPECT_EQ(opened, 3);
+}
+
+TEST_F(PathsAskedFor, only_what_is_new_is_asked_for_and_only_for_that_scene) {
+  open_file(write_scene("../other/cube.off"));
+  open_file(write_scene("../other/cube.off", R"(, "coupling": "../other/gains.json")"));
+  EXPECT_EQ(paths_asked_for, QStringList(canonical(gains)));
+  const auto copy = folder / "own/copy.sonde.json";
+  std::filesystem::copy_file(folder / "own/pair.sonde.json", copy);
+  open_file(copy);
+  EXPECT_EQ(paths_asked_for.size(), 2);
+}
+
+TEST_F(PathsAskedFor, a_link_is_what_it_leads_to) {
+  std::filesystem::create_symlink(cube_elsewhere, folder / "own/link.off");
+  const auto scene = write_scene("link.off");
+  open_file(scene);
+  EXPECT_EQ(paths_asked_for, QStringList(canonical(cube_elsewhere)));
+  std::filesystem::remove(folder / "own/link.off");
+  std::filesystem::create_symlink(folder / "large.off", folder / "own/link.off");
+  open_file(scene);
+  EXPECT_EQ(paths_asked_for, QStringList(canonical(folder / "large.off")));
+}
+
+TEST_F(PathsAskedFor, what_the_user_saves_is_the_users) {
+  answered_unit = 1;
+  open({QString::fromStdString(cube_elsewhere.string()),
+        QString::fromStdString((folder / "cube.off").string())});
+  ASSERT_EQ(opened, 1);
+  const auto file = folder / "own/saved.sonde.json";
+  window->prompts().ask_save = [&](const QString&) {
+    return QString::fromStdString(file.string());
+  };
+  ASSERT_TRUE(window->documents().save_as());
+  open_file(file);
+  EXPECT_EQ(opened, 2);
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+}
+
+TEST_F(PathsAskedFor, a_scene_that_changes_to_name_others_is_not_read_again_unasked) {
+  open_file(write_scene("cube.off"));
+  write_scene("../other/cube.off");
+  ASSERT_TRUE(wait_until([this] { return !complaints.empty(); }));
+  EXPECT_NE(complaints[0].indexOf("outside of its folder"), -1) << complaints[0].toStdString();
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+  EXPECT_TRUE(window->shown().has_value());
+}
+
+}  // namespace
+}  // namespace sonde::ui::test
