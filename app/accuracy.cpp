@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/accuracy.hpp"
 
+#include <iostream>
+
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 #include "engine/text/quantity.hpp"
@@ -55,6 +57,12 @@ SolverOptions Accuracy::applied(const SolverOptions& solver, const Pair& pair) {
   }
   time_us_ = out.budget.microseconds;
   return out;
+}
+
+void Accuracy::note_unreached() const {
+  if (options_.accuracy && time_us_ == 0)
+    std::cerr << "sonde: no measured time reaches an accuracy of " << *options_.accuracy
+              << ": there is no limit of time\n";
 }
 
 std::vector<Column> Accuracy::with_claims(std::span<const Column> columns) const {

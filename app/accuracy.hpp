@@ -32,6 +32,8 @@ class Accuracy {
   /// The solver's options with the knob's budget of time for this pair. With the knob, a bound is
   /// computed only if requested.
   SolverOptions applied(const SolverOptions& solver, const Pair& pair);
+  /// After `applied`: says on stderr where no time that was measured reaches the wanted accuracy.
+  void note_unreached() const;
 
   /// The columns of the results, and, where wanted, the two with the claims.
   std::vector<Column> with_claims(std::span<const Column> columns) const;

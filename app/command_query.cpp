@@ -115,7 +115,10 @@ void run(const QueryOptions& options) {
     append_phases(options.phases, table.rows.back(), results[i].separation);
     picture.add(results[i].separation, results[i].time_us);
   }
-  if (!options.output.quiet) note_unfinished(results);
+  if (!options.output.quiet) {
+    accuracy.note_unreached();
+    note_unfinished(results);
+  }
   picture.write_with(options.phases, "searches", options.output,
                      options.output.json ? to_json(table) : to_csv(table));
 }

@@ -280,6 +280,7 @@ void run(const ReplayOptions& options) {
   else
     search_rows(pair, job, solver, progress, results);
   progress.clear();
+  if (!options.output.quiet) accuracy.note_unreached();
   results.write();
 }
 

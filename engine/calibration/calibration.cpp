@@ -17,20 +17,38 @@ constexpr double sure = 0.9;
 /// Shares below this are one to the interpolation; it is what the reference is worth.
 constexpr double least_within = 1e-6;
 
-/// All errors with one limit of time, by that.
-std::map<double, std::vector<double>> pooled(const Calibration& calibration, Answers answers,
-                                             Method method, const bool* sketched) {
-  std::map<double, std::vector<double>> out;
+/// The answers of one pair depend on each other: of fewer pairs than this, the worst one counts,
+/// since another may be as bad. Larger: claims of kinds with few pairs are wider than they need be.
+constexpr std::size_t enough_pairs = 10;
+
+/// The errors of each pair with one limit of time, by that.
+using ErrorsByTime = std::map<double, std::vector<std::vector<double>>>;
+
+ErrorsByTime of_kind(const Calibration& calibration, Answers answers, Method method,
+                     const bool* sketched) {
+  ErrorsByTime out;
   for (const CalibrationSeries& series : calibration.series) {
     if (series.answers != answers || series.method != method) continue;
     if (sketched && series.sketched != *sketched) continue;
-    for (const CalibrationPoint& point : series.points) {
-      std::vector<double>& all = out[point.time_us];
-      all.insert(all.end(), point.errors.begin(), point.errors.end());
-    }
+    for (const CalibrationPoint& point : series.points)
+      if (!point.errors.empty()) out[point.time_us].push_back(point.errors);
   }
-  for (auto& [time, errors] : out) std::ranges::sort(errors);
   return out;
+}
+
+/// What nine in ten answers keep to.
+double kept_to(const std::vector<std::vector<double>>& of_pairs) {
+  if (of_pairs.size() < enough_pairs) {
+    double worst = 0;
+    for (const std::vector<double>& errors : of_pairs)
+      worst = std::max(worst, quantile(errors, sure));
+    return worst;
+  }
+  std::vector<double> all;
+  for (const std::vector<double>& errors : of_pairs)
+    all.insert(all.end(), errors.begin(), errors.end());
+  std::ranges::sort(all);
+  return quantile(all, sure);
 }
 
 /// The point in between, both axes logarithmic.
@@ -52,17 +70,18 @@ Calibration of_pair(const Calibration& calibration, const std::string& pair) {
 AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
                              bool sketched)
     : without_limit_(infinity) {
-  auto errors = pooled(calibration, answers, method, &sketched);
-  if (errors.empty()) errors = pooled(calibration, answers, method, nullptr);
+  auto errors = of_kind(calibration, answers, method, &sketched);
+  if (errors.empty()) errors = of_kind(calibration, answers, method, nullptr);
   double best = infinity;
-  for (const auto& [time_us, all] : errors) {
-    if (time_us <= 0 || all.empty()) continue;
-    best = std::min(best, quantile(all, sure));
+  for (const auto& [time_us, of_pairs] : errors) {
+    if (time_us <= 0) continue;
+    best = std::min(best, kept_to(of_pairs));
     points_.push_back({time_us, best});
   }
+  // Ticks without a limit are what other ticks were compared with.
   const auto unlimited = errors.find(0);
-  if (unlimited != errors.end() && !unlimited->second.empty())
-    without_limit_ = std::min(best, quantile(unlimited->second, sure));
+  if (answers == Answers::search && unlimited != errors.end())
+    without_limit_ = std::min(best, kept_to(unlimited->second));
 }
 
 double AccuracyCurve::within(double time_us) const {

@@ -36,7 +36,8 @@ struct Calibration {
 /// The measurements on the pair of that name alone; none where there are none.
 Calibration of_pair(const Calibration& calibration, const std::string& pair);
 
-/// The accuracy that nine in ten answers of a kind reach, by their time.
+/// The accuracy that nine in ten answers of a kind reach, by their time: of all answers together
+/// where ten pairs or more were measured, else of the answers of the worst pair.
 class AccuracyCurve {
  public:
   /// Uses the series of that kind, from pairs with sketches or from pairs without; where there are
@@ -45,8 +46,8 @@ class AccuracyCurve {
 
   bool known() const { return !points_.empty(); }
   /// The expected accuracy, as a share of the depth, of nine in ten answers. Infinite where nothing
-  /// is known: with less time than was measured, or where more than one in ten failed. 0 µs: no
-  /// limit.
+  /// is known: with less time than was measured, where more than one in ten failed, or for a tick
+  /// without a limit, which the others are compared with. 0 µs: no limit.
   double within(double time_us) const;
   /// The least time for which that accuracy is expected, µs; 0: no limit of time.
   double time_for(double accuracy) const;

@@ -4,8 +4,10 @@
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
+#include "engine/base/error.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 #include "ui/actions/document_control.hpp"
@@ -16,6 +18,8 @@ namespace {
 
 constexpr qint64 figures_ms = 250;
 constexpr double usual_share = 0.01;
+/// Of a calibration beside a scene, which is read while the window waits; one scene takes 20 kB.
+constexpr std::uintmax_t most_bytes_beside = 1 << 20;
 
 /// In that folder of what came with Sonde.
 bool lies_in(const std::filesystem::path& file, const char* folder) {
@@ -46,6 +50,7 @@ void AccuracyControl::attach(Session* session) {
   session_ = session;
   sketched_ = session && session->loaded().pair.sketches();
   curve_.reset();
+  here_.reset();
   reached_.clear();
   if (session_) session_->set_time_phases(panel_->isVisible());
   panel_->show_reached({});
@@ -74,13 +79,36 @@ std::string AccuracyControl::bundled_scene() const {
   return bundled ? document.file().stem().stem().string() : std::string();
 }
 
+/// By a file beside the scene, or by the calibration that ships.
+const AccuracyControl::Measured& AccuracyControl::measured_here() const {
+  const std::filesystem::path& scene = documents_.document().file();
+  if (here_ && here_->scene == scene) return *here_;
+  here_ = Measured{scene, of_pair(default_calibration(), bundled_scene()), {}};
+  if (scene.empty()) return *here_;
+  const std::string name = name_of_scene(scene);
+  const auto file = scene.parent_path() / (name + ".calibration.json");
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return *here_;
+  try {
+    if (std::filesystem::file_size(file) > most_bytes_beside)
+      throw InputError::in(file.string(), "over 1 MiB: it is not of this scene alone");
+    here_->calibration = of_pair(read_calibration(file), name);
+    if (here_->calibration.series.empty())
+      throw InputError::in(file.string(), "nothing of the scene " + name);
+  } catch (const std::exception& bad) {
+    here_->calibration = {};
+    here_->wrong = QString::fromUtf8(bad.what());
+  }
+  return *here_;
+}
+
 Expected AccuracyControl::expected(const ServoSettings& servo) const {
   const double time_us =
       servo.accuracy > 0 ? curve().time_for(servo.accuracy) : servo.budget.microseconds;
-  const AccuracyCurve here(of_pair(default_calibration(), bundled_scene()), Answers::tick,
-                           Method::pdg, sketched_);
+  const Measured& measured = measured_here();
+  const AccuracyCurve here(measured.calibration, Answers::tick, Method::pdg, sketched_);
   return {time_us, curve().within(time_us),
-          here.known() ? std::optional(here.within(time_us)) : std::nullopt};
+          here.known() ? std::optional(here.within(time_us)) : std::nullopt, measured.wrong};
 }
 
 /// The value of the kind that was chosen is what the present one is worth.

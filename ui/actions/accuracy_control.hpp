@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <optional>
 
 #include "engine/calibration/calibration.hpp"
@@ -33,6 +34,13 @@ class AccuracyControl : public QObject {
   void choose(AccuracyPanel::Knob kind);
   void change(double time_us, double accuracy);
   std::string bundled_scene() const;
+  struct Measured {
+    std::filesystem::path scene;
+    Calibration calibration;
+    QString wrong;  ///< why a file that is there could not be read
+  };
+  /// On the open scene itself; read again where it is another one.
+  const Measured& measured_here() const;
   Expected expected(const ServoSettings& servo) const;
   /// Of the open pair; the calibration is read with its first use.
   const AccuracyCurve& curve() const;
@@ -42,6 +50,7 @@ class AccuracyControl : public QObject {
   Session* session_ = nullptr;
   bool sketched_ = false;  ///< the open pair has sketches
   mutable std::optional<AccuracyCurve> curve_;
+  mutable std::optional<Measured> here_;
   ReachedAccuracy reached_;
   qint64 due_ = 0;
 };

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 #include "ui/base/format.hpp"
@@ -38,16 +39,22 @@ constexpr Setting accuracy_setting{
     true,
     "Error that nine in ten ticks should keep to, of the largest depth. The time follows."};
 
+constexpr const char* doc_of_here =
+    "The same, measured on this scene alone: by `sonde calibrate`, in a file NAME.calibration.json "
+    "beside it, or before Sonde was built.";
+
 QString percent_of(double share) { return number(per_cent * share) + QStringLiteral(" %"); }
 QString microseconds(double time_us) { return number(time_us) + QStringLiteral(" µs"); }
 
+QString within(double share) {
+  return std::isfinite(share) ? QStringLiteral("within ") + percent_of(share)
+                              : QStringLiteral("not measured");
+}
+
 QString words(const Expected& expected) {
-  const QString within = std::isfinite(expected.within)
-                             ? QStringLiteral("within ") + percent_of(expected.within)
-                             : QStringLiteral("not measured");
-  return expected.time_us > 0
-             ? QStringLiteral("%1 in %2").arg(within, microseconds(expected.time_us))
-             : within + QStringLiteral(", no limit of time");
+  return expected.time_us > 0 ? QStringLiteral("%1 in %2")
+                                    .arg(within(expected.within), microseconds(expected.time_us))
+                              : QStringLiteral("no limit of time");
 }
 
 /// The phases of a tick in the order of the bar, each in its colour.
@@ -127,8 +134,7 @@ void AccuracyPanel::build_figures(QVBoxLayout& layout) {
   expected_ = value("expected", "expected_accuracy",
                     "Of ticks with this time, measured on the scenes that Sonde comes with, on "
                     "pairs of this kind: the error as a share of the largest depth of a path.");
-  here_ = value("on this scene", "expected_here",
-                "The same, measured on this scene alone when Sonde was built.");
+  here_ = value("on this scene", "expected_here", doc_of_here);
   reached_ = value("reached", "reached_accuracy",
                    "What the last two seconds in contact leave open: how much too deep an answer "
                    "may be that its contacts do not hold altogether, as a share of its depth.");
@@ -167,8 +173,9 @@ void AccuracyPanel::show_knob(const ServoSettings& servo, const Expected& expect
   if (kind == Knob::accuracy && accuracy_->value() != per_cent * servo.accuracy)
     accuracy_->set_value(per_cent * servo.accuracy);
   expected_->setText(words(expected));
-  here_->setText(expected.here ? QStringLiteral("within ") + percent_of(*expected.here)
-                               : QStringLiteral("not measured"));
+  here_->setText(within(expected.here.value_or(std::numeric_limits<double>::infinity())));
+  if (!expected.no_here.isEmpty()) here_->setText(QStringLiteral("cannot be read"));
+  here_->setToolTip(expected.no_here.isEmpty() ? QString::fromUtf8(doc_of_here) : expected.no_here);
 }
 
 void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {

@@ -21,8 +21,10 @@ class SliderRow;
 struct Expected {
   double time_us = 0;  ///< of a tick; 0: no limit
   double within = 0;   ///< of nine in ten ticks, share of the largest depth; infinite: not known
-  /// The same, measured on this very scene; none where it was not.
+  /// The same, measured on this very scene; none where it was not, and why not where a file that
+  /// should say it cannot be read.
   std::optional<double> here;
+  QString no_here = {};
 };
 
 /// The dock of the one knob: the time of a tick or the accuracy that it should have, the accuracy
