@@ -61,10 +61,19 @@ inline void expect_answer(const std::string& what, const Pair& pair, const Separ
   print_line(what, most, s.depth - most, s.lower_bound);
 }
 
-/// Searches, and compares with a depth that is known by hand.
+/// Searches by translation alone.
+inline Separation translate(const Pair& pair, const Pose& X_FM) {
+  StaticOptions options;
+  options.method = Method::pdt;
+  return separate_static(pair, X_FM, options);
+}
+
+/// Searches, with all six degrees and by translation alone, and compares with a depth that is known
+/// by hand and needs no turn.
 inline void expect_depth(const std::string& what, const Pair& pair, const Pose& X_FM,
                          double reference) {
   expect_answer(what, pair, separate_static(pair, X_FM), reference, reference);
+  expect_answer(what + ", PD_t", pair, translate(pair, X_FM), reference, reference);
 }
 
 /// The same with one that is known to lie between two values.

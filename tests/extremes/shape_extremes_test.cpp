@@ -53,6 +53,8 @@ TEST(ShapeExtremes, faces_that_say_nothing_new) {
       {"faces without area", with([](PolygonSoup& s) {
          s.polygons.push_back({0, 1, 1});
          s.polygons.push_back({2, 2, 2});
+         s.points.push_back((s.points[0] + s.points[1]) / 2);  // three corners in a line
+         s.polygons.push_back({0, s.points.size() - 1, 1});
        })}};
   for (const auto& [name, soup] : probes)
     expect_depth(name, {test::body(soup), the_plate()}, flat_in_plate(0.01), 0.01);

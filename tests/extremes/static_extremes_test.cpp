@@ -38,6 +38,46 @@ TEST(Extremes, sizes_from_1e_minus_9_to_1e9) {
   }
 }
 
+/// The brick with one corner down in the plate, `deep` below its face, all lengths times `size`;
+/// and the least motion that lifts it out. Reference: with one contact at r from the centre of mass
+/// and its normal n, the least |t|² + θᵀIθ (I per mass) with n·t + (r × n)·θ ≥ deep has the norm
+/// deep / √(1 + (r × n)ᵀ I⁻¹ (r × n)), to the first order in deep.
+struct CornerDown {
+  Pose pose;
+  double depth, turned;  ///< the depth, and |θ|
+  CornerDown(double deep, double size) {
+    pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3(1, 0.3, 0.2).normalized()));
+    const Mat3 R = pose.q.toRotationMatrix();
+    Vec3 lowest = Vec3::Zero();  // corner, in the brick's axes
+    for (int i = 0; i < 3; ++i) lowest[i] = size * (R(2, i) > 0 ? -0.5 : 0.5) * brick[i];
+    const double down = -(R * lowest).z();
+    pose.p = Vec3(0.02, -0.01, 0.5) * size + (down - deep * size) * Vec3::UnitZ();
+    const Vec3 squares = size * size * brick.cwiseAbs2();
+    const Vec3 inertia = (Vec3::Constant(squares.sum()) - squares) / 12;
+    const Vec3 moment = lowest.cross(R.transpose() * Vec3::UnitZ());
+    const double by_turn = moment.cwiseAbs2().cwiseQuotient(inertia).sum();
+    depth = deep * size / std::sqrt(1 + by_turn);
+    turned = deep * size * moment.cwiseQuotient(inertia).norm() / (1 + by_turn);
+  }
+};
+
+TEST(Extremes, a_corner_comes_out_by_a_turn_too) {
+  for (const double deep : {1e-6, 1e-7})
+    for (const double size : {1e-9, 1.0, 1e9}) {
+      const CornerDown corner(deep, size);
+      const Pair pair = brick_and_plate(size);
+      const Separation s = separate_static(pair, corner.pose);
+      // What the second order may be off by: the turn times the depth.
+      const double second = 10 * corner.turned * corner.depth;
+      expect_answer("corner down, size " + number_text(size), pair, s, corner.depth, corner.depth,
+                    second);
+      EXPECT_NEAR(s.separated.q.angularDistance(corner.pose.q), corner.turned,
+                  0.02 * corner.turned);
+      const double up = deep * size;
+      expect_answer("corner down, PD_t", pair, test::translate(pair, corner.pose), up, up);
+    }
+}
+
 // Coordinates are rounded by ε times the offset, in either mesh and in the pose: that much the
 // reference itself is worth.
 TEST(Extremes, offsets_up_to_1e8_sizes) {

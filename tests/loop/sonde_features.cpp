@@ -17,6 +17,7 @@
 #include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/hand_loop.hpp"
+#include "engine/haptics/safety/passivity.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
@@ -106,6 +107,22 @@ std::vector<double> servo_ticks(const TickCase& c, const Pair& pair, bool contro
   return out;
 }
 
+/// What the observer of the energy does in a tick of the servo, by itself: in the loop it is never
+/// off.
+std::vector<double> observations(const TickCase& c, const Pair& pair, bool on) {
+  Passivity passivity(pair.probe().mass, {}, 1e-3);
+  passivity.restart(c.path.front().pose);
+  const Wrench wrench{Vec3(1, 2, 3), Vec3(0.01, 0.02, 0.03)};
+  std::vector<double> out;
+  for (const TimedPose& at : c.path)
+    out.push_back(processor_time_us([&] {
+      if (!on) return;
+      passivity.observe(at.pose, 1e-3);
+      passivity.rendered(wrench);
+    }));
+  return out;
+}
+
 std::vector<double> searches(const TickCase& c, const Pair& pair, int count,
                              const StaticOptions& options) {
   CoherentSolver solver(pair);
@@ -175,6 +192,10 @@ void measure(const TickCase& c, const Options& o) {
         compare(
             o.runs, [&] { return servo_ticks(c, pair, false); },
             [&] { return servo_ticks(c, pair, true); }));
+  print("observer of the energy, by itself",
+        compare(
+            o.runs, [&] { return observations(c, pair, false); },
+            [&] { return observations(c, pair, true); }));
   StaticOptions search;
   search.want_lower_bound = false;
   const auto searched = [&](const StaticOptions& options) {

@@ -54,6 +54,7 @@ void AccuracyControl::attach(Session* session) {
   reached_.clear();
   if (session_) session_->set_time_phases(panel_->isVisible());
   panel_->show_reached({});
+  panel_->show_search({}, 0);
   show_knob();
 }
 
@@ -138,6 +139,8 @@ void AccuracyControl::frame(const Snapshot& tick, qint64 now) {
   if (now < due_) return;
   due_ = now + figures_ms;
   panel_->show_reached(reached_.reached());
+  const auto searched = session_ ? session_->searched() : std::nullopt;
+  panel_->show_search(searched ? searched->phases : PhaseTimes(), searched ? searched->time_us : 0);
 }
 
 }  // namespace sonde::ui

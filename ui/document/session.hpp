@@ -72,8 +72,11 @@ class Session {
   void set_rate(double rate_hz);
   void pace_simulated();
   void set_passivity_control(bool on);
-  /// Whether ticks say where the geometry's time went; off at first.
-  void set_time_phases(bool on) { servo_.set_time_phases(on); }
+  /// Whether ticks, and the search beside them, say where their time went; off at first.
+  void set_time_phases(bool on) {
+    servo_.set_time_phases(on);
+    searched_.set_time_phases(on);
+  }
   /// The time of a tick, or its wanted accuracy, as these say; loaded().servo has them then.
   void set_knob(const ServoSettings& servo);
 

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ui/base/format.hpp"
@@ -57,23 +59,66 @@ QString words(const Expected& expected) {
                               : QStringLiteral("no limit of time");
 }
 
-/// The phases of a tick in the order of the bar, each in its colour.
+/// A phase in a bar, in its colour.
 struct ShownPhase {
   Phase phase;
   const char* name;
   QColor colour;
 };
-const std::array shown_phases{ShownPhase{Phase::look, "look", colour::contact},
-                              ShownPhase{Phase::solve, "solve", colour::ghost},
-                              ShownPhase{Phase::sweep, "sweep", colour::nearest},
-                              ShownPhase{Phase::couple, "couple", colour::turn}};
+const std::vector<ShownPhase> phases_of_a_tick{{Phase::look, "look", colour::contact},
+                                               {Phase::solve, "solve", colour::ghost},
+                                               {Phase::sweep, "sweep", colour::nearest},
+                                               {Phase::couple, "couple", colour::turn}};
+const std::vector<ShownPhase> phases_of_a_search{
+    {Phase::sketch, "sketch", colour::probe}, {Phase::look, "look", colour::contact},
+    {Phase::solve, "solve", colour::ghost},   {Phase::sweep, "sweep", colour::nearest},
+    {Phase::verify, "verify", colour::ready}, {Phase::bound, "bound", colour::bound}};
 
-QString words(const PhaseTimes& phases) {
+QString words(const PhaseTimes& phases, const std::vector<ShownPhase>& shown) {
   QStringList out;
-  for (const ShownPhase& shown : shown_phases)
-    out += in_colour(shown.colour, QStringLiteral("■")) + QLatin1Char(' ') +
-           QLatin1String(shown.name) + QLatin1Char(' ') + microseconds(phases[shown.phase]);
+  for (const ShownPhase& one : shown)
+    out += in_colour(one.colour, QStringLiteral("■")) + QLatin1Char(' ') + QLatin1String(one.name) +
+           QLatin1Char(' ') + microseconds(phases[one.phase]);
   return out.join(QStringLiteral("&nbsp; "));
+}
+
+std::vector<Bar::Part> parts_of(const PhaseTimes& phases, const std::vector<ShownPhase>& shown) {
+  std::vector<Bar::Part> out;
+  out.reserve(shown.size());
+  for (const ShownPhase& one : shown)
+    out.push_back({phases[one.phase] / std::max(phases.sum(), 1e-9), one.colour});
+  return out;
+}
+
+QFormLayout* add_group(QVBoxLayout& layout, const char* title) {
+  auto* group = new QGroupBox(QLatin1String(title), layout.parentWidget());
+  auto* form = new QFormLayout(group);
+  form->setContentsMargins(0, 4, 0, 0);
+  layout.addWidget(group);
+  return form;
+}
+
+QLabel* add_value(QFormLayout& form, const char* name, const char* object, const char* doc) {
+  auto* label = new QLabel(QLatin1String(name), form.parentWidget());
+  auto* shown = new QLabel(QStringLiteral("–"), form.parentWidget());
+  shown->setObjectName(QLatin1String(object));
+  shown->setAlignment(Qt::AlignRight);
+  for (QLabel* each : {label, shown}) each->setToolTip(QString::fromUtf8(doc));
+  form.addRow(label, shown);
+  return shown;
+}
+
+/// The phases as a bar, and in words below it.
+std::pair<Bar*, QLabel*> add_bar(QFormLayout& form, const char* object, const char* doc) {
+  auto* parts = new Bar(form.parentWidget());
+  auto* words = new QLabel(form.parentWidget());
+  words->setObjectName(QLatin1String(object));
+  words->setWordWrap(true);
+  for (QWidget* each : std::initializer_list<QWidget*>{parts, words}) {
+    each->setToolTip(QString::fromUtf8(doc));
+    form.addRow(each);
+  }
+  return {parts, words};
 }
 
 }  // namespace
@@ -119,45 +164,36 @@ void AccuracyPanel::build_knob(QVBoxLayout& layout) {
 }
 
 void AccuracyPanel::build_figures(QVBoxLayout& layout) {
-  auto* group = new QGroupBox(QStringLiteral("Nine in ten ticks"), layout.parentWidget());
-  auto* form = new QFormLayout(group);
-  form->setContentsMargins(0, 4, 0, 0);
-  const auto value = [&](const char* name, const char* object, const char* doc) {
-    auto* label = new QLabel(QLatin1String(name), group);
-    auto* shown = new QLabel(QStringLiteral("–"), group);
-    shown->setObjectName(QLatin1String(object));
-    shown->setAlignment(Qt::AlignRight);
-    for (QLabel* each : {label, shown}) each->setToolTip(QString::fromUtf8(doc));
-    form->addRow(label, shown);
-    return shown;
-  };
-  expected_ = value("expected", "expected_accuracy",
-                    "Of ticks with this time, measured on the scenes that Sonde comes with, on "
-                    "pairs of this kind: the error as a share of the largest depth of a path.");
-  here_ = value("on this scene", "expected_here", doc_of_here);
-  reached_ = value("reached", "reached_accuracy",
-                   "What the last two seconds in contact leave open: how much too deep an answer "
-                   "may be that its contacts do not hold altogether, as a share of its depth.");
-  converged_ = value("converged", "converged_share",
-                     "Ticks of the last two seconds in contact that ended at an optimum.");
-  rows_ = value("rows", "rows_time",
-                "Time that the geometry took: looking for contacts, solving, sweeping. The knob "
-                "limits it.");
-  tick_ = value("tick", "tick_time_used",
-                "Time of the servo's own tick: moving the rows to the newest pose of the hand, "
-                "the coupling, the safety of the hand.");
-  parts_ = new Bar(group);
-  phases_ = new QLabel(group);
-  phases_->setObjectName(QStringLiteral("phases"));
-  phases_->setWordWrap(true);
-  for (QWidget* each : std::initializer_list<QWidget*>{parts_, phases_})
-    each->setToolTip(
-        QStringLiteral("Mean time of each phase in the last two seconds in contact: the geometry "
-                       "looks for near pairs, solves for the nearest pose, and sweeps the way "
-                       "there; the servo's own tick couples hand and probe."));
-  form->addRow(parts_);
-  form->addRow(phases_);
-  layout.addWidget(group);
+  QFormLayout* form = add_group(layout, "Nine in ten ticks");
+  expected_ = add_value(*form, "expected", "expected_accuracy",
+                        "Of ticks with this time, measured on the scenes that Sonde comes with, on "
+                        "pairs of this kind: the error as a share of the largest depth of a path.");
+  here_ = add_value(*form, "on this scene", "expected_here", doc_of_here);
+  reached_ =
+      add_value(*form, "reached", "reached_accuracy",
+                "What the last two seconds in contact leave open: how much too deep an answer may "
+                "be that its contacts do not hold altogether, as a share of its depth.");
+  converged_ = add_value(*form, "converged", "converged_share",
+                         "Ticks of the last two seconds in contact that ended at an optimum.");
+  rows_ = add_value(*form, "rows", "rows_time",
+                    "Time that the geometry took: looking for contacts, solving, sweeping. The "
+                    "knob limits it.");
+  tick_ = add_value(*form, "tick", "tick_time_used",
+                    "Time of the servo's own tick: moving the rows to the newest pose of the hand, "
+                    "the coupling, the safety of the hand.");
+  std::tie(parts_, phases_) = add_bar(
+      *form, "phases",
+      "Mean time of each phase in the last two seconds in contact: the geometry looks for near "
+      "pairs, solves for the nearest pose, and sweeps the way there; the servo's own tick couples "
+      "hand and probe.");
+  form = add_group(layout, "Search beside the ticks");
+  search_time_ = add_value(*form, "time", "search_time",
+                           "Of the last search for the nearest ways out, with and without a turn, "
+                           "and for the lower bound.");
+  std::tie(search_parts_, search_phases_) = add_bar(
+      *form, "search_phases",
+      "Where the time of that search went, of its threads together: descents on sketches, looks "
+      "for near pairs, solving, sweeps, tests whether a pose is free, the lower bound.");
 }
 
 void AccuracyPanel::show_knob(const ServoSettings& servo, const Expected& expected) {
@@ -188,13 +224,15 @@ void AccuracyPanel::show_reached(const std::optional<Reached>& reached) {
   converged_->setText(percent_of(reached->converged));
   rows_->setText(microseconds(reached->rows_us));
   tick_->setText(microseconds(reached->tick_us));
-  std::vector<Bar::Part> parts;
-  parts.reserve(shown_phases.size());
-  for (const ShownPhase& shown : shown_phases)
-    parts.push_back(
-        {reached->phases[shown.phase] / std::max(reached->phases.sum(), 1e-9), shown.colour});
-  parts_->set(parts);
-  phases_->setText(words(reached->phases));
+  parts_->set(parts_of(reached->phases, phases_of_a_tick));
+  phases_->setText(words(reached->phases, phases_of_a_tick));
+}
+
+void AccuracyPanel::show_search(const PhaseTimes& phases, double time_us) {
+  const bool timed = phases.sum() > 0;
+  search_time_->setText(timed ? microseconds(time_us) : QStringLiteral("–"));
+  search_parts_->set(timed ? parts_of(phases, phases_of_a_search) : std::vector<Bar::Part>());
+  search_phases_->setText(timed ? words(phases, phases_of_a_search) : QString());
 }
 
 }  // namespace sonde::ui

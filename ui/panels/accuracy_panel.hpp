@@ -36,6 +36,9 @@ class AccuracyPanel : public QDockWidget {
   void show_knob(const ServoSettings& servo, const Expected& expected);
   /// None: too few ticks in contact lately.
   void show_reached(const std::optional<Reached>& reached);
+  /// Of the last search beside the ticks: where its time went, and all of it, µs. Nothing where it
+  /// was not timed.
+  void show_search(const PhaseTimes& phases, double time_us);
 
   /// Which of the three is given: nothing, a time, an accuracy.
   enum class Knob { none, time, accuracy };
@@ -53,6 +56,9 @@ class AccuracyPanel : public QDockWidget {
   QLabel *expected_, *here_, *reached_, *converged_, *rows_, *tick_;
   Bar* parts_;
   QLabel* phases_;
+  QLabel* search_time_;
+  Bar* search_parts_;
+  QLabel* search_phases_;
 };
 
 /// The range of the slider of time, µs, and of the slider of accuracy, as a share.

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/base/phase_timer.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/search/static_search.hpp"
@@ -15,41 +16,48 @@
 namespace sonde {
 namespace {
 
-std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method) {
+/// Adds where its time went to `times`; null: it is not timed.
+std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method,
+                               PhaseTimes* times) {
   StaticOptions options;
   options.method = method;
   if (method == Method::pdt) options.starts = loop_tuning.background_starts_pdt;
   options.budget.microseconds = loop_tuning.background_us;
   options.want_lower_bound = false;
+  options.time_phases = times != nullptr;
   const Separation separation = separate_static(pair, X_FM, options);
+  if (times) *times += separation.phases;
   if (separation.status == Status::failed) return {};
   return FoundWay{separation.depth, separation.separated};
 }
 
-BackgroundResult compute(const Pair& pair, const Pose& X_FM) {
+BackgroundResult compute(const Pair& pair, const Pose& X_FM, bool time_phases) {
   const auto begin = std::chrono::steady_clock::now();
   BackgroundResult out;
   out.device = X_FM;
-  out.pdt = search(pair, X_FM, Method::pdt);
+  PhaseTimes* const times = time_phases ? &out.phases : nullptr;
+  out.pdt = search(pair, X_FM, Method::pdt, times);
   out.nearest = out.pdt;
   if (out.pdt && out.pdt->depth > 0) {
     // A search of its own has other starts, and less time: PD_t may be what it misses.
-    const auto turned = search(pair, X_FM, Method::pdg);
+    const auto turned = search(pair, X_FM, Method::pdg, times);
     if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
   }
-  if (out.pdt)
+  if (out.pdt) {
+    const PhaseTimer timer(times, Phase::bound);
     if (const auto bound = witnessed_lower_bound(pair.probe(), pair.fixed(), X_FM)) {
       out.lower_bound = bound->depth;
       out.witness = bound->witness;
     }
+  }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
   out.time_us = time.count();
   return out;
 }
 
-BackgroundResult answer(const Pair& pair, const Pose& X_FM) {
+BackgroundResult answer(const Pair& pair, const Pose& X_FM, bool time_phases) {
   try {
-    return compute(pair, X_FM);
+    return compute(pair, X_FM, time_phases);
   } catch (const std::exception&) {  // no memory left: there is no answer for this pose
     BackgroundResult none;
     none.device = X_FM;
@@ -86,7 +94,8 @@ struct BackgroundSearch::State {
   explicit State(const Pair& bodies) : pair(bodies) {}
 
   Pair pair;
-  std::mutex mutex;  ///< guards the three below
+  std::mutex mutex;  ///< guards the four below
+  bool time_phases = false;
   std::optional<Pose> wanted;
   std::optional<BackgroundResult> result;
   bool stopping = false;
@@ -102,8 +111,9 @@ void BackgroundSearch::State::run() {
     changed.wait(lock, [this] { return stopping || wanted; });
     if (stopping) return;
     const Pose X_FM = *std::exchange(wanted, std::nullopt);
+    const bool timed = time_phases;
     lock.unlock();
-    const BackgroundResult found = answer(pair, X_FM);
+    const BackgroundResult found = answer(pair, X_FM, timed);
     lock.lock();
     result = found;
   }
@@ -129,6 +139,11 @@ void BackgroundSearch::request(const Pose& X_FM) {
     state_->wanted = X_FM;
   }
   state_->changed.notify_one();
+}
+
+void BackgroundSearch::set_time_phases(bool on) {
+  const std::lock_guard lock(state_->mutex);
+  state_->time_phases = on;
 }
 
 std::optional<BackgroundResult> BackgroundSearch::latest() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/base/phase_times.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
@@ -26,6 +27,7 @@ struct BackgroundResult {
   std::optional<double> lower_bound;         ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   double time_us = 0;
+  PhaseTimes phases = {};  ///< of both searches and the bound, where they are timed
 };
 
 /// How a separated pose that the loop followed compares with the global search from the same device
@@ -47,7 +49,9 @@ class BackgroundSearch {
   ~BackgroundSearch();
   BackgroundSearch(const BackgroundSearch&) = delete;
   BackgroundSearch& operator=(const BackgroundSearch&) = delete;
-  void request(const Pose& X_FM);            ///< replaces a request not yet begun
+  void request(const Pose& X_FM);  ///< replaces a request not yet begun
+  /// Whether the requests from now on say where their time went; off at first.
+  void set_time_phases(bool on);
   std::optional<BackgroundResult> latest();  ///< the newest finished, if any
 
  private:

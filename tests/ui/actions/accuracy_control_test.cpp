@@ -90,6 +90,17 @@ TEST_F(AccuracyTest, it_shows_what_the_ticks_reach_and_rests_where_nobody_looks)
   for (const char* phase : {"look", "solve", "couple"})
     EXPECT_TRUE(text("phases").contains(phase)) << phase;
   EXPECT_GT(shown().hand.rows.phases[Phase::look], 0);
+  // So are those of the search beside.
+  Pose moved = window->session()->device_pose();
+  moved.p.x() -= 0.001;
+  window->set_device_pose(moved);
+  ASSERT_TRUE(wait_until([this] { return text("search_phases").contains("sketch"); }));
+  for (const char* phase : {"look", "solve", "sweep", "verify", "bound"})
+    EXPECT_TRUE(text("search_phases").contains(phase)) << phase;
+  EXPECT_TRUE(text("search_time").contains("µs"));
+  const PhaseTimes searched = window->session()->searched()->phases;
+  EXPECT_GT(searched[Phase::sketch], 0);
+  EXPECT_GT(searched[Phase::bound], 0);
   EXPECT_EQ(text("expected_here"), "not measured") << "these cubes are no scene of Sonde's";
   window->accuracy().panel().close();
   find<QLabel>("reached_accuracy")->setText("untouched");

@@ -52,6 +52,19 @@ TEST_F(BackgroundSearchTest, computes_the_translational_depth_and_a_lower_bound)
   EXPECT_GT(r->time_us, 0);
 }
 
+TEST_F(BackgroundSearchTest, says_where_the_time_went_where_that_is_asked) {
+  search.request(at_depth(0.002));
+  const auto untimed = answer(at_depth(0.002));
+  ASSERT_TRUE(untimed);
+  EXPECT_EQ(untimed->phases.sum(), 0);
+  search.set_time_phases(true);
+  search.request(at_depth(0.003));
+  const auto timed = answer(at_depth(0.003));
+  ASSERT_TRUE(timed);
+  for (const Phase phase : {Phase::sketch, Phase::look, Phase::verify, Phase::bound})
+    EXPECT_GT(timed->phases[phase], 0) << phase_names[static_cast<std::size_t>(phase)];
+}
+
 /// With a tilt, a turn is the shorter way: one vertex of the box is below the block's face, at r
 /// from the centre, and d²/(1 + (r×n)ᵀ Î⁻¹ (r×n)) holds until another vertex touches.
 TEST_F(BackgroundSearchTest, the_nearest_way_out_turns_where_that_is_shorter) {
