@@ -3,25 +3,39 @@
 """Checks of the manual's pages, as a reader would find out:
 
 manual_check.py links SOURCE             every link leads to a page, a heading or a file
-manual_check.py commands SOURCE BUILD    the commands of `sonde` run, and every flag is known; of all
-                                         others the program, its flags, the preset, the target and
-                                         the tests they choose are there
-manual_check.py full SOURCE BUILD        the same for blocks marked <!-- full: WHY -->
+manual_check.py commands SOURCE BUILD    every block of commands runs, but for those with a mark;
+                                         what commands name is there: programs, flags, presets,
+                                         targets, tests; code is that of its file, compiles or runs
+manual_check.py full SOURCE BUILD        the same, and the blocks marked <!-- full: WHY --> run too
+manual_check.py itself SOURCE            the kinds of blocks are told apart
 manual_check.py diagram SOURCE           the diagram of folders is what its script draws
 
-A block of commands is indented by four. It is not run where <!-- not run: WHY --> stands above it, or
-where it holds a word for the reader to fill in (SCENE); its flags are looked at all the same."""
-import json
+manual_blocks.py says what a block is, and what marks there are. The blocks of a page run in their
+order in a folder of their own, which has resources/, app/ and build/release as the sources do after
+a build: what a block needs is made by those above it."""
 import os
 import re
-import shlex
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
-COMMENT = re.compile(r"<!--\s*(full|not run):\s*(.*?)\s*-->", re.DOTALL)
-PLACEHOLDER = re.compile(r"\b(SCENE|NAME|DIR|FOLDER|FILE|MESH|PICTURE)\b|scene\.sonde\.json|\.\.\.")
+sys.dont_write_bytecode = True
+from manual_blocks import Block, blocks_of, marks_in  # noqa: E402
+from manual_names import Tree, unkept_in, unknown_in  # noqa: E402
+
+# What the statements of a page may use.
+AROUND_STATEMENTS = """#include <sonde/sonde.hpp>
+struct Device {
+  sonde::Pose pose() const;
+  void render(const sonde::Wrench& wrench) const;
+};
+void statements(const sonde::Pair& pair, const Device& device);
+void statements(const sonde::Pair& pair, const Device& device) {
+%s
+}
+"""
 
 
 def pages_of(source):
@@ -60,155 +74,138 @@ def check_links(source):
         yield f"{count} links in all: they are not found"
 
 
-def blocks_of(page):
-    """The blocks of a page: the mark above each, its first line's number, its lines."""
-    mark, lines, start, before = "", [], 0, ""
-    for number, line in enumerate(page.read_text("utf-8").splitlines() + ["end"], 1):
-        if line.startswith("    ") and (lines or not before.strip()):
-            start = start if lines else number
-            lines.append(line[4:])
-        elif line.strip():
-            if lines:
-                yield mark, start, lines
-                mark, lines = "", []
-            found = COMMENT.match(line)
-            mark = found[1] if found else ""
-        before = line
+class Page:
+    """Runs the blocks of a page in a folder of its own."""
+
+    def __init__(self, tree, scratch):
+        self.tree, self.scratch = tree, scratch
+        for name in ("resources", "app"):
+            (scratch / name).symlink_to(tree.source / name)
+        (scratch / "build").mkdir()
+        (scratch / "build/release").symlink_to(tree.build)
+        self.environment = dict(
+            os.environ, PATH=f"{tree.build}/bin:{os.environ['PATH']}", SLURM_ARRAY_TASK_ID="1",
+            XDG_CONFIG_HOME=str(scratch), XDG_DATA_HOME=str(scratch))  # not a person's settings
+
+    def run(self, command, **more):
+        done = subprocess.run(command, cwd=self.scratch, env=dict(self.environment, **more),
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            yield f"exit code {done.returncode}:\n{done.stderr}"
+
+    def run_commands(self, block):
+        text = "\n".join(block.commands)
+        if "sonde-view" in text and not os.environ.get("DISPLAY"):
+            yield "no display: packaging/test starts one"
+            return
+        # A window stays until it is closed, but for one that writes a picture of itself.
+        text = re.sub(r"(?m)(^|&& )(\S*sonde-view)(?=\s|$)", r"\1\2 --screenshot window.png", text)
+        yield from self.run(["bash", "-euo", "pipefail", "-c", text])
+
+    def run_python(self, block):
+        yield from self.run([sys.executable, "-c", "\n".join(block.lines)],
+                            PYTHONPATH=f"{self.tree.build}/python")
+
+    def compile(self, block):
+        source = self.scratch / "statements.cpp"
+        source.write_text(AROUND_STATEMENTS % "\n".join(block.lines), "utf-8")
+        eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True,
+                               check=True).stdout.split()
+        yield from self.run([self.tree.cached("CMAKE_CXX_COMPILER"), "-std=c++20", "-fsyntax-only",
+                             "-Wall", "-Wextra", "-Werror", f"-I{self.tree.build}/include", *eigen,
+                             source])
+
+    def compare(self, block):
+        """The file's code begins after its comment."""
+        lines = (self.tree.source / block.reason).read_text("utf-8").splitlines()
+        while lines and lines[0].startswith("//"):
+            del lines[0]
+        if list(filter(None, lines)) != block.lines:
+            yield f"it is not what {block.reason} holds"
 
 
-def commands_in(lines):
-    text = "\n".join(lines).replace("\\\n", " ")
-    text = re.sub(r"  +\([^)]*\)$", "", text, flags=re.MULTILINE)  # a remark on the time it takes
-    return [line for line in text.splitlines() if line and not line.startswith("#")]
-
-
-def unknown_flags(command, build):
-    words = command.split("|")[0].split()
-    program = os.path.basename(words[0]) if words else ""
-    if program not in ("sonde", "sonde-view") or not (build / "bin" / program).exists():
-        return []
-    asked = [build / "bin" / program] + (words[1:2] if program == "sonde" else [])
-    known = subprocess.run([*asked, "--help"], capture_output=True, text=True, check=False)
-    flags = [word.split("=")[0] for word in words if word.startswith("--")]
-    text = known.stdout + " --help --version --"
-    return [flag for flag in flags if not re.search(re.escape(flag) + r"(?![a-z-])", text)]
-
-
-class Tree:
-    """What a command of the pages may name."""
-
-    def __init__(self, source, build):
-        self.source, self.build = source, build
-        makes = [source / "CMakeLists.txt", *source.glob("*/**/CMakeLists.txt"),
-                 *source.glob("packaging/cmake/*.cmake")]
-        self.makes = "\n".join(path.read_text("utf-8") for path in makes
-                               if "build" not in path.relative_to(source).parts[:-1])
-        sources = [*source.glob("tests/**/*.cpp"), *source.glob("app/*.cpp")]
-        self.mains = {path.stem for path in sources}
-        self.sources = "\n".join(path.read_text("utf-8") for path in sources)
-        presets = json.loads((source / "CMakePresets.json").read_text("utf-8"))
-        self.presets = {preset["name"] for preset in presets["configurePresets"]}
-        cache = (build / "CMakeCache.txt").read_text("utf-8")
-        self.has_window = "SONDE_BUILD_VIEW:BOOL=ON" in cache
-
-    def has_target(self, name):
-        return re.search(rf"\b{re.escape(name)}\b", self.makes) or self.has_program(name)
-
-    def has_program(self, name):
-        return (self.build / "bin" / name).exists() or name.replace("-", "_") in self.mains
-
-    def chosen(self, program, pattern):
-        """Whether a test program has tests of this name."""
-        listed = subprocess.run([self.build / "bin" / program, f"--gtest_filter={pattern}",
-                                 "--gtest_list_tests"], capture_output=True, text=True, check=False)
-        return listed.returncode == 0 and "  " in listed.stdout
-
-
-def unknown_to_cmake(words, tree):
-    for flag, name in zip(words, words[1:]):
-        if flag == "--preset" and name not in tree.presets:
-            yield f"no preset is called {name}"
-        if flag in ("--build", "--install") and not name.startswith("--"):
-            if name.removeprefix("build/") not in tree.presets:
-                yield f"no preset builds under {name}"
-    if "--target" in words:
-        for name in words[words.index("--target") + 1:]:
-            if not tree.has_target(name):
-                yield f"no target is called {name}"
-
-
-def unknown_to_others(words, tree):
-    flags = [word.split("=")[0] for word in words[1:] if re.match(r"--[a-z]", word)]
-    if words[0].startswith("packaging/"):
-        script = tree.source / words[0]
-        if not os.access(script, os.X_OK):
-            yield f"no script is {words[0]}"
-        else:
-            text = script.read_text("utf-8") + tree.sources
-            yield from (f"{words[0]} does not know {flag}" for flag in flags if flag not in text)
-        return
-    program = os.path.basename(words[0])
-    if not tree.has_program(program):
-        if tree.has_window or not program.startswith("test_ui"):
-            yield f"no program is called {program}"
-        return
-    for word in words[1:]:
-        if word.startswith("--gtest_filter="):
-            for pattern in word.partition("=")[2].split(":"):
-                if not tree.chosen(program, pattern):
-                    yield f"{program} has no test {pattern}"
-        elif word.split("=")[0] in flags and word.split("=")[0] not in tree.sources:
-            yield f"{program} does not know {word}"
-
-
-def unknown_in(command, tree):
-    """What a command that is not sonde's names and the tree does not have."""
-    for part in command.split("&&"):
-        if part.startswith("sonde "):
-            continue
-        words = shlex.split(part.split("|")[0], comments=True)
-        if not words:
-            continue
-        program = os.path.basename(words[0])
-        if program == "cmake":
-            yield from unknown_to_cmake(words, tree)
-        elif words[0].startswith(("packaging/", "build/", "test_")) or program.startswith("sonde-"):
-            if program not in ("sonde", "sonde-view"):  # their flags are looked at with their help
-                yield from unknown_to_others(words, tree)
+def complaints_of(block, page, wanted):
+    """What is wrong with a block."""
+    if block.kind in ("commands", "full", "not run"):
+        for command in block.commands:
+            yield from unknown_in(command, page.tree)
+        yield from unkept_in(block, page.tree)
+    runs = {"commands": page.run_commands, "python": page.run_python, "c++": page.compile,
+            "copy of": page.compare}
+    if wanted == "full":
+        runs["full"] = page.run_commands
+    if block.kind in runs and page.tree.can_run(block):
+        yield from runs[block.kind](block)
 
 
 def check_commands(source, build, wanted):
     tree = Tree(source, build)
-    others = 0
-    ran = 0
-    environment = dict(os.environ, PATH=f"{build}/bin:{os.environ['PATH']}")
-    for page in pages_of(source):
+    kinds = Counter()
+    for file in pages_of(source):
+        blocks = list(blocks_of(file))
+        if re.search(r"^ *(```|~~~|\t)", file.read_text("utf-8"), re.MULTILINE):
+            yield f"{file}: blocks are indented by four"
+        kinds.update(block.kind for block in blocks)
+        if marks_in(file) != sum(bool(block.mark) for block in blocks):
+            yield f"{file}: a mark stands above no block"
         with tempfile.TemporaryDirectory() as scratch:
-            (Path(scratch) / "resources").symlink_to(source / "resources")
-            for mark, number, lines in blocks_of(page):
-                commands = commands_in(lines)
-                where = f"{page}:{number}"
-                for command in commands:
-                    for flag in unknown_flags(command, build):
-                        yield f"{where}: {flag} is no flag of: {command}"
-                    for complaint in unknown_in(command, tree):
-                        yield f"{where}: {complaint}"
-                    others += bool(re.match(r"cmake |packaging/|build/|test_", command))
-                if not all(re.match(r"(sonde|sed|export) ", c) for c in commands):
-                    continue
-                if mark == "not run" or any(PLACEHOLDER.search(c) for c in commands):
-                    continue
-                # What a marked block needs is made by those above it.
-                if mark == "full" and wanted != "full":
-                    continue
-                ran += sum(command.startswith("sonde ") for command in commands)
-                done = subprocess.run(["bash", "-euo", "pipefail", "-c", "\n".join(commands)],
-                                      cwd=scratch, env=environment, capture_output=True,
-                                      text=True, check=False)
-                if done.returncode != 0:
-                    yield f"{where}: exit code {done.returncode}: {commands}\n{done.stderr}"
-    if ran < 5 or others < 20:
-        yield f"{ran} commands were run, {others} others looked at: they are not found"
+            page = Page(tree, Path(scratch))
+            for block in blocks:
+                for complaint in complaints_of(block, page, wanted):
+                    yield f"{block.where}: {complaint}"
+    print(", ".join(f"{kind}: {count}" for kind, count in kinds.most_common()))
+    if kinds["commands"] < 10 or kinds["not run"] < 10 or kinds["shown"] < 10:
+        yield f"blocks are not found: {kinds}"
+
+
+def check_itself():
+    """What no rule names is run, and so fails; a mark holds for the block below it alone."""
+    page = """<!-- not run: of two
+lines -->
+
+    gdb sonde
+
+Text.
+
+    no-such-program --flag
+
+- in a list
+
+      sonde info a.ply  (seconds)
+      # a comment
+
+      sonde info \\
+          b.ply
+
+<!-- full: a mark above text -->
+
+text
+
+    F = k t
+    x
+
+    {
+      "key": 1
+    }
+"""
+    expected = [("not run", ["gdb sonde"]), ("commands", ["no-such-program --flag"]),
+                ("commands", ["sonde info a.ply", "sonde info      b.ply"]),
+                ("commands", ["F = k t", "x", "{", '  "key": 1', "}"])]
+    with tempfile.TemporaryDirectory() as scratch:
+        file = Path(scratch) / "page.md"
+        file.write_text(page, "utf-8")
+        found = [(block.kind, block.commands) for block in blocks_of(file)]
+        if found != expected:
+            yield f"the blocks are {found}"
+        if marks_in(file) != 2:
+            yield f"{marks_in(file)} marks"
+    for line in ("a ─▶ b", "σ = |t|²", "b > K", "}", 'KERNEL=="hidraw*"', "0A 00 26  two",
+                 "@group - nice 1", "find_package(sonde 0.1 REQUIRED)"):
+        if Block(file, 1, "", "", [line]).kind != "shown":
+            yield f"{line} is taken for a command"
+    for line in ("sonde info a", "import numpy", "make x=1", "./a.out > out", "V=1 sonde devices"):
+        if Block(file, 1, "", "", [line]).kind != "commands":
+            yield f"{line} is not taken for a command"
 
 
 def check_diagram(source):
@@ -217,7 +214,7 @@ def check_diagram(source):
         subprocess.run([sys.executable, source / "resources/draw/architecture.py", source, drawn],
                        check=True)
         if drawn.read_text() != (source / "resources/docs/images/architecture.svg").read_text():
-            yield "architecture.svg is not of these folders: resources/draw/architecture.py draws it"
+            yield "architecture.svg is of other folders: resources/draw/architecture.py draws it"
 
 
 def main():
@@ -225,10 +222,11 @@ def main():
     build = Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
     checks = {"links": lambda: check_links(source), "diagram": lambda: check_diagram(source),
               "commands": lambda: check_commands(source, build, "ci"),
-              "full": lambda: check_commands(source, build, "full")}
-    complaints = list(checks[what]())
-    print("\n".join(complaints), file=sys.stderr)
-    return 1 if complaints else 0
+              "full": lambda: check_commands(source, build, "full"), "itself": check_itself}
+    count = 0
+    for count, complaint in enumerate(checks[what](), 1):
+        print(complaint, file=sys.stderr)
+    return 1 if count else 0
 
 
 if __name__ == "__main__":
