@@ -6,6 +6,7 @@
 #include <array>
 
 #include "tests/app/app_test.hpp"
+#include "tests/support/locales.hpp"
 
 namespace sonde::test {
 namespace {
@@ -83,13 +84,7 @@ TEST_F(Faults, memory_that_ends_is_told_of_wherever_that_is) {
 
 /// The comma is decimal in German; "i" in capitals has a dot in Turkish, which finds no ".STI".
 TEST_F(Faults, the_same_bits_in_german_and_in_turkish) {
-  std::filesystem::create_directory(folder / "locales");
-  for (const std::string name : {"de_DE", "tr_TR"})
-    ASSERT_EQ(std::system(("localedef -i " + name + " -f UTF-8 '" +
-                           (folder / "locales" / (name + ".UTF-8")).string() + "' 2>/dev/null")
-                              .c_str()),
-              0)
-        << "Debian's package locales is missing: packaging/deps installs it";
+  for (const char* name : {"de_DE", "tr_TR"}) make_locale(folder, name);
   std::filesystem::rename(folder / "small.off", folder / "TINI.OFF");
   folder.write("boxes.sonde.json",
                R"({"probe": {"mesh": "TINI.OFF", "scale": 1.5}, "fixed": {"mesh": "large.off"}})");

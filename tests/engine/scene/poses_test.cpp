@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 
 #include <clocale>
+#include <cstdlib>
 
 #include "engine/base/error.hpp"
 #include "tests/support/complaint.hpp"
+#include "tests/support/locales.hpp"
 
 namespace sonde {
 namespace {
@@ -92,10 +94,13 @@ TEST(Poses, a_file_that_is_not_there_or_empty_is_refused) {
 }
 
 TEST(Poses, the_locale_does_not_matter) {
-  // Where the machine has no German locale this tests nothing, and does no harm.
-  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  const TempFolder folder;
+  ::setenv("LOCPATH", make_locale(folder, "de_DE").c_str(), 1);
+  ASSERT_TRUE(std::setlocale(LC_ALL, "de_DE.UTF-8"));
+  ASSERT_EQ(std::strtod("0,5", nullptr), 0.5) << "the comma is decimal";
   EXPECT_EQ(poses_of(header + "0.5,0,0,1,0,0,0\n")[0].p.x(), 0.5);
   std::setlocale(LC_ALL, "C");
+  ::unsetenv("LOCPATH");
 }
 
 TEST(Trajectory, times_must_rise) {

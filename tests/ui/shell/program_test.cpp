@@ -3,36 +3,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <QImage>
 #include <cstdlib>
 #include <string>
 
-#include "tests/support/temp_folder.hpp"
+#include "tests/ui/shell/program_fixture.hpp"
 #include "ui/shell/demo.hpp"
 
-namespace sonde::ui {
+namespace sonde::ui::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-class Program : public ::testing::Test {
- protected:
-  struct Outcome {
-    int exit_code;
-    std::string out, err;
-  };
-  Outcome run(const std::string& arguments, const std::string& environment = "") const {
-    const std::string command = "cd '" + folder.path().string() + "' && XDG_CONFIG_HOME=. " +
-                                environment + " timeout 60 '" SONDE_VIEW_PROGRAM "' " + arguments +
-                                " >out 2>err";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, sonde::test::text_of(folder / "out"),
-            sonde::test::text_of(folder / "err")};
-  }
-  sonde::test::TempFolder folder;
-};
 
 TEST_F(Program, help_and_version_need_no_display) {
   EXPECT_EQ(run("--version", "DISPLAY=").exit_code, 0);
@@ -155,4 +137,4 @@ TEST_F(Program, the_demo_draws_and_reports) {
 }
 
 }  // namespace
-}  // namespace sonde::ui
+}  // namespace sonde::ui::test
