@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/text/number_text.hpp"
