@@ -19,6 +19,8 @@ in_root() {
     >"$work/log" 2>&1 || complain "$(cat "$work/log")"
 }
 in_root --install "$work"/packages/*.deb
+files_of() { (cd "$1" && find . -not -type d | sort); }
+diff <(files_of "$PREFIX") <(files_of "$root/usr") || complain "packages hold other files than --install"
 cd "$work"
 "$root/usr/bin/sonde" query "$root/usr/share/sonde/scenes/spoon-in-cup.sonde.json" \
   --poses "$poses" --quiet >result.csv

@@ -12,6 +12,18 @@ query "$sonde" "$PREFIX/share/sonde" | cut -d, -f1-15 >installed.csv
 query "$BUILD/bin/sonde" "$SOURCE/resources" | cut -d, -f1-15 >built.csv
 grep -q '^0,penetrating,' installed.csv || complain "no depth: $(cat installed.csv)"
 cmp installed.csv built.csv
+# The Python module of there finds the same depth.
+modules=$PREFIX/lib/python3/dist-packages
+if [[ -d $modules/sonde ]]; then
+  env -i PYTHONPATH="$modules" /usr/bin/python3 -B - "$SOURCE/resources/models" "$poses" installed.csv <<'END'
+import csv, sys, numpy, sonde
+models, poses, found = sys.argv[1:]
+probe, fixed = (sonde.Body.read(f"{models}/{name}.ply") for name in ("spoon", "cup"))
+depth = sonde.depth(probe, fixed, numpy.loadtxt(poses, delimiter=",", skiprows=1, ndmin=2)).depth[0]
+wanted = float(next(csv.DictReader(open(found)))["depth"])
+sys.exit(0 if depth == wanted else f"{sonde.__file__}: {depth} instead of {wanted}")
+END
+fi
 # A profile by its name comes from share/sonde: an unknown one is answered with those there are.
 "$sonde" tune "$PREFIX/share/sonde/scenes/terrain.sonde.json" --device nothing --out t 2>err && exit 1
 grep -q 'known are:.* sigma\.7' err || complain "profiles are not found: $(cat err)"
