@@ -76,9 +76,12 @@ const std::vector<ShownPhase> phases_of_a_search{
 
 QString words(const PhaseTimes& phases, const std::vector<ShownPhase>& shown) {
   QStringList out;
-  for (const ShownPhase& one : shown)
-    out += in_colour(one.colour, QStringLiteral("■")) + QLatin1Char(' ') + QLatin1String(one.name) +
-           QLatin1Char(' ') + microseconds(phases[one.phase]);
+  for (const ShownPhase& one : shown) {
+    QString time = microseconds(phases[one.phase]);
+    time.replace(QLatin1Char(' '), QStringLiteral("&nbsp;"));  // what goes together is on one line
+    out += in_colour(one.colour, QStringLiteral("■")) +
+           QStringLiteral("&nbsp;%1&nbsp;%2").arg(QLatin1String(one.name), time);
+  }
   return out.join(QStringLiteral("&nbsp; "));
 }
 
