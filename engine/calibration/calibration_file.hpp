@@ -19,8 +19,8 @@ std::string to_json(const Calibration& calibration);
 Calibration calibration_in(const std::string& text, const std::filesystem::path& file);
 Calibration read_calibration(const std::filesystem::path& file);
 
-/// The calibration that comes with the build, measured on the pairs of tests/reference/pairs.cpp
-/// and the bundled scenes' paths (resources/calibration.json).
+/// The calibration that comes with the build (resources/calibration.json), measured on the pairs of
+/// tests/reference/pairs.cpp, the scenes of tests/reference/surfaces and the bundled scenes' paths.
 const Calibration& default_calibration();
 
 }  // namespace sonde
