@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 
 #include "app/python/depths.hpp"
@@ -121,15 +122,25 @@ class PathFollower {
     const Budget budget = budget_of(budget_steps, budget_us);
     std::vector<Separation> rows;
     rows.reserve(given.size());
+    const std::unique_lock<std::mutex> mine = taken();
     {
       const py::gil_scoped_release released;
       for (const Pose& pose : given) rows.push_back(next(pose, budget));
     }
     return depths_of(rows);
   }
-  void restart() { started_ = false; }
+  void restart() {
+    const std::unique_lock<std::mutex> mine = taken();
+    started_ = false;
+  }
 
  private:
+  /// Waiting would be with the interpreter's lock, which the one who has it needs.
+  std::unique_lock<std::mutex> taken() {
+    std::unique_lock<std::mutex> lock(in_use_, std::try_to_lock);
+    if (!lock) throw std::runtime_error("another thread uses this follower");
+    return lock;
+  }
   Separation next(const Pose& pose, const Budget& budget) {
     if (started_) return follower_.follow(pose, budget);
     const Separation& first =
@@ -142,6 +153,7 @@ class PathFollower {
   Pair pair_;
   sonde::Follower follower_;
   bool started_ = false;
+  std::mutex in_use_;
 };
 
 py::array_t<double> three(const Vec3& v) { return py::array_t<double>(3, v.data()); }
@@ -201,7 +213,8 @@ void declare_follower(py::module_& module) {
   py::class_<PathFollower>(
       module, "Follower",
       "Follows a moving probe, pose by pose along free paths, so the separated\n"
-      "pose never pops through. Use it from one thread at a time.")
+      "pose never pops through. Use it from one thread at a time: a second one is refused\n"
+      "with RuntimeError.")
       .def(py::init<const SharedBody&, const SharedBody&, const std::string&, std::uint64_t>(),
            "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1)
       .def("follow", &PathFollower::follow, "poses"_a, "budget_steps"_a = 0, "budget_us"_a = 0.0,

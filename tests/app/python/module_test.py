@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The module against the headless program, to the bit, and against boxes whose depth is known."""
 
+import ast
 import csv
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
+from typing import List, get_args, get_origin
 
 import numpy
 import sonde
+from numpy.typing import NDArray
 
 SOURCE = os.environ["SOURCE"]
 MODELS = os.path.join(SOURCE, "resources", "models")
@@ -46,6 +50,47 @@ def query(poses, *flags):
         text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     rows = list(csv.DictReader(text.splitlines()))
     return {name: [row[name] for row in rows] for name in rows[0]}
+
+
+def counted_during(work):
+    """How far another thread counts while the work is done."""
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.wait(1e-4):
+            counted[0] += 1
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    before = counted[0]
+    work()
+    during = counted[0] - before
+    done.set()
+    counter.join()
+    return during
+
+
+def declarations():
+    with open(os.path.join(os.path.dirname(sonde.__file__), "__init__.pyi"), encoding="utf-8") as f:
+        return ast.parse(f.read()).body
+
+
+def signature_in(node):
+    """Names, defaults and types of a declared function; what is told by name alone comes last."""
+    types = {arg.arg: arg.annotation for arg in node.args.args + node.args.kwonlyargs}
+    types["return"] = node.returns
+    words = {
+        name: re.sub(r"sonde\._sonde\.|^numpy\.ndarray\[.*", "", ast.unparse(kind)) or "ArrayLike"
+        for name, kind in types.items()
+        if kind and name != "self"
+    }
+    defaults = [ast.unparse(d) for d in node.args.defaults + node.args.kw_defaults if d]
+    return list(words.items()), defaults, [arg.arg for arg in node.args.kwonlyargs]
+
+
+def signature_of(function):
+    """What the compiled module says of it: the first line of its words."""
+    return signature_in(ast.parse(f"def {function.__doc__.splitlines()[0]}: ...").body[0])
 
 
 class Module(unittest.TestCase):
@@ -138,34 +183,78 @@ class Module(unittest.TestCase):
 
     def test_other_threads_run_while_a_search_does(self):
         # Kept waiting for the lock of the interpreter, the counter would not move in between.
-        counted = [0]
-        done = threading.Event()
+        probe, fixed = spoon_and_cup()
+        follower = sonde.Follower(probe, fixed)
+        for work in (
+            lambda: sonde.depth(probe, fixed, POSES[2700:3200:100], threads=1),
+            lambda: follower.follow(POSES[2000:3000:2]),
+        ):
+            self.assertGreater(counted_during(work), 2)
 
-        def count():
-            while not done.wait(1e-4):
-                counted[0] += 1
+    def test_a_follower_refuses_a_second_thread(self):
+        follower = sonde.Follower(*spoon_and_cup())
+        refused, begun = [], threading.Event()
 
-        sonde_bodies = list(spoon_and_cup())
-        counter = threading.Thread(target=count)
-        counter.start()
-        before = counted[0]
-        sonde.depth(*sonde_bodies, POSES[2700:3200:100], threads=1)
-        during = counted[0] - before
-        done.set()
-        counter.join()
-        self.assertGreater(during, 2)
+        def follow():
+            begun.set()
+            follower.follow(POSES[2000:3000:2])
 
-    def test_types_are_declared_for_all_that_there_is(self):
-        stub = os.path.join(os.path.dirname(sonde.__file__), "__init__.pyi")
-        with open(stub, encoding="utf-8") as file:
-            text = file.read()
+        first = threading.Thread(target=follow)
+        first.start()
+        begun.wait()
+        while first.is_alive() and not refused:
+            try:
+                follower.restart()
+            except RuntimeError as error:
+                refused.append(str(error))
+        first.join()
+        self.assertRegex(refused[0], "another thread")
+        follower.restart()
+        self.assertEqual(len(follower.follow(POSES[2000])), 1)
+
+    def test_all_that_there_is_has_words_and_a_declaration(self):
+        declared = {node.name: node for node in declarations() if hasattr(node, "name")}
         for name in sonde.__all__:
-            self.assertRegex(text, rf"(class|def) {name}\b")
+            self.assertIn(name, declared)
             self.assertTrue(getattr(sonde, name).__doc__ or name == "InputError", name)
         for kind in (sonde.Body, sonde.Depths, sonde.Follower):
-            for name in vars(kind):
-                if not name.startswith("_"):
-                    self.assertRegex(text, rf"def {name}\b")
+            methods = {node.name for node in declared[kind.__name__].body}
+            there = {name for name in vars(kind) if name[0] != "_" or name == "__len__"}
+            self.assertEqual(methods - {"__init__"}, there)
+
+    def test_functions_are_declared_as_they_are(self):
+        functions = [node for node in declarations() if isinstance(node, ast.FunctionDef)]
+        pairs = [(node, getattr(sonde, node.name)) for node in functions]
+        for kind in (node for node in declarations() if isinstance(node, ast.ClassDef)):
+            pairs += [
+                (node, getattr(getattr(sonde, kind.name), node.name))
+                for node in kind.body
+                if isinstance(node, ast.FunctionDef)
+                and "property" not in map(ast.unparse, node.decorator_list)
+            ]
+        self.assertEqual(len(pairs), 7)
+        for node, function in pairs:
+            self.assertEqual(signature_in(node), signature_of(function), node.name)
+
+    def test_values_are_of_the_types_that_are_declared(self):
+        body = box()
+        values = {"Body": body, "Depths": sonde.depth(body, box(), [1.9, 0, 0] + IDENTITY)}
+        names = {"numpy": numpy, "NDArray": NDArray, "List": List}
+        checked = 0
+        for kind in (node for node in declarations() if isinstance(node, ast.ClassDef)):
+            for node in kind.body:
+                if "property" not in map(ast.unparse, getattr(node, "decorator_list", [])):
+                    continue
+                value, checked = getattr(values[kind.name], node.name), checked + 1
+                declared = eval(ast.unparse(node.returns), names)
+                if get_origin(declared) is numpy.ndarray:
+                    scalar = get_args(get_args(declared)[1])[0]
+                    self.assertTrue(numpy.issubdtype(value.dtype, scalar), node.name)
+                elif get_origin(declared) is list:
+                    self.assertEqual({type(v) for v in value}, set(get_args(declared)), node.name)
+                else:
+                    self.assertIs(type(value), declared, node.name)
+        self.assertEqual(checked, 18)
 
     def test_the_example_draws_the_depth_along_a_path(self):
         with tempfile.TemporaryDirectory() as folder:
