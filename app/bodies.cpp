@@ -79,8 +79,9 @@ Scene scene_of(const BodyOptions& options) {
 
 void add_within(CLI::App& parser, std::string& folder) {
   parser
-      .add_option("--paths-within", folder,
-                  "refuse a scene whose paths lead out of this folder, for scenes of strangers")
+      .add_option(
+          "--paths-within", folder,
+          "refuse a scene or recording whose paths lead out of this folder, for those of strangers")
       ->check(CLI::ExistingDirectory);
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "engine/devices/connection.hpp"
 #include "engine/text/number_text.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -49,20 +50,20 @@ const char* json_name_of(DeviceKind kind) {
 
 std::string library_text(const VendorLibraryListing& library) {
   const std::string head = library.name + " (" + library.maker + "): ";
-  if (!library.usable) return head + library.reason + '\n';
+  if (!library.usable) return head + printable(library.reason) + '\n';
   const std::string version = library.version.empty() ? "of no told version" : library.version;
-  return head + version + ", " + library.path + '\n';
+  return head + printable(version + ", " + library.path) + '\n';
 }
 
 std::string devices_text(const std::vector<DeviceListing>& devices,
                          const std::vector<VendorLibraryListing>& libraries) {
   std::string text = devices.empty() ? "no 6-DoF device is connected\n" : "";
   for (const DeviceListing& device : devices) {
-    text += device.info.path + "  " + id_text(device.info) + "  " + device.name + " (" +
-            name_of(device.kind) + ")\n";
+    text += printable(device.info.path) + "  " + id_text(device.info) + "  " +
+            printable(device.name) + " (" + name_of(device.kind) + ")\n";
     text += device.opens ? "  opens: " + capabilities_text(device.capabilities) + '\n'
-                         : "  does not open: " + device.reason + '\n';
-    if (!device.note.empty()) text += "  note: " + device.note + '\n';
+                         : "  does not open: " + printable(device.reason) + '\n';
+    if (!device.note.empty()) text += "  note: " + printable(device.note) + '\n';
   }
   text += "\nmakers' libraries for force arms\n";
   for (const VendorLibraryListing& library : libraries) text += "  " + library_text(library);

@@ -177,7 +177,12 @@ void search_rows(const Pair& pair, const Job& job, const SolverOptions& options,
 }
 
 std::unique_ptr<Recording> read(const ReplayOptions& options) {
-  std::unique_ptr<Recording> recording = read_recording(options.bodies.scene);
+  const std::string& file = options.bodies.scene;
+  if (const std::string& within = options.bodies.within; !within.empty())
+    for (const std::filesystem::path& path : recorded_paths_out_of(within, file))
+      throw InputError::in(file,
+                           "its scene names " + path.string() + ", out of the folder " + within);
+  std::unique_ptr<Recording> recording = read_recording(file);
   if (!recording->cut.empty() && !options.output.quiet)
     std::cerr << "sonde: " << printable(recording->file.string()) << ": " << recording->cut
               << "; what is before it is replayed\n";
@@ -223,10 +228,6 @@ Job job_for(const ReplayOptions& options) {
   const bool recorded = is_recording(options.bodies.scene);
   if (recorded && !options.trajectory.empty())
     throw UsageError("a recording has its own path: leave out --trajectory");
-  if (recorded && !options.bodies.within.empty())
-    throw UsageError(
-        "--paths-within is for a scene: a recording checks that its meshes are those "
-        "that were recorded");
   Job job = recorded ? job_of_recording(options) : job_of_scene(options);
   for (LoopStep& step : job.steps) replace(step.coupling, options);
   replace(job.scene.coupling, options);

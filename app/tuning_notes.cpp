@@ -6,6 +6,7 @@
 
 #include "engine/study/tuning/tuning_study.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 
@@ -34,7 +35,7 @@ void TuningNotes::conclude() const {
   const StudyFolder study = read_study(options_.out);
   if (!study.complete()) return;
   for (const std::string& sentence : recommendation_in_words(read_tuning(options_.out, study)))
-    std::cerr << "sonde: " << sentence << "\n";
+    std::cerr << "sonde: " << printable(sentence) << "\n";
 }
 
 }  // namespace sonde::app

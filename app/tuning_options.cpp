@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/study/tuning/tuning_inputs.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 
@@ -48,8 +49,8 @@ TuningRequest request_of(const Scene& scene, const TuningOptions& options, const
 void note_skipped(const Study& study) {
   const auto about = nlohmann::json::parse(study.about);
   for (const auto& each : about.at("skipped"))
-    std::cerr << "sonde: left out: " << each.at("kind").get<std::string>()
-              << " contact: " << each.at("reason").get<std::string>() << "\n";
+    std::cerr << "sonde: left out: " << printable(each.at("kind").get<std::string>())
+              << " contact: " << printable(each.at("reason").get<std::string>()) << "\n";
 }
 
 }  // namespace sonde::app

@@ -4,8 +4,10 @@
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 
@@ -61,10 +63,21 @@ void need_columns(const py::array& array, const char* what) {
     throw std::invalid_argument(std::string(what) + " must be of shape (n, 3)");
 }
 
-SharedBody body_of(const Numbers& vertices, const Faces& faces, const std::string& model,
+/// Numbers with a fraction are no indices, and are not rounded to some.
+Faces faces_in(const py::object& given) {
+  const py::array array = py::array::ensure(given);
+  if (!array) throw py::error_already_set();
+  need_columns(array, "faces");
+  const char kind = array.dtype().kind();
+  if (array.size() > 0 && kind != 'i' && kind != 'u')
+    throw std::invalid_argument("faces must be integers: indices of vertices");
+  return Faces(array);
+}
+
+SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const std::string& model,
                    const std::string& name) {
   need_columns(vertices, "vertices");
-  need_columns(faces, "faces");
+  const Faces faces = faces_in(given_faces);
   std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = Eigen::Map<const Vec3>(vertices.data() + 3 * i);
@@ -83,7 +96,7 @@ SharedBody body_of(const Numbers& vertices, const Faces& faces, const std::strin
   return shared(make_body(points, triangles, chosen_model, name));
 }
 
-SharedBody body_in(const std::string& file, const std::string& model, double scale) {
+SharedBody body_in(const std::filesystem::path& file, const std::string& model, double scale) {
   const Model chosen_model = model_of(model);
   const py::gil_scoped_release released;
   return shared(read_body(file, chosen_model, scale));
@@ -165,9 +178,11 @@ void declare_body(py::module_& module) {
            "counter-clockwise seen from outside. model: \"solid\" (the inside counts),\n"
            "\"surface\" (the triangles alone) or \"auto\" (solid where closed).\n"
            "Raises InputError if they cannot be a body.")
-      .def_static("read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0,
-                  "Reads an OFF, OBJ, PLY or STL file; scale is its unit in metres.\n"
-                  "Raises InputError, which names the file and the line.")
+      .def_static(
+          "read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0,
+          "Reads an OFF, OBJ, PLY or STL file, a str or a path; model as above, scale is its\n"
+          "unit in metres.\n"
+          "Raises InputError, which names the file and the line.")
       .def_property_readonly(
           "name", [](const SharedBody& b) { return b.facts.name; }, "Its file, or the given name.")
       .def_property_readonly(
@@ -216,7 +231,9 @@ void declare_follower(py::module_& module) {
       "pose never pops through. Use it from one thread at a time: a second one is refused\n"
       "with RuntimeError.")
       .def(py::init<const SharedBody&, const SharedBody&, const std::string&, std::uint64_t>(),
-           "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1)
+           "probe"_a, "fixed"_a, "method"_a = "pdg", "seed"_a = 1,
+           "Of two bodies that overlap or not. method: \"pdg\" (rigid motions) or \"pdt\"\n"
+           "(translations alone); seed: of the search that finds the first separated pose.")
       .def("follow", &PathFollower::follow, "poses"_a, "budget_steps"_a = 0, "budget_us"_a = 0.0,
            "Follows to the next poses, (7,) or (n, 7). A search finds the first separated pose.")
       .def("restart", &PathFollower::restart,
@@ -230,7 +247,8 @@ PYBIND11_MODULE(_sonde, module) {
   using namespace sonde::python;
   module.doc() = "Penetration depth of two polygon soups.";
   module.attr("__version__") = SONDE_VERSION;
-  py::register_exception<sonde::InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<sonde::InputError>(module, "InputError", PyExc_ValueError).doc() =
+      "Why the input cannot be a body or cannot be read; names the file and the line.";
   declare_body(module);
   declare_depths(module);
   declare_follower(module);

@@ -62,14 +62,15 @@ class OpenFile {
   std::uint64_t size_ = 0;
 };
 
-ReadHeader header_of_file(const OpenFile& file) {
+/// The bytes of the header, or what there is of them.
+std::string header_bytes_of(const OpenFile& file) {
   constexpr std::size_t fixed_size = 20, most = 1u << 24;
   std::string bytes = file.read(0, fixed_size);
   if (bytes.size() == fixed_size) {
     std::string_view rest = std::string_view(bytes).substr(12);
     bytes = file.read(0, fixed_size + std::min<std::size_t>(most, take_count(rest)));
   }
-  return read_header(bytes, file.path());
+  return bytes;
 }
 
 /// Reads the blocks from `offset` on. Why there are no more; empty at the end of a whole one.
@@ -144,7 +145,7 @@ class BlockReader {
 
 std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& progress) {
   const auto open = std::make_shared<const OpenFile>(file);
-  ReadHeader read = header_of_file(*open);
+  ReadHeader read = read_header(header_bytes_of(*open), file);
   const double radius = read.header.probe_radius, rate = read.header.rate_hz;
   auto recording = std::make_unique<Recording>(Recording{.file = file,
                                                          .header = std::move(read.header),
@@ -157,6 +158,11 @@ std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& 
         !progress(static_cast<double>(recording->readable) / static_cast<double>(recording->bytes)))
       throw Cancelled();
   return recording;
+}
+
+std::vector<fs::path> recorded_paths_out_of(const fs::path& folder, const fs::path& recording) {
+  const std::string bytes = header_bytes_of(OpenFile(recording));
+  return paths_out_of(folder, recorded_scene_text(bytes, recording), recording);
 }
 
 }  // namespace sonde

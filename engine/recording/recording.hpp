@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/recording/recording_header.hpp"
@@ -30,5 +31,10 @@ struct Recording {
 /// why.
 std::unique_ptr<Recording> read_recording(const std::filesystem::path& file,
                                           const Progress& progress = {});
+
+/// The files that the recorded scene names outside of a folder; see paths_out_of (scene.hpp). None
+/// is read, and of the recording its header alone. Throws as read_recording.
+std::vector<std::filesystem::path> recorded_paths_out_of(const std::filesystem::path& folder,
+                                                         const std::filesystem::path& recording);
 
 }  // namespace sonde

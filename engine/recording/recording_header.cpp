@@ -178,7 +178,10 @@ std::string header_bytes(const RecordingHeader& header, const fs::path& file) {
   return out + text;
 }
 
-ReadHeader read_header(std::string_view bytes, const fs::path& file) {
+namespace {
+
+/// The JSON of the header that a file begins with, of the right checksum.
+std::string header_text(std::string_view bytes, const fs::path& file) {
   const auto fail = [&](std::size_t byte, const std::string& reason) {
     return InputError::at_byte(file.string(), byte, reason);
   };
@@ -193,9 +196,22 @@ ReadHeader read_header(std::string_view bytes, const fs::path& file) {
   const std::size_t size = take_count(rest);
   const std::uint32_t crc = take_count(rest);
   if (rest.size() < size) throw fail(bytes.size(), "the recording is cut within its header");
-  const std::string text(rest.substr(0, size));
+  std::string text(rest.substr(0, size));
   if (crc_of(text) != crc) throw fail(head_size, "the checksum of the header is wrong");
-  return {header_in(text, file), head_size + size};
+  return text;
+}
+
+}  // namespace
+
+ReadHeader read_header(std::string_view bytes, const fs::path& file) {
+  const std::string text = header_text(bytes, file);
+  return {header_in(text, file), head_size + text.size()};
+}
+
+std::string recorded_scene_text(std::string_view bytes, const fs::path& file) {
+  const JsonNode root = parse_json(file.string(), header_text(bytes, file));
+  expect_kind(file, root, JsonNode::Kind::object);
+  return member(file, root, "scene", JsonNode::Kind::string).text;
 }
 
 bool is_recording(const fs::path& file) {

@@ -55,6 +55,9 @@ struct ReadHeader {
 };
 ReadHeader read_header(std::string_view bytes, const std::filesystem::path& file);
 
+/// The scene of the header as text, none of whose paths has been followed. Throws as read_header.
+std::string recorded_scene_text(std::string_view bytes, const std::filesystem::path& file);
+
 /// Returns whether the file begins as a recording does; false where it cannot be read.
 bool is_recording(const std::filesystem::path& file);
 

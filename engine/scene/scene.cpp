@@ -229,8 +229,14 @@ Scene read_scene_within(const std::filesystem::path& folder, const std::filesyst
 
 std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
                                                 const std::filesystem::path& file) {
+  return paths_out_of(folder, read_text(file, most_scene_bytes), file);
+}
+
+std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
+                                                const std::string& text,
+                                                const std::filesystem::path& file) {
   std::vector<std::filesystem::path> out;
-  read(Reader{file, folder, &out}, read_text(file, most_scene_bytes));
+  read(Reader{file, folder, &out}, text);
   return out;
 }
 

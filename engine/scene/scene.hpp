@@ -59,6 +59,10 @@ Scene read_scene_within(const std::filesystem::path& folder, const std::filesyst
 /// followed; none of them is read. Throws as read_scene does.
 std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
                                                 const std::filesystem::path& file);
+/// The same of a scene's text, wherever it comes from, that is read as if it were in that file.
+std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
+                                                const std::string& text,
+                                                const std::filesystem::path& file);
 /// Whether a file, there or not, lies below a folder, when links are followed.
 bool lies_within(const std::filesystem::path& folder, const std::filesystem::path& file);
 /// As read_scene, from the text of a file, wherever it comes from.

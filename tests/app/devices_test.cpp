@@ -107,7 +107,7 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
   ::setenv("SONDE_LIBDHD", STANDIN_DHD, 1);
   const Outcome text = devices(folder, "", "", "");
   const json all = json::parse(devices(folder, "", "", "--json").out);
-  ::setenv("SONDE_LIBDHD", "relative.so", 1);
+  ::setenv("SONDE_LIBDHD", "\x1b[31mrelative.so", 1);
   const Outcome bad = devices(folder, "", "", "");
   ::unsetenv("SONDE_LIBDHD");
   EXPECT_THAT(text.out,
@@ -118,7 +118,8 @@ TEST_F(Devices, an_arm_is_listed_with_its_librarys_version) {
   EXPECT_EQ(all.at("devices").at(0).at("serial"), "4000");
   EXPECT_EQ(all.at("libraries").at(0).at("version"), "3.14.1.0");
   EXPECT_EQ(bad.exit_code, 0);
-  EXPECT_THAT(bad.out, HasSubstr("relative.so: the environment variable SONDE_LIBDHD must hold"));
+  EXPECT_THAT(bad.out,
+              HasSubstr("\\x1b[31mrelative.so: the environment variable SONDE_LIBDHD must hold"));
 }
 
 /// The stand-in with the head of a library for another processor: 32-bit ARM (ELF: bytes 4 and 18).

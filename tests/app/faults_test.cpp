@@ -163,13 +163,22 @@ TEST_F(Faults, a_reader_that_goes_away_is_told_of) {
 }
 
 TEST_F(Faults, a_study_refuses_a_folder_that_holds_other_things) {
-  std::filesystem::create_directory(folder / "mine");
-  folder.write("mine/letter.txt", "dear");
-  const Outcome run = sonde("trade boxes.sonde.json --out mine --quiet");
-  EXPECT_EQ(run.exit_code, 3);
-  EXPECT_THAT(run.err, HasSubstr("mine: holds \"letter.txt\" and no study"));
-  EXPECT_EQ(text_of(folder / "mine/letter.txt"), "dear");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "mine"), {}), 1);
+  for (const std::string letter : {"letter.txt", "parts/letter.txt", "parts/letter.json"}) {
+    std::filesystem::create_directories(folder / "mine/parts");
+    folder.write("mine/" + letter, "dear");
+    for (const std::string study :
+         {"trade", "tune --device sigma.7", "traces --device sigma.7", "compare"}) {
+      const Outcome run = sonde(study + " boxes.sonde.json --out mine --quiet");
+      EXPECT_EQ(run.exit_code, 3) << study;
+      EXPECT_THAT(run.err, HasSubstr("mine: holds \"" + letter + "\" and no study")) << study;
+    }
+    EXPECT_EQ(text_of(folder / "mine" / letter), "dear");
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "mine"))
+      if (entry.is_regular_file()) ++files;
+    EXPECT_EQ(files, 1u);
+    std::filesystem::remove_all(folder / "mine");
+  }
 }
 
 }  // namespace

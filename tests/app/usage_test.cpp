@@ -87,6 +87,10 @@ TEST_F(Usage, paths_of_a_scene_lead_anywhere_unless_they_are_kept_in_a_folder) {
   expect_refused(query + " --paths-within scenes", 3, reason);
   expect_refused("calibrate scenes/up.sonde.json --paths-within scenes", 3, reason);
   expect_refused(query + " --paths-within none", 2, "none");
+  expect_done("replay scenes/up.sonde.json --trajectory path.csv --record up.sonderec --quiet");
+  expect_done("replay up.sonderec --paths-within . --quiet");
+  expect_refused("replay up.sonderec --paths-within scenes", 3,
+                 "up.sonderec: its scene names small.off, out of the folder scenes");
 }
 
 TEST_F(Usage, a_mesh_that_is_missing_is_told_with_the_scenes_line) {

@@ -13,6 +13,7 @@
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
 #include "ui/base/absolute_path.hpp"
+#include "ui/document/paths_asked_for.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -207,6 +208,7 @@ void HistoryControl::record(const QString& file) {
     check_not_in_use(absolute_path(file));
     remember_folder_of(file);
     recorder_.record(absolute_path(file), view_.scene(), view_.session()->loaded().marks);
+    agree_to_paths_of(view_.scene(), absolute_path(file));  // the user's own
     view_.say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
     prompts_.report_error(QString::fromUtf8(bad.what()));
@@ -241,15 +243,16 @@ void HistoryControl::open_recording(const QString& file) {
   if (!view_.may_leave()) return;
   const auto kept = std::make_shared<KeptTicks>();
   kept->name = QFileInfo(file).fileName();
-  opener_.make(
-      QStringLiteral("Opening %1").arg(kept->name),
+  opener_.make_asking(
+      QStringLiteral("Opening %1").arg(kept->name), file,
+      [path = absolute_path(file)](const Progress&) { return paths_to_ask_for(path); },
       [kept, path = absolute_path(file)](const Progress& progress) {
         kept->recording = read_recording(path, part_of(progress, 0, 0.2));
         check_meshes(kept->recording->header, path);
         kept->curves = curves_of(kept->recording->ticks, part_of(progress, 0.2, 0.5));
         return open_scene(kept->recording->header.scene, part_of(progress, 0.5, 1));
       },
-      [this, kept](DrawnSession drawn) { opened(std::move(drawn), kept); }, [] {});
+      [this, kept](DrawnSession drawn) { opened(std::move(drawn), kept); });
 }
 
 void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording) {

@@ -34,20 +34,11 @@ LoadedScene nameable(LoadedScene opened) {
 Opener::Opener(QWidget& window, Prompts& prompts) : prompts_(prompts), job_(&window) {}
 
 void Opener::open_scene(const QString& file) {
-  give_up();
-  const QString name = QFileInfo(file).fileName();
-  what_ = QStringLiteral("Opening %1").arg(name);
-  const auto paths = std::make_shared<QStringList>();
-  job_.start(
-      what_,
-      [paths, scene = absolute_path(file)](const Progress&) { *paths = paths_to_ask_for(scene); },
-      [this, paths, name, scene = absolute_path(file)](const std::exception_ptr& error) {
-        if (error) return fail(error);
-        const Consent consent = paths->isEmpty() ? Consent::once : prompts_.ask_paths(name, *paths);
-        if (consent == Consent::refused) return fail(std::make_exception_ptr(Cancelled()));
-        if (consent == Consent::kept) agree_to_paths(scene, *paths);
-        begin(what_, [scene](const Progress& progress) { return ui::open_scene(scene, progress); });
-      });
+  const auto scene = absolute_path(file);
+  make_asking(
+      QStringLiteral("Opening %1").arg(QFileInfo(file).fileName()), file,
+      [scene](const Progress&) { return paths_to_ask_for(scene); },
+      [scene](const Progress& progress) { return ui::open_scene(scene, progress); }, ready);
 }
 
 void Opener::open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit) {
@@ -110,6 +101,28 @@ void Opener::make(const QString& what, std::function<LoadedScene(const Progress&
         }
         given_up_ = {};
         done(std::move(*drawn));
+      });
+}
+
+void Opener::make_asking(const QString& what, const QString& file,
+                         std::function<QStringList(const Progress&)> paths,
+                         std::function<LoadedScene(const Progress&)> open,
+                         std::function<void(DrawnSession)> done) {
+  give_up();
+  what_ = what;
+  const auto found = std::make_shared<QStringList>();
+  job_.start(
+      what,
+      [found, paths = std::move(paths)](const Progress& progress) { *found = paths(progress); },
+      [this, found, what, file, open = std::move(open),
+       done = std::move(done)](const std::exception_ptr& error) {
+        if (error) return fail(error);
+        const Consent consent = found->isEmpty()
+                                    ? Consent::once
+                                    : prompts_.ask_paths(QFileInfo(file).fileName(), *found);
+        if (consent == Consent::refused) return fail(std::make_exception_ptr(Cancelled()));
+        if (consent == Consent::kept) agree_to_paths(absolute_path(file), *found);
+        make(what, open, done, {});
       });
 }
 

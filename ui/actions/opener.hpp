@@ -27,6 +27,12 @@ class Opener : public QObject {
   /// opened, also where something else is opened instead.
   void make(const QString& what, std::function<LoadedScene(const Progress&)> open,
             std::function<void(DrawnSession)> done, std::function<void()> given_up);
+  /// The same, where `paths` finds the files that this file names and that are to be asked for
+  /// (paths_to_ask_for). It runs first, in the worker too.
+  void make_asking(const QString& what, const QString& file,
+                   std::function<QStringList(const Progress&)> paths,
+                   std::function<LoadedScene(const Progress&)> open,
+                   std::function<void(DrawnSession)> done);
   /// Abandons the present work; its end is not reported.
   void abandon() { given_up_ = {}, job_.abandon(); }
   /// Opens files that were dropped, or given on a command line: one scene, or the probe and the

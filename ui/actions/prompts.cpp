@@ -61,6 +61,13 @@ void add_document_questions(Prompts& prompts, QWidget* parent) {
                   {{"Read it again", QMessageBox::DestructiveRole},
                    {"Keep what is open", QMessageBox::RejectRole}}) == 0;
   };
+  prompts.ask_overwrite = [parent](const QString& file) {
+    return choose(parent, "overwrite_box",
+                  QStringLiteral("%1 has just been changed by another program.").arg(file),
+                  QStringLiteral("Saving loses that change."),
+                  {{"Save all the same", QMessageBox::DestructiveRole},
+                   {"Do not save", QMessageBox::RejectRole}}) == 0;
+  };
   prompts.ask_recover = [parent](const QString& what) {
     return static_cast<Recovering>(choose(
         parent, "recover_box", QStringLiteral("Sonde ended without saving this: %1").arg(what),

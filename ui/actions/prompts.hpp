@@ -28,6 +28,8 @@ struct Prompts {
   std::function<QString(const QString& first)> ask_save;    ///< a scene to write; empty: given up
   /// Asks whether to read a changed file again, and to lose unsaved changes.
   std::function<bool(const QString& file)> ask_reload;
+  /// Whether to save over what another program has written there since it was read.
+  std::function<bool(const QString& file)> ask_overwrite;
   std::function<Recovering(const QString& what)> ask_recover;
   /// Asks whether a scene may name these files outside of its folder.
   std::function<Consent(const QString& scene, const QStringList& paths)> ask_paths;

@@ -32,6 +32,11 @@ FileWatch::Stamp FileWatch::stamp_of(const QString& file) {
   return {true, info.size(), info.lastModified()};
 }
 
+bool FileWatch::has_untold(const QString& file) const {
+  const Stamp now = stamp_of(file);
+  return now.exists && known_.contains(file) && !(now == known_[file]);
+}
+
 /// Again and again until all that changed has come to rest. What is gone may come back: it is
 /// looked for as long as it is missing.
 void FileWatch::look() {

@@ -20,6 +20,9 @@ class FileWatch : public QObject {
   /// Watches these files from now on, starting from their present state.
   void watch(const QStringList& files);
 
+  /// Whether a watched file has changed, and that has not been reported yet.
+  bool has_untold(const QString& file) const;
+
   std::function<void(const QString& file)> changed;
   std::function<void(const QString& file)> vanished;  ///< once, until it is there again
 

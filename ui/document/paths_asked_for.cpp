@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <system_error>
 
-#include "engine/scene/scene.hpp"
+#include "engine/recording/recording.hpp"
+#include "engine/scene/write_scene.hpp"
 #include "ui/base/resources.hpp"
 
 namespace sonde::ui {
 namespace {
 
-constexpr int most_scenes = 100;
+constexpr int most_files = 100;
 const QString agreements_key = QStringLiteral("paths_agreed_to");
 const QChar between_paths('\n');  // in no name that anybody has given
 
@@ -24,37 +25,42 @@ QString links_followed(const std::filesystem::path& path) {
   return written(error ? path : canonical);
 }
 
-/// Each a scene and what it may name.
+/// Each a scene or a recording, and what it may name.
 QStringList agreements() { return QSettings().value(agreements_key).toStringList(); }
 
-QStringList agreed_to(const QString& scene) {
+QStringList agreed_to(const QString& file) {
   for (const QString& entry : agreements())
-    if (const QStringList parts = entry.split(between_paths); parts[0] == scene)
-      return parts.mid(1);
+    if (const QStringList parts = entry.split(between_paths); parts[0] == file) return parts.mid(1);
   return {};
 }
 
-std::filesystem::path may_read_in(const std::filesystem::path& scene) {
+bool is_our_own(const std::filesystem::path& file) {
   std::error_code error;
   const auto scenes =
       std::filesystem::canonical(resource(QStringLiteral("scenes")).toStdString(), error);
-  return !error && lies_within(scenes, scene) ? scenes.parent_path() : scene.parent_path();
+  return !error && lies_within(scenes.parent_path(), file);
+}
+
+std::vector<std::filesystem::path> paths_beside(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  return is_recording(file) ? recorded_paths_out_of(folder, file) : paths_out_of(folder, file);
 }
 
 }  // namespace
 
-QStringList paths_to_ask_for(const std::filesystem::path& scene) {
-  const QStringList agreed = agreed_to(links_followed(scene));
+QStringList paths_to_ask_for(const std::filesystem::path& file) {
+  const QStringList agreed = agreed_to(links_followed(file));
   QStringList out;
-  for (const std::filesystem::path& path : paths_out_of(may_read_in(scene), scene))
-    if (const QString file = links_followed(path); !agreed.contains(file)) out << file;
+  for (const std::filesystem::path& path : paths_beside(file))
+    if (const QString named = links_followed(path); !is_our_own(path) && !agreed.contains(named))
+      out << named;
   out.removeDuplicates();
   return out;
 }
 
-void agree_to_paths(const std::filesystem::path& scene, const QStringList& paths) {
+void agree_to_paths(const std::filesystem::path& file, const QStringList& paths) {
   if (paths.isEmpty()) return;
-  const QString name = links_followed(scene);
+  const QString name = links_followed(file);
   QStringList parts = QStringList(name) + agreed_to(name) + paths;
   parts.removeDuplicates();
   QStringList all = agreements();
@@ -63,7 +69,15 @@ void agree_to_paths(const std::filesystem::path& scene, const QStringList& paths
                 [&](const QString& entry) { return entry.section(between_paths, 0, 0) == name; }),
             all.end());
   all.prepend(parts.join(between_paths));
-  QSettings().setValue(agreements_key, QStringList(all.mid(0, most_scenes)));
+  QSettings().setValue(agreements_key, QStringList(all.mid(0, most_files)));
+}
+
+void agree_to_paths_of(const Scene& scene, const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  QStringList named;
+  for (const std::filesystem::path& path : paths_out_of(folder, scene_text(scene, folder), file))
+    named << links_followed(path);
+  agree_to_paths(file, named);
 }
 
 }  // namespace sonde::ui

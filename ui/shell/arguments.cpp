@@ -5,17 +5,17 @@
 #include <iostream>
 
 #include "engine/scene/scene.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::ui {
 
 void declare_command_line(CLI::App& app, Arguments& arguments) {
   app.name("sonde-view");
   app.description("Feel how two polygon soups touch: the desktop program.");
-  app.set_version_flag("--version", SONDE_VERSION);
+  app.set_version_flag("--version", "sonde-view " SONDE_VERSION);
   app.add_option("files", arguments.files,
                  "A scene (NAME.sonde.json), or two meshes: the probe and the fixed body")
-      ->type_name("SCENE | PROBE FIXED")
-      ->expected(0, 2);
+      ->type_name("SCENE | PROBE FIXED");
   app.add_option_function<std::string>(
          "--unit", [&](const std::string& unit) { arguments.unit = unit_in_metres(unit); },
          "Unit of two meshes: m, cm, mm, um, in or ft")
@@ -36,6 +36,17 @@ void declare_command_line(CLI::App& app, Arguments& arguments) {
   app.footer("Without files: the start page; for a picture, the scene spoon-in-cup.");
 }
 
+namespace {
+
+Parsed refused(const std::string& reason) {
+  std::cerr << "sonde-view: " << printable(reason) << "\nTry 'sonde-view --help'.\n";
+  Parsed parsed;
+  parsed.exit_code = 2;
+  return parsed;
+}
+
+}  // namespace
+
 Parsed parse_arguments(int argc, char** argv) {
   Parsed parsed;
   Arguments& arguments = parsed.arguments;
@@ -44,17 +55,19 @@ Parsed parse_arguments(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    parsed.exit_code = app.exit(error) == 0 ? 0 : 2;
-    return parsed;
+    if (error.get_exit_code() == 0) {
+      parsed.exit_code = app.exit(error);  // help and version are no errors
+      return parsed;
+    }
+    return refused(error.what());
   }
-  if (app.count("--device") > 0 && arguments.device.empty()) {
-    std::cerr << "sonde-view: --device wants a name, a path or auto\n";
-    parsed.exit_code = 2;
-  }
-  if (arguments.files.size() == 1 && arguments.unit) {
-    std::cerr << "sonde-view: --unit is for two meshes; a scene says its own\n";
-    parsed.exit_code = 2;
-  }
+  if (arguments.files.size() > 2)
+    return refused("one scene or two meshes are opened, not " +
+                       std::to_string(arguments.files.size()) + " files");
+  if (app.count("--device") > 0 && arguments.device.empty())
+    return refused("--device wants a name, a path or auto");
+  if (arguments.files.size() == 1 && arguments.unit)
+    return refused("--unit is for two meshes; a scene says its own");
   return parsed;
 }
 

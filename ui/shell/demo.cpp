@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "engine/scene/path_hand.hpp"
+#include "engine/text/printable.hpp"
+#include "ui/base/terminal.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/views/viewport.hpp"
 
@@ -127,12 +129,12 @@ void Demo::rest(double seconds) {
 
 int Demo::finish() {
   if (!window_.shown() || lit_share(window_.viewport().picture()) < least_lit) {
-    std::fprintf(stderr, "sonde-view: nothing was drawn\n");
+    tell_terminal("nothing was drawn");
     return 4;
   }
   if (!window_.save_picture(QString::fromStdString(picture_))) return 3;
   const Snapshot& s = *window_.shown();
-  std::printf("%s\n", picture_.c_str());
+  std::printf("%s\n", printable(picture_).c_str());
   std::printf("depth held %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
               s.separation.translation, s.separation.rotation);
   if (const auto& c = window_.searched()) {

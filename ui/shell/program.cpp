@@ -5,7 +5,6 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <clocale>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "ui/actions/document_control.hpp"
 #include "ui/base/freed_memory.hpp"
 #include "ui/base/resources.hpp"
+#include "ui/base/terminal.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/devices/device_control.hpp"
 #include "ui/shell/arguments.hpp"
@@ -47,7 +47,7 @@ const char* no_display() {
 
 /// Qt aborts, with a core file, where the display cannot be opened. One line does.
 void on_message(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
-  std::fprintf(stderr, "sonde-view: %s\n", message.toLocal8Bit().constData());
+  for (const QString& line : message.split('\n')) tell_terminal(line.toStdString());
   if (type == QtFatalMsg) std::_Exit(our_fault);
 }
 
@@ -60,7 +60,7 @@ QStringList files_to_open(const Arguments& arguments) {
 
 int picture_and_code(MainWindow& window, const std::string& file) {
   if (lit_share(window.viewport().picture()) <= 0) {
-    std::fprintf(stderr, "sonde-view: nothing was drawn\n");
+    tell_terminal("nothing was drawn");
     return our_fault;
   }
   return window.save_picture(QString::fromStdString(file)) ? 0 : bad_input;
@@ -81,9 +81,7 @@ void when_opened(MainWindow& window, const Arguments& arguments) {
   }
 }
 
-void say(const QString& reason) {
-  std::fprintf(stderr, "sonde-view: %s\n", reason.toLocal8Bit().constData());
-}
+void say(const QString& reason) { tell_terminal(reason.toStdString()); }
 
 /// Bad input on the command line ends the program; later, a message box says it.
 void open_command_line(MainWindow& window, const Arguments& arguments) {
@@ -94,7 +92,9 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
     window.prompts().ask_bodies = [](const MeshPair&, const PairSetup& guess) {
       return std::optional(guess);
     };
-    window.prompts().ask_paths = [](const QString&, const QStringList&) {
+    window.prompts().ask_paths = [](const QString& file, const QStringList& paths) {
+      say(QStringLiteral("%1 names files outside of its folder: %2")
+              .arg(file, paths.join(QStringLiteral(", "))));
       return Consent::once;  // as `sonde` reads it: nobody is there to ask
     };
   }
@@ -152,7 +152,7 @@ int run(int argc, char** argv) {
   const Parsed parsed = parse_arguments(argc, argv);
   if (parsed.exit_code) return *parsed.exit_code;
   if (const char* reason = no_display()) {
-    std::fprintf(stderr, "sonde-view: %s\n", reason);
+    tell_terminal(reason);
     return our_fault;
   }
   return_freed_memory();

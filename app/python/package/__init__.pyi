@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import List
+import os
+from typing import List, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +14,7 @@ class Body:
         self, vertices: ArrayLike, faces: ArrayLike, model: str = "auto", name: str = "body"
     ) -> None: ...
     @staticmethod
-    def read(file: str, model: str = "auto", scale: float = 1.0) -> Body: ...
+    def read(file: Union[str, os.PathLike[str]], model: str = "auto", scale: float = 1.0) -> Body: ...
     @property
     def name(self) -> str: ...
     @property

@@ -84,17 +84,19 @@ std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study
 
 }  // namespace
 
-// "parts" alone is what another process has just begun; hidden files are not yet whole.
+// An empty "parts" alone is what another process has just begun; hidden files are not yet whole.
 void refuse_other_things(const fs::path& folder) {
   if (fs::exists(study_file(folder))) return;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name != "parts" && name != "study.json" && !name.starts_with('.'))
-      throw InputError::in(
-          folder.string(),
-          "holds \"" + name + "\" and no study; take an empty folder or a new one");
-  }
+  for (const char* inside : {"", "parts"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / inside, error)) {
+      const fs::path name = inside / entry.path().filename();
+      if (name == "parts" && entry.is_directory(error)) continue;
+      if (name != "study.json" && !name.filename().string().starts_with('.'))
+        throw InputError::in(
+            folder.string(),
+            "holds \"" + name.string() + "\" and no study; take an empty folder or a new one");
+    }
 }
 
 // Parts depend on nothing but `about` and their name: another list of parts (contacts of one kind,

@@ -58,7 +58,7 @@ std::optional<Shard> shard_of(std::string_view text);
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Throws InputError where the folder holds other things and no study: to be asked before a study
-/// is planned, where that takes seconds.
+/// is planned, which may take long.
 void refuse_other_things(const std::filesystem::path& folder);
 
 /// Makes the folder the study's: writes its study.json. A folder with other parts of the same study

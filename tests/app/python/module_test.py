@@ -5,6 +5,7 @@ import ast
 import csv
 import math
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -75,12 +76,20 @@ def declarations():
         return ast.parse(f.read()).body
 
 
+# What the compiled module says, and the words for it.
+DECLARED = {
+    "numpy.ndarray[numpy.float64]": "ArrayLike",
+    "object": "ArrayLike",
+    "os.PathLike": "Union[str, os.PathLike[str]]",
+}
+
+
 def signature_in(node):
     """Names, defaults and types of a declared function; what is told by name alone comes last."""
     types = {arg.arg: arg.annotation for arg in node.args.args + node.args.kwonlyargs}
     types["return"] = node.returns
     words = {
-        name: re.sub(r"sonde\._sonde\.|^numpy\.ndarray\[.*", "", ast.unparse(kind)) or "ArrayLike"
+        name: DECLARED.get(ast.unparse(kind), ast.unparse(kind).replace("sonde._sonde.", ""))
         for name, kind in types.items()
         if kind and name != "self"
     }
@@ -165,6 +174,15 @@ class Module(unittest.TestCase):
             sonde.Body.read("nowhere.off")
         with self.assertRaisesRegex(ValueError, r"\(n, 3\)"):
             sonde.Body([1, 2, 3], FACES)
+        for faces in (numpy.array(FACES) + 0.9, numpy.array(FACES, float), [["a", "b", "c"]]):
+            with self.assertRaisesRegex(ValueError, "faces must be integers"):
+                sonde.Body(CORNERS, faces)
+        for kind in (numpy.int8, numpy.uint32, numpy.int64):
+            self.assertEqual(sonde.Body(CORNERS, numpy.array(FACES, kind)).triangles, 12)
+
+    def test_a_file_may_be_named_by_a_path(self):
+        file = pathlib.Path(MODELS) / "cup.ply"
+        self.assertEqual(sonde.Body.read(file).triangles, sonde.Body.read(str(file)).triangles)
 
     def test_what_is_no_pose_is_refused_with_the_reason(self):
         for poses, reason in (
@@ -216,11 +234,14 @@ class Module(unittest.TestCase):
         declared = {node.name: node for node in declarations() if hasattr(node, "name")}
         for name in sonde.__all__:
             self.assertIn(name, declared)
-            self.assertTrue(getattr(sonde, name).__doc__ or name == "InputError", name)
+            self.assertTrue(getattr(sonde, name).__doc__, name)
         for kind in (sonde.Body, sonde.Depths, sonde.Follower):
             methods = {node.name for node in declared[kind.__name__].body}
             there = {name for name in vars(kind) if name[0] != "_" or name == "__len__"}
             self.assertEqual(methods - {"__init__"}, there)
+            for name in there - {"__len__"}:
+                words = getattr(kind, name).__doc__.split("\n\n", 1)  # behind the signature
+                self.assertTrue(words[-1].strip() and "->" not in words[-1], name)
 
     def test_functions_are_declared_as_they_are(self):
         functions = [node for node in declarations() if isinstance(node, ast.FunctionDef)]

@@ -8,7 +8,9 @@
 #include <QFile>
 #include <filesystem>
 
+#include "engine/recording/recording_header.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/actions/history_control.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -106,6 +108,38 @@ TEST_F(PathsAskedFor, what_the_user_saves_is_the_users) {
   ASSERT_TRUE(window->documents().save_as());
   open_file(file);
   EXPECT_EQ(opened, 2);
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+}
+
+/// A recording holds a scene, whose gains may lie in a file as well.
+TEST_F(PathsAskedFor, what_the_scene_of_a_recording_names_is_too) {
+  const auto recording = folder / "own/hostile.sonderec";
+  Scene scene = read_scene(write_scene("../other/cube.off"));
+  const std::string honest = header_bytes(header_of(scene, 0.05), recording);
+  folder.write("own/hostile.sonderec", honest);
+  consent = Consent::refused;
+  paths_asked_for.clear();
+  window->history().open_recording(QString::fromStdString(recording.string()));
+  ASSERT_TRUE(wait_until([this] { return failed == 1; }));
+  EXPECT_EQ(paths_asked_for, QStringList(canonical(cube_elsewhere)));
+  EXPECT_FALSE(window->shown().has_value());
+  consent = Consent::kept;
+  window->history().open_recording(QString::fromStdString(recording.string()));
+  ASSERT_TRUE(wait_until([this] { return !complaints.empty(); }));
+  EXPECT_TRUE(complaints[0].contains("holds no tick")) << "it has been opened";
+  EXPECT_EQ(paths_asked_for.size(), 2);
+}
+
+TEST_F(PathsAskedFor, what_the_user_records_is_the_users) {
+  open_file(write_scene("../other/cube.off"));
+  const auto file = folder / "own/mine.sonderec";
+  window->history().record(QString::fromStdString(file.string()));
+  wait(50);
+  window->history().set_recording(false);
+  ASSERT_TRUE(wait_until([this] { return !window->history().recorder().ending(); }));
+  paths_asked_for.clear();
+  window->history().open_recording(QString::fromStdString(file.string()));
+  ASSERT_TRUE(wait_until([this] { return window->history().looking_back(); }));
   EXPECT_TRUE(paths_asked_for.isEmpty());
 }
 

@@ -54,6 +54,7 @@ const Opening openings[] = {
     {"leaving", by_prompt([](const Prompts& p) { p.ask_leaving("cubes"); })},
     {"save", by_prompt([](const Prompts& p) { p.ask_save("cubes.sonde.json"); })},
     {"reload", by_prompt([](const Prompts& p) { p.ask_reload("cubes.sonde.json"); })},
+    {"overwrite", by_prompt([](const Prompts& p) { p.ask_overwrite("cubes.sonde.json"); })},
     {"paths", by_prompt([](const Prompts& p) { p.ask_paths("cubes", {"/elsewhere/cube.off"}); })},
     {"recover", by_prompt([](const Prompts& p) { p.ask_recover("cubes"); })},
     {"replace", by_prompt([](const Prompts& p) { p.ask_replace("cubes.contacts.csv"); })},

@@ -17,16 +17,30 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(Program, help_and_version_need_no_display) {
-  EXPECT_EQ(run("--version", "DISPLAY=").exit_code, 0);
+  EXPECT_EQ(run("--version", "DISPLAY=").out, "sonde-view " SONDE_VERSION "\n");
   const Outcome help = run("--help", "DISPLAY=");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.out, HasSubstr("--demo"));
+  EXPECT_THAT(help.out, HasSubstr("[files...]"));
 }
 
 TEST_F(Program, wrong_usage_is_2) {
   EXPECT_EQ(run("--nonsense").exit_code, 2);
   EXPECT_EQ(run("a b c").exit_code, 2);
   EXPECT_EQ(run("a b --unit parsec").exit_code, 2);
+}
+
+TEST_F(Program, control_characters_in_what_it_reads_are_written_out) {
+  const std::string red = "\x1b[31m";
+  folder.write(red + "bad.sonde.json", R"({"pro\u001b[31mbe": 1})");
+  for (const std::string& arguments :
+       {"'" + red + "none.sonde.json' --screenshot x.png",
+        "'" + red + "bad.sonde.json' --screenshot x.png", "--device '" + red + "'",
+        "a b --unit '" + red + "'", "'" + red + ".off' b --screenshot x.png"}) {
+    const Outcome refused = run(arguments);
+    EXPECT_THAT(refused.err, HasSubstr("\\x1b[31m")) << arguments;
+    EXPECT_EQ(refused.err.find('\x1b'), std::string::npos) << arguments;
+  }
 }
 
 TEST_F(Program, a_device_that_nothing_is_called_is_wrong_usage) {
