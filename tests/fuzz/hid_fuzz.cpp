@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as what a device says: its report descriptor, and reports by it and by the protocol.
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <span>
 
 #include "engine/base/error.hpp"
+#include "engine/devices/force_device.hpp"
 #include "engine/devices/force_protocol.hpp"
 #include "engine/devices/hid_report_descriptor.hpp"
 #include "engine/devices/space_mouse.hpp"
@@ -19,6 +22,37 @@ void hear(const sonde::HidReportDescriptor& descriptor, std::span<const std::uin
   sonde::DeviceSample sample;
   for (int i = 0; i < 2; ++i) driver.accept(report, {}, sample);
   sonde::fuzz::require((sample.deflection.array().abs() <= 1).all(), "a deflection in its range");
+}
+
+/// A host and a device that works, with reports of any bytes between those of the device: what the
+/// host takes over can be true, and what it answers stays within the limits.
+void hear(const sonde::force_protocol::Limits& limits, std::span<const std::uint8_t> bytes) {
+  using namespace sonde;
+  using force_protocol::PoseReport;
+  ForceDevice host(limits);
+  DeviceSample sample;
+  PoseReport working;
+  DeviceClock::time_point now{};
+  const auto step = [&] {
+    now += std::chrono::milliseconds(1);
+    ++working.sequence;
+    working.time_us += 1000;
+    host.accept(encode(working), now, sample);
+  };
+  for (int i = 0; i < ForceDevice::enough_in_a_row; ++i) step();
+  fuzz::require(sample.state == DeviceState::ready, "a device that works is ready");
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), PoseReport::bytes))) {
+    host.accept(bytes, now, sample);
+    fuzz::require(sample.X_BH.p.allFinite() && std::abs(sample.X_BH.q.norm() - 1) < 1e-6,
+                  "a pose that is taken over is one");
+    DeviceWrench wrench{.force = Vec3::Constant(1e300), .torque = Vec3::Constant(-1e300)};
+    if (const auto heard = force_protocol::decode_wrench(bytes)) wrench = heard->wrench;
+    const auto answer = force_protocol::decode_wrench(host.wrench_report(wrench, true));
+    fuzz::require(answer && answer->wrench.force.norm() <= limits.max_force * (1 + 1e-5) &&
+                      answer->wrench.torque.norm() <= limits.max_torque * (1 + 1e-5),
+                  "a wrench stays within the limits");
+    step();
+  }
 }
 
 }  // namespace
@@ -43,6 +77,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(std::ranges::equal(encode(*decode_pose(bytes)), bytes), "a pose survives");
   }
   decode_wrench(report);
-  if (const auto limits = decode_limits(report)) fault_of(*limits);
+  Limits limits{.max_force = 8, .max_torque = 0.25, .reach = Vec3::Constant(0.2)};
+  std::span<const std::uint8_t> rest = report;
+  if (const auto sent = decode_limits(report)) {
+    rest = rest.subspan(Limits::bytes);
+    if (fault_of(*sent).empty()) limits = *sent;
+  }
+  hear(limits, rest);
   return 0;
 }
