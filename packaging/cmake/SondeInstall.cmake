@@ -92,7 +92,15 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/sondeConfigVersion.cmake
 install(FILES "${PROJECT_BINARY_DIR}/sondeConfig.cmake"
               "${PROJECT_BINARY_DIR}/sondeConfigVersion.cmake"
         DESTINATION "${SONDE_CMAKE_FOLDER}" COMPONENT development)
-file(RELATIVE_PATH SONDE_PREFIX_FROM_PC "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+# Relative to itself, so that all may be moved; but where the libraries have a place of their own.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(SONDE_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+  set(SONDE_PC_LIBDIR "${CMAKE_INSTALL_LIBDIR}")
+else()
+  file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  set(SONDE_PC_PREFIX "\${pcfiledir}/${up}")
+  set(SONDE_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+endif()
 configure_file("${SONDE_PACKAGING}/cmake/sonde.pc.in" "${PROJECT_BINARY_DIR}/sonde.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/sonde.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
         COMPONENT development)

@@ -54,6 +54,7 @@ endif()
 
 set(same "(= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS "sonde ${same}") # its scenes and manual
+set(CPACK_DEBIAN_VIEW_PACKAGE_SUGGESTS ffmpeg) # which makes films of pictures
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libsonde${SONDE_SOVERSION} ${same}, libeigen3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)

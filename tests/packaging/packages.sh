@@ -1,7 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The packages are made, lintian finds neither error nor warning in them, together they hold what
-# `cmake --install` installs, the program runs from them, and dpkg removes all of it again.
+# `cmake --install` installs, both programs run from them (the window where there is a display), and
+# dpkg removes all of it again.
 source "$(dirname "$0")/support.sh"
 
 need lintian
@@ -25,6 +26,12 @@ cd "$work"
 "$root/usr/bin/sonde" query "$root/usr/share/sonde/scenes/spoon-in-cup.sonde.json" \
   --poses "$poses" --quiet >result.csv
 grep -q '^0,penetrating,' result.csv || complain "no depth: $(cat result.csv)"
+view=$root/usr/bin/sonde-view
+if [[ -x $view ]] && has_display; then
+  HOME=$work XDG_CONFIG_HOME=$work XDG_DATA_HOME=$work "$view" \
+    "$root/usr/share/sonde/scenes/linked-tori.sonde.json" --screenshot picture.png
+  file picture.png | grep -q 'PNG image data' || complain "no picture"
+fi
 mapfile -t names < <(dpkg-query --admindir="$root/var/lib/dpkg" -W -f '${Package}\n')
 [[ ${#names[@]} -ge 3 ]] || complain "packages: ${names[*]}"
 in_root --purge "${names[@]}"

@@ -12,6 +12,10 @@ query "$sonde" "$PREFIX/share/sonde" | cut -d, -f1-15 >installed.csv
 query "$BUILD/bin/sonde" "$SOURCE/resources" | cut -d, -f1-15 >built.csv
 grep -q '^0,penetrating,' installed.csv || complain "no depth: $(cat installed.csv)"
 cmp installed.csv built.csv
+# By a link the examples of the manual, which name files of the sources, run as they stand.
+mkdir own
+(cd own && ln -s "$PREFIX/share/sonde" resources && query "$sonde" resources) | cut -d, -f1-15 |
+  cmp installed.csv -
 # The Python module of there finds the same depth.
 modules=$PREFIX/lib/python3/dist-packages
 if [[ -d $modules/sonde ]]; then

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A dry run of a release names every step and does none; it refuses versions that differ, a tag that
-# is there and changes that are not committed. In a repository of its own.
+# is there and changes that are not committed, new files among them. In a repository of its own.
 source "$(dirname "$0")/support.sh"
 
 need git
@@ -32,6 +32,9 @@ refused() { # WORDS
 echo "# more" >>CMakeLists.txt
 refused "not committed"
 git checkout -q CMakeLists.txt
+touch "packaging/not known to git"
+refused "not committed"
+rm "packaging/not known to git"
 git tag "v$VERSION"
 refused "the tag v$VERSION is there already"
 git tag -d "v$VERSION" >/dev/null

@@ -16,6 +16,13 @@ need() {
   command -v "$1" >/dev/null || complain "$1 is missing: packaging/deps installs it"
 }
 
+# Whether there is a display to open a window on. In CI there is one.
+has_display() {
+  [[ -z ${DISPLAY:-} ]] || return 0
+  [[ ${CI:-} != true ]] || complain "no display: packaging/test starts one"
+  return 1
+}
+
 # same_output EXPECTED COMMAND...
 same_output() {
   local expected=$1 got

@@ -17,11 +17,17 @@ copy=$work/copy
 mkdir "$copy"
 cp -r "$source/"{packaging,resources,engine,ui,app,CMakeLists.txt} "$copy"
 rm "$copy/resources/docs/images/sonde-view.png" "$copy"/resources/scenes/*.png \
-  "$copy"/resources/docs/images/{compare,traces}-spoon-in-cup.svg
+  "$copy"/resources/docs/images/{compare,traces}-spoon-in-cup.svg \
+  "$copy"/packaging/desktop/hicolor/*/apps/*.png
 "$copy/packaging/pictures" "$build"
 for name in two-depths architecture; do
   cmp "$source/resources/docs/images/$name.svg" "$copy/resources/docs/images/$name.svg" ||
     complain "$name.svg is not what its program draws: packaging/pictures BUILD $name"
+done
+icons=packaging/desktop/hicolor
+for size in 48x48 256x256; do
+  cmp "$source/$icons/$size/apps/org.sonde.View.png" "$copy/$icons/$size/apps/org.sonde.View.png" ||
+    complain "an icon is not its SVG: packaging/pictures BUILD icons"
 done
 for name in {compare,traces}-spoon-in-cup; do
   grep -q '</svg>' "$copy/resources/docs/images/$name.svg" || complain "no $name.svg"
