@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The blocks of the manual's pages that are set apart, and of which kind each is.
+"""The blocks of the manual's pages that are set apart, of which kind each is, and the commands
+within the text.
 
 A comment above a block says its kind:
 
 <!-- full: WHY -->         commands that take long: run by the full check alone
-<!-- not run: WHY -->      commands that no check here can run; "FILE runs it" says which test does
+<!-- not run: WHY -->      commands that no check here can run. WHY names the test that has their
+                           work or a sample of it, a path under tests/; "FILE runs it" says that
+                           the file runs each of them. "no test: WHY" says why there can be none
 <!-- copy of: FILE -->     the code of that file
 <!-- c++: WHAT FOR -->     statements that are compiled, with what manual_check.py gives them
 <!-- python: WHAT FOR -->  Python that is run
@@ -24,6 +27,9 @@ SHOWN = re.compile("|".join((
     r"^[0-9A-F]{2}( |$)",                  # bytes
     r"^@\w+ +- ",                          # limits.conf
     r"^[a-z_]+\(.*\)$")))                  # CMake
+# What a command within the text begins with.
+PROGRAM = re.compile(r"(sonde(-[a-z-]+)?|(test|fuzz)_\w+|cmake|ctest|(\.ci|packaging)/\S+"
+                     r"|build/\w+/bin/\S+)( |$)")
 
 
 @dataclass
@@ -72,3 +78,12 @@ def blocks_of(page):
 def marks_in(page):
     """How many comments of the page are of the marks' form, wherever they are."""
     return len(re.findall(r"^ *" + MARK.pattern, page.read_text("utf-8"), re.MULTILINE | re.DOTALL))
+
+
+def commands_within(page):
+    """Code within the text or a table that begins as a command does, each with its line."""
+    text = re.sub(r"^(    |\t).*$", "", page.read_text("utf-8"), flags=re.MULTILINE)
+    for found in re.finditer(r"`((?:[^`\n]|\n(?!\s*\n))+)`", text):
+        command = " ".join(found[1].split())
+        if PROGRAM.match(command):
+            yield text.count("\n", 0, found.start()) + 1, command

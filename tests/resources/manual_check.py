@@ -4,16 +4,17 @@
 
 manual_check.py links SOURCE             every link leads to a page, a heading or a file
 manual_check.py commands SOURCE BUILD    every block of commands runs, but for those with a mark;
-                                         what commands name is there: programs, flags, presets,
-                                         targets, tests; code is that of its file, compiles or runs
+                                         what commands name is there, within the text too: programs,
+                                         flags, presets, targets, tests; code is that of its file,
+                                         compiles or runs; what no test runs is listed
 manual_check.py full SOURCE BUILD        the same, and the blocks marked <!-- full: WHY --> run too
-manual_check.py itself SOURCE            the kinds of blocks are told apart
-manual_check.py diagram SOURCE           the diagram of folders is what its script draws
+manual_check.py itself SOURCE BUILD      the kinds of blocks are told apart, faults of a page found
+manual_check.py diagram SOURCE           the diagram of folders is what its script draws, and every
+                                         picture is one that packaging/pictures draws
 
 manual_blocks.py says what a block is, and what marks there are. The blocks of a page run in their
 order in a folder of their own, which has resources/, app/ and build/release as the sources do after
-a build: what a block needs is made by those above it."""
-import os
+a build: what a block needs is made, or exported, by those above it."""
 import re
 import subprocess
 import sys
@@ -22,20 +23,9 @@ from collections import Counter
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from manual_blocks import Block, blocks_of, marks_in  # noqa: E402
+from manual_blocks import Block, blocks_of, commands_within, marks_in  # noqa: E402
 from manual_names import Tree, unkept_in, unknown_in  # noqa: E402
-
-# What the statements of a page may use.
-AROUND_STATEMENTS = """#include <sonde/sonde.hpp>
-struct Device {
-  sonde::Pose pose() const;
-  void render(const sonde::Wrench& wrench) const;
-};
-void statements(const sonde::Pair& pair, const Device& device);
-void statements(const sonde::Pair& pair, const Device& device) {
-%s
-}
-"""
+from manual_page import Page  # noqa: E402
 
 
 def pages_of(source):
@@ -74,62 +64,14 @@ def check_links(source):
         yield f"{count} links in all: they are not found"
 
 
-class Page:
-    """Runs the blocks of a page in a folder of its own."""
-
-    def __init__(self, tree, scratch):
-        self.tree, self.scratch = tree, scratch
-        for name in ("resources", "app"):
-            (scratch / name).symlink_to(tree.source / name)
-        (scratch / "build").mkdir()
-        (scratch / "build/release").symlink_to(tree.build)
-        self.environment = dict(
-            os.environ, PATH=f"{tree.build}/bin:{os.environ['PATH']}", SLURM_ARRAY_TASK_ID="1",
-            XDG_CONFIG_HOME=str(scratch), XDG_DATA_HOME=str(scratch))  # not a person's settings
-
-    def run(self, command, **more):
-        done = subprocess.run(command, cwd=self.scratch, env=dict(self.environment, **more),
-                              capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            yield f"exit code {done.returncode}:\n{done.stderr}"
-
-    def run_commands(self, block):
-        text = "\n".join(block.commands)
-        if "sonde-view" in text and not os.environ.get("DISPLAY"):
-            yield "no display: packaging/test starts one"
-            return
-        # A window stays until it is closed, but for one that writes a picture of itself.
-        text = re.sub(r"(?m)(^|&& )(\S*sonde-view)(?=\s|$)", r"\1\2 --screenshot window.png", text)
-        yield from self.run(["bash", "-euo", "pipefail", "-c", text])
-
-    def run_python(self, block):
-        yield from self.run([sys.executable, "-c", "\n".join(block.lines)],
-                            PYTHONPATH=f"{self.tree.build}/python")
-
-    def compile(self, block):
-        source = self.scratch / "statements.cpp"
-        source.write_text(AROUND_STATEMENTS % "\n".join(block.lines), "utf-8")
-        eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True,
-                               check=True).stdout.split()
-        yield from self.run([self.tree.cached("CMAKE_CXX_COMPILER"), "-std=c++20", "-fsyntax-only",
-                             "-Wall", "-Wextra", "-Werror", f"-I{self.tree.build}/include", *eigen,
-                             source])
-
-    def compare(self, block):
-        """The file's code begins after its comment."""
-        lines = (self.tree.source / block.reason).read_text("utf-8").splitlines()
-        while lines and lines[0].startswith("//"):
-            del lines[0]
-        if list(filter(None, lines)) != block.lines:
-            yield f"it is not what {block.reason} holds"
-
-
 def complaints_of(block, page, wanted):
     """What is wrong with a block."""
     if block.kind in ("commands", "full", "not run"):
         for command in block.commands:
             yield from unknown_in(command, page.tree)
         yield from unkept_in(block, page.tree)
+        if page.tree.can_run(block):
+            yield from page.unfound_in(block)
     runs = {"commands": page.run_commands, "python": page.run_python, "c++": page.compile,
             "copy of": page.compare}
     if wanted == "full":
@@ -138,27 +80,39 @@ def complaints_of(block, page, wanted):
         yield from runs[block.kind](block)
 
 
+def complaints_about(file, tree, wanted):
+    """What is wrong with a page, each with its line."""
+    blocks = list(blocks_of(file))
+    if re.search(r"^ *(```|~~~|\t)", file.read_text("utf-8"), re.MULTILINE):
+        yield f"{file}: blocks are indented by four"
+    if marks_in(file) != sum(bool(block.mark) for block in blocks):
+        yield f"{file}: a mark stands above no block"
+    for number, command in commands_within(file):
+        if not (tree.source / command).is_file():  # a path alone names a file
+            yield from (f"{file}:{number}: {what}" for what in unknown_in(command, tree))
+    with tempfile.TemporaryDirectory() as scratch:
+        page = Page(tree, Path(scratch))
+        for block in blocks:
+            yield from (f"{block.where}: {what}" for what in complaints_of(block, page, wanted))
+
+
 def check_commands(source, build, wanted):
     tree = Tree(source, build)
     kinds = Counter()
     for file in pages_of(source):
-        blocks = list(blocks_of(file))
-        if re.search(r"^ *(```|~~~|\t)", file.read_text("utf-8"), re.MULTILINE):
-            yield f"{file}: blocks are indented by four"
-        kinds.update(block.kind for block in blocks)
-        if marks_in(file) != sum(bool(block.mark) for block in blocks):
-            yield f"{file}: a mark stands above no block"
-        with tempfile.TemporaryDirectory() as scratch:
-            page = Page(tree, Path(scratch))
-            for block in blocks:
-                for complaint in complaints_of(block, page, wanted):
-                    yield f"{block.where}: {complaint}"
+        kinds["within the text"] += len(list(commands_within(file)))
+        kinds.update(block.kind for block in blocks_of(file))
+        for block in blocks_of(file):
+            if "no test: " in block.reason:
+                kinds["no test"] += 1
+                print(f"{block.where}: {block.reason}")
+        yield from complaints_about(file, tree, wanted)
     print(", ".join(f"{kind}: {count}" for kind, count in kinds.most_common()))
-    if kinds["commands"] < 10 or kinds["not run"] < 10 or kinds["shown"] < 10:
+    if min(kinds[kind] for kind in ("commands", "not run", "shown", "within the text")) < 10:
         yield f"blocks are not found: {kinds}"
 
 
-def check_itself():
+def check_kinds():
     """What no rule names is run, and so fails; a mark holds for the block below it alone."""
     page = """<!-- not run: of two
 lines -->
@@ -208,6 +162,55 @@ text
             yield f"{line} is not taken for a command"
 
 
+FAULTS = (
+    ("    sonde devices", "no block above leads to sonde"),
+    ("<!-- full: long -->\n\n    sonde devices", "no block above leads to sonde"),
+    ("<!-- not run: packaging/test does -->\n\n    packaging/soak", "no test under tests/"),
+    ("<!-- not run: tests/none.sh -->\n\n    packaging/soak", "tests/none.sh, which is not there"),
+    ("<!-- not run: tests/packaging/fuzz.sh runs it -->\n\n    packaging/fuzz\n    packaging/soak",
+     "fuzz.sh does not run packaging/soak"),
+    ("<!-- not run: tests/packaging/release.sh runs it -->\n\n    packaging/rel",
+     "release.sh does not run packaging/rel"),
+    ("`packaging/none 3`", "no script is packaging/none"),
+    ("| `packaging/none` |", "no script is packaging/none"),
+    ("`packaging/sanitize everything`", "packaging/sanitize does not know everything"),
+    ("`packaging/test -R no_such_test`", "no test is called no_such_test"),
+    ("`sonde none`", "sonde has no command none"),
+    ("`sonde\nquery --none`", "--none is no flag of sonde query"),
+    ("`cmake --build build/release --target none`", "no target is called none"),
+    ("`cmake --preset none`", "no preset is called none"),
+    ("`test_base --gtest_filter='None.*'`", "test_base has no test None.*"),
+    ("`fuzz_none`", "no program is called fuzz_none"),
+    ("`build/bench/bin/sonde-generate`", "the preset bench does not build sonde-generate"),
+)
+SOUND = """<!-- not run: no test: of a sound page -->
+
+    packaging/soak
+
+Text with `packaging/races.supp`, `sonde query --poses P` and `sonde-view`.
+
+    export PATH=$PWD/build/release/bin:$PATH
+
+Text.
+
+    sonde devices
+"""
+
+
+def check_itself(source, build):
+    yield from check_kinds()
+    tree = Tree(source, build)
+    with tempfile.TemporaryDirectory() as scratch:
+        file = Path(scratch) / "page.md"
+        for page, wanted in FAULTS:
+            file.write_text(page + "\n", "utf-8")
+            found = list(complaints_about(file, tree, "ci"))
+            if not any(wanted in complaint for complaint in found):
+                yield f"{page!r} passes for sound, or for another fault: {found}"
+        file.write_text(SOUND, "utf-8")
+        yield from complaints_about(file, tree, "ci")
+
+
 def check_diagram(source):
     with tempfile.TemporaryDirectory() as scratch:
         drawn = Path(scratch) / "architecture.svg"
@@ -215,6 +218,10 @@ def check_diagram(source):
                        check=True)
         if drawn.read_text() != (source / "resources/docs/images/architecture.svg").read_text():
             yield "architecture.svg is of other folders: resources/draw/architecture.py draws it"
+    script = (source / "packaging/pictures").read_text("utf-8")
+    for picture in (source / "resources/docs/images").iterdir():
+        if not re.search(rf"^ +{picture.stem}\)", script, re.MULTILINE):
+            yield f"packaging/pictures does not draw {picture.name}"
 
 
 def main():
@@ -222,7 +229,8 @@ def main():
     build = Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
     checks = {"links": lambda: check_links(source), "diagram": lambda: check_diagram(source),
               "commands": lambda: check_commands(source, build, "ci"),
-              "full": lambda: check_commands(source, build, "full"), "itself": check_itself}
+              "full": lambda: check_commands(source, build, "full"),
+              "itself": lambda: check_itself(source, build)}
     count = 0
     for count, complaint in enumerate(checks[what](), 1):
         print(complaint, file=sys.stderr)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the commands of the manual's pages name: programs, flags, presets, targets and tests."""
+import functools
 import json
 import os
 import re
@@ -23,6 +24,9 @@ class Tree:
         self.sources = "\n".join(path.read_text("utf-8") for path in sources)
         presets = json.loads((source / "CMakePresets.json").read_text("utf-8"))
         self.presets = {preset["name"] for preset in presets["configurePresets"]}
+        # What a preset builds, where that is not all.
+        self.builds = {preset["name"]: preset["targets"] for preset in presets["buildPresets"]
+                       if "targets" in preset}
         self.cache = (build / "CMakeCache.txt").read_text("utf-8")
         self.has_window = self.cached("SONDE_BUILD_VIEW") == "ON"
         self.has_python = (self.cached("SONDE_BUILD_PYTHON") == "ON"
@@ -44,6 +48,20 @@ class Tree:
 
     def has_program(self, name):
         return (self.build / "bin" / name).exists() or name.replace("-", "_") in self.mains
+
+    @functools.cached_property
+    def tests(self):
+        """The names of the build's tests, one on a line."""
+        found = (re.findall(r"add_test\(\[=+\[(.*?)\]=+\]", path.read_text("utf-8"))
+                 for path in (self.build / "tests").glob("**/*.cmake"))
+        return "\n".join(name for names in found for name in names)
+
+    @functools.cache
+    def help(self, *asked):
+        """What a program says of itself; nothing, where this build does not have it."""
+        program = self.build / "bin" / asked[0]
+        return program.exists() and subprocess.run([program, *asked[1:], "--help"], text=True,
+                                                   capture_output=True, check=False).stdout
 
     def chosen(self, program, pattern):
         """Whether a test program has tests of this name."""
@@ -67,12 +85,14 @@ def flags_of(words):
 
 
 def unknown_to_sonde(words, tree):
-    program = tree.build / "bin" / os.path.basename(words[0])
-    if not program.exists():
+    asked = [os.path.basename(words[0])]
+    if not tree.help(*asked):
         return
-    asked = [program] + (words[1:2] if program.name == "sonde" else [])
-    known = subprocess.run([*asked, "--help"], capture_output=True, text=True, check=False)
-    text = known.stdout + " --help --version"
+    if asked == ["sonde"] and len(words) > 1 and not words[1].startswith("-"):
+        if not re.search(rf"^  {words[1]} ", tree.help("sonde"), re.MULTILINE):
+            yield f"sonde has no command {words[1]}"
+        asked.append(words[1])
+    text = tree.help(*asked) + " --help --version"
     yield from (f"{flag} is no flag of {' '.join(words)}" for flag in flags_of(words)
                 if not re.search(re.escape(flag) + r"(?![a-z-])", text))
 
@@ -95,8 +115,16 @@ def unknown_to_script(words, tree):
     if not os.access(script, os.X_OK):
         yield f"no script is {words[0]}"
         return
-    text = script.read_text("utf-8") + tree.sources
-    yield from (f"{words[0]} does not know {flag}" for flag in flags_of(words) if flag not in text)
+    text = script.read_text("utf-8")
+    yield from (f"{words[0]} does not know {flag}" for flag in flags_of(words)
+                if flag not in text + tree.sources)
+    for before, word in zip(words, words[1:]):
+        if re.fullmatch(r"[a-z][a-z-]*", word) and not before.startswith("-"):
+            if not re.search(rf"\b{word}\b", text):
+                yield f"{words[0]} does not know {word}"
+        if before == "-R" and (tree.has_window or not word.startswith("ui")):
+            if not re.search(word, tree.tests):
+                yield f"no test is called {word}"
 
 
 def unknown_to_program(words, tree):
@@ -105,6 +133,9 @@ def unknown_to_program(words, tree):
         if tree.has_window or not program.startswith("test_ui"):
             yield f"no program is called {program}"
         return
+    preset = words[0].split("/")[1] if words[0].startswith("build/") else ""
+    if program.replace("-", "_") not in tree.builds.get(preset, [program.replace("-", "_")]):
+        yield f"the preset {preset} does not build {program}"
     for word in words[1:]:
         if word.startswith("--gtest_filter="):
             for pattern in word.partition("=")[2].split(":"):
@@ -122,9 +153,9 @@ def unknown_in(command, tree):
             yield from unknown_to_sonde(words, tree)
         elif program == "cmake":
             yield from unknown_to_cmake(words, tree)
-        elif words[0].startswith("packaging/"):
+        elif words[0].startswith((".ci/", "packaging/")):
             yield from unknown_to_script(words, tree)
-        elif words[0].startswith(("build/", "test_")) or program.startswith("sonde-"):
+        elif words[0].startswith(("build/", "test_", "fuzz_")) or program.startswith("sonde-"):
             yield from unknown_to_program(words, tree)
 
 
@@ -132,15 +163,22 @@ def names_of(block):
     """By what a file that runs a block's commands tells that it does: the programs and commands."""
     for command in block.commands:
         for words in programs_in(command):
-            name = os.path.basename(words[0])
+            name = words[0] if words[0].startswith("packaging/") else os.path.basename(words[0])
             yield words[1] if name == "sonde" else name
 
 
 def unkept_in(block, tree):
-    """The files of a reason that are not there, or are said to run what they do not name."""
-    for name, runs in FILE.findall(block.reason):
+    """The files of a reason that are not there, or are said to run what they do not name; and
+    whether it names a test at all."""
+    named = FILE.findall(block.reason)
+    for name, runs in named:
         path = tree.source / name
         if not path.exists():
             yield f"the reason names {name}, which is not there"
-        elif runs and not any(word in path.read_text("utf-8") for word in names_of(block)):
-            yield f"{name} runs nothing of the block"
+        elif runs:
+            text = path.read_text("utf-8")
+            yield from (f"{name} does not run {word}" for word in names_of(block)
+                        if not re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", text))
+    if block.mark == "not run" and "no test: " not in block.reason:
+        if not any(name.startswith("tests/") for name, _ in named):
+            yield "the reason names no test under tests/, nor says \"no test: WHY\""
