@@ -42,6 +42,7 @@ std::string inputs_text(const Scene& scene, const Pair& pair, const DeviceProfil
 
 void run(const CompareOptions& options) {
   check_output(options.study);
+  refuse_other_things(options.study.out);
   const Scene scene = scene_for(options);
   std::vector<TimedPose> path = path_to_study(*scene.trajectory);
   std::optional<DeviceProfile> device;

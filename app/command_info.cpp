@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iostream>
 #include <memory>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/mesh_report.hpp"
 #include "app/recordings.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::app {
 namespace {
@@ -16,6 +18,7 @@ struct InfoOptions {
   std::string model = "auto";
   std::string unit = "m";
   double scale = 1;
+  std::string within;  ///< the folder that a recording's paths stay in, or empty
   OutputOptions output;
 };
 
@@ -25,15 +28,17 @@ std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
   const double scale = unit_in_metres(options.unit).value() * options.scale;
   const Model model = model_named(options.model).value();
   std::vector<std::shared_ptr<const Body>> bodies;
-  std::string reasons;
+  std::string reason;  // the last; those before are told of
   for (const std::string& mesh : options.meshes) {
     try {
       bodies.push_back(load_body(mesh, model, scale, progress.percent("reading " + mesh)));
     } catch (const InputError& error) {
-      reasons += (reasons.empty() ? "" : "\nsonde: ") + std::string(error.what());
+      progress.clear();
+      if (!reason.empty()) std::cerr << "sonde: " << printable(reason) << '\n';
+      reason = error.what();
     }
   }
-  if (!reasons.empty()) throw InputError(reasons);
+  if (!reason.empty()) throw InputError(reason);
   return bodies;
 }
 
@@ -41,7 +46,7 @@ void describe_recordings(const InfoOptions& options) {
   std::vector<std::unique_ptr<Recording>> recordings;
   ProgressLine progress(options.output.quiet);
   for (const std::string& file : options.meshes)
-    recordings.push_back(read_recording(file, progress.percent("reading " + file)));
+    recordings.push_back(recording_at(file, options.within, progress.percent("reading " + file)));
   progress.clear();
   write_result(options.output, options.output.json ? to_json(recordings) : to_text(recordings));
 }
@@ -79,6 +84,7 @@ Command add_info_command(CLI::App& program) {
       ->add_option("--scale", options->scale, "factor for the coordinates, in addition to the unit")
       ->check(check_positive)
       ->capture_default_str();
+  add_within(*parser, options->within);
   add_flags(*parser, options->output);
   parser->get_option("--json")->description("write JSON instead of text");
   return {parser, [options] { run(*options); }};

@@ -32,6 +32,7 @@ void merge(const std::vector<std::string>& given, const std::string& out) {
   std::vector<std::filesystem::path> folders(given.begin(), given.end());
   // Parts that are there already would be kept: they must be the same.
   const std::filesystem::path there(out);
+  refuse_other_things(there);
   const auto is_out = [&](const std::filesystem::path& folder) { return folder == there; };
   if (std::filesystem::exists(there / "study.json") && std::ranges::none_of(folders, is_out))
     folders.push_back(there);

@@ -177,12 +177,7 @@ void search_rows(const Pair& pair, const Job& job, const SolverOptions& options,
 }
 
 std::unique_ptr<Recording> read(const ReplayOptions& options) {
-  const std::string& file = options.bodies.scene;
-  if (const std::string& within = options.bodies.within; !within.empty())
-    for (const std::filesystem::path& path : recorded_paths_out_of(within, file))
-      throw InputError::in(file,
-                           "its scene names " + path.string() + ", out of the folder " + within);
-  std::unique_ptr<Recording> recording = read_recording(file);
+  std::unique_ptr<Recording> recording = recording_at(options.bodies.scene, options.bodies.within);
   if (!recording->cut.empty() && !options.output.quiet)
     std::cerr << "sonde: " << printable(recording->file.string()) << ": " << recording->cut
               << "; what is before it is replayed\n";

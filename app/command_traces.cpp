@@ -40,6 +40,7 @@ std::vector<std::string> hand_names() {
 void run(const TracesOptions& options) {
   const StudyOptions& output = options.common.study;
   check_output(output);
+  refuse_other_things(output.out);
   const Scene scene = scene_of(options.common.bodies);
   const DeviceProfile device = device_named(options.common.device);
   ProgressLine progress(output.quiet);

@@ -70,6 +70,7 @@ void draw_series(const TradeOptions& options, const std::vector<TradeAnswer>& an
 }
 
 void run_pair(const TradeOptions& options) {
+  refuse_other_things(options.study.out);
   Scene scene = scene_of(options.bodies);
   if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
   std::vector<TimedPose> path;

@@ -22,6 +22,7 @@ struct TuneOptions {
 void run(const TuneOptions& options) {
   const StudyOptions& output = options.common.study;
   check_output(output);
+  refuse_other_things(output.out);
   if (!(options.low < options.high)) throw UsageError("--from must be below --to");
   const Scene scene = scene_of(options.common.bodies);
   const DeviceProfile device = device_named(options.common.device);

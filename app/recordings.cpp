@@ -73,6 +73,15 @@ Json json_of(const Recording& r) {
 
 }  // namespace
 
+std::unique_ptr<Recording> recording_at(const std::filesystem::path& file,
+                                        const std::string& within, const Progress& progress) {
+  if (!within.empty())
+    for (const std::filesystem::path& path : recorded_paths_out_of(within, file))
+      throw InputError::in(file.string(),
+                           "its scene names " + path.string() + ", out of the folder " + within);
+  return read_recording(file, progress);
+}
+
 std::string to_text(const std::vector<std::unique_ptr<Recording>>& recordings) {
   std::string text;
   for (const auto& recording : recordings)

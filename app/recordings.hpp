@@ -9,6 +9,11 @@
 
 namespace sonde::app {
 
+/// Reads a recording whose scene's paths stay in the folder (anywhere, where that is empty). Throws
+/// as read_recording, and InputError where one leads out.
+std::unique_ptr<Recording> recording_at(const std::filesystem::path& file,
+                                        const std::string& within, const Progress& progress = {});
+
 /// For the user: the content of each recording, whether its end is intact, and whether its meshes
 /// are there.
 std::string to_text(const std::vector<std::unique_ptr<Recording>>& recordings);

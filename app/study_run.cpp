@@ -27,7 +27,6 @@ void check_output(const StudyOptions& options) {
   if (std::filesystem::exists(options.out, error) &&
       !std::filesystem::is_directory(options.out, error))
     throw UsageError("--out " + options.out + " is a file; a study needs a folder");
-  refuse_other_things(options.out);
 }
 
 std::vector<TimedPose> path_to_study(const std::filesystem::path& file) {

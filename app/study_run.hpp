@@ -24,7 +24,7 @@ struct StudyOptions {
 };
 void add_flags(CLI::App& parser, StudyOptions& options);
 
-/// Refuses, before any work, an --out that is a file or a folder of other things.
+/// Refuses, before any work, an --out that is a file.
 void check_output(const StudyOptions& options);
 
 /// Reads the trajectory of a study. Throws InputError where it holds no pose, and as

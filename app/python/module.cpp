@@ -65,8 +65,7 @@ void need_columns(const py::array& array, const char* what) {
 
 /// Numbers with a fraction are no indices, and are not rounded to some.
 Faces faces_in(const py::object& given) {
-  const py::array array = py::array::ensure(given);
-  if (!array) throw py::error_already_set();
+  const py::array array(given);
   need_columns(array, "faces");
   const char kind = array.dtype().kind();
   if (array.size() > 0 && kind != 'i' && kind != 'u')

@@ -197,7 +197,11 @@ TEST_F(Trade, a_folder_of_scenes_has_a_front_and_is_joined_from_shards) {
   expect_done(pairs + "--shard 1/2 --out a --quiet");
   EXPECT_FALSE(fs::exists(folder / "a/front.svg"));
   expect_done(pairs + "--shard 2/2 --out b --quiet");
+  expect_done(pairs + "--shard 1/2 --out a --quiet");  // nothing is left to do
   expect_done("merge a b --out joined");
+  expect_done(pairs + "--shard 2/2 --out a --quiet");
+  expect_done("merge a b --out a");
+  EXPECT_TRUE(fs::exists(folder / "a/front.svg"));
   auto joined = but_for_times("joined"), alone = whole;
   for (auto* each : {&joined, &alone}) each->erase("pairs.csv");  // of times too
   EXPECT_EQ(joined, alone);

@@ -91,6 +91,8 @@ TEST_F(Usage, paths_of_a_scene_lead_anywhere_unless_they_are_kept_in_a_folder) {
   expect_done("replay up.sonderec --paths-within . --quiet");
   expect_refused("replay up.sonderec --paths-within scenes", 3,
                  "up.sonderec: its scene names small.off, out of the folder scenes");
+  expect_done("info up.sonderec --paths-within .");
+  expect_refused("info up.sonderec --paths-within scenes", 3, "out of the folder scenes");
 }
 
 TEST_F(Usage, a_mesh_that_is_missing_is_told_with_the_scenes_line) {
@@ -108,6 +110,8 @@ TEST_F(Usage, control_characters_in_a_name_are_written_out) {
   expect_refused("info '\x1b[31mbad.off'", 3, "sonde: \\x1b[31mbad.off:1: ");
   expect_refused("info '\x1b[31mnone.off'", 3, "sonde: \\x1b[31mnone.off: no such file");
   expect_refused("'\x1b[31m'", 2, "unknown command \\x1b[31m");
+  expect_refused("info none.off '\x1b[31mnone.off'", 3,
+                 "none.off: no such file\nsonde: \\x1b[31mnone.off: no such file");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ for share in "$folder/share" "$work/share"; do
   cp "$share/sonde/devices/sigma.7.json" "$share/sonde/devices/planted.json"
 done
 # The times of reading are put back, to see what is read.
-touch -a -d '2 days ago' "$work/began"
+touch -d '2 days ago' "$work/began"
 find "$folder" "$work/share" -type f -exec touch -a -d '3 days ago' {} +
 read_since() { find "$folder" "$work/share" -type f -anewer "$work/began"; }
 

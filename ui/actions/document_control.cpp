@@ -110,7 +110,9 @@ bool DocumentControl::save_as() {
 }
 
 bool DocumentControl::write(const std::filesystem::path& file) {
-  if (watch_.has_untold(text_of(file)) && !prompts_.ask_overwrite(text_of(file))) return false;
+  const bool changed_meanwhile =
+      watch_.has_untold(text_of(file)) || (reading_scene_ && file == document_.file());
+  if (changed_meanwhile && !prompts_.ask_overwrite(text_of(file))) return false;
   watch_.watch({});  // what we write ourselves is no news
   bool written = false;
   try {

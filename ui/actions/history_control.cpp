@@ -245,7 +245,7 @@ void HistoryControl::open_recording(const QString& file) {
   kept->name = QFileInfo(file).fileName();
   opener_.make_asking(
       QStringLiteral("Opening %1").arg(kept->name), file,
-      [path = absolute_path(file)](const Progress&) { return paths_to_ask_for(path); },
+      [path = absolute_path(file)](const Progress&) { return recorded_paths_to_ask_for(path); },
       [kept, path = absolute_path(file)](const Progress& progress) {
         kept->recording = read_recording(path, part_of(progress, 0, 0.2));
         check_meshes(kept->recording->header, path);

@@ -41,21 +41,26 @@ bool is_our_own(const std::filesystem::path& file) {
   return !error && lies_within(scenes.parent_path(), file);
 }
 
-std::vector<std::filesystem::path> paths_beside(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.parent_path();
-  return is_recording(file) ? recorded_paths_out_of(folder, file) : paths_out_of(folder, file);
-}
-
-}  // namespace
-
-QStringList paths_to_ask_for(const std::filesystem::path& file) {
+/// Neither our own nor agreed to before.
+QStringList to_ask_for(const std::vector<std::filesystem::path>& paths,
+                       const std::filesystem::path& file) {
   const QStringList agreed = agreed_to(links_followed(file));
   QStringList out;
-  for (const std::filesystem::path& path : paths_beside(file))
+  for (const std::filesystem::path& path : paths)
     if (const QString named = links_followed(path); !is_our_own(path) && !agreed.contains(named))
       out << named;
   out.removeDuplicates();
   return out;
+}
+
+}  // namespace
+
+QStringList paths_to_ask_for(const std::filesystem::path& scene) {
+  return to_ask_for(paths_out_of(scene.parent_path(), scene), scene);
+}
+
+QStringList recorded_paths_to_ask_for(const std::filesystem::path& recording) {
+  return to_ask_for(recorded_paths_out_of(recording.parent_path(), recording), recording);
 }
 
 void agree_to_paths(const std::filesystem::path& file, const QStringList& paths) {
@@ -74,10 +79,7 @@ void agree_to_paths(const std::filesystem::path& file, const QStringList& paths)
 
 void agree_to_paths_of(const Scene& scene, const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
-  QStringList named;
-  for (const std::filesystem::path& path : paths_out_of(folder, scene_text(scene, folder), file))
-    named << links_followed(path);
-  agree_to_paths(file, named);
+  agree_to_paths(file, to_ask_for(paths_out_of(folder, scene_text(scene, folder), file), file));
 }
 
 }  // namespace sonde::ui

@@ -8,11 +8,12 @@
 
 namespace sonde::ui {
 
-/// The files that a scene, or the scene of a recording, names outside of the folder it is in, links
-/// followed, and that the user has not agreed to yet for this file. Sonde's own files may always be
-/// named. Reads the scene and nothing that it names. Throws as read_scene and read_recording do.
-/// @p file is absolute.
-QStringList paths_to_ask_for(const std::filesystem::path& file);
+/// The files that a scene names outside of its own folder, links followed, and that the user has
+/// not agreed to yet for this scene. Sonde's own files may always be named. Reads the scene and
+/// nothing that it names. Throws as read_scene does. @p scene is absolute.
+QStringList paths_to_ask_for(const std::filesystem::path& scene);
+/// The same of the scene that a recording holds. Throws as read_recording does.
+QStringList recorded_paths_to_ask_for(const std::filesystem::path& recording);
 
 /// From now on this scene or recording may name these files. Kept with the settings of the window,
 /// for the hundred scenes that were agreed to last; an older one is asked about again.

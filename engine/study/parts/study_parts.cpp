@@ -92,10 +92,11 @@ void refuse_other_things(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / inside, error)) {
       const fs::path name = inside / entry.path().filename();
       if (name == "parts" && entry.is_directory(error)) continue;
-      if (name != "study.json" && !name.filename().string().starts_with('.'))
-        throw InputError::in(
-            folder.string(),
-            "holds \"" + name.string() + "\" and no study; take an empty folder or a new one");
+      if (name == "study.json" || name.filename().string().starts_with('.')) continue;
+      if (fs::exists(study_file(folder))) return;  // another process has written it just now
+      throw InputError::in(
+          folder.string(),
+          "holds \"" + name.string() + "\" and no study; take an empty folder or a new one");
     }
 }
 

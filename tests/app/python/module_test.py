@@ -177,6 +177,8 @@ class Module(unittest.TestCase):
         for faces in (numpy.array(FACES) + 0.9, numpy.array(FACES, float), [["a", "b", "c"]]):
             with self.assertRaisesRegex(ValueError, "faces must be integers"):
                 sonde.Body(CORNERS, faces)
+        with self.assertRaisesRegex(ValueError, "inhomogeneous|sequence"):
+            sonde.Body(CORNERS, [[0, 1, 2], [0, 1]])
         for kind in (numpy.int8, numpy.uint32, numpy.int64):
             self.assertEqual(sonde.Body(CORNERS, numpy.array(FACES, kind)).triangles, 12)
 

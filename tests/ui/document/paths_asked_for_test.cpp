@@ -4,8 +4,11 @@
 #include "ui/document/paths_asked_for.hpp"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <filesystem>
 
 #include "engine/recording/recording_header.hpp"
@@ -111,7 +114,48 @@ TEST_F(PathsAskedFor, what_the_user_saves_is_the_users) {
   EXPECT_TRUE(paths_asked_for.isEmpty());
 }
 
-/// A recording holds a scene, whose gains may lie in a file as well.
+/// The header of a recording, whose scene names a file of gains, which Sonde never writes there.
+std::string with_gains_in(const std::string& gains, const std::string& header) {
+  constexpr std::size_t head = 20, count = 4;
+  QJsonObject json =
+      QJsonDocument::fromJson(QByteArray::fromStdString(header.substr(head))).object();
+  QJsonObject scene = QJsonDocument::fromJson(json["scene"].toString().toUtf8()).object();
+  scene["coupling"] = QString::fromStdString(gains);
+  json["scene"] = QString::fromUtf8(QJsonDocument(scene).toJson());
+  const std::string text = QJsonDocument(json).toJson().toStdString();
+  const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
+  std::string out = header.substr(0, head - 2 * count);
+  for (const std::uint64_t number : {std::uint64_t(text.size()), std::uint64_t(crc)})
+    for (std::size_t byte = 0; byte < count; ++byte)
+      out += static_cast<char>(number >> (8 * byte) & 0xffU);
+  return out + text;
+}
+
+TEST_F(PathsAskedFor, gains_that_a_recording_names_are_not_read_unasked) {
+  const auto recording = folder / "own/hostile.sonderec";
+  const std::string honest =
+      header_bytes(header_of(read_scene(write_scene("cube.off")), 0.05), recording);
+  const auto bad = folder.write("other/bad.json", "none");
+  folder.write("own/hostile.sonderec", with_gains_in("../other/bad.json", honest));
+  consent = Consent::refused;
+  window->history().open_recording(QString::fromStdString(recording.string()));
+  ASSERT_TRUE(wait_until([this] { return failed == 1; }));
+  EXPECT_EQ(paths_asked_for, QStringList(canonical(bad)));
+  EXPECT_TRUE(complaints.empty()) << complaints[0].toStdString();
+  consent = Consent::once;
+  window->history().open_recording(QString::fromStdString(recording.string()));
+  ASSERT_TRUE(wait_until([this] { return failed == 2; }));
+  EXPECT_TRUE(complaints.at(0).contains("bad.json")) << complaints[0].toStdString();
+}
+
+TEST_F(PathsAskedFor, what_is_no_recording_is_said_and_nothing_asked) {
+  const auto scene = write_scene("../other/cube.off");
+  window->history().open_recording(QString::fromStdString(scene.string()));
+  ASSERT_TRUE(wait_until([this] { return failed == 1; }));
+  EXPECT_TRUE(complaints.at(0).contains("no recording begins here")) << complaints[0].toStdString();
+  EXPECT_TRUE(paths_asked_for.isEmpty());
+}
+
 TEST_F(PathsAskedFor, what_the_scene_of_a_recording_names_is_too) {
   const auto recording = folder / "own/hostile.sonderec";
   Scene scene = read_scene(write_scene("../other/cube.off"));
