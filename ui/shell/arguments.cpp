@@ -63,7 +63,7 @@ Parsed parse_arguments(int argc, char** argv) {
   }
   if (arguments.files.size() > 2)
     return refused("one scene or two meshes are opened, not " +
-                       std::to_string(arguments.files.size()) + " files");
+                   std::to_string(arguments.files.size()) + " files");
   if (app.count("--device") > 0 && arguments.device.empty())
     return refused("--device wants a name, a path or auto");
   if (arguments.files.size() == 1 && arguments.unit)
