@@ -16,7 +16,7 @@ QStringList paths_to_ask_for(const std::filesystem::path& scene);
 QStringList recorded_paths_to_ask_for(const std::filesystem::path& recording);
 
 /// From now on this scene or recording may name these files. Kept with the settings of the window,
-/// for the hundred scenes that were agreed to last; an older one is asked about again.
+/// for the hundred that were agreed to last; an older one is asked about again.
 void agree_to_paths(const std::filesystem::path& file, const QStringList& paths);
 /// The same for all that a scene names which the user writes to that file.
 void agree_to_paths_of(const Scene& scene, const std::filesystem::path& file);

@@ -54,6 +54,18 @@ TEST_F(RecordingFile, holds_what_was_written) {
   check_meshes(r->header, file);
 }
 
+TEST_F(RecordingFile, the_paths_of_its_scene_out_of_a_folder_are_listed_and_not_read) {
+  const auto file = recording("two.sonderec", made_up_ticks(2));
+  EXPECT_THAT(recorded_paths_out_of(folder.path(), file), testing::IsEmpty());
+  std::filesystem::create_directory(folder / "other");
+  std::filesystem::remove(folder / "probe.off");
+  const auto named = recorded_paths_out_of(folder / "other", file);
+  ASSERT_FALSE(named.empty());
+  EXPECT_EQ(named[0].lexically_normal(), (folder / "probe.off").lexically_normal());
+  folder.write("none.sonderec", "SONDEREC");
+  EXPECT_THROW(recorded_paths_out_of(folder.path(), folder / "none.sonderec"), InputError);
+}
+
 TEST_F(RecordingFile, cut_at_any_byte_it_is_read_up_to_the_last_whole_block) {
   TickLog log(made_up_radius, 1000);
   const std::vector<Snapshot> ticks = made_up_ticks(8);
