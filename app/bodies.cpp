@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "engine/settings/settings.hpp"
+#include "engine/text/counted.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -13,19 +15,19 @@ namespace {
 void add_models(CLI::App& parser, BodyOptions& options) {
   const auto models = CLI::IsMember({"auto", "solid", "surface"});
   const std::string doc =
-      ": solid (the interior counts), surface (only the triangles) or auto (solid where closed)";
+      ": solid (the interior counts), surface (only the triangles) or auto (solid where it "
+      "looks closed)";
   parser.add_option("--probe-model", options.probe_model, "the probe's model" + doc)->check(models);
   parser.add_option("--fixed-model", options.fixed_model, "the fixed body's model" + doc)
       ->check(models);
+  add_repair(parser, options.repair);
 }
 
 void note_changes(const char* which, const Body& body) {
-  if (body.turned)
-    std::cerr << "sonde: " << which << " " << printable(body.name)
-              << " was inside out and has been turned\n";
-  if (body.degenerate > 0)
-    std::cerr << "sonde: " << which << " " << printable(body.name) << ": " << body.degenerate
-              << " triangles without area set aside\n";
+  std::string all;
+  for (const std::string& remark : remarks_on(body)) all += (all.empty() ? "" : "; ") + remark;
+  if (!all.empty())
+    std::cerr << "sonde: " << which << " " << printable(body.name) << ": " << all << '\n';
 }
 
 }  // namespace
@@ -59,6 +61,25 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
       ->capture_default_str();
 }
 
+void add_repair(CLI::App& parser, std::string& repair) {
+  parser
+      .add_option("--repair", repair,
+                  "what is done to a mesh that is not closed: auto (cracks closed by name, parts "
+                  "turned, small openings capped; nothing moves) or none (as in the file)")
+      ->check(CLI::IsMember({"auto", "none"}));
+}
+
+std::vector<std::string> remarks_on(const Body& body) {
+  std::vector<std::string> remarks;
+  if (body.turned) remarks.emplace_back("was inside out and has been turned");
+  if (body.degenerate > 0)
+    remarks.push_back(counted(body.degenerate, "triangle") + " without area set aside");
+  for (std::string& sentence : sentences(body.repairs)) remarks.push_back(std::move(sentence));
+  if (body.repairs.could_be_solid)
+    remarks.push_back((body.solid ? "" : "taken as a surface: ") + body.why);
+  return remarks;
+}
+
 Scene scene_of(const BodyOptions& options) {
   Scene scene;
   if (!options.scene.empty()) {
@@ -74,6 +95,8 @@ Scene scene_of(const BodyOptions& options) {
   }
   if (!options.probe_model.empty()) scene.probe.model = model_named(options.probe_model).value();
   if (!options.fixed_model.empty()) scene.fixed.model = model_named(options.fixed_model).value();
+  if (!options.repair.empty())
+    scene.probe.repair = scene.fixed.repair = repair_named(options.repair).value();
   return scene;
 }
 

@@ -17,6 +17,7 @@ struct BodyOptions {
   std::string within;                    ///< the folder that the scene's paths stay in, or empty
   std::string probe, fixed;              ///< mesh files, instead of a scene
   std::string probe_model, fixed_model;  ///< empty: the scene's, or auto
+  std::string repair;                    ///< of both; empty: the scene's, or auto
   double probe_scale = 1, fixed_scale = 1;
   std::string unit = "m";
 };
@@ -34,6 +35,13 @@ Scene scene_at(const std::string& file, const std::string& within);
 
 /// The files of a scene.
 std::vector<std::filesystem::path> inputs_of(const Scene& scene);
+
+/// The flag that says what is done to meshes that are not closed.
+void add_repair(CLI::App& parser, std::string& repair);
+
+/// What a reader of results must know of a body beside its numbers, a sentence each: what was
+/// mended or set aside, and what keeps an inside from counting.
+std::vector<std::string> remarks_on(const Body& body);
 
 /// Loads the two bodies, and reports changes to them on stderr, unless quiet.
 Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress);

@@ -16,6 +16,7 @@ namespace {
 struct InfoOptions {
   std::vector<std::string> meshes;
   std::string model = "auto";
+  std::string repair = "auto";
   std::string unit = "m";
   double scale = 1;
   std::string within;  ///< the folder that a recording's paths stay in, or empty
@@ -31,7 +32,8 @@ std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
   std::string reason;  // the last; those before are told of
   for (const std::string& mesh : options.meshes) {
     try {
-      bodies.push_back(load_body(mesh, model, scale, progress.percent("reading " + mesh)));
+      bodies.push_back(load_body(mesh, model, scale, progress.percent("reading " + mesh),
+                                 repair_named(options.repair).value()));
     } catch (const InputError& error) {
       progress.clear();
       if (!reason.empty()) std::cerr << "sonde: " << printable(reason) << '\n';
@@ -77,6 +79,8 @@ Command add_info_command(CLI::App& program) {
                    "solid (the interior counts), surface (only the triangles) or auto")
       ->check(CLI::IsMember({"auto", "solid", "surface"}))
       ->capture_default_str();
+  add_repair(*parser, options->repair);
+  parser->get_option("--repair")->capture_default_str();
   parser->add_option("--unit", options->unit, "unit of the files")
       ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
       ->capture_default_str();

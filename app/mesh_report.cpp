@@ -61,6 +61,34 @@ std::string defects_text(const Body& body) {
   return text.empty() ? "none" : text;
 }
 
+std::string repairs_text(const Body& body) {
+  std::string text;
+  for (const std::string& sentence : sentences(body.repairs))
+    text.append(text.empty() ? "" : "\n                  ").append(sentence);
+  return text;
+}
+
+Json json_of(const Repairs& r) {
+  return {{"joined_corners", r.joined},
+          {"joined_within", r.reach},
+          {"corners_on_edges", r.on_edges},
+          {"unsearched_open_edges", r.unsearched},
+          {"repeated_triangles", r.repeated},
+          {"turned_triangles", r.turned_triangles},
+          {"turned_parts", r.turned_parts},
+          {"caps", r.caps},
+          {"cap_triangles", r.cap_triangles},
+          {"cap_area", r.cap_area},
+          {"widest_cap", r.widest_cap},
+          {"hidden_triangles", r.hidden},
+          {"parts", r.parts},
+          {"solid_parts", r.solid_parts},
+          {"one_sided_parts", r.torn_parts},
+          {"overlaps", r.overlaps},
+          {"overlap_error", r.overlap_error},
+          {"widest_mouth", r.widest_mouth}};
+}
+
 std::string memory_text(const Body& body) {
   const auto taken = static_cast<double>(bytes(body));
   const auto triangles = static_cast<double>(body.soup.triangles.size());
@@ -97,7 +125,10 @@ std::string text_of(const MeshReport& report) {
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
   text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
   text += plain("memory", memory_text(body));
-  return text + plain("defects", defects_text(body));
+  text += plain("defects", defects_text(body));
+  if (const std::string repairs = repairs_text(body); !repairs.empty())
+    text += plain("mended", repairs);
+  return text;
 }
 
 Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -123,6 +154,7 @@ Json json_of(const MeshReport& report) {
   json["memory_bytes"] = bytes(body);
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
   json["defects"]["turned"] = body.turned;
+  json["repairs"] = json_of(body.repairs);
   return json;
 }
 

@@ -50,16 +50,16 @@ void check(const Knob& knob) {
 }  // namespace
 
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model model, double scale,
-                                      const Progress& progress) {
+                                      const Progress& progress, Repair repair) {
   if (!(scale > 0) || !std::isfinite(scale))
     throw InputError::in(file.string(), "the scale must be positive and finite");
-  return load_body(file.string(), model, scale, progress);
+  return load_body(file.string(), model, scale, progress, repair);
 }
 
 std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
-                                      Model model, const std::string& name) {
-  return make_body(checked(vertices, triangles, name), model, name);
+                                      Model model, const std::string& name, Repair repair) {
+  return make_body(checked(vertices, triangles, name), model, name, {}, repair);
 }
 
 BodyFacts facts(const Body& body) {
@@ -69,6 +69,8 @@ BodyFacts facts(const Body& body) {
           .solid = body.solid,
           .why = body.why,
           .turned = body.turned,
+          .repairs = body.repairs,
+          .mended = sentences(body.repairs),
           .mass = body.mass};
 }
 

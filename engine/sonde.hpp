@@ -17,14 +17,16 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
 #include "engine/base/phase_times.hpp"                  // Phase, PhaseTimes
 #include "engine/calibration/knob.hpp"                  // Knob, Claim
 #include "engine/geometry/mass.hpp"                     // MassProperties
-#include "engine/geometry/model.hpp"                    // Model
+#include "engine/geometry/model.hpp"                    // Model, Repair
 #include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
 #include "engine/haptics/coupling/coupling.hpp"         // Coupling, Wrench
+#include "engine/mending/repairs.hpp"                   // Repairs
 #include "engine/penetration/contact/separation.hpp"    // Method, Status, Budget, Separation
 #include "engine/penetration/search/pair.hpp"           // Pair
 #include "engine/penetration/search/static_search.hpp"  // StaticOptions
@@ -45,18 +47,20 @@ struct Body;
 /// @throws Cancelled where `progress` returns false.
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file,
                                       Model model = Model::automatic, double scale = 1,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {},
+                                      Repair repair = Repair::automatic);
 
 /// Makes a body from triangles: `vertices` in metres in its mesh frame, and three indices into them
 /// for each triangle, counter-clockwise seen from outside. (A closed mesh that is inside out is
 /// turned.) The triangles may meet in any way, or not at all. `name` is used in messages.
 /// @throws InputError, naming `name` and the triangle or vertex, where there are no triangles, an
 /// index is out of range, a coordinate of any vertex is not finite or one in use is beyond 1e30 m,
-/// no triangle has an area, or `model` is solid and the mesh is open or has no volume.
+/// no triangle has an area, or `model` is solid and the mesh bounds no inside.
 std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
                                       Model model = Model::automatic,
-                                      const std::string& name = "body");
+                                      const std::string& name = "body",
+                                      Repair repair = Repair::automatic);
 
 /// Facts about a body.
 struct BodyFacts {
@@ -66,6 +70,8 @@ struct BodyFacts {
   bool solid = false;          ///< its interior counts, not only its triangles
   std::string why;             ///< why it is a solid or a surface: "closed: the inside counts", ...
   bool turned = false;         ///< the mesh was inside out
+  Repairs repairs;             ///< what was done so that it has an inside, counted
+  std::vector<std::string> mended;  ///< the same in words, a sentence each
   /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
   /// mass.
   MassProperties mass;

@@ -13,6 +13,7 @@
 #include "engine/geometry/model.hpp"
 #include "engine/geometry/soup.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/mending/repairs.hpp"
 
 namespace sonde {
 
@@ -21,9 +22,16 @@ namespace sonde {
 struct Body {
   std::string name;
   Soup soup;
-  bool solid = false;   ///< the interior counts (winding number ≠ 0); else only the triangles
+  /// An interior counts (winding number of the triangles that are not loose ≠ 0); else only the
+  /// triangles.
+  bool solid = false;
   std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
-  bool turned = false;  ///< was inside out and has been turned
+  bool turned = false;  ///< was inside out, all of it, and has been turned
+  Repairs repairs;      ///< what was done so that it has an inside
+  /// A ray may slip through between triangles whose corners are joined by name alone: windings are
+  /// then counted along whole lines, where that shows.
+  bool cracked = false;
+  Soup caps;  ///< the triangles that close openings, a copy of those in `soup`, to be shown
   std::size_t degenerate = 0;  ///< triangles set aside for having no area
   Topology topology;           ///< with the degenerate triangles
   /// One triangle of surface(body), the first, of each connected component.
@@ -35,6 +43,9 @@ struct Body {
   std::size_t merged = 0;      ///< triangles of the soup that are parts of larger ones in `facets`
   std::size_t duplicates = 0;  ///< triangles of the soup that `facets` leaves out as repeated
   Tree tree;                   ///< over surface(body)
+  /// Of each triangle of surface(body), whether it bounds nothing: of a sheet beside a solid. Empty
+  /// where all of them bound the inside, and where there is none.
+  std::vector<bool> loose;
   /// The same body, with its mass, in about outline_triangles triangles: an approximation that
   /// guides searches. None where the body itself has few.
   std::shared_ptr<const Body> outline;
@@ -46,20 +57,28 @@ inline const Soup& surface(const Body& body) {
   return body.facets.triangles.empty() ? body.soup : body.facets;
 }
 
+/// Whether a triangle of surface(body) bounds nothing.
+inline bool is_loose(const Body& body, std::uint32_t triangle) {
+  return !body.loose.empty() && body.loose[triangle];
+}
+
 /// The outline of a body, or the body itself where it has none.
 inline const Body& roughly(const Body& body) { return body.outline ? *body.outline : body; }
 
-/// Builds a body. `asked` solid throws InputError where the mesh is not closed or has no volume;
-/// automatic falls back to surface and gives the reason. A closed mesh whose volume cannot be told
-/// from zero (flat) is a surface. Throws InputError where no triangle has an area.
+/// Builds a body. `asked` solid throws InputError where the mesh bounds no inside (with
+/// Repair::none: where it is not closed); automatic falls back to surface and gives the reason. A
+/// closed mesh whose volume cannot be told from zero (flat) is a surface. Throws InputError where
+/// no triangle has an area.
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
-                                      const std::string& name, const Progress& progress = {});
+                                      const std::string& name, const Progress& progress = {},
+                                      Repair repair = Repair::automatic);
 
 /// The memory that a body takes, in bytes: itself and all that it owns.
 std::size_t bytes(const Body& body);
 
 /// read_mesh and make_body in one.
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale = 1.0,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {},
+                                      Repair repair = Repair::automatic);
 
 }  // namespace sonde

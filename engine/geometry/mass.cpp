@@ -114,19 +114,26 @@ Mat3 principal_axes(const Mat3& covariance) {
   return out;
 }
 
-double radius_about(const Soup& soup, const Vec3& com) {
-  double squared = 0;
-  for (const Triangle& t : soup.triangles)
-    for (const std::uint32_t i : t)
-      squared = std::max(squared, (soup.vertices[i] - com).squaredNorm());
-  return std::sqrt(squared);
+/// More moments, in the units of a frame.
+void add(Moments& m, const MassMoments& more, const Frame& frame) {
+  if (more.measure == 0) return;
+  const double unit = frame.unit, cube = unit * unit * unit;
+  const Vec3 shift = more.origin - frame.origin;
+  const Vec3 first = more.first + more.measure * shift;
+  const Mat3 second = more.second + more.first * shift.transpose() +
+                      shift * more.first.transpose() + more.measure * shift * shift.transpose();
+  m.measure += more.measure / cube;
+  m.first += frame.axes.transpose() * first / (cube * unit);
+  m.second += frame.axes.transpose() * second * frame.axes / (cube * unit * unit);
 }
 
-MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress& progress) {
+MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress& progress,
+                               const MassMoments& more) {
   MassProperties mass;
   mass.by_volume = by_volume;
   Frame frame = first_frame(soup);
   Moments moments = integrate(soup, frame, by_volume, part_of(progress, 0, 0.4));
+  add(moments, more, frame);
   mass.com = frame.origin;
   const double scale = by_volume ? frame.unit * frame.unit * frame.unit : frame.unit * frame.unit;
   mass.measure = moments.measure * scale;
@@ -134,6 +141,7 @@ MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress&
     frame.origin += frame.unit * moments.mean();
     frame.axes = principal_axes(moments.covariance());
     moments = integrate(soup, frame, by_volume, part_of(progress, 0.4, 0.8));
+    add(moments, more, frame);
     mass.measure = moments.measure * scale;
     mass.com = frame.origin + frame.unit * (frame.axes * moments.mean());
     const Mat3 covariance = moments.covariance();
@@ -155,11 +163,19 @@ MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress&
 
 }  // namespace
 
-MassProperties mass_by_volume(const Soup& soup, const Progress& progress) {
-  return mass_properties(soup, true, progress);
+double radius_about(const Soup& soup, const Vec3& com) {
+  double squared = 0;
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t i : t)
+      squared = std::max(squared, (soup.vertices[i] - com).squaredNorm());
+  return std::sqrt(squared);
+}
+
+MassProperties mass_by_volume(const Soup& soup, const Progress& progress, const MassMoments& more) {
+  return mass_properties(soup, true, progress, more);
 }
 MassProperties mass_by_area(const Soup& soup, const Progress& progress) {
-  return mass_properties(soup, false, progress);
+  return mass_properties(soup, false, progress, {});
 }
 
 }  // namespace sonde

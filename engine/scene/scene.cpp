@@ -39,7 +39,7 @@ const Keys& scene_object_keys() {
   return keys;
 }
 const Keys& body_keys() {
-  static const Keys keys{"mesh", "model", "scale", "pose"};
+  static const Keys keys{"mesh", "model", "repair", "scale", "pose"};
   return keys;
 }
 Keys coupling_keys() {
@@ -129,6 +129,10 @@ struct Reader {
     if (const JsonNode* model = node.find("model")) {
       expect(*model, Kind::string);
       body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
+    }
+    if (const JsonNode* repair = node.find("repair")) {
+      expect(*repair, Kind::string);
+      body.repair = choice(*repair, repair_named(repair->text), {"auto", "none"});
     }
     if (const JsonNode* scale = node.find("scale")) {
       expect(*scale, Kind::number);
@@ -292,7 +296,7 @@ std::optional<std::string> unit_name(double metres) {
 Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }
 
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
-  return load_body(body.mesh.string(), body.model, unit * body.scale, progress);
+  return load_body(body.mesh.string(), body.model, unit * body.scale, progress, body.repair);
 }
 
 }  // namespace sonde

@@ -17,6 +17,7 @@ namespace sonde {
 struct SceneBody {
   std::filesystem::path mesh;  ///< absolute, or relative to the working directory
   Model model = Model::automatic;
+  Repair repair = Repair::automatic;
   double scale = 1;
   Pose pose;                  ///< X_WM, metres
   std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh

@@ -80,6 +80,8 @@ std::string path_text(const fs::path& file, const fs::path& folder) {
 std::string body_text(const SceneBody& body, double unit, const fs::path& folder) {
   std::string text = "{\n    \"mesh\": " + path_text(body.mesh, folder) +
                      ",\n    \"model\": " + quoted(name_of(body.model));
+  if (body.repair != Repair::automatic)
+    text += ",\n    \"repair\": " + quoted(name_of(body.repair));
   if (body.scale != 1) text += ",\n    \"scale\": " + number_text(body.scale);
   return text + ",\n    \"pose\": " + pose_text(body.pose, unit) + "\n  }";
 }

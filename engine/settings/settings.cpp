@@ -144,9 +144,13 @@ constexpr std::array<Choice, 6> axes{{
 }};
 
 constexpr std::array<Choice, 3> models{{
-    {"auto", "Automatic", "Solid where the mesh is closed, else surface."},
+    {"auto", "Automatic", "Solid where the mesh is closed as a person sees it, else surface."},
     {"solid", "Solid", "The interior counts; mass by volume."},
     {"surface", "Surface", "Only the triangles count; mass by area."},
+}};
+constexpr std::array<Choice, 2> repairs{{
+    {"auto", "Automatic", "Cracks, turned parts and small openings are mended; nothing moves."},
+    {"none", "As in the file", "A mesh with an open edge is a surface."},
 }};
 // clang-format on
 
@@ -243,6 +247,11 @@ const char* name_of(Model model) { return models[static_cast<std::size_t>(model)
 std::optional<Model> model_named(std::string_view name) {
   const auto i = place_of(models, name);
   return i ? std::optional(static_cast<Model>(*i)) : std::nullopt;
+}
+const char* name_of(Repair repair) { return repairs[static_cast<std::size_t>(repair)].key; }
+std::optional<Repair> repair_named(std::string_view name) {
+  const auto i = place_of(repairs, name);
+  return i ? std::optional(static_cast<Repair>(*i)) : std::nullopt;
 }
 
 }  // namespace sonde

@@ -79,5 +79,7 @@ const char* name_of(Coupling::Mode mode);
 std::optional<Coupling::Mode> coupling_mode(std::string_view name);
 const char* name_of(Model model);
 std::optional<Model> model_named(std::string_view name);  ///< "auto" | "solid" | "surface"
+const char* name_of(Repair repair);
+std::optional<Repair> repair_named(std::string_view name);  ///< "auto" | "none"
 
 }  // namespace sonde

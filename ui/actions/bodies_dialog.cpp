@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/bodies_dialog.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -75,8 +76,9 @@ QString found_text(const Topology& edges) {
                      "edges of three faces or more");
   if (edges.duplicate_triangles > 0)
     found << counted(edges.duplicate_triangles, "repeated triangle", "repeated triangles");
-  const QString verdict = edges.closed ? QStringLiteral("closed: the inside counts")
-                                       : QStringLiteral("not closed: the surface alone counts");
+  const QString verdict = edges.closed
+                              ? QStringLiteral("closed: the inside counts")
+                              : QStringLiteral("not closed as it is: counts if it looks closed");
   return verdict + (found.isEmpty() ? QString() : QStringLiteral("\n") + found.join('\n'));
 }
 
@@ -100,8 +102,8 @@ BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget
   grid->setHorizontalSpacing(18);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
-  const char* const rows[] = {"", "Unit", "Scale", "Up is", "Inside", "Found", "Size"};
-  for (int row = 0; row < 7; ++row)
+  const char* const rows[] = {"", "Unit", "Scale", "Up is", "Inside", "Mesh", "Found", "Size"};
+  for (int row = 0; row < 8; ++row)
     grid->addWidget(new QLabel(QLatin1String(rows[row]), this), row, 0, Qt::AlignTop);
   grid->addWidget(plain(QStringLiteral("Probe: ") + name_of_file(pair.probe_file), this), 0, 1);
   grid->addWidget(plain(QStringLiteral("Fixed body: ") + name_of_file(pair.fixed_file), this), 0,
@@ -110,13 +112,13 @@ BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget
   fixed_ = add_column(*grid, 2, "fixed", guess.fixed, pair.fixed_edges);
   warning_->setObjectName(QStringLiteral("size_warning"));
   warning_->setWordWrap(true);
-  grid->addWidget(warning_, 7, 0, 1, 3);
+  grid->addWidget(warning_, 8, 0, 1, 3);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   same_size_ = buttons->addButton(QStringLiteral("Same size"), QDialogButtonBox::ActionRole);
   same_size_->setObjectName(QStringLiteral("same_size"));
   same_size_->setToolTip(
       QStringLiteral("Scales the probe so that it is as large as the fixed body"));
-  grid->addWidget(buttons, 8, 0, 1, 3);
+  grid->addWidget(buttons, 9, 0, 1, 3);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(same_size_, &QPushButton::clicked, this,
@@ -142,14 +144,18 @@ BodiesDialog::Column BodiesDialog::add_column(QGridLayout& grid, int at, const c
   column.up->addItems({QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")});
   column.up->setCurrentIndex(static_cast<int>(guess.up));
   column.model = named(new QComboBox(this), "_model");
-  column.model->addItem(QStringLiteral("counts where the mesh is closed"));
+  column.model->addItem(QStringLiteral("counts where it looks closed"));
   column.model->addItem(QStringLiteral("counts (solid)"));
   column.model->addItem(QStringLiteral("does not count (surface)"));
   column.model->setCurrentIndex(static_cast<int>(guess.model));
+  column.as_in_file = named(new QCheckBox(QStringLiteral("as in the file"), this), "_as_in_file");
+  column.as_in_file->setChecked(guess.repair == Repair::none);
+  column.as_in_file->setToolTip(
+      QStringLiteral("Cracks, turned parts and small openings of the mesh are not mended."));
   column.found = named(plain(found_text(edges), this), "_found");
   column.size = named(new QLabel(this), "_size");
-  QWidget* const widgets[] = {column.unit,  column.scale, column.up,
-                              column.model, column.found, column.size};
+  QWidget* const widgets[] = {column.unit,       column.scale, column.up,  column.model,
+                              column.as_in_file, column.found, column.size};
   int row = 1;
   for (QWidget* widget : widgets) grid.addWidget(widget, row++, at, Qt::AlignTop);
   const auto changed = [this] { show_sizes(); };
@@ -161,7 +167,8 @@ BodiesDialog::Column BodiesDialog::add_column(QGridLayout& grid, int at, const c
 BodySetup BodiesDialog::setup_of(const Column& column) const {
   return {unit_in_metres(column.unit->currentData().toString().toStdString()).value_or(1),
           column.scale->value(), static_cast<UpAxis>(column.up->currentIndex()),
-          static_cast<Model>(column.model->currentIndex())};
+          static_cast<Model>(column.model->currentIndex()),
+          column.as_in_file->isChecked() ? Repair::none : Repair::automatic};
 }
 
 PairSetup BodiesDialog::setup() const { return {setup_of(probe_), setup_of(fixed_)}; }

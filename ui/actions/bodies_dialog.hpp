@@ -5,6 +5,7 @@
 
 #include "ui/document/loaded_scene.hpp"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
@@ -27,6 +28,7 @@ class BodiesDialog : public QDialog {
     QDoubleSpinBox* scale;
     QComboBox* up;
     QComboBox* model;
+    QCheckBox* as_in_file;
     QLabel *size, *found;
   };
   Column add_column(QGridLayout& grid, int at, const char* object, const BodySetup& guess,

@@ -185,10 +185,12 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
   scene.unit = setup.fixed.unit;
   scene.probe = {.mesh = pair.probe_file,
                  .model = setup.probe.model,
+                 .repair = setup.probe.repair,
                  .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
                  .pose = {turned_up(setup.probe.up), Vec3::Zero()}};
   scene.fixed = {.mesh = pair.fixed_file,
                  .model = setup.fixed.model,
+                 .repair = setup.fixed.repair,
                  .scale = rounded(setup.fixed.scale),
                  .pose = {turned_up(setup.fixed.up), Vec3::Zero()}};
   scene.name = pair.probe_file.stem().string() + " against " + pair.fixed_file.stem().string();
@@ -197,7 +199,7 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
 
 PairSetup setup_of(const Scene& scene) {
   const auto body = [&scene](const SceneBody& from) {
-    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model};
+    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model, from.repair};
   };
   return {body(scene.probe), body(scene.fixed)};
 }
@@ -209,6 +211,8 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
   changed.probe.scale = rounded(now.probe.scale * now.probe.unit / now.fixed.unit);
   changed.fixed.model = now.fixed.model;
   changed.probe.model = now.probe.model;
+  changed.fixed.repair = now.fixed.repair;
+  changed.probe.repair = now.probe.repair;
   const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
   const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
     if (before == after && grown == 1) return pose;
@@ -226,7 +230,7 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
   // The polygons of each body go as soon as it is built: they take more than the body does.
   const auto build = [&scene](PolygonSoup& soup, const SceneBody& body, const Progress& report) {
     scale(soup, scene.unit * body.scale);
-    auto built = make_body(soup, body.model, body.mesh.stem().string(), report);
+    auto built = make_body(soup, body.model, body.mesh.stem().string(), report, body.repair);
     soup = {};
     return built;
   };

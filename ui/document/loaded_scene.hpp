@@ -58,6 +58,7 @@ struct BodySetup {
   double scale = 1;
   UpAxis up = UpAxis::z;
   Model model = Model::automatic;
+  Repair repair = Repair::automatic;
 };
 struct PairSetup {
   BodySetup probe, fixed;

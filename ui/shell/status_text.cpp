@@ -11,7 +11,7 @@ QString nature(const char* role, const Body& body) {
                      .arg(QLatin1String(role),
                           body.solid ? QStringLiteral("solid") : QStringLiteral("surface"),
                           QString::fromStdString(body.why));
-  if (body.turned) text += QStringLiteral(", was inside out and has been turned");
+  if (body.repairs.any()) text += QStringLiteral(", mended");
   if (body.degenerate > 0)
     text += QStringLiteral(", %1 triangles without area set aside").arg(body.degenerate);
   return text;

@@ -54,7 +54,9 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
   while (!stack.empty()) {
     const std::uint32_t child = stack.pop();
     if (child & Tree::triangle_bit) {
-      const auto c = crossing(x, d, corners(surface(body), child & ~Tree::triangle_bit));
+      const std::uint32_t triangle = child & ~Tree::triangle_bit;
+      if (is_loose(body, triangle)) continue;
+      const auto c = crossing(x, d, corners(surface(body), triangle));
       if (!c) return std::nullopt;
       winding += *c;
       continue;
@@ -69,10 +71,19 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
   return winding;
 }
 
+/// The winding number by the ray along d; none where the ray passes too near an edge. Through a
+/// crack one may slip out, or in: then the ray the other way counts another number.
+std::optional<int> winding_along(const Body& body, const Vec3& x, const Vec3& d) {
+  const std::optional<int> winding = count_along(body, x, d);
+  if (winding && body.cracked && count_along(body, x, -d) != winding) return std::nullopt;
+  return winding;
+}
+
 /// Sum of signed solid angles over 4π (Van Oosterom and Strackee, 1983), rounded.
 int winding_by_solid_angles(const Body& body, const Vec3& x) {
   double sum = 0;
   for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
+    if (is_loose(body, i)) continue;
     const Corners t = corners(surface(body), i);
     const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -134,7 +145,7 @@ bool any_component_inside(const Body& body, const Body& solid, const Transform& 
 
 int winding_number(const Body& body, const Vec3& x) {
   for (const auto& ray : rays)
-    if (const auto w = count_along(body, x, Vec3(ray[0], ray[1], ray[2]))) return *w;
+    if (const auto w = winding_along(body, x, Vec3(ray[0], ray[1], ray[2]))) return *w;
   return winding_by_solid_angles(body, x);
 }
 

@@ -5,9 +5,10 @@
 
 namespace sonde {
 
-/// Winding number of a closed body's triangles about x, a point of its mesh frame that is not on a
-/// triangle. It counts the crossings of a ray with their sign. If a ray passes too near an edge to
-/// be sure, it tries another; if every ray is in doubt, it sums solid angles instead.
+/// Winding number of a solid's triangles, but for those that are loose, about x, a point of its
+/// mesh frame that is not on a triangle. It counts the crossings of a ray with their sign. If a ray
+/// passes too near an edge to be sure, or through a crack, it tries another; if every ray is in
+/// doubt, it sums solid angles instead, and rounds.
 int winding_number(const Body& body, const Vec3& x);
 
 /// Winding number ≠ 0.

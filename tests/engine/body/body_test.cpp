@@ -9,6 +9,7 @@
 
 #include "tests/engine/mesh_io/mesh_files.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -21,21 +22,6 @@ std::string refusal(const PolygonSoup& soup, Model asked) {
     return e.what();
   }
   return "accepted";
-}
-
-PolygonSoup joined(PolygonSoup a, const PolygonSoup& b, const Vec3& by) {
-  const std::size_t at = a.points.size();
-  for (const Vec3& x : b.points) a.points.push_back(x + by);
-  for (auto polygon : b.polygons) {
-    for (std::size_t& i : polygon) i += at;
-    a.polygons.push_back(polygon);
-  }
-  return a;
-}
-
-PolygonSoup turned(PolygonSoup soup) {
-  for (auto& polygon : soup.polygons) std::reverse(polygon.begin(), polygon.end());
-  return soup;
 }
 
 PolygonSoup open_box() {
@@ -74,17 +60,31 @@ TEST(Body, surface_where_asked_for) {
 TEST(Body, open_is_surface) {
   const auto body = make_body(open_box(), Model::automatic, "box");
   EXPECT_FALSE(body->solid);
-  EXPECT_EQ(body->why, "4 open edges: the inside does not count");
-  EXPECT_EQ(refusal(open_box(), Model::solid), "a.off: cannot be a solid: 4 open edges");
+  EXPECT_THAT(body->why, testing::MatchesRegex("4 open edges, open mouth 16 % .model solid closes "
+                                               "it.: the inside does not count"));
+  // Asked for, its inside counts. Reference: the box that it was.
+  const auto closed = make_body(open_box(), Model::solid, "box");
+  EXPECT_TRUE(closed->solid);
+  EXPECT_NEAR(closed->mass.measure, 1, 1e-14);
+  const auto as_it_is = make_body(open_box(), Model::automatic, "box", {}, Repair::none);
+  EXPECT_EQ(as_it_is->why, "4 open edges: the inside does not count");
+  try {
+    make_body(open_box(), Model::solid, "a.off", {}, Repair::none);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "a.off: cannot be a solid: 4 open edges");
+  }
 }
 
-TEST(Body, disagreeing_orientation_is_surface) {
+TEST(Body, disagreeing_orientation_is_mended) {
   PolygonSoup box = test::box({1, 1, 1});
   std::reverse(box.polygons[0].begin(), box.polygons[0].end());
-  EXPECT_EQ(make_body(box, Model::automatic, "box")->why,
+  EXPECT_EQ(make_body(box, Model::automatic, "box", {}, Repair::none)->why,
             "4 edges do not agree in orientation: the inside does not count");
-  EXPECT_EQ(refusal(box, Model::solid),
-            "a.off: cannot be a solid: 4 edges do not agree in orientation");
+  const auto mended = make_body(box, Model::automatic, "box");
+  EXPECT_TRUE(mended->solid);
+  EXPECT_EQ(mended->repairs.turned_triangles, 2u);
+  EXPECT_NEAR(mended->mass.measure, 1, 1e-14);
 }
 
 TEST(Body, flat_closed_is_surface) {
@@ -102,7 +102,7 @@ TEST(Body, a_thin_plate_is_still_solid) {
 }
 
 TEST(Body, inside_out_is_turned) {
-  const auto body = make_body(turned(test::box({1, 2, 3})), Model::automatic, "box");
+  const auto body = make_body(test::turned_over(test::box({1, 2, 3})), Model::automatic, "box");
   EXPECT_TRUE(body->solid);
   EXPECT_TRUE(body->turned);
   EXPECT_GT(body->mass.measure, 0);
@@ -112,7 +112,7 @@ TEST(Body, inside_out_is_turned) {
 // Reference: V of a 3-cube with a 1-cube hollow is 26.
 TEST(Body, a_cavity_counts_as_empty) {
   const PolygonSoup hollow =
-      joined(test::box({3, 3, 3}), turned(test::box({1, 1, 1})), Vec3::Zero());
+      test::joined(test::box({3, 3, 3}), test::turned_over(test::box({1, 1, 1})), Vec3::Zero());
   const auto body = make_body(hollow, Model::automatic, "hollow");
   EXPECT_TRUE(body->solid);
   EXPECT_FALSE(body->turned);
@@ -134,7 +134,7 @@ TEST(Body, degenerate_triangles_are_set_aside_without_opening_the_mesh) {
 }
 
 TEST(Body, parts_joined_by_a_sliver_alone_are_two) {
-  PolygonSoup two = joined(test::box({1, 1, 1}), test::box({1, 1, 1}), {3, 0, 0});
+  PolygonSoup two = test::joined(test::box({1, 1, 1}), test::box({1, 1, 1}), {3, 0, 0});
   two.points.push_back({1, -0.5, -0.5});
   two.polygons.push_back({1, 16, 8});  // in one line with the edges of both
   const auto body = make_body(two, Model::automatic, "two");
@@ -145,8 +145,9 @@ TEST(Body, parts_joined_by_a_sliver_alone_are_two) {
 
 // Reference: the boxes are apart in z, and come in this order in the file.
 TEST(Body, component_triangles_are_the_first_of_each_in_the_order_of_the_tree) {
-  const auto body = make_body(joined(test::sphere(1, 8, 9), test::box({1, 1, 1}), {0.5, 0, 5}),
-                              Model::automatic, "two");
+  const auto body =
+      make_body(test::joined(test::sphere(1, 8, 9), test::box({1, 1, 1}), {0.5, 0, 5}),
+                Model::automatic, "two");
   const auto is_above = [&](const Triangle& t) { return body->soup.vertices[t[0]].z() > 2; };
   const auto& triangles = body->soup.triangles;
   const auto below = std::ranges::find_if_not(triangles, is_above) - triangles.begin();

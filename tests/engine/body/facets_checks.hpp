@@ -13,6 +13,7 @@
 #include "engine/body/facets.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "tests/support/conforming.hpp"
+#include "tests/support/defects.hpp"
 
 namespace sonde::test {
 
@@ -96,20 +97,6 @@ inline PolygonSoup moved(PolygonSoup soup, const Vec3& by) {
   for (Vec3& x : soup.points) x += by;
   return soup;
 }
-inline PolygonSoup joined(PolygonSoup a, const PolygonSoup& b) {
-  const std::size_t at = a.points.size();
-  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-  for (auto polygon : b.polygons) {
-    for (std::size_t& i : polygon) i += at;
-    a.polygons.push_back(polygon);
-  }
-  return a;
-}
-inline PolygonSoup turned_inside_out(PolygonSoup soup) {
-  for (auto& polygon : soup.polygons) std::reverse(polygon.begin(), polygon.end());
-  return soup;
-}
-
 /// Triangles however their corners are numbered, as often as they are there.
 inline std::multiset<Triangle> triangle_set(const Soup& soup) {
   std::multiset<Triangle> out;

@@ -138,7 +138,7 @@ TEST(Facets, what_lies_twice_on_itself_gets_no_hole) {
 TEST(Facets, a_face_is_not_joined_with_its_own_back_side) {
   // A square sheet with another one, turned over, that hangs on one of its sides.
   PolygonSoup sheet = cells(4, [](int, int) { return true; });
-  PolygonSoup back = turned_inside_out(sheet);
+  PolygonSoup back = test::turned_over(sheet);
   for (Vec3& x : back.points)
     if (x.y() > 0) x.x() += 1e-3 * x.y();  // one side in common
   const Soup soup = sewn(joined(sheet, back));

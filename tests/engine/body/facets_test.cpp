@@ -188,7 +188,7 @@ TEST(Facets, a_surface_keeps_one_of_each_orientation) {
   EXPECT_EQ(merged(same, false).soup.triangles.size(), 12u);
   EXPECT_EQ(merged(same, false).duplicates, 48u);
   const Soup both =
-      sewn(joined(test::repeated(block, 5), test::repeated(turned_inside_out(block), 3)));
+      sewn(joined(test::repeated(block, 5), test::repeated(test::turned_over(block), 3)));
   const Facets facets = merged(both, false);
   EXPECT_EQ(facets.duplicates, 72u);
   const auto left = triangle_set(facets.soup);
@@ -201,18 +201,22 @@ TEST(Facets, a_surface_keeps_one_of_each_orientation) {
 }
 
 // By hand: a wall in a solid that has two sides is no boundary of it, and still there to be
-// touched.
+// touched; once, or as it is in the file.
 TEST(Facets, a_wall_of_two_sides_within_a_solid_stays) {
   PolygonSoup wall;
   wall.points = {{0, -0.3, -0.3}, {0, 0.3, -0.3}, {0, 0.3, 0.3}, {0, -0.3, 0.3}};
   wall.polygons = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
-  const auto body = make_body(joined(test::cut_block({1, 1, 1}, {3}), test::repeated(wall, 3)),
-                              Model::automatic, "walled");
-  ASSERT_TRUE(body->solid);
-  EXPECT_EQ(body->duplicates, 8u);
-  EXPECT_EQ(surface(*body).triangles.size(), 12u + 4u);
-  EXPECT_EQ(winding_number(*body, {0.1, 0.05, 0.02}), 1);
-  EXPECT_EQ(winding_number(*body, {-0.1, 0.05, 0.02}), 1);
+  for (const Repair repair : {Repair::automatic, Repair::none}) {
+    const bool mended = repair == Repair::automatic;
+    const auto body = make_body(joined(test::cut_block({1, 1, 1}, {3}), test::repeated(wall, 3)),
+                                Model::automatic, "walled", {}, repair);
+    ASSERT_TRUE(body->solid);
+    EXPECT_EQ(body->repairs.repeated, mended ? 10u : 0u);
+    EXPECT_EQ(body->duplicates, mended ? 0u : 8u);
+    EXPECT_EQ(surface(*body).triangles.size(), mended ? 12u + 2u : 12u + 4u);
+    EXPECT_EQ(winding_number(*body, {0.1, 0.05, 0.02}), 1);
+    EXPECT_EQ(winding_number(*body, {-0.1, 0.05, 0.02}), 1);
+  }
 }
 
 // Reference: where the triangles are; the parts lie apart.

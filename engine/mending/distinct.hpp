@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/soup.hpp"
+
+namespace sonde {
+
+/// What is there several times, counted once.
+struct Distinct {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  /// For each triangle the one that stands for it: itself where it stays, or one that stays and has
+  /// the same three corners; none where it and its like cancel out, as a wall between two bodies.
+  std::vector<std::uint32_t> by;
+  /// Triangles of components in which each stands against another one, as in an export of both
+  /// sides: only those that stay are left of these.
+  std::vector<bool> backs;
+  std::size_t repeated = 0;  ///< triangles that do not stay
+};
+
+/// In each connected component, of the triangles with the same three corners as many stay as leave
+/// its winding numbers in proportion (all of it written twice: half of it). Throws Cancelled.
+Distinct find_distinct(const Soup& soup, const Progress& progress = {});
+
+}  // namespace sonde

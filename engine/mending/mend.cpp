@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/mend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/progress.hpp"
+#include "engine/mending/distinct.hpp"
+#include "engine/mending/nesting.hpp"
+#include "engine/mending/parts.hpp"
+#include "engine/mending/point_windings.hpp"
+#include "engine/text/counted.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of what is seen of a part from all around: where less of it are openings, most of the part
+/// bounds an inside, and a user is told that it is taken as a surface all the same.
+constexpr double most_doubtful = 0.25;
+
+class Mender {
+ public:
+  Mender(const Soup& soup, const Topology& topology, Model asked, const std::string& name)
+      : soup_(soup), open_edges_(topology.open_edges), asked_(asked), name_(name) {}
+
+  Mended run(const Progress& progress) {
+    distinct_ = find_distinct(soup_, part_of(progress, 0, 0.15));
+    take_distinct();
+    const std::vector<EdgeUse> uses = edge_uses(once_, part_of(progress, 0.15, 0.3));
+    seams_ = find_seams(once_, uses, part_of(progress, 0.3, 0.45));
+    orientation_ = find_orientation(once_, seams_.uses, part_of(progress, 0.45, 0.6));
+    caps_ = find_caps(once_, seams_.uses, orientation_);
+    Sealed sealed = seal(once_, seams_, orientation_, caps_);
+    facts_ = judge_parts(sealed, caps_, orientation_.conflicts, part_of(progress, 0.6, 0.9));
+    choose(sealed, part_of(progress, 0.9, 1));
+    put_out();
+    hide_walls();
+    describe();
+    return std::move(out_);
+  }
+
+ private:
+  void take_distinct() {
+    once_.vertices = soup_.vertices;
+    number_.assign(soup_.triangles.size(), Distinct::none);
+    for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i) {
+      if (distinct_.by[i] != i) continue;
+      number_[i] = static_cast<std::uint32_t>(once_.triangles.size());
+      once_.triangles.push_back(soup_.triangles[i]);
+    }
+  }
+
+  void choose(Sealed& sealed, const Progress& progress) {
+    solid_.resize(facts_.size());
+    for (std::size_t p = 0; p < facts_.size(); ++p)
+      solid_[p] = asked_ == Model::solid ? !facts_[p].flat : facts_[p].looks_solid();
+    const bool any = std::find(solid_.begin(), solid_.end(), true) != solid_.end();
+    turn_.assign(facts_.size(), false);
+    if (!any) {
+      if (asked_ == Model::solid)
+        throw InputError::in(name_, "cannot be a solid: " + why_surface());
+      return;
+    }
+    const bool all = std::find(solid_.begin(), solid_.end(), false) == solid_.end();
+    out_.solid = all ? std::move(sealed) : parts_of(sealed, solid_);
+    turn_ = parts_to_turn(out_.solid, facts_, solid_, progress);
+    for (std::size_t i = 0; i < out_.solid.part.size(); ++i)
+      if (turn_[out_.solid.part[i]])
+        std::swap(out_.solid.soup.triangles[i][1], out_.solid.soup.triangles[i][2]);
+  }
+
+  /// The triangles that are touched.
+  void put_out() {
+    for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i) {
+      if (distinct_.backs[i]) continue;
+      Triangle t = soup_.triangles[i];
+      TriangleKind kind =
+          TriangleKind::bounds;  // a pair that cancels out bounds nothing either way
+      std::uint32_t own = Mended::no_part;
+      if (const std::uint32_t by = distinct_.by[i]; by != Distinct::none) {
+        const std::uint32_t k = number_[by], part = own = orientation_.part[k];
+        if (!solid_[part]) kind = TriangleKind::loose;
+        // What bounds nothing stays as it was drawn.
+        if (solid_[part] && orientation_.turned[k] != turn_[part]) {
+          std::swap(t[1], t[2]);
+          out_.as_given = false;
+        }
+      }
+      add(t, kind, own);
+    }
+    out_.as_given = out_.as_given && out_.triangles.size() == soup_.triangles.size();
+    for (const Cap& cap : caps_) {
+      if (!solid_[cap.part]) continue;
+      ++out_.repairs.caps;
+      out_.repairs.cap_area += cap.area;
+      for (Triangle t : cap.triangles) {
+        if (turn_[cap.part]) std::swap(t[1], t[2]);
+        add(t, TriangleKind::cap, cap.part);
+        out_.as_given = false;
+      }
+    }
+  }
+
+  void add(const Triangle& t, TriangleKind kind, std::uint32_t part) {
+    out_.triangles.push_back(t);
+    out_.kinds.push_back(kind);
+    out_.parts.push_back(part);
+  }
+
+  /// Of pairs that cancel out, those with the inside on both sides are walls that nothing reaches;
+  /// others are fins, which are touched.
+  void hide_walls() {
+    std::vector<PartPoint> middles;
+    std::vector<std::size_t> walls;
+    const auto& x = soup_.vertices;
+    for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
+      if (out_.parts[i] != Mended::no_part) continue;
+      const Triangle& t = out_.triangles[i];
+      middles.push_back({(x[t[0]] + x[t[1]] + x[t[2]]) / 3, Mended::no_part});
+      walls.push_back(i);
+    }
+    if (walls.empty() || out_.solid.soup.triangles.empty()) return;
+    const std::vector<PartWindings> around = part_windings(out_.solid, middles);
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      int winding = 0;
+      for (const auto& [part, times] : around[k]) winding += times;
+      if (winding == 0) continue;
+      out_.kinds[walls[k]] = TriangleKind::hidden;
+      out_.as_given = false;
+    }
+  }
+
+  void describe() {
+    Repairs& r = out_.repairs;
+    const bool any = !out_.solid.soup.triangles.empty();
+    r.parts = facts_.size();
+    if (any) {  // a surface is as it was given: nothing that was tried counts
+      r.joined = seams_.joined;
+      r.on_edges = seams_.on_edges;
+      r.reach = r.joined + r.on_edges > 0 ? seams_.reach : 0;
+      r.repeated = distinct_.repeated;
+      r.hidden = static_cast<std::size_t>(
+          std::count(out_.kinds.begin(), out_.kinds.end(), TriangleKind::hidden));
+    }
+    r.unsearched = seams_.unsearched;
+    for (std::size_t k = 0; k < once_.triangles.size(); ++k)
+      r.turned_triangles += solid_[orientation_.part[k]] && orientation_.turned[k];
+    for (std::size_t p = 0; p < facts_.size(); ++p) {
+      r.solid_parts += solid_[p];
+      r.turned_parts += turn_[p];
+      r.torn_parts += facts_[p].torn > 0;
+      if (solid_[p]) r.widest_cap = std::max(r.widest_cap, facts_[p].mouth);
+    }
+    if (const PartFacts* open = largest_open()) {
+      r.widest_mouth = open->mouth;
+      r.could_be_solid = !open->flat && open->torn == 0 && open->open <= most_doubtful;
+    }
+    for (const TriangleKind kind : out_.kinds) r.cap_triangles += kind == TriangleKind::cap;
+    out_.cracked = any && (r.joined + r.on_edges > 0);
+    if (!any)
+      out_.why = why_surface() + ": the inside does not count";
+    else if (r.solid_parts < r.parts)
+      out_.why = std::to_string(r.solid_parts) + " of " + counted(r.parts, "part") +
+                 (r.solid_parts == 1 ? " is closed: its inside counts"
+                                     : " are closed: their inside counts");
+    else if (r.any())
+      out_.why = "closed once mended: the inside counts";
+    else
+      out_.why = "closed: the inside counts";
+  }
+
+  /// The largest part that is no solid; none where there is none.
+  const PartFacts* largest_open() const {
+    const PartFacts* largest = nullptr;
+    for (std::size_t p = 0; p < facts_.size(); ++p)
+      if (!solid_[p] && (largest == nullptr || facts_[p].area > largest->area))
+        largest = &facts_[p];
+    return largest;
+  }
+
+  std::string why_surface() const {
+    const PartFacts* largest = largest_open();
+    if (largest == nullptr) return "no triangles";
+    if (largest->torn > 0 && !largest->flat)
+      return "one side only (non-orientable along " + counted(largest->torn, "edge") + ")";
+    if (open_edges_ == 0) return "closed but flat (no volume)";
+    const std::string edges = counted(open_edges_, "open edge");
+    if (largest->flat) return edges;
+    return edges + ", " +
+           (largest->mouth > part_tuning.widest_mouth
+                ? "open mouth " + number_text(100 * largest->mouth, 2)
+                : "openings " + number_text(100 * largest->open, 2)) +
+           " % (model solid closes it)";
+  }
+
+  const Soup& soup_;
+  std::size_t open_edges_;
+  Model asked_;
+  const std::string& name_;
+  Distinct distinct_;
+  Soup once_;                          // the triangles that stay
+  std::vector<std::uint32_t> number_;  // of each triangle of the soup in it
+  Seams seams_;
+  Orientation orientation_;
+  std::vector<Cap> caps_;
+  std::vector<PartFacts> facts_;
+  std::vector<bool> solid_, turn_;  // of each part
+  Mended out_;
+};
+
+}  // namespace
+
+Mended mend(const Soup& soup, const Topology& topology, Model asked, const std::string& name,
+            const Progress& progress) {
+  return Mender(soup, topology, asked, name).run(progress);
+}
+
+}  // namespace sonde

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/nesting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "engine/base/progress.hpp"
+#include "engine/mending/point_windings.hpp"
+
+namespace sonde {
+namespace {
+
+/// Points on a part that all must lie inside another for it to be nested there. Where parts cross,
+/// they only may; what then is taken wrongly for nested keeps the sign that the file gave it.
+constexpr std::size_t samples = 9;
+
+/// Middles of triangles, spread over those of a part.
+std::vector<PartPoint> sample_points(const Sealed& sealed, const std::vector<PartFacts>& facts) {
+  std::vector<std::size_t> count(facts.size(), 0), seen(facts.size(), 0);
+  for (const std::uint32_t p : sealed.part) ++count[p];
+  std::vector<PartPoint> points;
+  const auto& x = sealed.soup.vertices;
+  for (std::size_t i = 0; i < sealed.part.size(); ++i) {
+    const std::uint32_t p = sealed.part[i];
+    const std::size_t k = seen[p]++, stride = std::max<std::size_t>(1, count[p] / samples);
+    if (k % stride != 0 || k / stride >= samples) continue;
+    const Triangle& t = sealed.soup.triangles[i];
+    points.push_back({(x[t[0]] + x[t[1]] + x[t[2]]) / 3, p});
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFacts>& facts,
+                                const std::vector<bool>& solid, const Progress& progress) {
+  std::vector<bool> turn(facts.size(), false);
+  std::size_t solids = 0, negative = 0;
+  for (std::size_t p = 0; p < facts.size(); ++p)
+    if (solid[p]) {
+      ++solids;
+      negative += facts[p].volume < 0;
+    }
+  if (negative == 0) return turn;
+  if (solids == 1) {
+    for (std::size_t p = 0; p < facts.size(); ++p) turn[p] = solid[p];
+    return turn;
+  }
+  const std::vector<PartPoint> points = sample_points(sealed, facts);
+  const std::vector<PartWindings> around = part_windings(sealed, points, progress);
+  // How many of its points, of how many, lie inside of which others.
+  std::vector<std::map<std::uint32_t, std::size_t>> inside(facts.size());
+  std::vector<std::size_t> asked(facts.size(), 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    ++asked[points[k].part];
+    for (const auto& [part, winding] : around[k])
+      if (winding != 0 && part != points[k].part) ++inside[points[k].part][part];
+  }
+  const auto nested_in = [&](std::uint32_t p, std::uint32_t q) {
+    const auto found = inside[p].find(q);
+    return found != inside[p].end() && found->second == asked[p];
+  };
+  // The outermost part around each: one that holds it and is nested in none itself.
+  for (std::uint32_t p = 0; p < facts.size(); ++p) {
+    if (!solid[p]) continue;
+    std::uint32_t outermost = p;
+    for (const auto& [q, n] : inside[p])
+      if (nested_in(p, q) && std::ranges::none_of(inside[q], [&](const auto& further) {
+            return further.first != p && nested_in(q, further.first);
+          })) {
+        outermost = q;
+        break;
+      }
+    turn[p] = facts[outermost].volume < 0;
+  }
+  return turn;
+}
+
+}  // namespace sonde

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/progress.hpp"
+#include "engine/mending/lines.hpp"
+
+namespace sonde {
+namespace {
+
+/// Ends of lines on parts and on their caps.
+struct Ends {
+  Ends(std::size_t parts, std::size_t caps) : on_part(parts, 0), on_cap(caps, 0) {}
+  std::vector<std::size_t> on_part;  ///< with its caps, whatever covers it
+  std::vector<std::size_t> on_cap;   ///< where no other part covers it
+};
+
+/// Looks along a line from one end, to the first of each part. What other parts hide of an opening
+/// does not count as open: a lid covers it. Caps hide nothing but what is behind them of their own
+/// part.
+template <class Hits>
+void look_along(const Hits& hits, const Sealed& sealed, Ends& ends,
+                std::vector<std::uint32_t>& seen) {
+  seen.clear();
+  bool covered = false;
+  for (const LineHit& hit : hits) {
+    const std::uint32_t part = sealed.part[hit.triangle], cap = sealed.cap[hit.triangle];
+    if (std::find(seen.begin(), seen.end(), part) == seen.end()) {
+      ++ends.on_part[part];
+      seen.push_back(part);
+      if (cap != Sealed::no_cap && !covered) ++ends.on_cap[cap];
+    }
+    covered = covered || cap == Sealed::no_cap;
+  }
+}
+
+void look(const Lines& lines, const Sealed& sealed, Ends& ends) {
+  std::vector<std::uint32_t> seen;
+  std::vector<LineHit> backwards;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto hits = lines[i];
+    look_along(hits, sealed, ends, seen);
+    backwards.assign(hits.rbegin(), hits.rend());
+    look_along(backwards, sealed, ends, seen);
+  }
+}
+
+class Judge {
+ public:
+  Judge(const Sealed& sealed, const std::vector<Cap>& caps, const std::vector<std::size_t>& torn)
+      : sealed_(sealed), caps_(caps), facts_(torn.size()) {
+    for (std::size_t p = 0; p < torn.size(); ++p) facts_[p].torn = torn[p];
+    boxes_.resize(torn.size());
+    sort_by_part();
+  }
+
+  std::vector<PartFacts> run(const Progress& progress) {
+    measure();
+    report(progress, 0.2);
+    for (std::uint32_t p = 0; p < facts_.size(); ++p) find_flat(p);
+    report(progress, 0.4);
+    find_mouths(part_of(progress, 0.4, 1));
+    return std::move(facts_);
+  }
+
+ private:
+  void sort_by_part() {
+    start_.assign(facts_.size() + 1, 0);
+    for (const std::uint32_t p : sealed_.part) ++start_[p + 1];
+    for (std::size_t p = 0; p < facts_.size(); ++p) start_[p + 1] += start_[p];
+    order_.resize(sealed_.part.size());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::uint32_t i = 0; i < sealed_.part.size(); ++i) order_[next[sealed_.part[i]]++] = i;
+  }
+
+  void measure() {
+    const auto& x = sealed_.soup.vertices;
+    std::vector<Vec3> origin(facts_.size());
+    for (std::size_t i = 0; i < sealed_.part.size(); ++i) {
+      const Triangle& t = sealed_.soup.triangles[i];
+      PartFacts& part = facts_[sealed_.part[i]];
+      Eigen::AlignedBox3d& box = boxes_[sealed_.part[i]];
+      if (box.isEmpty()) origin[sealed_.part[i]] = x[t[0]];
+      for (const std::uint32_t v : t) box.extend(x[v]);
+      const Vec3& o = origin[sealed_.part[i]];
+      const Vec3 a = x[t[0]] - o, b = x[t[1]] - o, c = x[t[2]] - o;
+      part.volume += a.dot(b.cross(c)) / 6;
+      if (sealed_.cap[i] != Sealed::no_cap) continue;
+      ++part.triangles;
+      part.area += (b - a).cross(c - a).norm() / 2;
+    }
+    for (const Cap& cap : caps_) ++facts_[cap.part].caps;
+  }
+
+  Sealed alone(std::uint32_t p) const {
+    Sealed out;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> number;
+    for (std::size_t k = start_[p]; k < start_[p + 1]; ++k)
+      for (const std::uint32_t v : sealed_.soup.triangles[order_[k]]) number.emplace_back(v, 0);
+    std::sort(number.begin(), number.end());
+    number.erase(std::unique(number.begin(), number.end()), number.end());
+    for (auto& [v, n] : number) {
+      n = static_cast<std::uint32_t>(out.soup.vertices.size());
+      out.soup.vertices.push_back(sealed_.soup.vertices[v]);
+    }
+    const auto numbered = [&](std::uint32_t v) {
+      return std::lower_bound(number.begin(), number.end(), std::pair{v, 0u})->second;
+    };
+    for (std::size_t k = start_[p]; k < start_[p + 1]; ++k) {
+      const Triangle& t = sealed_.soup.triangles[order_[k]];
+      out.soup.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
+      out.part.push_back(p);
+      out.cap.push_back(sealed_.cap[order_[k]]);
+    }
+    return out;
+  }
+
+  /// Lobes of opposite winding may cancel in the volume: then lines tell.
+  void find_flat(std::uint32_t p) {
+    PartFacts& part = facts_[p];
+    const double unit = part.area * boxes_[p].sizes().norm();
+    if (std::abs(part.volume) > part_tuning.flat * unit) return;
+    part.flat = !(unit > 0);
+    if (part.flat || part.triangles < 4) {  // no fewer bound anything
+      part.flat = true;
+      return;
+    }
+    const Sealed own = alone(p);
+    double inside = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Lines lines(own.soup, line_frame(k), part_tuning.flat_lines);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        int winding = 0;
+        double from = 0;
+        for (const LineHit& hit : lines[i]) {
+          if (winding != 0) inside += (hit.along - from) * lines.pixel() * lines.pixel() / 3;
+          winding -= hit.sign;
+          from = hit.along;
+        }
+      }
+    }
+    part.flat = !(inside > part_tuning.flat_by_lines * unit);
+  }
+
+  void find_mouths(const Progress& progress) {
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t p = 0; p < facts_.size(); ++p)
+      if (facts_[p].caps > 0 && !facts_[p].flat) open.push_back(p);
+    if (open.empty()) return;
+    Ends ends(facts_.size(), caps_.size());
+    for (int k = 0; k < 3; ++k) {
+      report(progress, k / 4.0);
+      look(Lines(sealed_.soup, line_frame(k), part_tuning.lines), sealed_, ends);
+    }
+    std::size_t rasters = 0;
+    for (const std::uint32_t p : open) {
+      if (ends.on_part[p] >= part_tuning.fewest_ends) continue;
+      if (rasters++ < part_tuning.most_rasters) look_at(p, sealed_, ends);
+      if (ends.on_part[p] < part_tuning.fewest_ends) look_at(p, alone(p), ends);
+    }
+    for (std::uint32_t c = 0; c < caps_.size(); ++c) {
+      PartFacts& part = facts_[caps_[c].part];
+      const double all = static_cast<double>(std::max<std::size_t>(1, ends.on_part[caps_[c].part]));
+      const double share = static_cast<double>(ends.on_cap[c]) / all;
+      part.open += share;
+      if (share > part.mouth) {
+        part.mouth = share;
+        part.mouth_cap = c;
+      }
+    }
+  }
+
+  /// The ends on a part anew, by lines through its own box.
+  void look_at(std::uint32_t p, const Sealed& what, Ends& ends) const {
+    Ends found(facts_.size(), caps_.size());
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Matrix3d frame = line_frame(k);
+      Eigen::AlignedBox2d box;
+      for (std::size_t i = start_[p]; i < start_[p + 1]; ++i)
+        for (const std::uint32_t v : sealed_.soup.triangles[order_[i]])
+          box.extend(Eigen::Vector2d((frame * sealed_.soup.vertices[v]).head<2>()));
+      const double size = box.sizes().maxCoeff();
+      if (!(size > 0)) return;
+      look(Lines(what.soup, frame, part_tuning.own_lines, box.min(), size), what, found);
+    }
+    ends.on_part[p] = found.on_part[p];
+    const auto own = std::ranges::equal_range(caps_, p, {}, &Cap::part);
+    for (auto cap = own.begin(); cap != own.end(); ++cap) {
+      const auto c = static_cast<std::size_t>(cap - caps_.begin());
+      ends.on_cap[c] = found.on_cap[c];
+    }
+  }
+
+  const Sealed& sealed_;
+  const std::vector<Cap>& caps_;
+  std::vector<PartFacts> facts_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<std::size_t> start_;    // of each part in order_
+  std::vector<std::uint32_t> order_;  // triangles by part
+};
+
+}  // namespace
+
+std::vector<PartFacts> judge_parts(const Sealed& sealed, const std::vector<Cap>& caps,
+                                   const std::vector<std::size_t>& torn, const Progress& progress) {
+  return Judge(sealed, caps, torn).run(progress);
+}
+
+}  // namespace sonde

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/soup.hpp"
+#include "engine/mending/sealed.hpp"
+
+namespace sonde {
+
+/// What makes a part of a soup a solid. Lines in general position look at it from all around; the
+/// *mouth* of a part is the largest share of their ends on it that falls on one cap which no other
+/// part covers.
+struct PartTuning {
+  /// A part with a wider mouth is a vessel or a sheet, whose inside is the user's to claim. Real
+  /// solids with holes have at most 0.011, vessels at least 0.050, sheets at least 0.38 (the
+  /// histogram is in resources/docs/use/files.md).
+  double widest_mouth = 0.025;
+  /// Share of the ends that may fall on all caps of a part together.
+  double most_open = 0.38;
+  /// Of area times size: volume that cannot be told from the rounding of a closed flat mesh.
+  double flat = 1e-12;
+  /// The same where volume is counted by lines, which see lobes that cancel in the sum.
+  double flat_by_lines = 1e-9;
+  int lines = 256;      ///< along a side of the raster, in each of three directions
+  int own_lines = 128;  ///< for a part by itself
+  int flat_lines = 64;  ///< to look for lobes
+  /// Ends of lines that a part needs to be judged with all others in sight: below, it gets lines
+  /// of its own, through all parts for so many of them, and through itself alone beyond.
+  std::size_t fewest_ends = 1000;
+  std::size_t most_rasters = 32;
+};
+inline constexpr PartTuning part_tuning;
+
+/// What is known of a part.
+struct PartFacts {
+  std::size_t triangles = 0;  ///< without caps
+  std::size_t caps = 0;
+  std::size_t torn = 0;  ///< edges across which triangles cannot agree: it has no two sides
+  double area = 0;       ///< m², without caps
+  double volume = 0;     ///< m³, signed, with caps
+  bool flat = false;     ///< it bounds no inside, with its caps
+  double mouth = 0;      ///< largest share of line ends that falls on one cap
+  std::uint32_t mouth_cap = Sealed::no_cap;  ///< that cap
+  double open = 0;                           ///< share of line ends that falls on caps
+  /// Closed as a person sees it: what bounds an inside when nobody says otherwise.
+  bool looks_solid() const {
+    return !flat && torn == 0 && mouth <= part_tuning.widest_mouth && open <= part_tuning.most_open;
+  }
+};
+
+/// Facts of all parts. Throws Cancelled.
+std::vector<PartFacts> judge_parts(const Sealed& sealed, const std::vector<Cap>& caps,
+                                   const std::vector<std::size_t>& torn,
+                                   const Progress& progress = {});
+
+}  // namespace sonde

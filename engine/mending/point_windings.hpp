@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/mending/sealed.hpp"
+
+namespace sonde {
+
+/// A point on a part.
+struct PartPoint {
+  Vec3 x;
+  std::uint32_t part;
+};
+/// Windings of parts around a point, ascending by part, those of 0 left out.
+using PartWindings = std::vector<std::pair<std::uint32_t, int>>;
+
+/// How often each part winds around each point, by a line through it in general position. A part
+/// that has the point within rounding on it does not count as around it. All points are asked about
+/// in one walk over the triangles. Throws Cancelled.
+std::vector<PartWindings> part_windings(const Sealed& sealed, const std::vector<PartPoint>& points,
+                                        const Progress& progress = {});
+
+}  // namespace sonde

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/region_mass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/base/progress.hpp"
+#include "engine/mending/lines.hpp"
+
+namespace sonde {
+namespace {
+
+/// Hits of a line at one place, in one step of the winding number.
+template <class Use>
+void each_step(std::span<const LineHit> hits, double rounding, Use use) {
+  int winding = 0;
+  for (std::size_t i = 0, j = 0; i < hits.size(); i = j) {
+    int next = winding;
+    for (j = i; j < hits.size() && hits[j].along - hits[i].along <= rounding; ++j)
+      next -= hits[j].sign;
+    use(hits.subspan(i, j - i), winding, next);
+    winding = next;
+  }
+}
+
+double size_of(const Soup& soup) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t) box.extend(soup.vertices[v]);
+  return box.isEmpty() ? 0 : box.sizes().norm();
+}
+
+/// How a part bounds the region: as the lines have seen it so far.
+struct Role {
+  bool seen = false;
+  bool constant = true;
+  int weight = 0;
+};
+
+class Regions {
+ public:
+  Regions(const Soup& soup, const std::vector<std::uint32_t>& part)
+      : soup_(soup), part_(part), rounding_(overlap_tuning.rounding * size_of(soup)) {
+    std::uint32_t parts = 0;
+    for (const std::uint32_t p : part) parts = std::max(parts, p + 1);
+    roles_.resize(parts);
+  }
+
+  Region run(const Progress& progress) {
+    Region out;
+    if (!(rounding_ > 0) || !any_overlap(part_of(progress, 0, 0.2))) return out;
+    out.overlaps = true;
+    MassMoments found[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      report(progress, 0.2 + 0.4 * static_cast<double>(k));
+      found[k] = integrate(overlap_tuning.rasters[k]);
+    }
+    const bool apart = std::ranges::all_of(roles_, [](const Role& r) { return r.constant; });
+    out.soup.vertices = soup_.vertices;
+    for (std::size_t i = 0; i < soup_.triangles.size(); ++i) {
+      const Role& role = roles_[part_[i]];
+      const int weight = apart && role.seen ? role.weight : 1;
+      if (weight == 0) continue;
+      out.soup.triangles.push_back(soup_.triangles[i]);
+      if (weight < 0) std::swap(out.soup.triangles.back()[1], out.soup.triangles.back()[2]);
+    }
+    if (apart) {
+      out.hidden = hidden_parts();
+      return out;
+    }
+    const double volume = std::abs(mass_by_volume(soup_).measure + found[1].measure);
+    if (std::abs(found[1].measure) < overlap_tuning.least * volume) return {};
+    out.more = found[1];
+    out.error = std::abs(found[1].measure - found[0].measure) / volume;
+    return out;
+  }
+
+ private:
+  /// Any winding number but 0 and 1 along more than rounding; of what is inside out, but 0 and -1.
+  bool any_overlap(const Progress& progress) const {
+    int inside = 0;
+    for (int k = 0; k < 3; ++k) {
+      report(progress, k / 3.0);
+      const Lines lines(soup_, line_frame(k), overlap_tuning.first_look);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        bool odd = false;
+        double from = 0;
+        bool found = false;
+        each_step(lines[i], rounding_, [&](std::span<const LineHit> hits, int, int next) {
+          found = found || (odd && hits[0].along - from > rounding_);
+          if (inside == 0 && std::abs(next) == 1) inside = next;
+          odd = next != 0 && next != inside;
+          from = hits.back().along;
+        });
+        if (found) return true;
+      }
+    }
+    return false;
+  }
+
+  void note(std::span<const LineHit> hits, int before, int after) {
+    for (const LineHit& hit : hits) {
+      Role& role = roles_[part_[hit.triangle]];
+      // The front is towards the line's end where it leaves through it.
+      const int front = hit.sign > 0 ? after : before, back = hit.sign > 0 ? before : after;
+      const int weight = (back != 0) - (front != 0);
+      role.constant = role.constant && hits.size() == 1 && (!role.seen || role.weight == weight);
+      role.seen = true;
+      role.weight = weight;
+    }
+  }
+
+  /// Parts with the inside on both of their sides; none where the region needs one of them.
+  std::vector<bool> hidden_parts() const {
+    std::vector<bool> hidden(roles_.size());
+    bool any = false;
+    for (std::size_t p = 0; p < roles_.size(); ++p) {
+      hidden[p] = roles_[p].seen && roles_[p].weight == 0;
+      any = any || hidden[p];
+    }
+    if (!any) return {};
+    for (int k = 0; k < 3; ++k) {
+      const Lines lines(soup_, line_frame(k), overlap_tuning.rasters[0]);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        int left = 0;
+        bool differs = false, found = false;
+        double from = 0;
+        each_step(lines[i], rounding_, [&](std::span<const LineHit> hits, int, int after) {
+          found = found || (differs && hits[0].along - from > rounding_);
+          for (const LineHit& hit : hits)
+            if (!hidden[part_[hit.triangle]]) left -= hit.sign;
+          differs = (left != 0) != (after != 0);
+          from = hits.back().along;
+        });
+        if (found) return {};
+      }
+    }
+    return hidden;
+  }
+
+  MassMoments integrate(int count) {
+    MassMoments sum;
+    sum.origin = soup_.vertices[soup_.triangles[0][0]];
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Matrix3d frame = line_frame(k);
+      const Vec3 way = frame.row(2).transpose();
+      const Lines lines(soup_, frame, count);
+      const double section = lines.pixel() * lines.pixel() / 3;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto hits = lines[i];
+        int total = 0;
+        for (const LineHit& hit : hits) total += hit.sign;
+        if (total != 0) continue;
+        int missing = 0;
+        double from = 0;
+        each_step(hits, rounding_, [&](std::span<const LineHit> at, int before, int after) {
+          if (missing != 0) {
+            const double length = at[0].along - from;
+            const Vec3 middle = lines.point(i, from + length / 2) - sum.origin;
+            const double m = missing * section * length;
+            sum.measure += m;
+            sum.first += m * middle;
+            sum.second +=
+                m * (middle * middle.transpose() + length * length / 12 * way * way.transpose());
+          }
+          note(at, before, after);
+          missing = (after != 0) - after;
+          from = at.back().along;
+        });
+      }
+    }
+    return sum;
+  }
+
+  const Soup& soup_;
+  const std::vector<std::uint32_t>& part_;
+  double rounding_;
+  std::vector<Role> roles_;
+};
+
+}  // namespace
+
+Region find_region(const Soup& soup, const std::vector<std::uint32_t>& part,
+                   const Progress& progress) {
+  return Regions(soup, part).run(progress);
+}
+
+MassProperties mass_of(const Region& region, const Progress& progress) {
+  return mass_by_volume(region.soup, progress, region.more);
+}
+
+}  // namespace sonde

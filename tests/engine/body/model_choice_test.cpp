@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/body/model_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+/// Sound meshes, each of its own kind and size.
+std::vector<PolygonSoup> sound() {
+  return {test::box({1, 2, 3}), test::icosphere(0.02, 3), test::torus(50, 12, 40, 20),
+          test::prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}, 2)};
+}
+
+void expect_same_mass(const Body& broken, const Body& whole, double tolerance) {
+  EXPECT_TRUE(broken.solid) << broken.why;
+  EXPECT_NEAR(broken.mass.measure, whole.mass.measure, tolerance * whole.mass.measure);
+  EXPECT_LT((broken.mass.com - whole.mass.com).norm(), tolerance * whole.mass.radius);
+  EXPECT_LT((broken.mass.inertia - whole.mass.inertia).norm(),
+            4 * tolerance * whole.mass.inertia[2]);
+}
+
+// Reference, here and below: the mesh before it was broken.
+TEST(ModelChoice, a_mirrored_part_counts_as_the_other) {
+  for (const PolygonSoup& mesh : sound()) {
+    const auto one = test::body(mesh);
+    const Vec3 away(5 * one->mass.radius, 0, 0);
+    const auto both = test::body(test::joined(mesh, test::placed(mesh, away)));
+    const auto mixed = test::body(test::joined(mesh, test::turned_over(test::placed(mesh, away))));
+    expect_same_mass(*mixed, *both, 1e-12);
+    EXPECT_EQ(mixed->repairs.turned_parts, 1u);
+    EXPECT_FALSE(mixed->turned);
+  }
+}
+
+// The mirrored half of a part, closed or not at the plane, as it comes out inside out.
+TEST(ModelChoice, a_mirrored_half_that_touches_counts) {
+  for (const bool open : {false, true})
+    for (const PolygonSoup& mesh :
+         {test::box({1, 1, 1}), test::prism({{0, -1}, {2, 0}, {0, 1}}, 1)}) {
+      PolygonSoup half = mesh;
+      double low = 1e9;
+      for (const Vec3& x : half.points) low = std::min(low, x.x());
+      half = test::placed(half, {-low, 0, 0});  // its flat side in x = 0
+      if (open) half = test::without(half, [](const Vec3& x) { return x.x() < 1e-9; });
+      // Mirrored without turning its triangles: inside out.
+      const PolygonSoup mirrored =
+          test::moved(half, [](const Vec3& x) { return Vec3(-x.x(), x.y(), x.z()); });
+      const auto body = test::body(test::joined(half, mirrored));
+      const auto whole = test::body(mesh);
+      EXPECT_TRUE(body->solid) << body->why;
+      EXPECT_NEAR(body->mass.measure, 2 * whole->mass.measure, 1e-12);
+      EXPECT_NEAR(body->mass.com.x(), 0, 1e-12);
+    }
+}
+
+TEST(ModelChoice, cracks_are_closed) {
+  std::uint64_t seed = 0;
+  for (const PolygonSoup& mesh : sound())
+    for (const double by : {1e-15, 1e-8, 1e-6}) {
+      const auto whole = test::body(mesh);
+      const auto broken = test::body(test::cracked(mesh, by * whole->mass.radius, ++seed));
+      expect_same_mass(*broken, *whole, 1e-12 + 10 * by);
+      EXPECT_TRUE(broken->cracked);
+      EXPECT_EQ(broken->repairs.caps, 0u);
+      // No coordinate moves.
+      EXPECT_EQ(broken->soup.vertices.size(), 3 * whole->soup.triangles.size());
+    }
+}
+
+TEST(ModelChoice, corners_on_sides_are_cuts) {
+  for (const PolygonSoup& mesh : sound())
+    for (const double by : {0.0, 1e-7}) {
+      const auto whole = test::body(mesh);
+      const auto broken = test::body(test::cut_beyond(mesh, Vec3(1, 0.3, 0.2),
+                                                      whole->mass.com.dot(Vec3(1, 0.3, 0.2)),
+                                                      by * whole->mass.radius));
+      expect_same_mass(*broken, *whole, 1e-12 + 10 * by);
+      EXPECT_GT(broken->repairs.on_edges, 0u);
+    }
+}
+
+TEST(ModelChoice, a_triangle_missing_or_turned_or_repeated_is_mended) {
+  for (const PolygonSoup& mesh : {test::icosphere(0.02, 3), test::torus(50, 12, 40, 20),
+                                  test::torus_knot(2, 3, 2, 0.7, 0.3, 90, 12)}) {
+    const PolygonSoup triangles = test::triangulated(mesh);
+    const auto whole = test::body(mesh);
+    for (const std::size_t k : {std::size_t{0}, triangles.polygons.size() / 2}) {
+      PolygonSoup missing = triangles, over = triangles, twice = triangles;
+      missing.polygons.erase(missing.polygons.begin() + static_cast<std::ptrdiff_t>(k));
+      std::swap(over.polygons[k][1], over.polygons[k][2]);
+      twice.polygons.push_back(twice.polygons[k]);
+      expect_same_mass(*test::body(missing), *whole, 1e-12);
+      expect_same_mass(*test::body(over), *whole, 1e-12);
+      expect_same_mass(*test::body(twice), *whole, 1e-12);
+      EXPECT_EQ(test::body(missing)->repairs.caps, 1u);
+      EXPECT_EQ(test::body(missing)->caps.triangles.size(), 1u);
+      EXPECT_EQ(test::body(over)->repairs.turned_triangles, 1u);
+    }
+  }
+}
+
+TEST(ModelChoice, a_part_written_twice_counts_once) {
+  for (const PolygonSoup& mesh : sound()) {
+    const auto whole = test::body(mesh);
+    expect_same_mass(*test::body(test::joined(mesh, mesh)), *whole, 1e-12);
+    // Turned over, a concave polygon may be cut otherwise: then lines integrate what overlaps.
+    expect_same_mass(*test::body(test::joined(mesh, test::turned_over(mesh))), *whole, 1e-5);
+    // And another that is not.
+    const PolygonSoup more = test::placed(mesh, {5 * whole->mass.radius, 0, 0});
+    expect_same_mass(*test::body(test::joined(test::joined(mesh, mesh), more)),
+                     *test::body(test::joined(mesh, more)), 1e-12);
+  }
+}
+
+// Reference: the parts apart from each other.
+TEST(ModelChoice, the_centre_of_mass_is_within_the_bounds) {
+  const PolygonSoup box = test::box({1, 1, 1});
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(1, 1, 1.0000001), Vec3(2, 0.5, 1)}) {
+    const auto body = test::body(test::joined(box, test::turned_over(test::box(size)), {3, 0, 0}));
+    Eigen::AlignedBox3d bounds;
+    for (const Vec3& x : body->soup.vertices) bounds.extend(x);
+    EXPECT_TRUE(bounds.contains(body->mass.com));
+    EXPECT_GT(body->mass.measure, 1);
+  }
+}
+
+TEST(ModelChoice, nothing_is_done_where_that_is_asked_for) {
+  const PolygonSoup missing =
+      test::without(test::icosphere(1, 3), [n = 0](const Vec3&) mutable { return n++ == 5; });
+  const auto as_it_is = make_body(missing, Model::automatic, "a.off", {}, Repair::none);
+  EXPECT_FALSE(as_it_is->solid);
+  EXPECT_EQ(as_it_is->why, "3 open edges: the inside does not count");
+  EXPECT_FALSE(as_it_is->repairs.any());
+  EXPECT_TRUE(test::body(missing)->solid);
+}
+
+TEST(ModelChoice, clean_meshes_need_no_mending) {
+  for (const PolygonSoup& mesh : sound()) {
+    const auto body = test::body(mesh);
+    EXPECT_FALSE(may_need_mending(*body));
+    EXPECT_FALSE(body->repairs.any());
+    EXPECT_TRUE(body->loose.empty());
+    const auto none = make_body(mesh, Model::automatic, "a.off", {}, Repair::none);
+    EXPECT_EQ(body->mass.measure, none->mass.measure);
+    EXPECT_EQ(body->mass.com, none->mass.com);
+    EXPECT_EQ(body->soup.triangles, none->soup.triangles);
+  }
+}
+
+}  // namespace
+}  // namespace sonde

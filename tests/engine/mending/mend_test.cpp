@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/mend.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/engine/geometry/soup_of.hpp"
+#include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+Mended mended(const PolygonSoup& mesh, Model asked = Model::automatic) {
+  const Soup soup = compacted(triangulate_all(mesh));
+  return mend(soup, analyse_topology(soup), asked, "a.off");
+}
+
+std::ptrdiff_t count(const Mended& m, TriangleKind kind) {
+  return std::count(m.kinds.begin(), m.kinds.end(), kind);
+}
+
+TEST(Mend, sound_parts_are_as_they_were_given) {
+  const Mended m = mended(test::joined(test::box({1, 1, 1}), test::icosphere(1, 1), {5, 0, 0}));
+  EXPECT_TRUE(m.as_given);
+  EXPECT_FALSE(m.cracked);
+  EXPECT_FALSE(m.repairs.any());
+  EXPECT_EQ(m.why, "closed: the inside counts");
+  EXPECT_EQ(m.repairs.solid_parts, 2u);
+}
+
+TEST(Mend, a_sheet_beside_a_solid_is_loose) {
+  const PolygonSoup sheet =
+      test::without(test::box({9, 9, 1}), [](const Vec3& x) { return x.z() > -0.49; });
+  const Mended m = mended(test::joined(test::icosphere(1, 2), sheet, {0, 0, -2}));
+  EXPECT_EQ(count(m, TriangleKind::loose), 2);
+  EXPECT_EQ(count(m, TriangleKind::bounds), 320);
+  EXPECT_EQ(m.why, "1 of 2 parts is closed: its inside counts");
+}
+
+TEST(Mend, an_inner_wall_is_left_out_and_a_fin_is_not) {
+  const PolygonSoup box = test::box({1, 1, 1});
+  EXPECT_EQ(count(mended(test::joined(box, box, {1, 0, 0})), TriangleKind::hidden), 4);
+  PolygonSoup finned = test::triangulated(box);
+  finned.points.emplace_back(0, 0, 3);
+  finned.polygons.push_back({4, 5, 8});
+  finned.polygons.push_back({5, 4, 8});
+  const Mended m = mended(finned);
+  EXPECT_EQ(count(m, TriangleKind::hidden), 0);
+  EXPECT_EQ(count(m, TriangleKind::bounds), 14);
+}
+
+TEST(Mend, both_sides_of_a_solid_count_as_one) {
+  for (const PolygonSoup& one : {test::icosphere(1, 2), test::box({1, 2, 3})}) {
+    PolygonSoup both{one.points, {}};
+    for (const Polygon& polygon : test::triangulated(one).polygons) {
+      both.polygons.push_back(polygon);
+      both.polygons.push_back({polygon[0], polygon[2], polygon[1]});
+    }
+    const Mended m = mended(both);
+    EXPECT_EQ(m.triangles.size(), both.polygons.size() / 2);
+    EXPECT_EQ(m.repairs.solid_parts, 1u);
+    EXPECT_GT(mass_by_volume(m.solid.soup).measure, 0);
+  }
+}
+
+TEST(Mend, a_surface_is_left_as_it_is) {
+  const PolygonSoup open =
+      test::without(test::box({1, 1, 1}), [](const Vec3& x) { return x.z() > 0.49; });
+  const Mended m = mended(open);
+  EXPECT_TRUE(m.as_given);
+  EXPECT_TRUE(m.solid.soup.triangles.empty());
+  EXPECT_FALSE(m.repairs.any());
+  EXPECT_THAT(m.why, testing::HasSubstr("4 open edges, open mouth 1"));
+  // Asked for, its inside counts.
+  const Mended solid = mended(open, Model::solid);
+  EXPECT_EQ(count(solid, TriangleKind::cap), 2);
+  EXPECT_NEAR(mass_by_volume(solid.solid.soup).measure, 1, 1e-14);
+}
+
+TEST(Mend, what_has_no_inside_cannot_be_a_solid) {
+  const PolygonSoup sheet =
+      test::without(test::box({1, 1, 1}), [](const Vec3& x) { return x.z() < 0.49; });
+  try {
+    mended(sheet, Model::solid);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "a.off: cannot be a solid: 4 open edges");
+  }
+}
+
+}  // namespace
+}  // namespace sonde

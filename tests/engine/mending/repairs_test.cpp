@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/repairs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sonde {
+namespace {
+
+TEST(Repairs, none_say_nothing) {
+  EXPECT_FALSE(Repairs().any());
+  EXPECT_TRUE(sentences(Repairs()).empty());
+}
+
+TEST(Repairs, each_is_said_once_with_its_count_and_unit) {
+  Repairs r;
+  r.joined = 1;
+  r.reach = 1e-7;
+  r.on_edges = 2;
+  r.turned_triangles = 1;
+  r.parts = 3;
+  r.turned_parts = 1;
+  r.caps = 2;
+  r.cap_triangles = 5;
+  r.cap_area = 0.25;
+  r.widest_cap = 0.011;
+  r.overlaps = true;
+  r.overlap_error = 2e-6;
+  EXPECT_TRUE(r.any());
+  EXPECT_THAT(sentences(r),
+              testing::ElementsAre(
+                  "1 corner joined with others up to 1e-07 m away",
+                  "2 corners found on edges of others, which count as cut",
+                  "1 triangle turned to agree with neighbours", "1 part of 3 inside out, turned",
+                  "2 openings closed by 5 triangles of 0.25 m², the widest 1.1 % of what "
+                  "is seen from outside",
+                  "parts that overlap are counted once, to 2e-06 of the volume"));
+}
+
+}  // namespace
+}  // namespace sonde

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/seams.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/geometry/topology.hpp"
+#include "tests/engine/geometry/soup_of.hpp"
+#include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+std::size_t open_edges(const std::vector<EdgeUse>& uses) {
+  std::size_t open = 0;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { open += edge.size() % 2; });
+  return open;
+}
+
+Seams seams_of(const Soup& soup) { return find_seams(soup, edge_uses(soup)); }
+
+// Reference: the mesh before its corners were moved apart is closed.
+TEST(Seams, corners_apart_by_rounding_are_joined) {
+  std::uint64_t seed = 0;
+  for (const PolygonSoup& mesh :
+       {test::box({1, 2, 3}), test::icosphere(0.02, 2), test::torus(5, 1, 24, 12),
+        test::torus_knot(2, 3, 2, 0.7, 0.3, 60, 8)})
+    for (const double by : {1e-15, 1e-9, 1e-7, 2e-6}) {
+      Eigen::AlignedBox3d box;
+      for (const Vec3& x : mesh.points) box.extend(x);
+      const double size = box.sizes().norm();
+      const Soup soup = test::welded(test::cracked(mesh, by * size, ++seed));
+      ASSERT_GT(open_edges(edge_uses(soup)), 0u);
+      const Seams seams = seams_of(soup);
+      EXPECT_EQ(open_edges(seams.uses), 0u) << by;
+      // Only rounding is left of some corners where the move is that small.
+      EXPECT_GT(seams.joined, 0u);
+      EXPECT_LE(seams.reach, 1.001e-5 * size);
+    }
+}
+
+// A cut along a plane: on one side every triangle is cut in four.
+TEST(Seams, corners_on_the_sides_of_others_cut_them) {
+  for (const PolygonSoup& mesh :
+       {test::box({1, 2, 3}), test::icosphere(0.02, 2), test::torus(5, 1, 24, 12)})
+    for (const double by : {0.0, 1e-9, 1e-7}) {
+      const Soup soup =
+          test::welded(test::cut_beyond(mesh, Vec3(1, 0.3, 0.2), 0, by * mesh.points[0].norm()));
+      ASSERT_GT(open_edges(edge_uses(soup)), 0u);
+      const Seams seams = seams_of(soup);
+      EXPECT_EQ(open_edges(seams.uses), 0u) << by;
+      EXPECT_EQ(seams.on_edges, seams.cuts.size());
+      EXPECT_EQ(seams.unsearched, 0u);
+    }
+}
+
+TEST(Seams, what_is_drawn_apart_stays_apart) {
+  // A slit of a thousandth of the size, and two plates that face each other at that distance.
+  const PolygonSoup plate =
+      test::without(test::box({1, 1, 1}), [](const Vec3& x) { return x.z() < 0.49; });
+  for (const double gap : {1e-2, 1e-3, 1e-4}) {
+    const Soup soup = test::welded(test::joined(plate, plate, {0, 0, gap}));
+    const Seams seams = seams_of(soup);
+    EXPECT_EQ(seams.joined, 0u) << gap;
+    EXPECT_EQ(open_edges(seams.uses), 8u);
+  }
+}
+
+// Fine detail: a corner's own edges are shorter than the reach of a coarse step would be.
+TEST(Seams, edges_that_small_are_not_closed_up) {
+  const double tiny = 2e-6;
+  const Soup soup = test::welded(test::joined(
+      test::box({1, 1, 1}),
+      test::without(test::box({tiny, tiny, tiny}), [](const Vec3& x) { return x.z() > 0.9e-6; }),
+      {3, 0, 0}));
+  const Seams seams = seams_of(soup);
+  EXPECT_EQ(seams.joined, 0u);
+  EXPECT_EQ(open_edges(seams.uses), 4u);
+}
+
+TEST(Seams, a_closed_mesh_has_none) {
+  const Soup soup = test::welded(test::torus(1, 0.3, 20, 10));
+  const Seams seams = seams_of(soup);
+  EXPECT_EQ(seams.joined + seams.on_edges + seams.cuts.size(), 0u);
+  EXPECT_EQ(seams.uses.size(), 3 * soup.triangles.size());
+}
+
+}  // namespace
+}  // namespace sonde
