@@ -71,7 +71,6 @@ void add_repair(CLI::App& parser, std::string& repair) {
 
 std::vector<std::string> remarks_on(const Body& body) {
   std::vector<std::string> remarks;
-  if (body.turned) remarks.emplace_back("was inside out and has been turned");
   if (body.degenerate > 0)
     remarks.push_back(counted(body.degenerate, "triangle") + " without area set aside");
   for (std::string& sentence : sentences(body.repairs)) remarks.push_back(std::move(sentence));

@@ -57,7 +57,6 @@ std::string defects_text(const Body& body) {
   };
   for (const Defect& defect : defects_of(body))
     if (defect.count > 0) add(std::to_string(defect.count) + " " + defect.name);
-  if (body.turned) add("was inside out and has been turned");
   return text.empty() ? "none" : text;
 }
 

@@ -43,6 +43,10 @@ Model model_of(const std::string& word) {
       "model", word,
       {{"auto", Model::automatic}, {"solid", Model::solid}, {"surface", Model::surface}});
 }
+
+Repair repair_of(const std::string& word) {
+  return chosen<Repair>("repair", word, {{"auto", Repair::automatic}, {"none", Repair::none}});
+}
 Method method_of(const std::string& word) {
   return chosen<Method>("method", word,
                         {{name_of(Method::pdg), Method::pdg}, {name_of(Method::pdt), Method::pdt}});
@@ -74,7 +78,7 @@ Faces faces_in(const py::object& given) {
 }
 
 SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const std::string& model,
-                   const std::string& name) {
+                   const std::string& name, const std::string& repair) {
   need_columns(vertices, "vertices");
   const Faces faces = faces_in(given_faces);
   std::vector<Vec3> points(static_cast<std::size_t>(vertices.shape(0)));
@@ -91,14 +95,17 @@ SharedBody body_of(const Numbers& vertices, const py::object& given_faces, const
       triangles[i][j] = static_cast<std::uint32_t>(corner);
     }
   const Model chosen_model = model_of(model);
+  const Repair chosen_repair = repair_of(repair);
   const py::gil_scoped_release released;
-  return shared(make_body(points, triangles, chosen_model, name));
+  return shared(make_body(points, triangles, chosen_model, name, chosen_repair));
 }
 
-SharedBody body_in(const std::filesystem::path& file, const std::string& model, double scale) {
+SharedBody body_in(const std::filesystem::path& file, const std::string& model, double scale,
+                   const std::string& repair) {
   const Model chosen_model = model_of(model);
+  const Repair chosen_repair = repair_of(repair);
   const py::gil_scoped_release released;
-  return shared(read_body(file, chosen_model, scale));
+  return shared(read_body(file, chosen_model, scale, {}, chosen_repair));
 }
 
 Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
@@ -173,12 +180,14 @@ py::array_t<double> three(const Vec3& v) { return py::array_t<double>(3, v.data(
 void declare_body(py::module_& module) {
   py::class_<SharedBody>(module, "Body", "A rigid body made of triangles. It is immutable.")
       .def(py::init(&body_of), "vertices"_a, "faces"_a, "model"_a = "auto", "name"_a = "body",
+           "repair"_a = "auto",
            "Makes a body from vertices (n, 3), metres, and faces (m, 3), indices of vertices,\n"
            "counter-clockwise seen from outside. model: \"solid\" (the inside counts),\n"
-           "\"surface\" (the triangles alone) or \"auto\" (solid where closed).\n"
+           "\"surface\" (the triangles alone) or \"auto\" (solid where it looks closed).\n"
+           "repair: \"auto\" (what looks closed is closed; no vertex moves) or \"none\".\n"
            "Raises InputError if they cannot be a body.")
       .def_static(
-          "read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0,
+          "read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0, "repair"_a = "auto",
           "Reads an OFF, OBJ, PLY or STL file, a str or a path; model as above, scale is its\n"
           "unit in metres.\n"
           "Raises InputError, which names the file and the line.")
@@ -191,6 +200,9 @@ void declare_body(py::module_& module) {
           "solid", [](const SharedBody& b) { return b.facts.solid; }, "Whether its inside counts.")
       .def_property_readonly(
           "why", [](const SharedBody& b) { return b.facts.why; }, "Why it is a solid or a surface.")
+      .def_property_readonly(
+          "mended", [](const SharedBody& b) { return b.facts.mended; },
+          "What was done so that it has an inside, a sentence each.")
       .def_property_readonly(
           "measure", [](const SharedBody& b) { return b.facts.mass.measure; },
           "Volume of a solid, m^3; area of a surface, m^2.")

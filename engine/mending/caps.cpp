@@ -2,66 +2,116 @@
 #include "engine/mending/caps.hpp"
 
 #include <algorithm>
-#include <map>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace sonde {
 namespace {
 
-/// The sides that are missing in one part: by the vertex they start at, where they lead to.
-using Missing = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+/// A side that is missing in a part: it leads against what is there.
+struct Missing {
+  std::uint32_t part, from, to;
+};
 
-/// By part; each side leads against what is there.
-std::map<std::uint32_t, Missing> missing_sides(const std::vector<EdgeUse>& uses,
-                                               const Orientation& orientation) {
-  std::map<std::uint32_t, Missing> missing;
-  std::map<std::uint32_t, int> sums;
+std::vector<Missing> missing_sides(const std::vector<EdgeUse>& uses,
+                                   const Orientation& orientation) {
+  std::vector<Missing> missing;
+  const auto direction = [&](const EdgeUse& use) {
+    return use.down != orientation.turned[use.triangle()] ? -1 : 1;
+  };
+  std::vector<std::pair<std::uint32_t, int>> sums;  // of each part at an edge
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() == 2) {  // nearly all: they agree
-      const bool a = edge[0].down != orientation.turned[edge[0].triangle()];
-      const bool b = edge[1].down != orientation.turned[edge[1].triangle()];
-      const std::uint32_t p = orientation.part[edge[0].triangle()];
-      if (a != b && p == orientation.part[edge[1].triangle()]) return;
-    }
+    if (edge.size() == 2 && direction(edge[0]) != direction(edge[1]) &&
+        orientation.part[edge[0].triangle()] == orientation.part[edge[1].triangle()])
+      return;  // nearly all
     sums.clear();
-    for (const EdgeUse& use : edge)
-      sums[orientation.part[use.triangle()]] +=
-          use.down != orientation.turned[use.triangle()] ? -1 : 1;
+    for (const EdgeUse& use : edge) {
+      const std::uint32_t part = orientation.part[use.triangle()];
+      const auto found = std::ranges::find(sums, part, [](const auto& sum) { return sum.first; });
+      if (found == sums.end())
+        sums.emplace_back(part, direction(use));
+      else
+        found->second += direction(use);
+    }
     for (const auto& [part, sum] : sums)
-      for (int k = 0; k < std::abs(sum); ++k) {
-        if (sum > 0)
-          missing[part][edge[0].high].push_back(edge[0].low);
-        else
-          missing[part][edge[0].low].push_back(edge[0].high);
-      }
+      for (int k = 0; k < std::abs(sum); ++k)
+        missing.push_back(sum > 0 ? Missing{part, edge[0].high, edge[0].low}
+                                  : Missing{part, edge[0].low, edge[0].high});
+  });
+  std::sort(missing.begin(), missing.end(), [](const Missing& a, const Missing& b) {
+    return std::tie(a.part, a.from, a.to) < std::tie(b.part, b.from, b.to);
   });
   return missing;
 }
 
-/// Takes the sides out as loops that meet no vertex twice.
-std::vector<std::vector<std::uint32_t>> loops_of(Missing missing) {
-  std::vector<std::vector<std::uint32_t>> loops;
-  for (auto& [start, ends] : missing)
-    while (!ends.empty()) {
-      std::vector<std::uint32_t> way{start};
-      std::map<std::uint32_t, std::size_t> at{{start, 0}};
-      while (!way.empty()) {
-        std::vector<std::uint32_t>& next = missing[way.back()];
-        if (next.empty()) break;  // the way is back where it began
-        const std::uint32_t v = next.back();
-        next.pop_back();
-        const auto [seen, is_new] = at.try_emplace(v, way.size());
-        if (is_new) {
-          way.push_back(v);
-          continue;
-        }
-        const auto from = way.begin() + static_cast<std::ptrdiff_t>(seen->second);
-        loops.emplace_back(from, way.end());
-        for (auto w = from + 1; w != way.end(); ++w) at.erase(*w);
-        way.erase(from + 1, way.end());
+/// The missing sides of one part as loops that meet no vertex twice. As many leave each vertex as
+/// arrive there.
+class Loops {
+ public:
+  explicit Loops(std::span<const Missing> sides) : sides_(sides) {
+    for (const Missing& side : sides)
+      if (starts_.empty() || starts_.back() != side.from) {
+        starts_.push_back(side.from);
+        next_.push_back(static_cast<std::size_t>(&side - sides.data()));
       }
+    next_.push_back(sides.size());
+    end_.assign(next_.begin() + 1, next_.end());
+    place_.assign(starts_.size(), nowhere);
+  }
+
+  std::vector<std::vector<std::uint32_t>> taken_out() {
+    std::vector<std::vector<std::uint32_t>> loops;
+    for (std::size_t s = 0; s < starts_.size(); ++s)
+      while (next_[s] < end_[s]) follow(s, loops);
+    return loops;
+  }
+
+ private:
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+  std::size_t index(std::uint32_t vertex) const {
+    return static_cast<std::size_t>(std::lower_bound(starts_.begin(), starts_.end(), vertex) -
+                                    starts_.begin());
+  }
+  void follow(std::size_t start, std::vector<std::vector<std::uint32_t>>& loops) {
+    std::vector<std::size_t> way{start};
+    place_[start] = 0;
+    while (next_[way.back()] < end_[way.back()]) {
+      const std::size_t v = index(sides_[next_[way.back()]++].to);
+      if (place_[v] == nowhere) {
+        place_[v] = way.size();
+        way.push_back(v);
+        continue;
+      }
+      std::vector<std::uint32_t>& loop = loops.emplace_back();
+      const std::size_t from = place_[v];
+      for (std::size_t k = from; k < way.size(); ++k) loop.push_back(starts_[way[k]]);
+      for (std::size_t k = from + 1; k < way.size(); ++k) place_[way[k]] = nowhere;
+      way.resize(from + 1);
     }
-  return loops;
+    for (const std::size_t v : way) place_[v] = nowhere;
+  }
+
+  std::span<const Missing> sides_;
+  std::vector<std::uint32_t> starts_;    // vertices, ascending
+  std::vector<std::size_t> next_, end_;  // of each: sides not taken yet
+  std::vector<std::size_t> place_;       // of each on the way that is followed
+};
+
+Cap cap_over(const Soup& soup, std::uint32_t part, std::vector<std::uint32_t> loop) {
+  PolygonSoup polygon;
+  for (const std::uint32_t v : loop) polygon.points.push_back(soup.vertices[v]);
+  polygon.polygons.emplace_back(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k) polygon.polygons[0][k] = k;
+  Cap cap{part, {}, {}, 0};
+  for (const Triangle& t : triangulate_all(polygon).triangles) {
+    const Vec3 &a = polygon.points[t[0]], &b = polygon.points[t[1]], &c = polygon.points[t[2]];
+    cap.area += (b - a).cross(c - a).norm() / 2;
+    cap.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
+  }
+  cap.loop = std::move(loop);
+  return cap;
 }
 
 }  // namespace
@@ -69,22 +119,15 @@ std::vector<std::vector<std::uint32_t>> loops_of(Missing missing) {
 std::vector<Cap> find_caps(const Soup& soup, const std::vector<EdgeUse>& uses,
                            const Orientation& orientation) {
   std::vector<Cap> caps;
-  for (auto& [part, missing] : missing_sides(uses, orientation))
-    for (std::vector<std::uint32_t>& loop : loops_of(std::move(missing))) {
-      if (loop.size() < 3) continue;  // there and back: nothing is between
-      PolygonSoup polygon;
-      for (const std::uint32_t v : loop) polygon.points.push_back(soup.vertices[v]);
-      polygon.polygons.emplace_back(loop.size());
-      for (std::size_t k = 0; k < loop.size(); ++k) polygon.polygons[0][k] = k;
-      Cap cap{part, {}, {}, 0};
-      for (const Triangle& t : triangulate_all(polygon).triangles) {
-        const Vec3 &a = polygon.points[t[0]], &b = polygon.points[t[1]], &c = polygon.points[t[2]];
-        cap.area += (b - a).cross(c - a).norm() / 2;
-        cap.triangles.push_back({loop[t[0]], loop[t[1]], loop[t[2]]});
-      }
-      cap.loop = std::move(loop);
-      caps.push_back(std::move(cap));
-    }
+  const std::vector<Missing> missing = missing_sides(uses, orientation);
+  for (auto first = missing.begin(); first != missing.end();) {
+    const auto last = std::find_if(first, missing.end(),
+                                   [&](const Missing& side) { return side.part != first->part; });
+    for (std::vector<std::uint32_t>& loop : Loops({first, last}).taken_out())
+      if (loop.size() >= 3)  // fewer go there and back: nothing is between
+        caps.push_back(cap_over(soup, first->part, std::move(loop)));
+    first = last;
+  }
   return caps;
 }
 

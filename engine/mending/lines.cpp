@@ -125,8 +125,9 @@ void Lines::cast(const Soup& soup) {
 Vec3 Lines::point(std::size_t i, double along) const {
   const auto n = static_cast<std::size_t>(count_);
   const double in_pixel = static_cast<double>(offset) / static_cast<double>(one);
-  const Vec3 y(low_[0] + (static_cast<double>(i % n) + in_pixel) * pixel_,
-               low_[1] + (static_cast<double>(i / n) + in_pixel) * pixel_, along);
+  const std::size_t row = i / n, column = i % n;
+  const Vec3 y(low_[0] + (static_cast<double>(column) + in_pixel) * pixel_,
+               low_[1] + (static_cast<double>(row) + in_pixel) * pixel_, along);
   return across_to_.transpose() * y;
 }
 

@@ -185,7 +185,7 @@ class Mender {
     if (largest->torn > 0 && !largest->flat)
       return "one side only (non-orientable along " + counted(largest->torn, "edge") + ")";
     if (open_edges_ == 0) return "closed but flat (no volume)";
-    const std::string edges = counted(open_edges_, "open edge");
+    std::string edges = counted(open_edges_, "open edge");
     if (largest->flat) return edges;
     return edges + ", " +
            (largest->mouth > part_tuning.widest_mouth

@@ -61,17 +61,18 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
     const auto found = inside[p].find(q);
     return found != inside[p].end() && found->second == asked[p];
   };
+  const auto is_outermost = [&](std::uint32_t q, std::uint32_t but) {
+    return std::ranges::none_of(inside[q], [&](const auto& further) {
+      return further.first != but && nested_in(q, further.first);
+    });
+  };
   // The outermost part around each: one that holds it and is nested in none itself.
   for (std::uint32_t p = 0; p < facts.size(); ++p) {
     if (!solid[p]) continue;
-    std::uint32_t outermost = p;
-    for (const auto& [q, n] : inside[p])
-      if (nested_in(p, q) && std::ranges::none_of(inside[q], [&](const auto& further) {
-            return further.first != p && nested_in(q, further.first);
-          })) {
-        outermost = q;
-        break;
-      }
+    const auto around_it = std::ranges::find_if(inside[p], [&](const auto& found) {
+      return nested_in(p, found.first) && is_outermost(found.first, p);
+    });
+    const std::uint32_t outermost = around_it == inside[p].end() ? p : around_it->first;
     turn[p] = facts[outermost].volume < 0;
   }
   return turn;

@@ -2,6 +2,7 @@
 #include "engine/mending/parts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/base/progress.hpp"
@@ -94,7 +95,8 @@ class Judge {
     for (const Cap& cap : caps_) ++facts_[cap.part].caps;
   }
 
-  Sealed alone(std::uint32_t p) const {
+  /// A part as the only one, its caps counted from `first_cap`.
+  Sealed alone(std::uint32_t p, std::size_t first_cap = 0) const {
     Sealed out;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> number;
     for (std::size_t k = start_[p]; k < start_[p + 1]; ++k)
@@ -111,8 +113,9 @@ class Judge {
     for (std::size_t k = start_[p]; k < start_[p + 1]; ++k) {
       const Triangle& t = sealed_.soup.triangles[order_[k]];
       out.soup.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
-      out.part.push_back(p);
-      out.cap.push_back(sealed_.cap[order_[k]]);
+      out.part.push_back(0);
+      const std::uint32_t cap = sealed_.cap[order_[k]];
+      out.cap.push_back(cap == Sealed::no_cap ? cap : cap - static_cast<std::uint32_t>(first_cap));
     }
     return out;
   }
@@ -157,8 +160,15 @@ class Judge {
     std::size_t rasters = 0;
     for (const std::uint32_t p : open) {
       if (ends.on_part[p] >= part_tuning.fewest_ends) continue;
-      if (rasters++ < part_tuning.most_rasters) look_at(p, sealed_, ends);
-      if (ends.on_part[p] < part_tuning.fewest_ends) look_at(p, alone(p), ends);
+      const auto [first, own] = caps_of(p);
+      const bool in_sight = rasters++ < part_tuning.most_rasters;
+      const Ends found =
+          in_sight ? ends_in(box_of(p), part_tuning.own_lines, sealed_,
+                             Ends(facts_.size(), caps_.size()))
+                   : ends_in(box_of(p), part_tuning.few_lines, alone(p, first), Ends(1, own));
+      ends.on_part[p] = found.on_part[in_sight ? p : 0];
+      for (std::size_t c = 0; c < own; ++c)
+        ends.on_cap[first + c] = found.on_cap[in_sight ? first + c : c];
     }
     for (std::uint32_t c = 0; c < caps_.size(); ++c) {
       PartFacts& part = facts_[caps_[c].part];
@@ -172,25 +182,37 @@ class Judge {
     }
   }
 
-  /// The ends on a part anew, by lines through its own box.
-  void look_at(std::uint32_t p, const Sealed& what, Ends& ends) const {
-    Ends found(facts_.size(), caps_.size());
+  /// The first of the caps of a part, and their number.
+  std::pair<std::size_t, std::size_t> caps_of(std::uint32_t p) const {
+    const auto first = std::partition_point(caps_.begin(), caps_.end(),
+                                            [p](const Cap& cap) { return cap.part < p; });
+    const auto last =
+        std::partition_point(first, caps_.end(), [p](const Cap& cap) { return cap.part == p; });
+    return {static_cast<std::size_t>(first - caps_.begin()),
+            static_cast<std::size_t>(last - first)};
+  }
+
+  /// The box of a part across the lines, in each of their three directions.
+  using Boxes = std::array<Eigen::AlignedBox2d, 3>;
+  Boxes box_of(std::uint32_t p) const {
+    Boxes boxes;
     for (int k = 0; k < 3; ++k) {
       const Eigen::Matrix3d frame = line_frame(k);
-      Eigen::AlignedBox2d box;
       for (std::size_t i = start_[p]; i < start_[p + 1]; ++i)
         for (const std::uint32_t v : sealed_.soup.triangles[order_[i]])
-          box.extend(Eigen::Vector2d((frame * sealed_.soup.vertices[v]).head<2>()));
-      const double size = box.sizes().maxCoeff();
-      if (!(size > 0)) return;
-      look(Lines(what.soup, frame, part_tuning.own_lines, box.min(), size), what, found);
+          boxes[static_cast<std::size_t>(k)].extend(
+              Eigen::Vector2d((frame * sealed_.soup.vertices[v]).head<2>()));
     }
-    ends.on_part[p] = found.on_part[p];
-    const auto own = std::ranges::equal_range(caps_, p, {}, &Cap::part);
-    for (auto cap = own.begin(); cap != own.end(); ++cap) {
-      const auto c = static_cast<std::size_t>(cap - caps_.begin());
-      ends.on_cap[c] = found.on_cap[c];
+    return boxes;
+  }
+
+  static Ends ends_in(const Boxes& boxes, int count, const Sealed& what, Ends ends) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::AlignedBox2d& box = boxes[static_cast<std::size_t>(k)];
+      if (const double size = box.sizes().maxCoeff(); size > 0)
+        look(Lines(what.soup, line_frame(k), count, box.min(), size), what, ends);
     }
+    return ends;
   }
 
   const Sealed& sealed_;

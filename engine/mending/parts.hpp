@@ -32,6 +32,7 @@ struct PartTuning {
   /// of its own, through all parts for so many of them, and through itself alone beyond.
   std::size_t fewest_ends = 1000;
   std::size_t most_rasters = 32;
+  int few_lines = 24;  ///< along a side of these last rasters: there may be very many
 };
 inline constexpr PartTuning part_tuning;
 

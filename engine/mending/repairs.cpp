@@ -24,7 +24,9 @@ std::vector<std::string> sentences(const Repairs& r) {
   if (r.repeated > 0) out.push_back(counted(r.repeated, "repeated triangle") + " counted once");
   if (r.turned_triangles > 0)
     out.push_back(counted(r.turned_triangles, "triangle") + " turned to agree with neighbours");
-  if (r.turned_parts > 0)
+  if (r.turned_parts > 0 && r.turned_parts == r.parts)
+    out.emplace_back("was inside out and has been turned");
+  else if (r.turned_parts > 0)
     out.push_back(counted(r.turned_parts, "part") + " of " + std::to_string(r.parts) +
                   " inside out, turned");
   if (r.caps > 0)

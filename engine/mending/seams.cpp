@@ -153,6 +153,7 @@ class Attempt {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::uint32_t> out;
+    out.reserve(found.size());
     for (const auto& [t, i] : found) out.push_back(i);
     return out;
   }

@@ -11,10 +11,20 @@ class InputError(ValueError): ...
 
 class Body:
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, model: str = "auto", name: str = "body"
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        model: str = "auto",
+        name: str = "body",
+        repair: str = "auto",
     ) -> None: ...
     @staticmethod
-    def read(file: Union[str, os.PathLike[str]], model: str = "auto", scale: float = 1.0) -> Body: ...
+    def read(
+        file: Union[str, os.PathLike[str]],
+        model: str = "auto",
+        scale: float = 1.0,
+        repair: str = "auto",
+    ) -> Body: ...
     @property
     def name(self) -> str: ...
     @property
@@ -23,6 +33,8 @@ class Body:
     def solid(self) -> bool: ...
     @property
     def why(self) -> str: ...
+    @property
+    def mended(self) -> List[str]: ...
     @property
     def measure(self) -> float: ...
     @property

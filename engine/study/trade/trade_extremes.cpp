@@ -33,7 +33,11 @@ std::shared_ptr<const Body> moved(const Body& body, double scale, const Vec3& sh
   PolygonSoup out;
   for (const Vec3& x : body.soup.vertices) out.points.push_back(scale * x + shift);
   for (const Triangle& t : body.soup.triangles) out.polygons.push_back({t[0], t[1], t[2]});
-  return make_body(out, body.solid ? Model::solid : Model::surface, body.name);
+  return make_body(out,
+                   !body.solid          ? Model::surface
+                   : body.loose.empty() ? Model::solid
+                                        : Model::automatic,
+                   body.name);
 }
 
 /// The two bodies in a world, and what is found of them there. All lengths are those of the world

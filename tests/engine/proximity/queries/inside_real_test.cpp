@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "engine/proximity/queries/inside.hpp"
+#include "tests/support/defects.hpp"
+#include "tests/support/real_meshes.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+Eigen::AlignedBox3d bounds_of(const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& x : body.soup.vertices) box.extend(x);
+  return box;
+}
+
+/// The triangles that bound the inside, as corners.
+std::vector<std::array<Vec3, 3>> boundary(const Body& body) {
+  std::vector<std::array<Vec3, 3>> out;
+  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
+    if (is_loose(body, i)) continue;
+    const Triangle& t = surface(body).triangles[i];
+    out.push_back(
+        {surface(body).vertices[t[0]], surface(body).vertices[t[1]], surface(body).vertices[t[2]]});
+  }
+  return out;
+}
+
+/// Solid angles over 4π (Van Oosterom and Strackee, 1983): a whole number for closed meshes.
+double winding(const std::vector<std::array<Vec3, 3>>& triangles, const Vec3& x) {
+  double sum = 0;
+  for (const auto& t : triangles) {
+    const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
+/// Volume and centre of where columns along z see a winding number other than 0; `count` columns
+/// along each of x and y.
+struct Integrated {
+  double volume = 0;
+  Vec3 centre = Vec3::Zero();
+};
+Integrated integrated(const Body& body, int count) {
+  const Eigen::AlignedBox3d box = bounds_of(body);
+  const double dx = box.sizes().x() / count, dy = box.sizes().y() / count;
+  // Off the middles, where modelled corners tend to be.
+  const auto column_x = [&](int i) { return box.min().x() + (i + 0.5137) * dx; };
+  const auto column_y = [&](int j) { return box.min().y() + (j + 0.4871) * dy; };
+  std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> hits;
+  for (const auto& t : boundary(body)) {
+    const double x0 = std::min({t[0].x(), t[1].x(), t[2].x()}),
+                 x1 = std::max({t[0].x(), t[1].x(), t[2].x()});
+    const double y0 = std::min({t[0].y(), t[1].y(), t[2].y()}),
+                 y1 = std::max({t[0].y(), t[1].y(), t[2].y()});
+    const auto first = [](double v) { return std::max(0, static_cast<int>(std::floor(v)) - 1); };
+    const auto side = [](const Vec3& a, const Vec3& b, double x, double y) {
+      // One answer for an edge, whichever of its triangles asks.
+      const bool swapped = std::pair(a.x(), a.y()) > std::pair(b.x(), b.y());
+      const Vec3 &p = swapped ? b : a, &q = swapped ? a : b;
+      const bool left = (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x()) > 0;
+      return left != swapped;
+    };
+    for (int i = first((x0 - box.min().x()) / dx); i < count && column_x(i) <= x1; ++i)
+      for (int j = first((y0 - box.min().y()) / dy); j < count && column_y(j) <= y1; ++j) {
+        const double x = column_x(i), y = column_y(j);
+        const bool a = side(t[0], t[1], x, y), b = side(t[1], t[2], x, y),
+                   c = side(t[2], t[0], x, y);
+        if (a != b || b != c) continue;
+        const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+        if (n.z() == 0) continue;
+        const double z = t[0].z() - (n.x() * (x - t[0].x()) + n.y() * (y - t[0].y())) / n.z();
+        hits[{i, j}].emplace_back(z, a ? 1 : -1);
+      }
+  }
+  Integrated out;
+  for (auto& [column, at] : hits) {
+    std::sort(at.begin(), at.end());
+    int w = 0;
+    for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+      w -= at[k].second;
+      if (w == 0) continue;
+      const double length = at[k + 1].first - at[k].first, piece = length * dx * dy;
+      out.volume += piece;
+      out.centre +=
+          piece * Vec3(column_x(column.first), column_y(column.second), at[k].first + length / 2);
+    }
+  }
+  out.centre /= out.volume;
+  return out;
+}
+
+/// Random points in the bounds: inside where the winding number rounds to anything but 0.
+void expect_inside_is_right(const Body& body, int points, std::uint64_t seed) {
+  const auto triangles = boundary(body);
+  const Eigen::AlignedBox3d box = bounds_of(body);
+  std::mt19937_64 random(seed);
+  for (int k = 0; k < points; ++k) {
+    Vec3 x;
+    for (Eigen::Index i = 0; i < 3; ++i) x[i] = test::uniform(random, box.min()[i], box.max()[i]);
+    EXPECT_EQ(inside(body, x), std::abs(winding(triangles, x)) >= 0.5)
+        << body.name << " at " << x.transpose();
+  }
+}
+
+void expect_mass_is_right(const Body& body, int count, double tolerance) {
+  const Integrated found = integrated(body, count);
+  EXPECT_NEAR(body.mass.measure, found.volume, tolerance * found.volume) << body.name;
+  EXPECT_LT((body.mass.com - found.centre).norm(), tolerance * body.mass.radius) << body.name;
+  EXPECT_TRUE(bounds_of(body).contains(body.mass.com)) << body.name;
+}
+
+/// Every n-th of the real meshes that are solids; at least some.
+template <class Use>
+void each_real_solid(std::size_t every, Use use) {
+  std::size_t n = 0, solids = 0;
+  for (const auto& file : test::real_meshes()) {
+    if (n++ % every != 0) continue;
+    std::shared_ptr<const Body> body;
+    try {
+      body = load_body(file.string(), Model::automatic);
+    } catch (const InputError&) {
+      continue;  // a few are no meshes
+    }
+    if (!body->solid) continue;
+    ++solids;
+    use(*body);
+  }
+  EXPECT_GE(solids, 90 / every);
+}
+
+// Reference: exact winding numbers, and an integration over them along columns that shares no code
+// with the engine's (its own error is that of some 10⁵ columns).
+TEST(InsideReal, every_fifth_mesh_has_the_inside_of_its_winding_numbers) {
+  each_real_solid(5, [](const Body& body) {
+    expect_inside_is_right(body, 200, 1);
+    expect_mass_is_right(body, 300, 3e-3);
+  });
+}
+
+TEST(InsideReal, Full_all_meshes_have_the_inside_of_their_winding_numbers) {
+  each_real_solid(1, [](const Body& body) {
+    expect_inside_is_right(body, 1000, 2);
+    expect_mass_is_right(body, 600, 1e-3);
+  });
+}
+
+TEST(InsideReal, broken_meshes_have_the_inside_of_their_winding_numbers) {
+  std::uint64_t seed = 0;
+  // Turned, so that the columns do not lie along their sides.
+  const Mat3 turn = Quat(0.8, 0.2, 0.4, 0.3).normalized().toRotationMatrix();
+  for (const PolygonSoup& shape :
+       {test::box({1, 2, 3}), test::icosphere(0.02, 3), test::torus(50, 12, 40, 20)}) {
+    const PolygonSoup mesh = test::moved(shape, [&turn](const Vec3& x) { return Vec3(turn * x); });
+    double size = 0;
+    for (const Vec3& x : mesh.points) size = std::max(size, x.norm());
+    const PolygonSoup away = test::placed(mesh, {3 * size, 0, 0});
+    for (const PolygonSoup& broken :
+         {test::cracked(mesh, 1e-6 * size, ++seed), test::cut_beyond(mesh, Vec3(1, 2, 3), 0),
+          test::cut_beyond(mesh, Vec3(1, 2, 3), 0, 1e-7 * size),
+          test::joined(mesh, test::turned_over(away)),
+          test::joined(mesh, test::placed(mesh, Vec3::Constant(size / 5))),
+          test::without(mesh, [n = 0](const Vec3&) mutable { return ++n == 7; })}) {
+      const auto body = test::body(broken, Model::solid);
+      ASSERT_TRUE(body->solid);
+      expect_inside_is_right(*body, 500, ++seed);
+      expect_mass_is_right(*body, 300, 3e-3);
+    }
+  }
+}
+
+// A sheet beside a solid is touched, and has no inside.
+TEST(InsideReal, what_is_loose_does_not_wind) {
+  const PolygonSoup sheet =
+      test::without(test::box({9, 9, 1}), [](const Vec3& x) { return x.z() > -0.49; });
+  const auto body =
+      test::body(test::joined(test::icosphere(1, 3), test::placed(sheet, {0, 0, -2})));
+  ASSERT_EQ(std::count(body->loose.begin(), body->loose.end(), true), 2);
+  EXPECT_TRUE(inside(*body, {0, 0.1, 0.2}));
+  EXPECT_FALSE(inside(*body, {3, 0.1, -2.2}));
+  EXPECT_FALSE(inside(*body, {3, 0.1, -2.6}));
+  EXPECT_FALSE(inside(*body, {0, 0.1, -2}));
+}
+
+}  // namespace
+}  // namespace sonde
