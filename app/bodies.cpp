@@ -23,11 +23,11 @@ void add_models(CLI::App& parser, BodyOptions& options) {
   add_repair(parser, options.repair);
 }
 
-void note_changes(const char* which, const Body& body) {
+/// The remarks on a body as one; empty where there are none.
+std::string remark_on(const char* which, const Body& body) {
   std::string all;
   for (const std::string& remark : remarks_on(body)) all += (all.empty() ? "" : "; ") + remark;
-  if (!all.empty())
-    std::cerr << "sonde: " << which << " " << printable(body.name) << ": " << all << '\n';
+  return all.empty() ? all : which + (" " + printable(body.name)) + ": " + all;
 }
 
 }  // namespace
@@ -79,6 +79,13 @@ std::vector<std::string> remarks_on(const Body& body) {
   return remarks;
 }
 
+std::vector<std::string> remarks_on(const Pair& pair) {
+  std::vector<std::string> remarks{remark_on("the probe", pair.probe()),
+                                   remark_on("the fixed body", pair.fixed())};
+  std::erase(remarks, "");
+  return remarks;
+}
+
 Scene scene_of(const BodyOptions& options) {
   Scene scene;
   if (!options.scene.empty()) {
@@ -122,10 +129,8 @@ Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {
   auto fixed = load(scene.fixed, scene.unit, progress.percent("reading the fixed body"));
   const Pair pair(std::move(probe), std::move(fixed));
   progress.clear();
-  if (!quiet) {
-    note_changes("the probe", pair.probe());
-    note_changes("the fixed body", pair.fixed());
-  }
+  if (!quiet)
+    for (const std::string& remark : remarks_on(pair)) std::cerr << "sonde: " << remark << '\n';
   return pair;
 }
 

@@ -42,6 +42,8 @@ void add_repair(CLI::App& parser, std::string& repair);
 /// What a reader of results must know of a body beside its numbers, a sentence each: what was
 /// mended or set aside, and what keeps an inside from counting.
 std::vector<std::string> remarks_on(const Body& body);
+/// Those on both bodies: "the probe spoon.ply: 1 opening closed by ...".
+std::vector<std::string> remarks_on(const Pair& pair);
 
 /// Loads the two bodies, and reports changes to them on stderr, unless quiet.
 Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress);

@@ -98,6 +98,9 @@ class Results {
     if (!options.record.empty()) header_bytes(header_, options.record);
   }
 
+  /// What is said of the bodies.
+  void remark(std::vector<std::string> remarks) { table_.remarks = std::move(remarks); }
+
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
       failures_.emplace_back(table_.rows.size(), tick.separation);
@@ -271,6 +274,7 @@ void run(const ReplayOptions& options) {
   solver = accuracy.applied(solver, pair);
   solver.time_phases = options.phases.timed();
   Results results(options, scene, accuracy, std::move(header));
+  results.remark(remarks_on(pair));
   if (solver.coherent())
     run_in_step(pair, job, solver, progress, results);
   else

@@ -59,7 +59,13 @@ std::string to_json(const ResultTable& table) {
   for (const Column& column : table.columns)
     if (*column.unit != 0) units[column.name] = column.unit;
   // Row by row: one line each, and never the whole table as a tree in memory.
-  std::string text = "{\"units\": " + units.dump() + ",\n\"results\": [";
+  std::string text = "{\"units\": " + units.dump() + ",\n";
+  if (!table.remarks.empty())
+    text += "\"remarks\": " +
+            nlohmann::ordered_json(table.remarks)
+                .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+            ",\n";
+  text += "\"results\": [";
   const char* separator = "\n";
   for (const Row& row : table.rows) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();

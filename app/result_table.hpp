@@ -24,6 +24,8 @@ using Row = std::vector<Cell>;
 struct ResultTable {
   std::span<const Column> columns;
   std::vector<Row> rows;
+  std::vector<std::string> remarks =
+      {};  ///< on the bodies; in the head of JSON, where there are any
 };
 
 void append(Row& row, const Vec3& v);
@@ -32,7 +34,8 @@ void append_nothing(Row& row, int count);
 
 /// A header and one line for each row; numbers with 17 significant digits.
 std::string to_csv(const ResultTable& table);
-/// {"units": {column: unit, ...}, "results": [{column: value, ...}, ...]}; nothing becomes null.
+/// {"units": {column: unit, ...}, "remarks": [...], "results": [{column: value, ...}, ...]};
+/// nothing becomes null.
 std::string to_json(const ResultTable& table);
 
 }  // namespace sonde::app

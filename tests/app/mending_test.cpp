@@ -107,6 +107,16 @@ TEST_F(Mending, info_lists_it_as_text_and_json) {
   EXPECT_NEAR(mesh.at("center_of_mass").at(0).get<double>(), 2, 1e-12);
 }
 
+TEST_F(Mending, the_head_of_json_results_has_it) {
+  const PolygonSoup mixed = joined(cube({0, 0, 0}), turned_over(cube({3, 0, 0})));
+  const json results = json::parse(asked(mixed, {{0.5, 0.5, 0.5}}, "--json").out);
+  EXPECT_EQ(results.at("remarks").at(0),
+            "the fixed body fixed.off: 1 part of 2 inside out, turned");
+  EXPECT_EQ(results.at("results").size(), 1u);
+  const json clean = json::parse(asked(cube({0, 0, 0}), {{0.5, 0.5, 0.5}}, "--json").out);
+  EXPECT_FALSE(clean.contains("remarks"));
+}
+
 TEST_F(Mending, a_scene_keeps_it) {
   folder.write("fixed.off",
                as_off(without(icosphere(1, 3), [n = 0](const Vec3&) mutable { return ++n == 9; })));
