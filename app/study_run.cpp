@@ -10,6 +10,7 @@
 
 #include "app/interrupt.hpp"
 #include "engine/base/error.hpp"
+#include "engine/settings/settings.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -95,10 +96,12 @@ std::string fingerprint_of(const std::filesystem::path& file) {
 
 nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
   const auto body = [&](const SceneBody& described, const Body& loaded) {
-    return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
-                                  {"fingerprint", fingerprint_of(described.mesh)},
-                                  {"scale", scene.unit * described.scale},
-                                  {"solid", loaded.solid}};
+    nlohmann::ordered_json out{{"mesh", described.mesh.filename().string()},
+                               {"fingerprint", fingerprint_of(described.mesh)},
+                               {"scale", scene.unit * described.scale},
+                               {"solid", loaded.solid}};
+    if (described.repair != Repair::automatic) out["repair"] = name_of(described.repair);
+    return out;
   };
   nlohmann::ordered_json json{{"version", SONDE_VERSION},
                               {"probe", body(scene.probe, pair.probe())},

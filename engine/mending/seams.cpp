@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -199,15 +200,22 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
   best.label.resize(soup.vertices.size());
   std::iota(best.label.begin(), best.label.end(), 0u);
   best.uses = open;
+  const auto within = [&](double reach) {
+    return Attempt(soup, box, reach * box.sizes().norm()).run(open, uses.size());
+  };
+  report(progress, 0);
+  // Where the widest reach finds nothing, none does.
+  if (border > 0) {
+    const Seams widest = within(*std::rbegin(seam_tuning.reaches));
+    best.unsearched = widest.unsearched;
+    if (widest.joined + widest.on_edges == 0) border = 0;
+  }
   for (const double reach : seam_tuning.reaches) {
-    report(progress, reach > 0 ? 0.5 : 0);
     if (border == 0) break;
-    Seams tried = Attempt(soup, box, reach * box.sizes().norm()).run(open, uses.size());
+    report(progress, 0.5);
+    Seams tried = within(reach);
     const double left = border_length(soup, tried.uses);
-    if (left > seam_tuning.shorter * border) {
-      best.unsearched = tried.unsearched;
-      continue;
-    }
+    if (left > seam_tuning.shorter * border) continue;
     best = std::move(tried);
     border = left;
   }
