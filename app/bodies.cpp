@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "engine/offset/offset_body.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -17,6 +18,11 @@ void add_models(CLI::App& parser, BodyOptions& options) {
   parser.add_option("--probe-model", options.probe_model, "the probe's model" + doc)->check(models);
   parser.add_option("--fixed-model", options.fixed_model, "the fixed body's model" + doc)
       ->check(models);
+}
+
+void note_offset(const Body& probe) {
+  if (const std::string text = offset_text("the probe", probe.offset); !text.empty())
+    std::cerr << "sonde: " << text << '\n';
 }
 
 void note_changes(const char* which, const Body& body) {
@@ -34,6 +40,7 @@ void add_scene(CLI::App& parser, BodyOptions& options) {
   parser.add_option("SCENE", options.scene, "scene file, NAME.sonde.json")->required();
   add_within(parser, options.within);
   add_models(parser, options);
+  add_offsets(parser, "the probe", options.allowance, options.safety);
 }
 
 void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
@@ -44,6 +51,7 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
   fixed->excludes(scene)->needs(probe);
   add_within(parser, options.within);
   add_models(parser, options);
+  add_offsets(parser, "the probe", options.allowance, options.safety);
   parser.add_option("--probe-scale", options.probe_scale, "factor for the probe's coordinates")
       ->needs(probe)
       ->check(check_positive)
@@ -74,7 +82,28 @@ Scene scene_of(const BodyOptions& options) {
   }
   if (!options.probe_model.empty()) scene.probe.model = model_named(options.probe_model).value();
   if (!options.fixed_model.empty()) scene.fixed.model = model_named(options.fixed_model).value();
+  scene.probe.offset = offset_of(options.allowance, options.safety).value_or(scene.probe.offset);
   return scene;
+}
+
+void add_offsets(CLI::App& parser, const std::string& whose, std::optional<double>& allowance,
+                 std::optional<double>& safety) {
+  CLI::Option* smaller =
+      parser
+          .add_option("--allowance", allowance,
+                      "takes " + whose + " smaller: each face inwards by this length, m")
+          ->check(check_not_negative);
+  parser
+      .add_option("--safety", safety,
+                  "takes " + whose + " larger: each face outwards by this length, m")
+      ->check(check_not_negative)
+      ->excludes(smaller);
+}
+
+std::optional<double> offset_of(const std::optional<double>& allowance,
+                                const std::optional<double>& safety) {
+  if (allowance) return -*allowance;
+  return safety;
 }
 
 void add_within(CLI::App& parser, std::string& folder) {
@@ -103,6 +132,7 @@ Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {
   if (!quiet) {
     note_changes("the probe", pair.probe());
     note_changes("the fixed body", pair.fixed());
+    note_offset(pair.probe());
   }
   return pair;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mesh_report.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/text/length_text.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
 
@@ -61,6 +63,21 @@ std::string defects_text(const Body& body) {
   return text.empty() ? "none" : text;
 }
 
+std::string offset_line(const FaceOffset& offset) {
+  const auto of = [](std::size_t n, const char* one, const char* many) {
+    return ", " + std::to_string(n) + " " + (n == 1 ? one : many);
+  };
+  std::string text = "taken " + length_text(std::abs(offset.by)) +
+                     (offset.by < 0 ? " smaller (allowance)" : " larger (safety)");
+  text += "; mass as of the mesh; furthest corner " + length_text(offset.furthest);
+  if (offset.held_back > 0)
+    text += of(offset.held_back, "corner", "corners") + " held back, a face moved by " +
+            length_text(offset.least) + " at the least";
+  if (offset.vanished > 0) text += of(offset.vanished, "triangle", "triangles") + " vanished";
+  if (offset.filled > 0) text += of(offset.filled, "triangle", "triangles") + " in gaps filled";
+  return text;
+}
+
 std::string memory_text(const Body& body) {
   const auto taken = static_cast<double>(bytes(body));
   const auto triangles = static_cast<double>(body.soup.triangles.size());
@@ -96,6 +113,7 @@ std::string text_of(const MeshReport& report) {
   text += plain("radius R", text_of(mass.radius) + " m");
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
   text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
+  if (body.offset.by != 0) text += plain("offset", offset_line(body.offset));
   text += plain("memory", memory_text(body));
   return text + plain("defects", defects_text(body));
 }
@@ -120,6 +138,13 @@ Json json_of(const MeshReport& report) {
   for (int i = 0; i < 3; ++i) json["principal_axes"].push_back(json_of(Vec3(mass.R_MP.col(i))));
   json["radius"] = mass.radius;
   json["bounds"] = {{"low", json_of(bounds.low)}, {"high", json_of(bounds.high)}};
+  if (body.offset.by != 0)
+    json["offset"] = {{"by", body.offset.by},
+                      {"furthest", body.offset.furthest},
+                      {"held_back", body.offset.held_back},
+                      {"least", body.offset.least},
+                      {"vanished", body.offset.vanished},
+                      {"filled", body.offset.filled}};
   json["memory_bytes"] = bytes(body);
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
   json["defects"]["turned"] = body.turned;
@@ -137,8 +162,8 @@ std::string to_text(const std::vector<MeshReport>& reports) {
 
 std::string to_json(const std::vector<MeshReport>& reports) {
   Json json;
-  json["units"] = {{"volume", "m^3"},  {"area", "m^2"}, {"center_of_mass", "m"},
-                   {"inertia", "m^2"}, {"radius", "m"}, {"bounds", "m"}};
+  json["units"] = {{"volume", "m^3"}, {"area", "m^2"}, {"center_of_mass", "m"}, {"inertia", "m^2"},
+                   {"radius", "m"},   {"bounds", "m"}, {"offset", "m"}};
   json["meshes"] = Json::array();
   for (const MeshReport& report : reports) json["meshes"].push_back(json_of(report));
   // A file's name may be no UTF-8.

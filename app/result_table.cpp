@@ -58,8 +58,12 @@ std::string to_json(const ResultTable& table) {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   for (const Column& column : table.columns)
     if (*column.unit != 0) units[column.name] = column.unit;
+  if (table.probe_offset != 0) units["probe_offset"] = "m";
   // Row by row: one line each, and never the whole table as a tree in memory.
-  std::string text = "{\"units\": " + units.dump() + ",\n\"results\": [";
+  std::string text = "{\"units\": " + units.dump() + ",\n";
+  if (table.probe_offset != 0)
+    text += "\"probe_offset\": " + nlohmann::json(table.probe_offset).dump() + ",\n";
+  text += "\"results\": [";
   const char* separator = "\n";
   for (const Row& row : table.rows) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();

@@ -95,10 +95,12 @@ std::string fingerprint_of(const std::filesystem::path& file) {
 
 nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
   const auto body = [&](const SceneBody& described, const Body& loaded) {
-    return nlohmann::ordered_json{{"mesh", described.mesh.filename().string()},
-                                  {"fingerprint", fingerprint_of(described.mesh)},
-                                  {"scale", scene.unit * described.scale},
-                                  {"solid", loaded.solid}};
+    nlohmann::ordered_json json{{"mesh", described.mesh.filename().string()},
+                                {"fingerprint", fingerprint_of(described.mesh)},
+                                {"scale", scene.unit * described.scale},
+                                {"solid", loaded.solid}};
+    if (described.offset != 0) json["offset"] = described.offset;
+    return json;
   };
   nlohmann::ordered_json json{{"version", SONDE_VERSION},
                               {"probe", body(scene.probe, pair.probe())},

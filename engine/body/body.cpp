@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/body/body.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -166,6 +167,28 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress) {
   return build(triangles_of(polygons, name, part_of(progress, 0, 0.05)), asked, name,
                part_of(progress, 0.05, 1));
+}
+
+std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
+                                         const Progress& progress) {
+  auto body = std::make_shared<Body>();
+  body->name = nominal.name;
+  body->solid = nominal.solid;
+  body->why = nominal.why;
+  body->turned = nominal.turned;
+  body->degenerate = nominal.degenerate;
+  body->topology = nominal.topology;
+  body->mass = nominal.mass;
+  body->offset = offset;
+  body->soup = std::move(soup);
+  check_size(body->soup, body->name);
+  body->mass.radius = 0;
+  for (const Vec3& x : body->soup.vertices)
+    body->mass.radius = std::max(body->mass.radius, (x - body->mass.com).norm());
+  grow_tree(*body, part_of(progress, 0, 0.8));
+  add_outline(*body, part_of(progress, 0.8, 1));
+  report(progress, 1);
+  return body;
 }
 
 std::size_t bytes(const Body& body) {
