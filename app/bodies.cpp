@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/options.hpp"
-#include "engine/offset/offset_body.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -21,8 +21,8 @@ void add_models(CLI::App& parser, BodyOptions& options) {
 }
 
 void note_offset(const Body& probe) {
-  if (const std::string text = offset_text("the probe", probe.offset); !text.empty())
-    std::cerr << "sonde: " << text << '\n';
+  if (const std::string words = offset_words(probe.offset); !words.empty())
+    std::cerr << "sonde: the probe is " << words << '\n';
 }
 
 void note_changes(const char* which, const Body& body) {

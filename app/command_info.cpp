@@ -36,6 +36,7 @@ std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
       const SceneBody body{.mesh = mesh,
                            .model = model,
                            .scale = options.scale,
+                           .pose = {},
                            .offset = offset_of(options.allowance, options.safety).value_or(0)};
       bodies.push_back(load(body, unit, progress.percent("reading " + mesh)));
     } catch (const InputError& error) {

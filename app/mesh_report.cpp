@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mesh_report.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/offset/offset_faces.hpp"
 #include "engine/text/length_text.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
@@ -63,18 +63,10 @@ std::string defects_text(const Body& body) {
   return text.empty() ? "none" : text;
 }
 
-std::string offset_line(const FaceOffset& offset) {
-  const auto of = [](std::size_t n, const char* one, const char* many) {
-    return ", " + std::to_string(n) + " " + (n == 1 ? one : many);
-  };
-  std::string text = "taken " + length_text(std::abs(offset.by)) +
-                     (offset.by < 0 ? " smaller (allowance)" : " larger (safety)");
-  text += "; mass as of the mesh; furthest corner " + length_text(offset.furthest);
-  if (offset.held_back > 0)
-    text += of(offset.held_back, "corner", "corners") + " held back, a face moved by " +
-            length_text(offset.least) + " at the least";
-  if (offset.vanished > 0) text += of(offset.vanished, "triangle", "triangles") + " vanished";
-  if (offset.filled > 0) text += of(offset.filled, "triangle", "triangles") + " in gaps filled";
+std::string offset_text(const FaceOffset& offset) {
+  std::string text = offset_words(offset) + "; its mass is the mesh's; furthest corner " +
+                     length_text(offset.furthest);
+  if (offset.vanished > 0) text += ", " + std::to_string(offset.vanished) + " triangles vanished";
   return text;
 }
 
@@ -113,7 +105,7 @@ std::string text_of(const MeshReport& report) {
   text += plain("radius R", text_of(mass.radius) + " m");
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
   text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
-  if (body.offset.by != 0) text += plain("offset", offset_line(body.offset));
+  if (body.offset.by != 0) text += plain("offset", offset_text(body.offset));
   text += plain("memory", memory_text(body));
   return text + plain("defects", defects_text(body));
 }

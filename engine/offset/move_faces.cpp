@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "engine/geometry/topology.hpp"
+#include "engine/offset/flat_regions.hpp"
 #include "engine/offset/half_spaces.hpp"
 
 namespace sonde {
@@ -160,22 +163,62 @@ class Mover {
   const Vec3& placed(std::size_t t, std::size_t k) {
     return place_[groups_.of(fans_.of[t][k % 3])];
   }
+  /// Looks the other way, or is turned by half a turn: through the middle of a body.
   bool is_turned_over(std::size_t t) {
     const Vec3 v = (placed(t, 1) - placed(t, 0)).cross(placed(t, 2) - placed(t, 0));
-    return !(v.dot(normal_[t]) > 0);
+    if (!(v.dot(normal_[t]) > 0)) return true;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!is_reversed(t, k)) return false;
+    return true;
+  }
+  bool is_reversed(std::size_t t, std::size_t k) {
+    const Vec3 side = corner(t, (k + 1) % 3) - corner(t, k);
+    return !((placed(t, k + 1) - placed(t, k)).dot(side) > 0);
+  }
+
+  std::vector<std::uint32_t> all_turned_over() {
+    std::vector<std::uint32_t> over;
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+      if (has_say_[t] && !is_gone(t, groups_) && is_turned_over(t)) over.push_back(t);
+    if (!over.empty() && !regions_) regions_.emplace(fans_, normal_, has_say_, one_plane);
+    return over;
+  }
+
+  /// The flat part of a triangle, filled anew within its outline: how it was cut may not be how it
+  /// can be cut now. None where the outline itself has been turned over.
+  std::optional<std::vector<std::array<std::uint32_t, 3>>> filled_again(std::uint32_t region) {
+    const auto all = regions_->triangles(region);
+    if (all.size() < 2) return std::nullopt;
+    std::vector<std::array<std::uint32_t, 3>> before, now;
+    for (const std::uint32_t t : all) {
+      before.push_back(fans_.of[t]);
+      now.push_back(fans_.of[t]);
+      for (std::uint32_t& fan : now.back()) fan = groups_.of(fan);
+    }
+    double along = 0;
+    for (const auto& [a, b] : outline_of(before))
+      along += (place_[groups_.of(b)] - place_[groups_.of(a)])
+                   .dot(at(fans_.vertex[b]) - at(fans_.vertex[a]));
+    if (!(along > 0)) return std::nullopt;
+    return filled(outline_of(now), place_, normal_[all.front()]);
   }
 
   /// Joins the corners of triangles that are inside out, and finds their places anew. False where
   /// there are none.
   bool join_overtaken() {
-    std::vector<std::uint32_t> over;
-    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
-      if (has_say_[t] && !turned_over_[t] && !is_gone(t, groups_) && is_turned_over(t))
-        over.push_back(t);
+    std::vector<std::uint32_t> over = all_turned_over();
+    std::map<std::uint32_t, bool> can_be_filled;
+    std::erase_if(over, [&](std::uint32_t t) {
+      if (turned_over_[t]) return true;
+      const auto [found, is_new] = can_be_filled.emplace(regions_->of(t), false);
+      if (is_new) found->second = filled_again(found->first).has_value();
+      return found->second;
+    });
     while (!over.empty()) {
       Sets joined = groups_;
       std::vector<std::uint32_t> changed;
       for (const std::uint32_t t : over) join_sides(t, joined, changed);
+      if (changed.empty()) return false;
       for (std::uint32_t& fan : changed) fan = joined.of(fan);
       std::ranges::sort(changed);
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
@@ -184,7 +227,9 @@ class Mover {
     return false;
   }
 
+  /// Those that are the other way round; of a triangle that is a face of its own, one at least.
   void join_sides(std::uint32_t t, Sets& joined, std::vector<std::uint32_t>& changed) {
+    const bool alone = regions_->triangles(regions_->of(t)).size() == 1;
     std::size_t shortest = 0;
     double least = std::numeric_limits<double>::infinity();
     bool any = false;
@@ -194,14 +239,14 @@ class Mover {
       any = true;
     };
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 side = corner(t, (k + 1) % 3) - corner(t, k);
-      if (!((placed(t, k + 1) - placed(t, k)).dot(side) > 0)) join(k);
-      if (side.norm() < least) {
-        least = side.norm();
+      if (is_reversed(t, k)) join(k);
+      const double length = (corner(t, (k + 1) % 3) - corner(t, k)).norm();
+      if (length < least) {
+        least = length;
         shortest = k;
       }
     }
-    if (!any) join(shortest);
+    if (!any && alone) join(shortest);
   }
 
   /// Takes over the groups with their places. Where one has none, its triangles are left turned
@@ -240,11 +285,10 @@ class Mover {
   }
 
   /// The place of several corners as one: far enough from all their faces, and nearest to the mean
-  /// of where they were to be.
+  /// of where they were.
   std::optional<Vec3> place_of(const std::vector<std::uint32_t>& members) {
     Vec3 mean = Vec3::Zero();
-    for (const std::uint32_t fan : members)
-      mean += (at(fans_.vertex[fan]) + way_of(fan)) / double(members.size());
+    for (const std::uint32_t fan : members) mean += at(fans_.vertex[fan]) / double(members.size());
     std::vector<HalfSpace> spaces;
     double size = way_;
     for (const std::uint32_t fan : members) {
@@ -274,19 +318,34 @@ class Mover {
   }
 
   void assemble() {
-    out_.soup.vertices = std::move(place_);
-    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
-      if (turned_over_[t] && !is_gone(t, groups_)) out_.turned_over.push_back(t);
-      Triangle moved;
-      for (std::size_t k = 0; k < 3; ++k) moved[k] = groups_.of(fans_.of[t][k]);
-      const auto& x = out_.soup.vertices;
-      if (is_degenerate(x[moved[0]], x[moved[1]], x[moved[2]])) continue;
-      out_.soup.triangles.push_back(moved);
-      out_.from.push_back(t);
+    std::vector<char> replaced(soup_.triangles.size(), 0);
+    std::map<std::uint32_t, bool> seen;
+    for (const std::uint32_t t : all_turned_over()) {
+      const auto [found, is_new] = seen.emplace(regions_->of(t), false);
+      if (is_new)
+        if (const auto again = filled_again(found->first)) {
+          found->second = true;
+          for (const std::uint32_t old : regions_->triangles(found->first)) replaced[old] = 1;
+          for (const auto& triangle : *again) add(triangle, t);
+        }
+      if (!found->second) out_.turned_over.push_back(t);
     }
-    out_.offset.vanished = soup_.triangles.size() - out_.from.size();
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      if (replaced[t]) continue;
+      Triangle moved = fans_.of[t];
+      for (std::uint32_t& fan : moved) fan = groups_.of(fan);
+      add(moved, t);
+    }
+    out_.offset.vanished =
+        soup_.triangles.size() - std::min(soup_.triangles.size(), out_.from.size());
     if (out_.offset.by > 0) out_.offset.filled = out_.turned_over.size();
+    out_.soup.vertices = std::move(place_);
     out_.soup = compacted(std::move(out_.soup));
+  }
+  void add(const Triangle& triangle, std::uint32_t from) {
+    if (is_degenerate(place_[triangle[0]], place_[triangle[1]], place_[triangle[2]])) return;
+    out_.soup.triangles.push_back(triangle);
+    out_.from.push_back(from);
   }
 
   const Soup& soup_;
@@ -300,7 +359,8 @@ class Mover {
   std::vector<std::uint32_t> faces_;
   std::vector<Vec3> place_;  // of each fan; that of a group at its least
   Sets groups_;
-  std::vector<bool> turned_over_;
+  std::vector<bool> turned_over_;       // and left so
+  std::optional<FlatRegions> regions_;  // once something is turned over
   MovedFaces out_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/proximity/queries/point_distance.hpp"
 #include "engine/proximity/queries/self_intersections.hpp"
@@ -113,28 +114,50 @@ class ThinFinder {
     });
   }
 
-  /// Through the material from the middle of a face, and from those round its corners: where
-  /// corners meet, none of the faces between need be there.
-  std::optional<ThinPlace> thinnest() const {
+  /// From the middles of the faces there straight through the material, and from their corners to
+  /// what is nearest of all that looks the other way.
+  ThinPlace thinnest() const {
     ThinPlace least{std::numeric_limits<double>::infinity(), body_.mass.com};
-    std::vector<bool> corner(soup_.vertices.size(), false);
+    std::map<std::uint32_t, Vec3> corners;  // with the sum of the normals
     for (const std::uint32_t t : suspects_)
-      for (const std::uint32_t vertex : soup_.triangles[t]) corner[vertex] = true;
-    std::size_t tried = 0;
-    for (std::uint32_t t = 0; t < soup_.triangles.size() && tried < most_places; ++t) {
-      const Triangle& triangle = soup_.triangles[t];
-      if (std::ranges::none_of(triangle, [&](auto vertex) { return corner[vertex]; })) continue;
-      ++tried;
-      const Corners face = corners_of(soup_, t);
-      const Vec3 x = middle(face), inwards = -area_vector(face).normalized();
-      for (std::uint32_t u = 0; u < soup_.triangles.size(); ++u) {
-        const Corners other = corners_of(soup_, u);
-        if (u == t || !(area_vector(other).dot(inwards) > 0)) continue;
-        const std::optional<double> through = crossed(other, x, inwards);
-        if (through && *through > 0 && *through < least.thickness) least = {*through, x};
-      }
+      for (const std::uint32_t vertex : soup_.triangles[t]) corners[vertex] = Vec3::Zero();
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      bool there = false;
+      for (const std::uint32_t vertex : soup_.triangles[t])
+        if (const auto found = corners.find(vertex); found != corners.end()) {
+          found->second += area_vector(corners_of(soup_, t)).normalized();
+          there = true;
+        }
+      if (there && faces.size() < most_places) faces.push_back(t);
     }
+    for (const std::uint32_t t : faces) look_through(t, least);
+    std::size_t tried = 0;
+    for (const auto& [vertex, outwards] : corners)
+      if (tried++ < most_places) look_across(soup_.vertices[vertex], outwards, least);
     return least;
+  }
+
+  void look_through(std::uint32_t face, ThinPlace& least) const {
+    const Corners from = corners_of(soup_, face);
+    const Vec3 x = middle(from), direction = -area_vector(from).normalized();
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      const Corners other = corners_of(soup_, t);
+      if (!(area_vector(other).dot(direction) > 0)) continue;
+      const std::optional<double> through = crossed(other, x, direction);
+      if (through && *through > 0 && *through < least.thickness) least = {*through, x};
+    }
+  }
+
+  void look_across(const Vec3& x, const Vec3& outwards, ThinPlace& least) const {
+    const double here = file_rounding(soup_);
+    for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
+      const Corners other = corners_of(soup_, t);
+      const Vec3 normal = area_vector(other);
+      if (normal.dot(outwards) >= 0 || normal.dot(other[0] - x) <= 0) continue;
+      const double across = closest_points({x, x, x}, other).distance;
+      if (across > here && across < least.thickness) least = {across, x};
+    }
   }
 
   static constexpr std::size_t most_crossings = 1000;

@@ -11,8 +11,8 @@ namespace sonde {
 
 /// Where a solid is too thin to be taken smaller.
 struct ThinPlace {
-  double thickness = 0;    ///< m, along the inward normal of a face, as found
-  Vec3 at = Vec3::Zero();  ///< on that face, mesh frame
+  double thickness = 0;    ///< m, from one side of the material to the other
+  Vec3 at = Vec3::Zero();  ///< on one of them, mesh frame
 };
 
 /// The thinnest place found of those where the solid, its faces moved inwards, is inside out or

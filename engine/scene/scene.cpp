@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "engine/base/progress.hpp"
-#include "engine/offset/offset_body.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/json_settings.hpp"
@@ -320,7 +320,7 @@ std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progr
     return load_body(body.mesh.string(), body.model, unit * body.scale, progress);
   const auto nominal =
       load_body(body.mesh.string(), body.model, unit * body.scale, part_of(progress, 0, 0.5));
-  return offset_body(*nominal, body.offset, part_of(progress, 0.5, 1));
+  return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
 }
 
 }  // namespace sonde

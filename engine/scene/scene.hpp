@@ -93,7 +93,7 @@ Pose relative_pose(const Scene& scene);
 /// read.
 void require_meshes(const Scene& scene);
 
-/// Loads one body of a scene, in metres, with its offset. Throws as load_body and offset_body.
+/// Loads one body of a scene, in metres, with its offset. Throws as load_body and offset_faces.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
 }  // namespace sonde

@@ -138,7 +138,7 @@ void DocumentControl::ask_bodies() {
   const auto sides = [](const Body& body, double factor) {
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : body.soup.vertices) box.extend(vertex);
-    return Vec3(box.sizes() / factor);
+    return Vec3((box.sizes().array() - 2 * body.offset.by) / factor);  // the mesh's
   };
   MeshPair pair;
   pair.probe_file = scene.probe.mesh;

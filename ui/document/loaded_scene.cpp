@@ -13,6 +13,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
@@ -186,7 +187,8 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
   scene.probe = {.mesh = pair.probe_file,
                  .model = setup.probe.model,
                  .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
-                 .pose = {turned_up(setup.probe.up), Vec3::Zero()}};
+                 .pose = {turned_up(setup.probe.up), Vec3::Zero()},
+                 .offset = setup.probe.offset};
   scene.fixed = {.mesh = pair.fixed_file,
                  .model = setup.fixed.model,
                  .scale = rounded(setup.fixed.scale),
@@ -197,7 +199,7 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
 
 PairSetup setup_of(const Scene& scene) {
   const auto body = [&scene](const SceneBody& from) {
-    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model};
+    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model, from.offset};
   };
   return {body(scene.probe), body(scene.fixed)};
 }
@@ -209,6 +211,7 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
   changed.probe.scale = rounded(now.probe.scale * now.probe.unit / now.fixed.unit);
   changed.fixed.model = now.fixed.model;
   changed.probe.model = now.probe.model;
+  changed.probe.offset = now.probe.offset;
   const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
   const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
     if (before == after && grown == 1) return pose;
@@ -228,7 +231,7 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
     scale(soup, scene.unit * body.scale);
     auto built = make_body(soup, body.model, body.mesh.stem().string(), report);
     soup = {};
-    return built;
+    return body.offset == 0 ? built : offset_faces(*built, body.offset);
   };
   std::shared_ptr<const Body> probe, fixed;
   run_both(

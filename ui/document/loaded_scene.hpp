@@ -58,6 +58,7 @@ struct BodySetup {
   double scale = 1;
   UpAxis up = UpAxis::z;
   Model model = Model::automatic;
+  double offset = 0;  ///< of the probe: m, by which it is taken larger, less than zero smaller
 };
 struct PairSetup {
   BodySetup probe, fixed;

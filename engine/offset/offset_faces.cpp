@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/offset/offset_body.hpp"
+#include "engine/offset/offset_faces.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,6 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
     Triangle sorted;
     bool odd;
     std::uint32_t triangle;
-    auto operator<=>(const Key&) const = default;
   };
   std::vector<Key> keys;
   keys.reserve(soup.triangles.size());
@@ -58,7 +58,7 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
     if (odd) std::swap(t[1], t[2]);
     keys.push_back({t, odd, std::uint32_t(i)});
   });
-  std::ranges::sort(keys);
+  std::ranges::sort(keys, {}, [](const Key& k) { return std::tuple(k.sorted, k.odd, k.triangle); });
   std::vector<bool> gone(soup.triangles.size(), false);
   for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
     while (end < keys.size() && keys[end].sorted == keys[begin].sorted) ++end;
@@ -73,7 +73,7 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
 
 }  // namespace
 
-std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress) {
+std::shared_ptr<const Body> offset_faces(const Body& body, double by, const Progress& progress) {
   if (by == 0) return std::make_shared<const Body>(body);
   check(body, by);
   const Soup soup = by < 0 ? without_inner_walls(body.soup, part_of(progress, 0, 0.1)) : body.soup;
@@ -87,10 +87,10 @@ std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progr
   return with_surface(body, std::move(moved.soup), moved.offset, part_of(progress, 0.7, 1));
 }
 
-std::string offset_text(const std::string& which, const FaceOffset& offset) {
+std::string offset_words(const FaceOffset& offset) {
   if (offset.by == 0) return {};
   const bool smaller = offset.by < 0;
-  std::string text = which + " is taken " + length_text(std::abs(offset.by)) +
+  std::string text = "taken " + length_text(std::abs(offset.by)) +
                      (smaller ? " smaller (allowance)" : " larger (safety)");
   if (offset.held_back > 0)
     text += "; at " + std::to_string(offset.held_back) +
