@@ -136,6 +136,7 @@ Json json_of(const MeshReport& report) {
                       {"held_back", body.offset.held_back},
                       {"least", body.offset.least},
                       {"vanished", body.offset.vanished},
+                      {"folded", body.offset.folded},
                       {"filled", body.offset.filled}};
   json["memory_bytes"] = bytes(body);
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;

@@ -50,8 +50,7 @@ double area(const std::vector<std::array<double, 2>>& x, std::uint32_t a, std::u
 
 FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
                          const std::vector<char>& has_say, double angle)
-    : of_(fans.of.size(), none) {
-  const auto neighbours = neighbours_of(fans);
+    : neighbours_(neighbours_of(fans)), of_(fans.of.size(), none) {
   std::uint32_t count = 0;
   const auto flood = [&](std::uint32_t seed) {
     first_.push_back(std::uint32_t(triangles_.size()));
@@ -60,7 +59,7 @@ FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
     for (std::size_t i = first_.back(); i < triangles_.size(); ++i) {
       const std::uint32_t t = triangles_[i];
       if (!has_say[t]) continue;
-      for (const std::uint32_t next : neighbours[t]) {
+      for (const std::uint32_t next : neighbours_[t]) {
         if (next == none || of_[next] != none) continue;
         if (has_say[next] && (normals[next] - normals[seed]).squaredNorm() > angle * angle)
           continue;
@@ -74,6 +73,11 @@ FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
     for (std::uint32_t t = 0; t < of_.size(); ++t)
       if (of_[t] == none && bool(has_say[t]) == with_say) flood(t);
   first_.push_back(std::uint32_t(triangles_.size()));
+}
+
+std::optional<std::uint32_t> FlatRegions::across(std::uint32_t triangle, std::size_t side) const {
+  const std::uint32_t other = neighbours_[triangle][side];
+  return other == none ? std::nullopt : std::optional(other);
 }
 
 std::vector<FanSide> outline_of(const std::vector<std::array<std::uint32_t, 3>>& triangles) {

@@ -21,11 +21,14 @@ class FlatRegions {
               double angle);
 
   std::uint32_t of(std::uint32_t triangle) const { return of_[triangle]; }
+  /// The triangle on the other side of a side of a triangle; none where there is not just one.
+  std::optional<std::uint32_t> across(std::uint32_t triangle, std::size_t side) const;
   std::span<const std::uint32_t> triangles(std::uint32_t region) const {
     return {triangles_.data() + first_[region], first_[region + 1] - first_[region]};
   }
 
  private:
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;
   std::vector<std::uint32_t> of_, triangles_, first_;
 };
 

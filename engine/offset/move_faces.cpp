@@ -37,7 +37,8 @@ class Mover {
         way_(std::abs(by)),
         sign_(by < 0 ? -1 : 1),
         groups_(fans.count()),
-        turned_over_(soup.triangles.size(), false) {
+        turned_over_(soup.triangles.size(), false),
+        folded_(soup.triangles.size(), false) {
     out_.offset.by = by;
     out_.offset.least = way_;
   }
@@ -209,7 +210,7 @@ class Mover {
     std::vector<std::uint32_t> over = all_turned_over();
     std::map<std::uint32_t, bool> can_be_filled;
     std::erase_if(over, [&](std::uint32_t t) {
-      if (turned_over_[t]) return true;
+      if (turned_over_[t] || folded_[t]) return true;
       const auto [found, is_new] = can_be_filled.emplace(regions_->of(t), false);
       if (is_new) found->second = filled_again(found->first).has_value();
       return found->second;
@@ -227,26 +228,32 @@ class Mover {
     return false;
   }
 
-  /// Those that are the other way round; of a triangle that is a face of its own, one at least.
+  /// Those that are the other way round. Where the corners are common points of planes, the sides
+  /// keep their directions, so that a face vanishes through some that are; where they are not, a
+  /// corner of a flat triangle may go over the side opposite: it is left so.
   void join_sides(std::uint32_t t, Sets& joined, std::vector<std::uint32_t>& changed) {
-    const bool alone = regions_->triangles(regions_->of(t)).size() == 1;
-    std::size_t shortest = 0;
-    double least = std::numeric_limits<double>::infinity();
     bool any = false;
-    const auto join = [&](std::size_t k) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_reversed(t, k)) continue;
       joined.join(fans_.of[t][k], fans_.of[t][(k + 1) % 3]);
       changed.push_back(fans_.of[t][k]);
       any = true;
-    };
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_reversed(t, k)) join(k);
-      const double length = (corner(t, (k + 1) % 3) - corner(t, k)).norm();
-      if (length < least) {
-        least = length;
-        shortest = k;
-      }
     }
-    if (!any && alone) join(shortest);
+    if (!any && regions_->triangles(regions_->of(t)).size() == 1) fold(t, changed);
+  }
+
+  /// The corner has to be far enough from the face that it comes to lie over.
+  void fold(std::uint32_t t, std::vector<std::uint32_t>& changed) {
+    std::size_t longest = 0;
+    const auto length = [&](std::size_t k) {
+      return (corner(t, (k + 1) % 3) - corner(t, k)).norm();
+    };
+    for (std::size_t k = 1; k < 3; ++k)
+      if (length(k) > length(longest)) longest = k;
+    folded_[t] = true;
+    const std::uint32_t tip = fans_.of[t][(longest + 2) % 3];
+    if (const auto other = regions_->across(t, longest)) over_.emplace(tip, *other);
+    changed.push_back(tip);
   }
 
   /// Takes over the groups with their places. Where one has none, its triangles are left turned
@@ -296,14 +303,21 @@ class Mover {
       size = std::max(size, from.norm());
       for (const HalfSpace& plane : planes_of(fan))
         spaces.push_back({plane.normal, plane.least + plane.normal.dot(from)});
+      const auto [begin, end] = over_.equal_range(fan);
+      for (auto face = begin; face != end; ++face) {
+        const Vec3 normal = sign_ * normal_[face->second];
+        spaces.push_back({normal, way_ + normal.dot(corner(face->second, 0) - mean)});
+      }
     }
     const std::optional<Vec3> found = nearest_in(spaces, Vec3::Zero(), 1e-12 * size);
-    return found ? std::optional<Vec3>(mean + *found) : std::nullopt;
+    const double most = sign_ > 0 ? most_outward_way : most_inward_way;
+    if (!found || found->norm() > most * way_ + size) return std::nullopt;
+    return mean + *found;
   }
 
   /// What could not be done.
   void measure() {
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 1e-4;  // of planes that are one to 1e-5 rad, and a long way
     for (std::uint32_t fan = 0; fan < fans_.count(); ++fan) {
       const Vec3 way = place_[groups_.of(fan)] - at(fans_.vertex[fan]);
       out_.offset.furthest = std::max(out_.offset.furthest, way.norm());
@@ -328,16 +342,19 @@ class Mover {
           for (const std::uint32_t old : regions_->triangles(found->first)) replaced[old] = 1;
           for (const auto& triangle : *again) add(triangle, t);
         }
-      if (!found->second) out_.turned_over.push_back(t);
+      if (found->second) continue;
+      if (folded_[t])
+        ++out_.offset.folded;
+      else
+        out_.turned_over.push_back(t);
     }
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
-      if (replaced[t]) continue;
+      if (is_gone(t, groups_)) ++out_.offset.vanished;
+      if (replaced[t] || is_gone(t, groups_)) continue;
       Triangle moved = fans_.of[t];
       for (std::uint32_t& fan : moved) fan = groups_.of(fan);
       add(moved, t);
     }
-    out_.offset.vanished =
-        soup_.triangles.size() - std::min(soup_.triangles.size(), out_.from.size());
     if (out_.offset.by > 0) out_.offset.filled = out_.turned_over.size();
     out_.soup.vertices = std::move(place_);
     out_.soup = compacted(std::move(out_.soup));
@@ -359,8 +376,10 @@ class Mover {
   std::vector<std::uint32_t> faces_;
   std::vector<Vec3> place_;  // of each fan; that of a group at its least
   Sets groups_;
-  std::vector<bool> turned_over_;       // and left so
-  std::optional<FlatRegions> regions_;  // once something is turned over
+  std::vector<bool> turned_over_;  // and left so
+  std::vector<bool> folded_;
+  std::multimap<std::uint32_t, std::uint32_t> over_;  // of a fan, faces it lies over
+  std::optional<FlatRegions> regions_;                // once something is turned over
   MovedFaces out_;
 };
 

@@ -26,9 +26,11 @@ std::string place_text(const Vec3& x) {
   std::string reason = "an allowance of " + length_text(-by) + " turns parts of it inside out: ";
   if (std::isfinite(place.thickness))
     reason += "the thinnest place found is " + length_text(place.thickness) + " thick, at " +
-              place_text(place.at) + "; half of that at the most";
+              place_text(place.at);
   else
-    reason += "nothing is left of it there";
+    reason += "nothing is left of it";
+  if (place.thickness > -2 * by)
+    reason += "; corners of sharp grooves go further than the allowance";
   throw InputError::in(body.name, reason);
 }
 
