@@ -8,34 +8,26 @@
 #include <optional>
 
 #include "engine/geometry/topology.hpp"
+#include "engine/offset/corner_planes.hpp"
 #include "engine/offset/flat_regions.hpp"
-#include "engine/offset/half_spaces.hpp"
 
 namespace sonde {
 namespace {
 
-/// Faces whose normals differ by less (rad) are one: the error is 1e-10 of the way.
-constexpr double one_plane = 1e-5;
-/// A fan of a disc has any number of triangles in few planes, one of a pole many planes.
-constexpr std::size_t most_compared = 64;
-/// A point is on all planes where it is to this part of the way.
-constexpr double on_planes = 1e-9;
-/// The common point of three planes is the corner unless it is further off than the nearest point
-/// behind them all by this factor: planes that are nearly parallel to one line.
-constexpr double too_far = 4;
-/// No corner goes further inwards than this many times the way; sharper ones are as saddles.
-constexpr double most_inward_way = 1e3;
 /// Each round joins what the round before has brought together.
 constexpr int most_rounds = 64;
 
 /// Places of corners.
 class Mover {
  public:
-  Mover(const Soup& soup, const Fans& fans, double by)
+  Mover(const Soup& soup, const Fans& fans, double by, const Progress& progress)
       : soup_(soup),
         fans_(fans),
-        way_(std::abs(by)),
-        sign_(by < 0 ? -1 : 1),
+        planes_(soup, fans, by, progress),
+        way_(planes_.way()),
+        sign_(planes_.sign()),
+        normal_(planes_.normals()),
+        has_say_(planes_.have_say()),
         groups_(fans.count()),
         turned_over_(soup.triangles.size(), false),
         folded_(soup.triangles.size(), false) {
@@ -44,13 +36,12 @@ class Mover {
   }
 
   MovedFaces run(const Progress& progress) {
-    find_planes(part_of(progress, 0, 0.2));
     place_.resize(fans_.count());
-    for_each_index(fans_.count(), part_of(progress, 0.2, 0.6), [&](std::size_t fan) {
-      place_[fan] = at(fans_.vertex[fan]) + way_of(std::uint32_t(fan));
+    for_each_index(fans_.count(), part_of(progress, 0, 0.5), [&](std::size_t fan) {
+      place_[fan] = at(fans_.vertex[fan]) + planes_.way_of(std::uint32_t(fan));
     });
     for (int round = 0; round < most_rounds && join_overtaken(); ++round)
-      report(progress, 0.6 + 0.3 * round / most_rounds);
+      report(progress, 0.5 + 0.4 * round / most_rounds);
     measure();
     assemble();
     report(progress, 1);
@@ -60,102 +51,6 @@ class Mover {
  private:
   const Vec3& at(std::uint32_t vertex) const { return soup_.vertices[vertex]; }
   const Vec3& corner(std::size_t t, std::size_t k) const { return at(soup_.triangles[t][k]); }
-  Vec3 area_vector(std::size_t t) const {
-    return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
-  }
-
-  void find_planes(const Progress& progress) {
-    const double floor = file_rounding(soup_);
-    const std::size_t n = soup_.triangles.size();
-    normal_.resize(n);
-    area_.resize(n);
-    has_say_.resize(n);
-    first_.assign(fans_.count() + 1, 0);
-    for_each_index(n, progress, [&](std::size_t t) {
-      const Vec3 v = area_vector(t);
-      double longest = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        longest = std::max(longest, (corner(t, (k + 1) % 3) - corner(t, k)).norm());
-      area_[t] = v.norm();
-      normal_[t] = v / area_[t];
-      has_say_[t] = area_[t] > floor * longest;
-      for (const std::uint32_t fan : fans_.of[t]) ++first_[fan + 1];
-    });
-    for (const auto& [fan, triangle] : fans_.beside) ++first_[fan + 1];
-    for (std::size_t i = 0; i < fans_.count(); ++i) first_[i + 1] += first_[i];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    faces_.resize(first_.back());
-    for (std::uint32_t t = 0; t < n; ++t)
-      for (const std::uint32_t fan : fans_.of[t]) faces_[next[fan]++] = t;
-    for (const auto& [fan, triangle] : fans_.beside) faces_[next[fan]++] = triangle;
-  }
-
-  /// Calls each(triangle) for those of a fan that have a say, or for all where none has.
-  template <class Each>
-  void for_faces(std::uint32_t fan, Each each) const {
-    bool any = false;
-    for (const bool with_say : {true, false}) {
-      for (std::size_t i = first_[fan]; i < first_[fan + 1]; ++i)
-        if (bool(has_say_[faces_[i]]) == with_say) {
-          each(faces_[i]);
-          any = true;
-        }
-      if (any) return;
-    }
-  }
-
-  /// The half-spaces that the corner of a fan has to go into, from the vertex.
-  std::vector<HalfSpace> planes_of(std::uint32_t fan) const {
-    std::vector<HalfSpace> planes;  // the normals weighted by the area, until the end
-    for_faces(fan, [&](std::uint32_t t) {
-      const std::size_t from = planes.size() > most_compared ? planes.size() - most_compared : 0;
-      for (std::size_t i = from; i < planes.size(); ++i) {
-        if ((planes[i].normal.normalized() - normal_[t]).squaredNorm() > one_plane * one_plane)
-          continue;
-        planes[i].normal += area_[t] * normal_[t];
-        return;
-      }
-      planes.push_back({area_[t] * normal_[t], way_});
-    });
-    for (HalfSpace& plane : planes) plane.normal = sign_ * plane.normal.normalized();
-    return planes;
-  }
-
-  Vec3 way_of(std::uint32_t fan) const {
-    const std::vector<HalfSpace> planes = planes_of(fan);
-    const Vec3 common = nearest_to_planes(planes);
-    const bool on_all = std::ranges::all_of(planes, [&](const HalfSpace& plane) {
-      return std::abs(plane.normal.dot(common) - way_) <= on_planes * way_;
-    });
-    if (on_all && planes.size() < 3) return limited(common);
-    const std::optional<Vec3> nearest = nearest_in(planes, Vec3::Zero(), 1e-12 * way_);
-    const double most = most_inward_way * way_;
-    if (on_all && common.norm() <= (nearest ? too_far * nearest->norm() : most))
-      return limited(common);
-    if (nearest && nearest->norm() <= most) return limited(*nearest);
-    return sign_ * way_ * mean_normal(fan);
-  }
-
-  Vec3 limited(const Vec3& way) const {
-    const double most = sign_ > 0 ? most_outward_way * way_ : way.norm();
-    return way.norm() <= most ? way : Vec3(most / way.norm() * way);
-  }
-
-  /// Weighted by the angles, which does not depend on how the faces are cut (Bærentzen and Aanæs,
-  /// 2005).
-  Vec3 mean_normal(std::uint32_t fan) const {
-    Vec3 sum = Vec3::Zero();
-    for_faces(fan, [&](std::uint32_t t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (fans_.of[t][k] != fan) continue;
-        const Vec3 a = corner(t, (k + 1) % 3) - corner(t, k);
-        const Vec3 b = corner(t, (k + 2) % 3) - corner(t, k);
-        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * normal_[t];
-      }
-    });
-    return sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());
-  }
-
   bool is_gone(std::size_t t, Sets& groups) const {
     const auto& f = fans_.of[t];
     const std::uint32_t a = groups.of(f[0]), b = groups.of(f[1]), c = groups.of(f[2]);
@@ -230,7 +125,7 @@ class Mover {
 
   /// Those that are the other way round. Where the corners are common points of planes, the sides
   /// keep their directions, so that a face vanishes through some that are; where they are not, a
-  /// corner of a flat triangle may go over the side opposite: it is left so.
+  /// corner of a flat triangle may go over the side opposite.
   void join_sides(std::uint32_t t, Sets& joined, std::vector<std::uint32_t>& changed) {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -239,17 +134,26 @@ class Mover {
       changed.push_back(fans_.of[t][k]);
       any = true;
     }
-    if (!any && regions_->triangles(regions_->of(t)).size() == 1) fold(t, changed);
+    if (!any && regions_->triangles(regions_->of(t)).size() == 1) join_or_fold(t, joined, changed);
   }
 
-  /// The corner has to be far enough from the face that it comes to lie over.
-  void fold(std::uint32_t t, std::vector<std::uint32_t>& changed) {
-    std::size_t longest = 0;
+  /// A small triangle loses its shortest side. A long one is left folded, and the corner that went
+  /// over a side has to be far enough from the face that it comes to lie over.
+  void join_or_fold(std::uint32_t t, Sets& joined, std::vector<std::uint32_t>& changed) {
+    constexpr double small = 4;  // times the way: what corners go as a rule
     const auto length = [&](std::size_t k) {
       return (corner(t, (k + 1) % 3) - corner(t, k)).norm();
     };
-    for (std::size_t k = 1; k < 3; ++k)
+    std::size_t longest = 0, shortest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
       if (length(k) > length(longest)) longest = k;
+      if (length(k) < length(shortest)) shortest = k;
+    }
+    if (length(shortest) <= small * way_) {
+      joined.join(fans_.of[t][shortest], fans_.of[t][(shortest + 1) % 3]);
+      changed.push_back(fans_.of[t][shortest]);
+      return;
+    }
     folded_[t] = true;
     const std::uint32_t tip = fans_.of[t][(longest + 2) % 3];
     if (const auto other = regions_->across(t, longest)) over_.emplace(tip, *other);
@@ -301,7 +205,7 @@ class Mover {
     for (const std::uint32_t fan : members) {
       const Vec3 from = at(fans_.vertex[fan]) - mean;
       size = std::max(size, from.norm());
-      for (const HalfSpace& plane : planes_of(fan))
+      for (const HalfSpace& plane : planes_.planes_of(fan))
         spaces.push_back({plane.normal, plane.least + plane.normal.dot(from)});
       const auto [begin, end] = over_.equal_range(fan);
       for (auto face = begin; face != end; ++face) {
@@ -322,8 +226,8 @@ class Mover {
       const Vec3 way = place_[groups_.of(fan)] - at(fans_.vertex[fan]);
       out_.offset.furthest = std::max(out_.offset.furthest, way.norm());
       double least = way_;
-      for_faces(fan,
-                [&](std::uint32_t t) { least = std::min(least, sign_ * normal_[t].dot(way)); });
+      planes_.for_faces(
+          fan, [&](std::uint32_t t) { least = std::min(least, sign_ * normal_[t].dot(way)); });
       const double exact = 1e-15 * at(fans_.vertex[fan]).cwiseAbs().maxCoeff();
       if (least >= way_ * (1 - rounding) - exact) continue;
       ++out_.offset.held_back;
@@ -344,7 +248,7 @@ class Mover {
         }
       if (found->second) continue;
       if (folded_[t])
-        ++out_.offset.folded;
+        out_.folded.push_back(t);
       else
         out_.turned_over.push_back(t);
     }
@@ -355,6 +259,7 @@ class Mover {
       for (std::uint32_t& fan : moved) fan = groups_.of(fan);
       add(moved, t);
     }
+    out_.offset.folded = out_.folded.size();
     if (out_.offset.by > 0) out_.offset.filled = out_.turned_over.size();
     out_.soup.vertices = std::move(place_);
     out_.soup = compacted(std::move(out_.soup));
@@ -367,13 +272,11 @@ class Mover {
 
   const Soup& soup_;
   const Fans& fans_;
+  CornerPlanes planes_;
   double way_;
   double sign_;
-  std::vector<Vec3> normal_;
-  std::vector<double> area_;        // twice
-  std::vector<char> has_say_;       // of a triangle
-  std::vector<std::size_t> first_;  // of each fan in faces_
-  std::vector<std::uint32_t> faces_;
+  const std::vector<Vec3>& normal_;
+  const std::vector<char>& has_say_;
   std::vector<Vec3> place_;  // of each fan; that of a group at its least
   Sets groups_;
   std::vector<bool> turned_over_;  // and left so
@@ -385,18 +288,8 @@ class Mover {
 
 }  // namespace
 
-double file_rounding(const Soup& soup) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& x : soup.vertices) box.extend(x);
-  if (box.isEmpty()) return 0;
-  const double farthest =
-      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  return std::min(double(std::numeric_limits<float>::epsilon()) * farthest,
-                  1e-6 * box.sizes().maxCoeff());
-}
-
 MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, const Progress& progress) {
-  return Mover(soup, fans, by).run(progress);
+  return Mover(soup, fans, by, part_of(progress, 0, 0.2)).run(part_of(progress, 0.2, 1));
 }
 
 }  // namespace sonde

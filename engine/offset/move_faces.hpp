@@ -11,11 +11,6 @@
 
 namespace sonde {
 
-/// The corner of blades so sharp that it would go further than this many times the way outwards is
-/// held back: of edges below 11.5°. Their faces gain less there, down to nothing at a tip of no
-/// angle. Inwards there is no such limit: a blade loses all that is thinner than the offset.
-constexpr double most_outward_way = 10;
-
 /// A soup with its faces elsewhere.
 struct MovedFaces {
   Soup soup;                        ///< one vertex for each place, no degenerate triangle
@@ -24,6 +19,7 @@ struct MovedFaces {
   /// Triangles of the given soup that are left inside out: no place is deep enough below all the
   /// faces round them. Inwards, the material is thinner there than twice the way.
   std::vector<std::uint32_t> turned_over;
+  std::vector<std::uint32_t> folded;  ///< of the given soup: FaceOffset::folded
 };
 
 /// Moves each face of a solid by `by` (m) along its normal, outwards where positive. The corner of
@@ -32,9 +28,5 @@ struct MovedFaces {
 /// triangle is smaller than what its corners move, these become one corner of all faces round it.
 /// The fans are those of the soup. Deterministic. Throws Cancelled.
 MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, const Progress& progress = {});
-
-/// What coordinates from a file in single precision are off by, m: flatter triangles have no say
-/// in which way their faces look.
-double file_rounding(const Soup& soup);
 
 }  // namespace sonde

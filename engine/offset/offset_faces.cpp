@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/offset/corner_planes.hpp"
 #include "engine/offset/fans.hpp"
 #include "engine/offset/move_faces.hpp"
 #include "engine/offset/thin_places.hpp"

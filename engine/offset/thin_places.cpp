@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "engine/offset/corner_planes.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
 #include "engine/proximity/queries/self_intersections.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
@@ -91,10 +92,13 @@ class ThinFinder {
       }
   }
 
-  /// What went through itself in the mesh goes on doing so, somewhere near: not a thin place.
+  /// What went through itself in the mesh goes on doing so, somewhere near: not a thin place. Nor
+  /// is a fold.
   std::vector<bool> near_crossings(const Progress& progress) const {
     std::vector<bool> vertex(soup_.vertices.size(), false), near(soup_.triangles.size(), false);
     for (const std::uint32_t t : self_intersections(soup_, progress).triangles)
+      for (const std::uint32_t corner : soup_.triangles[t]) vertex[corner] = true;
+    for (const std::uint32_t t : moved_.folded)
       for (const std::uint32_t corner : soup_.triangles[t]) vertex[corner] = true;
     for (std::uint32_t t = 0; t < near.size(); ++t)
       near[t] =

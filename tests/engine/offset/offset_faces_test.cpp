@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "engine/offset/move_faces.hpp"
+#include "engine/offset/corner_planes.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/self_intersections.hpp"
