@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/counted.hpp"
 #include "engine/text/printable.hpp"
@@ -36,6 +37,7 @@ void add_scene(CLI::App& parser, BodyOptions& options) {
   parser.add_option("SCENE", options.scene, "scene file, NAME.sonde.json")->required();
   add_within(parser, options.within);
   add_models(parser, options);
+  add_offsets(parser, "the probe", options.allowance, options.safety);
 }
 
 void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
@@ -46,6 +48,7 @@ void add_scene_or_meshes(CLI::App& parser, BodyOptions& options) {
   fixed->excludes(scene)->needs(probe);
   add_within(parser, options.within);
   add_models(parser, options);
+  add_offsets(parser, "the probe", options.allowance, options.safety);
   parser.add_option("--probe-scale", options.probe_scale, "factor for the probe's coordinates")
       ->needs(probe)
       ->check(check_positive)
@@ -82,6 +85,8 @@ std::vector<std::string> remarks_on(const Body& body) {
 std::vector<std::string> remarks_on(const Pair& pair) {
   std::vector<std::string> remarks{remark_on("the probe", pair.probe()),
                                    remark_on("the fixed body", pair.fixed())};
+  if (const std::string words = offset_words(pair.probe().offset); !words.empty())
+    remarks.push_back("the probe is " + words);
   std::erase(remarks, "");
   return remarks;
 }
@@ -103,7 +108,28 @@ Scene scene_of(const BodyOptions& options) {
   if (!options.fixed_model.empty()) scene.fixed.model = model_named(options.fixed_model).value();
   if (!options.repair.empty())
     scene.probe.repair = scene.fixed.repair = repair_named(options.repair).value();
+  scene.probe.offset = offset_of(options.allowance, options.safety).value_or(scene.probe.offset);
   return scene;
+}
+
+void add_offsets(CLI::App& parser, const std::string& whose, std::optional<double>& allowance,
+                 std::optional<double>& safety) {
+  CLI::Option* smaller =
+      parser
+          .add_option("--allowance", allowance,
+                      "takes " + whose + " smaller: each face inwards by this length, m")
+          ->check(check_not_negative);
+  parser
+      .add_option("--safety", safety,
+                  "takes " + whose + " larger: each face outwards by this length, m")
+      ->check(check_not_negative)
+      ->excludes(smaller);
+}
+
+std::optional<double> offset_of(const std::optional<double>& allowance,
+                                const std::optional<double>& safety) {
+  if (allowance) return -*allowance;
+  return safety;
 }
 
 void add_within(CLI::App& parser, std::string& folder) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,20 @@ struct BodyOptions {
   std::string repair;                    ///< of both; empty: the scene's, or auto
   double probe_scale = 1, fixed_scale = 1;
   std::string unit = "m";
+  std::optional<double> allowance, safety;  ///< m; none: the scene's
 };
 void add_scene_or_meshes(CLI::App& parser, BodyOptions& options);
 void add_scene(CLI::App& parser, BodyOptions& options);
 
 /// The scene from its file, or a scene made of the two meshes, with the models of the command line.
 Scene scene_of(const BodyOptions& options);
+
+/// The flags that take a body smaller or larger, and what they say: m, outwards; none where neither
+/// is given. `whose`: "the probe".
+void add_offsets(CLI::App& parser, const std::string& whose, std::optional<double>& allowance,
+                 std::optional<double>& safety);
+std::optional<double> offset_of(const std::optional<double>& allowance,
+                                const std::optional<double>& safety);
 
 /// The flag that keeps a scene's paths in a folder.
 void add_within(CLI::App& parser, std::string& folder);

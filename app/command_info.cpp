@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/bodies.hpp"
@@ -19,6 +20,7 @@ struct InfoOptions {
   std::string repair = "auto";
   std::string unit = "m";
   double scale = 1;
+  std::optional<double> allowance, safety;  ///< m
   std::string within;  ///< the folder that a recording's paths stay in, or empty
   OutputOptions output;
 };
@@ -26,14 +28,19 @@ struct InfoOptions {
 /// All the meshes, or an InputError that gives the reason for every bad one.
 std::vector<std::shared_ptr<const Body>> load_all(const InfoOptions& options) {
   ProgressLine progress(options.output.quiet);
-  const double scale = unit_in_metres(options.unit).value() * options.scale;
+  const double unit = unit_in_metres(options.unit).value();
   const Model model = model_named(options.model).value();
   std::vector<std::shared_ptr<const Body>> bodies;
   std::string reason;  // the last; those before are told of
   for (const std::string& mesh : options.meshes) {
     try {
-      bodies.push_back(load_body(mesh, model, scale, progress.percent("reading " + mesh),
-                                 repair_named(options.repair).value()));
+      const SceneBody body{.mesh = mesh,
+                           .model = model,
+                           .repair = repair_named(options.repair).value(),
+                           .scale = options.scale,
+                           .pose = {},
+                           .offset = offset_of(options.allowance, options.safety).value_or(0)};
+      bodies.push_back(load(body, unit, progress.percent("reading " + mesh)));
     } catch (const InputError& error) {
       progress.clear();
       if (!reason.empty()) std::cerr << "sonde: " << printable(reason) << '\n';
@@ -88,6 +95,7 @@ Command add_info_command(CLI::App& program) {
       ->add_option("--scale", options->scale, "factor for the coordinates, in addition to the unit")
       ->check(check_positive)
       ->capture_default_str();
+  add_offsets(*parser, "each", options->allowance, options->safety);
   add_within(*parser, options->within);
   add_flags(*parser, options->output);
   parser->get_option("--json")->description("write JSON instead of text");

@@ -106,7 +106,7 @@ void run(const QueryOptions& options) {
                                          : search_all(pair, poses, solver, progress);
   const std::vector<Column> all_columns =
       with_phases(options.phases, accuracy.with_claims(query_columns));
-  ResultTable table{all_columns, {}, remarks_on(pair)};
+  ResultTable table{all_columns, {}, pair.probe().offset.by, remarks_on(pair)};
   PhasePicture picture;
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);

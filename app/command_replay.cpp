@@ -92,6 +92,7 @@ class Results {
         scene_(scene),
         accuracy_(accuracy),
         columns_(with_phases(options.phases, accuracy.with_claims(replay_columns))),
+        table_{columns_, {}, scene.probe.offset},
         header_(std::move(header)),
         log_(header_.probe_radius, header_.rate_hz) {
     // A header that cannot be written is told of before the work.
@@ -130,7 +131,7 @@ class Results {
   const Scene& scene_;
   const Accuracy& accuracy_;
   std::vector<Column> columns_;
-  ResultTable table_{columns_, {}};
+  ResultTable table_;
   std::vector<std::pair<std::size_t, Separation>> failures_;
   PhasePicture picture_;
   RecordingHeader header_;
@@ -196,7 +197,7 @@ void write_as_recorded(const ReplayOptions& options) {
   check_output(options.output, {options.bodies.scene});
   const std::unique_ptr<Recording> recording = read(options);
   const TickLog& ticks = recording->ticks;
-  ResultTable table{replay_columns, {}};
+  ResultTable table{replay_columns, {}, recording->header.scene.probe.offset};
   for (std::uint64_t i = ticks.begin(); i < ticks.end(); ++i)
     table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz));
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
@@ -229,6 +230,8 @@ Job job_for(const ReplayOptions& options) {
   Job job = recorded ? job_of_recording(options) : job_of_scene(options);
   for (LoopStep& step : job.steps) replace(step.coupling, options);
   replace(job.scene.coupling, options);
+  if (const auto offset = offset_of(options.bodies.allowance, options.bodies.safety))
+    job.scene.probe.offset = *offset;
   for (const auto& [key, value] : options.servo) set(job.scene.servo, key, value);
   return job;
 }

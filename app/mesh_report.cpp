@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/offset/offset_faces.hpp"
+#include "engine/text/length_text.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
 
@@ -88,6 +90,13 @@ Json json_of(const Repairs& r) {
           {"widest_mouth", r.widest_mouth}};
 }
 
+std::string offset_text(const FaceOffset& offset) {
+  std::string text = offset_words(offset) + "; its mass is the mesh's; furthest corner " +
+                     length_text(offset.furthest);
+  if (offset.vanished > 0) text += ", " + std::to_string(offset.vanished) + " triangles vanished";
+  return text;
+}
+
 std::string memory_text(const Body& body) {
   const auto taken = static_cast<double>(bytes(body));
   const auto triangles = static_cast<double>(body.soup.triangles.size());
@@ -123,6 +132,7 @@ std::string text_of(const MeshReport& report) {
   text += plain("radius R", text_of(mass.radius) + " m");
   text += plain("bounds", text_of(bounds.low) + " to " + text_of(bounds.high) + " m");
   text += plain("size", text_of(Vec3(bounds.high - bounds.low)) + " m");
+  if (body.offset.by != 0) text += plain("offset", offset_text(body.offset));
   text += plain("memory", memory_text(body));
   text += plain("defects", defects_text(body));
   if (const std::string repairs = repairs_text(body); !repairs.empty())
@@ -150,6 +160,14 @@ Json json_of(const MeshReport& report) {
   for (int i = 0; i < 3; ++i) json["principal_axes"].push_back(json_of(Vec3(mass.R_MP.col(i))));
   json["radius"] = mass.radius;
   json["bounds"] = {{"low", json_of(bounds.low)}, {"high", json_of(bounds.high)}};
+  if (body.offset.by != 0)
+    json["offset"] = {{"by", body.offset.by},
+                      {"furthest", body.offset.furthest},
+                      {"held_back", body.offset.held_back},
+                      {"least", body.offset.least},
+                      {"vanished", body.offset.vanished},
+                      {"folded", body.offset.folded},
+                      {"filled", body.offset.filled}};
   json["memory_bytes"] = bytes(body);
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
   json["defects"]["turned"] = body.turned;
@@ -168,8 +186,8 @@ std::string to_text(const std::vector<MeshReport>& reports) {
 
 std::string to_json(const std::vector<MeshReport>& reports) {
   Json json;
-  json["units"] = {{"volume", "m^3"},  {"area", "m^2"}, {"center_of_mass", "m"},
-                   {"inertia", "m^2"}, {"radius", "m"}, {"bounds", "m"}};
+  json["units"] = {{"volume", "m^3"}, {"area", "m^2"}, {"center_of_mass", "m"}, {"inertia", "m^2"},
+                   {"radius", "m"},   {"bounds", "m"}, {"offset", "m"}};
   json["meshes"] = Json::array();
   for (const MeshReport& report : reports) json["meshes"].push_back(json_of(report));
   // A file's name may be no UTF-8.

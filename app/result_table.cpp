@@ -58,8 +58,11 @@ std::string to_json(const ResultTable& table) {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   for (const Column& column : table.columns)
     if (*column.unit != 0) units[column.name] = column.unit;
+  if (table.probe_offset != 0) units["probe_offset"] = "m";
   // Row by row: one line each, and never the whole table as a tree in memory.
   std::string text = "{\"units\": " + units.dump() + ",\n";
+  if (table.probe_offset != 0)
+    text += "\"probe_offset\": " + nlohmann::json(table.probe_offset).dump() + ",\n";
   if (!table.remarks.empty())
     text += "\"remarks\": " +
             nlohmann::ordered_json(table.remarks)

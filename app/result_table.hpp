@@ -24,6 +24,7 @@ using Row = std::vector<Cell>;
 struct ResultTable {
   std::span<const Column> columns;
   std::vector<Row> rows;
+  double probe_offset = 0;  ///< m, by which the probe is taken larger, less than zero smaller
   std::vector<std::string> remarks =
       {};  ///< on the bodies; in the head of JSON, where there are any
 };
@@ -34,8 +35,8 @@ void append_nothing(Row& row, int count);
 
 /// A header and one line for each row; numbers with 17 significant digits.
 std::string to_csv(const ResultTable& table);
-/// {"units": {column: unit, ...}, "remarks": [...], "results": [{column: value, ...}, ...]};
-/// nothing becomes null.
+/// {"units": {column: unit, ...}, "results": [{column: value, ...}, ...]}; nothing becomes null. An
+/// offset of the probe stands between the two, "probe_offset", in m, and "remarks" on the bodies.
 std::string to_json(const ResultTable& table);
 
 }  // namespace sonde::app

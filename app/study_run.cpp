@@ -96,12 +96,13 @@ std::string fingerprint_of(const std::filesystem::path& file) {
 
 nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
   const auto body = [&](const SceneBody& described, const Body& loaded) {
-    nlohmann::ordered_json out{{"mesh", described.mesh.filename().string()},
-                               {"fingerprint", fingerprint_of(described.mesh)},
-                               {"scale", scene.unit * described.scale},
-                               {"solid", loaded.solid}};
-    if (described.repair != Repair::automatic) out["repair"] = name_of(described.repair);
-    return out;
+    nlohmann::ordered_json json{{"mesh", described.mesh.filename().string()},
+                                {"fingerprint", fingerprint_of(described.mesh)},
+                                {"scale", scene.unit * described.scale},
+                                {"solid", loaded.solid}};
+    if (described.repair != Repair::automatic) json["repair"] = name_of(described.repair);
+    if (described.offset != 0) json["offset"] = described.offset;
+    return json;
   };
   nlohmann::ordered_json json{{"version", SONDE_VERSION},
                               {"probe", body(scene.probe, pair.probe())},

@@ -7,6 +7,7 @@
 #include "engine/body/body.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
@@ -62,6 +63,10 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
   return make_body(checked(vertices, triangles, name), model, name, {}, repair);
 }
 
+std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress) {
+  return offset_faces(body, by, progress);
+}
+
 BodyFacts facts(const Body& body) {
   return {.name = body.name,
           .triangles = body.soup.triangles.size(),
@@ -71,7 +76,8 @@ BodyFacts facts(const Body& body) {
           .turned = body.turned,
           .repairs = body.repairs,
           .mended = sentences(body.repairs),
-          .mass = body.mass};
+          .mass = body.mass,
+          .offset = body.offset};
 }
 
 Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {

@@ -22,6 +22,7 @@
 #include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
 #include "engine/base/phase_times.hpp"                  // Phase, PhaseTimes
 #include "engine/calibration/knob.hpp"                  // Knob, Claim
+#include "engine/geometry/face_offset.hpp"              // FaceOffset
 #include "engine/geometry/mass.hpp"                     // MassProperties
 #include "engine/geometry/model.hpp"                    // Model, Repair
 #include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
@@ -62,6 +63,18 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       const std::string& name = "body",
                                       Repair repair = Repair::automatic);
 
+/// A body with each face moved by `by` (m) along its normal: inwards where negative, an allowance,
+/// with which a peg as large as its hole fits; outwards where positive, a safety. Planes move by
+/// exactly that, and corners to where planes meet; where a corner has no such point, none of its
+/// faces moves by less than asked, as far as that can be (facts() counts the corners where it
+/// cannot). The mass stays that of the body given, so that depths can be compared, but for R.
+/// Offsets add up. The triangles may be fewer: those that are smaller than the offset go.
+/// @throws InputError, naming the body, where it is a surface, `by` is not finite or leads beyond
+/// 1e30 m, or the body is thinner somewhere than twice as much as its faces go inwards, with the
+/// thinnest place found.
+/// @throws Cancelled where `progress` returns false.
+std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress = {});
+
 /// Facts about a body.
 struct BodyFacts {
   std::string name;            ///< its file, or the name it was given
@@ -75,6 +88,8 @@ struct BodyFacts {
   /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
   /// mass.
   MassProperties mass;
+  /// How far its faces are from those of its mesh (offset_body).
+  FaceOffset offset;
 };
 /// What was found out about a body when it was made.
 BodyFacts facts(const Body& body);

@@ -108,6 +108,11 @@ SharedBody body_in(const std::filesystem::path& file, const std::string& model, 
   return shared(read_body(file, chosen_model, scale, {}, chosen_repair));
 }
 
+SharedBody offset_of(const SharedBody& body, double by) {
+  const py::gil_scoped_release released;
+  return shared(offset_body(*body.body, by));
+}
+
 Depths depth(const SharedBody& a, const SharedBody& b, const Numbers& poses,
              const std::string& method, std::uint64_t seed, unsigned threads, int budget_steps,
              double budget_us, bool whole_bound) {
@@ -191,6 +196,14 @@ void declare_body(py::module_& module) {
           "Reads an OFF, OBJ, PLY or STL file, a str or a path; model as above, scale is its\n"
           "unit in metres.\n"
           "Raises InputError, which names the file and the line.")
+      .def("offset", &offset_of, "by"_a,
+           "The body with each face moved by that length, metres: inwards where negative (an\n"
+           "allowance, with which a peg as large as its hole fits), outwards where positive (a\n"
+           "safety). Centre of mass and inertia stay, so that depths can be compared.\n"
+           "Raises InputError for a surface, and where the body is thinner than twice as much.")
+      .def_property_readonly(
+          "offset_by", [](const SharedBody& b) { return b.facts.offset.by; },
+          "By how much its faces are outside of those of its mesh, m.")
       .def_property_readonly(
           "name", [](const SharedBody& b) { return b.facts.name; }, "Its file, or the given name.")
       .def_property_readonly(

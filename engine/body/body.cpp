@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/body/body.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -140,6 +141,27 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       Repair repair) {
   return build(triangles_of(polygons, name, part_of(progress, 0, 0.05)), asked, repair, name,
                part_of(progress, 0.05, 1));
+}
+
+std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
+                                         const Progress& progress) {
+  auto body = std::make_shared<Body>();
+  body->name = nominal.name;
+  body->solid = nominal.solid;
+  body->why = nominal.why;
+  body->turned = nominal.turned;
+  body->repairs = nominal.repairs;
+  body->degenerate = nominal.degenerate;
+  body->topology = nominal.topology;
+  body->mass = nominal.mass;
+  body->offset = offset;
+  body->soup = std::move(soup);
+  check_size(body->soup, body->name);
+  body->mass.radius = radius_about(body->soup, body->mass.com);
+  grow_tree(*body, {}, part_of(progress, 0, 0.8));
+  add_outline(*body, part_of(progress, 0.8, 1));
+  report(progress, 1);
+  return body;
 }
 
 std::size_t bytes(const Body& body) {

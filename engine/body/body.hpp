@@ -9,6 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/body/tree.hpp"
+#include "engine/geometry/face_offset.hpp"
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/model.hpp"
 #include "engine/geometry/soup.hpp"
@@ -37,6 +38,8 @@ struct Body {
   /// One triangle of surface(body), the first, of each connected component.
   std::vector<std::uint32_t> component_triangle;
   MassProperties mass;
+  /// How far its faces are from those of its mesh. The mass is the mesh's (but for R) all the same.
+  FaceOffset offset;
   /// The surface in as few triangles as its flat parts need (facets.hpp). Empty where the soup
   /// already is that.
   Soup facets;
@@ -72,6 +75,12 @@ inline const Body& roughly(const Body& body) { return body.outline ? *body.outli
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress = {},
                                       Repair repair = Repair::automatic);
+
+/// The same body with a surface that is elsewhere by `offset`: name, model and mass stay, R is that
+/// of the surface. The soup is as that of a body: one vertex for each place, no degenerate
+/// triangle. Throws InputError where it leaves the range of make_body.
+std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
+                                         const Progress& progress = {});
 
 /// The memory that a body takes, in bytes: itself and all that it owns.
 std::size_t bytes(const Body& body);

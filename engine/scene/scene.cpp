@@ -7,6 +7,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "engine/base/progress.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/json_settings.hpp"
@@ -34,8 +36,8 @@ constexpr std::array<Unit, 6> units{
 
 // The keys of each object of a scene; "$schema" is there for editors that complete and check.
 const Keys& scene_object_keys() {
-  static const Keys keys{"$schema",  "unit",   "probe", "fixed", "trajectory",
-                         "coupling", "device", "servo", "view"};
+  static const Keys keys{"$schema",    "unit",     "probe",  "fixed", "allowance", "safety",
+                         "trajectory", "coupling", "device", "servo", "view"};
   return keys;
 }
 const Keys& body_keys() {
@@ -144,6 +146,27 @@ struct Reader {
     return body;
   }
 
+  /// By how much the probe is taken larger, or less than zero smaller, m.
+  double offset(const JsonNode& root, double unit) const {
+    const JsonNode* allowance = root.find("allowance");
+    const JsonNode* safety = root.find("safety");
+    double offset = 0;
+    for (const JsonNode* node : {allowance, safety}) {
+      if (!node) continue;
+      expect(*node, Kind::number);
+      if (node->number < 0)
+        fail(node->line, in_quotes(node->key) + " is " + number_text(node->number) +
+                             "; it must be zero or more (\"allowance\" takes the probe smaller, "
+                             "\"safety\" larger)");
+      if (offset != 0 && node->number != 0)
+        fail(node->line,
+             "\"allowance\" and \"safety\" at once: the one takes the probe smaller, "
+             "the other larger");
+      if (node->number != 0) offset = node->number * (node == allowance ? -unit : unit);
+    }
+    return offset;
+  }
+
   /// The gains, or the path of a file with them.
   Coupling coupling_or_path(const JsonNode& node) const {
     if (node.kind != Kind::string) return coupling(node);
@@ -197,6 +220,7 @@ Scene read(const Reader& reader, const std::string& text) {
   if (const JsonNode* unit = root.find("unit")) scene.unit = reader.unit(*unit);
   scene.probe = reader.body(reader.need(root, "probe"), scene.unit);
   scene.fixed = reader.body(reader.need(root, "fixed"), scene.unit);
+  scene.probe.offset = reader.offset(root, scene.unit);
   if (const JsonNode* path = root.find("trajectory")) scene.trajectory = reader.path(*path);
   if (const JsonNode* coupling = root.find("coupling"))
     scene.coupling = reader.coupling_or_path(*coupling);
@@ -296,7 +320,10 @@ std::optional<std::string> unit_name(double metres) {
 Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }
 
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
-  return load_body(body.mesh.string(), body.model, unit * body.scale, progress, body.repair);
+  const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
+  auto nominal = load_body(body.mesh.string(), body.model, unit * body.scale, reading, body.repair);
+  if (body.offset == 0) return nominal;
+  return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
 }
 
 }  // namespace sonde

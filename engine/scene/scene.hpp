@@ -19,7 +19,10 @@ struct SceneBody {
   Model model = Model::automatic;
   Repair repair = Repair::automatic;
   double scale = 1;
-  Pose pose;                  ///< X_WM, metres
+  Pose pose;  ///< X_WM, metres
+  /// By which its faces are moved outwards once it is loaded, m: the scene's `safety`, or less than
+  /// zero its `allowance`. A scene file has them of the probe alone.
+  double offset = 0;
   std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
 };
 
@@ -91,7 +94,7 @@ Pose relative_pose(const Scene& scene);
 /// read.
 void require_meshes(const Scene& scene);
 
-/// Loads one body of a scene, in metres.
+/// Loads one body of a scene, in metres, with its offset. Throws as load_body and offset_faces.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
 }  // namespace sonde

@@ -142,6 +142,8 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   add("unit", quoted(*unit));
   add("probe", body_text(scene.probe, scene.unit, folder));
   add("fixed", body_text(scene.fixed, scene.unit, folder));
+  if (const double offset = scene.probe.offset; offset != 0)
+    add(offset < 0 ? "allowance" : "safety", number_text(in_unit(std::abs(offset), scene.unit)));
   if (scene.trajectory) add("trajectory", path_text(*scene.trajectory, folder));
   add("coupling", coupling_text(scene.coupling));
   add("servo", servo_text(scene.servo));

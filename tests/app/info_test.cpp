@@ -36,6 +36,21 @@ TEST_F(Info, json_has_every_digit) {
   EXPECT_LT(mesh.at("memory_bytes"), 4096);
 }
 
+TEST_F(Info, an_allowance_is_said) {
+  const Outcome run = expect_done("info --allowance 1e-3 small.off");
+  EXPECT_THAT(run.out, HasSubstr("offset          taken 1 mm smaller (allowance); its mass is the "
+                                 "mesh's; furthest corner 1.73205 mm"));
+  const json mesh =
+      json::parse(expect_done("info --json --safety 0.25 small.off").out).at("meshes").at(0);
+  EXPECT_EQ(mesh.at("offset").at("by"), 0.25);
+  EXPECT_NEAR(mesh.at("bounds").at("high").at(0).get<double>(), 0.3, 1e-15);
+  EXPECT_NEAR(mesh.at("volume").get<double>(), 1e-3, 1e-15) << "of the mesh";
+  expect_refused("info --allowance 0.06 small.off", 3, "small.off");
+  expect_refused("info --allowance -1 small.off", 2, "--allowance");
+  expect_refused("info --allowance 1 --safety 1 small.off", 2, "--safety");
+  expect_refused("info --allowance nan small.off", 2, "--allowance");
+}
+
 TEST_F(Info, defects_are_counted) {
   folder.write("open.off",
                "OFF\n6 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n5 5 5\n5 6 5\n"

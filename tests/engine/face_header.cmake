@@ -9,6 +9,7 @@ set(allowed
     engine/base/error.hpp
     engine/base/phase_times.hpp
     engine/calibration/knob.hpp
+    engine/geometry/face_offset.hpp
     engine/geometry/mass.hpp
     engine/geometry/model.hpp
     engine/geometry/pose.hpp

@@ -20,10 +20,11 @@ sonde::Follower::~Follower
 sonde::Pair::Pair
 sonde::facts
 sonde::make_body
+sonde::offset_body
 sonde::read_body
 sonde::separate
 sonde::wrench
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 19 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 20 sh -c "nm -D --defined-only '$library' | wc -l"

@@ -6,10 +6,12 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/scene/scene.hpp"
 #include "engine/text/number_text.hpp"
@@ -24,6 +26,8 @@ struct Unit {
   const char* key;
   const char* name;
 };
+constexpr double mm = 1e-3;  // the unit of an offset
+
 constexpr std::array<Unit, 6> units{{{"m", "metres"},
                                      {"cm", "centimetres"},
                                      {"mm", "millimetres"},
@@ -50,6 +54,25 @@ class ScaleBox : public QDoubleSpinBox {
     if (value && *value >= minimum() && *value <= maximum()) return QValidator::Acceptable;
     return QValidator::Intermediate;
   }
+};
+
+/// A length in millimetres, zero or more.
+class LengthBox : public ScaleBox {
+ public:
+  explicit LengthBox(QWidget* parent) : ScaleBox(parent) {
+    setRange(0, 1e9);
+    setSuffix(QStringLiteral(" mm"));
+  }
+  double valueFromText(const QString& text) const override {
+    return ScaleBox::valueFromText(bare(text));
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    QString number = bare(text);
+    return ScaleBox::validate(number, position);
+  }
+
+ private:
+  QString bare(QString text) const { return text.remove(suffix().trimmed()); }
 };
 
 QString size_text(const Vec3& metres, const LengthUnit& unit) {
@@ -102,8 +125,9 @@ BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget
   grid->setHorizontalSpacing(18);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
-  const char* const rows[] = {"", "Unit", "Scale", "Up is", "Inside", "Mesh", "Found", "Size"};
-  for (int row = 0; row < 8; ++row)
+  const char* const rows[] = {"",     "Unit",  "Scale", "Up is", "Inside",
+                              "Mesh", "Found", "Size",  "Taken"};
+  for (int row = 0; row < 9; ++row)
     grid->addWidget(new QLabel(QLatin1String(rows[row]), this), row, 0, Qt::AlignTop);
   grid->addWidget(plain(QStringLiteral("Probe: ") + name_of_file(pair.probe_file), this), 0, 1);
   grid->addWidget(plain(QStringLiteral("Fixed body: ") + name_of_file(pair.fixed_file), this), 0,
@@ -112,13 +136,14 @@ BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget
   fixed_ = add_column(*grid, 2, "fixed", guess.fixed, pair.fixed_edges);
   warning_->setObjectName(QStringLiteral("size_warning"));
   warning_->setWordWrap(true);
-  grid->addWidget(warning_, 8, 0, 1, 3);
+  grid->addWidget(add_offset(probe_, guess.probe.offset), 8, 1);
+  grid->addWidget(warning_, 9, 0, 1, 3);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   same_size_ = buttons->addButton(QStringLiteral("Same size"), QDialogButtonBox::ActionRole);
   same_size_->setObjectName(QStringLiteral("same_size"));
   same_size_->setToolTip(
       QStringLiteral("Scales the probe so that it is as large as the fixed body"));
-  grid->addWidget(buttons, 9, 0, 1, 3);
+  grid->addWidget(buttons, 10, 0, 1, 3);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(same_size_, &QPushButton::clicked, this,
@@ -164,11 +189,39 @@ BodiesDialog::Column BodiesDialog::add_column(QGridLayout& grid, int at, const c
   return column;
 }
 
+QWidget* BodiesDialog::add_offset(Column& column, double metres) {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  column.offset_way = new QComboBox(both);
+  column.offset_way->setObjectName(QStringLiteral("probe_offset_way"));
+  column.offset_way->addItems({QStringLiteral("as it is"), QStringLiteral("smaller (allowance) by"),
+                               QStringLiteral("larger (safety) by")});
+  column.offset_way->setToolTip(
+      QStringLiteral("Moves each face of the probe by that length, so that a peg as large as its "
+                     "hole fits; its mass stays that of the mesh"));
+  column.offset = new LengthBox(both);
+  column.offset->setObjectName(QStringLiteral("probe_offset"));
+  column.offset->setValue(std::abs(metres) / mm);
+  row->addWidget(column.offset_way);
+  row->addWidget(column.offset, 1);
+  QDoubleSpinBox* const box = column.offset;
+  const auto changed = [box](int way) { box->setEnabled(way != 0); };
+  connect(column.offset_way, qOverload<int>(&QComboBox::currentIndexChanged), this, changed);
+  if (metres != 0) column.offset_way->setCurrentIndex(metres < 0 ? 1 : 2);
+  changed(column.offset_way->currentIndex());
+  return both;
+}
+
 BodySetup BodiesDialog::setup_of(const Column& column) const {
+  const int way = column.offset_way ? column.offset_way->currentIndex() : 0;
+  const double offset = way == 0 ? 0 : (way == 1 ? -mm : mm) * column.offset->value();
   return {unit_in_metres(column.unit->currentData().toString().toStdString()).value_or(1),
-          column.scale->value(), static_cast<UpAxis>(column.up->currentIndex()),
+          column.scale->value(),
+          static_cast<UpAxis>(column.up->currentIndex()),
           static_cast<Model>(column.model->currentIndex()),
-          column.as_in_file->isChecked() ? Repair::none : Repair::automatic};
+          column.as_in_file->isChecked() ? Repair::none : Repair::automatic,
+          offset};
 }
 
 PairSetup BodiesDialog::setup() const { return {setup_of(probe_), setup_of(fixed_)}; }

@@ -15,8 +15,9 @@ class QPushButton;
 namespace sonde::ui {
 
 /// Asks for what mesh files do not state: for each body the unit, the scale, the axis that points
-/// up, and whether its inside counts. It shows how large both are with these answers, because a
-/// user knows at once whether a cup is 90 mm or 90 m tall, and the defects of each file.
+/// up, and whether its inside counts; and for the probe by how much it is taken smaller or larger.
+/// It shows how large both are with these answers, because a user knows at once whether a cup is 90
+/// mm or 90 m tall, and the defects of each file.
 class BodiesDialog : public QDialog {
  public:
   BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget* parent);
@@ -30,9 +31,12 @@ class BodiesDialog : public QDialog {
     QComboBox* model;
     QCheckBox* as_in_file;
     QLabel *size, *found;
+    QComboBox* offset_way;   // of the probe alone
+    QDoubleSpinBox* offset;  // mm
   };
   Column add_column(QGridLayout& grid, int at, const char* object, const BodySetup& guess,
                     const Topology& edges);
+  QWidget* add_offset(Column& column, double metres);
   BodySetup setup_of(const Column& column) const;
   void show_sizes();
 

@@ -109,11 +109,13 @@ void DocumentControl::swap_bodies() {
   if (document_.empty()) return;
   Content wanted = now();
   std::swap(wanted.scene.probe, wanted.scene.fixed);
-  wanted.scene.trajectory.reset();  // it is the other's
+  std::swap(wanted.scene.probe.offset, wanted.scene.fixed.offset);  // of whatever is the probe
+  wanted.scene.trajectory.reset();                                  // it is the other's
   wanted.here = inverse(wanted.here);
   const auto bodies = wanted.bodies;
   change_bodies(QStringLiteral("Swap probe and fixed body"), wanted,
-                [bodies, scene = wanted.scene](const Progress&) {
+                [bodies, scene = wanted.scene](const Progress& progress) {
+                  if (scene.probe.offset != 0) return open_scene(scene, progress);
                   return open_scene(scene,
                                     {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {},
                                     {bodies->marks.fixed, bodies->marks.probe});
@@ -138,7 +140,7 @@ void DocumentControl::ask_bodies() {
   const auto sides = [](const Body& body, double factor) {
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : body.soup.vertices) box.extend(vertex);
-    return Vec3(box.sizes() / factor);
+    return Vec3((box.sizes().array() - 2 * body.offset.by) / factor);  // the mesh's
   };
   MeshPair pair;
   pair.probe_file = scene.probe.mesh;

@@ -13,6 +13,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
+#include "engine/offset/offset_faces.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"
@@ -187,7 +188,8 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
                  .model = setup.probe.model,
                  .repair = setup.probe.repair,
                  .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
-                 .pose = {turned_up(setup.probe.up), Vec3::Zero()}};
+                 .pose = {turned_up(setup.probe.up), Vec3::Zero()},
+                 .offset = setup.probe.offset};
   scene.fixed = {.mesh = pair.fixed_file,
                  .model = setup.fixed.model,
                  .repair = setup.fixed.repair,
@@ -199,7 +201,8 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
 
 PairSetup setup_of(const Scene& scene) {
   const auto body = [&scene](const SceneBody& from) {
-    return BodySetup{scene.unit, from.scale, up_of(from.pose.q), from.model, from.repair};
+    return BodySetup{scene.unit, from.scale,  up_of(from.pose.q),
+                     from.model, from.repair, from.offset};
   };
   return {body(scene.probe), body(scene.fixed)};
 }
@@ -213,6 +216,7 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
   changed.probe.model = now.probe.model;
   changed.fixed.repair = now.fixed.repair;
   changed.probe.repair = now.probe.repair;
+  changed.probe.offset = now.probe.offset;
   const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
   const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
     if (before == after && grown == 1) return pose;
@@ -232,7 +236,7 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
     scale(soup, scene.unit * body.scale);
     auto built = make_body(soup, body.model, body.mesh.stem().string(), report, body.repair);
     soup = {};
-    return built;
+    return body.offset == 0 ? built : offset_faces(*built, body.offset);
   };
   std::shared_ptr<const Body> probe, fixed;
   run_both(

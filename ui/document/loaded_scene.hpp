@@ -59,6 +59,7 @@ struct BodySetup {
   UpAxis up = UpAxis::z;
   Model model = Model::automatic;
   Repair repair = Repair::automatic;
+  double offset = 0;  ///< of the probe: m, by which it is taken larger, less than zero smaller
 };
 struct PairSetup {
   BodySetup probe, fixed;

@@ -2,6 +2,7 @@
 #include "ui/shell/status_text.hpp"
 
 #include "engine/body/body.hpp"
+#include "engine/offset/offset_faces.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -14,6 +15,8 @@ QString nature(const char* role, const Body& body) {
   if (body.repairs.any()) text += QStringLiteral(", mended");
   if (body.degenerate > 0)
     text += QStringLiteral(", %1 triangles without area set aside").arg(body.degenerate);
+  if (const std::string words = offset_words(body.offset); !words.empty())
+    text += QStringLiteral(", ") + QString::fromStdString(words);
   return text;
 }
 

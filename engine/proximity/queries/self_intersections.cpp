@@ -77,27 +77,38 @@ struct Enough {};
 
 }  // namespace
 
-SelfIntersections self_intersections(const Soup& soup, const Progress& progress, std::size_t most) {
+void for_each_meeting(const Soup& soup,
+                      const std::function<bool(std::uint32_t, std::uint32_t)>& visit,
+                      const Progress& progress) {
   const Mesh mesh(soup);
   std::vector<Box> boxes = mesh.boxes();
-  std::vector<bool> meets(soup.triangles.size(), false);
-  SelfIntersections found;
   std::size_t looked_at = 0;
   const double expected = pairs_a_triangle * double(soup.triangles.size());
   const auto look = [&](const Box& a, const Box& b) {
     if (++looked_at % pairs_a_report == 0)
       report(progress, std::min(double(looked_at) / expected, 1.0));
-    if (!mesh.meet(a.info(), b.info())) return;
-    if (found.pairs == most) throw Enough{};
-    ++found.pairs;
-    meets[a.info()] = meets[b.info()] = true;
+    if (mesh.meet(a.info(), b.info()) && !visit(a.info(), b.info())) throw Enough{};
   };
   report(progress, 0);
   try {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
-  } catch (const Enough&) {
-    found.all = false;
+  } catch (const Enough&) {  // the visitor's word
   }
+}
+
+SelfIntersections self_intersections(const Soup& soup, const Progress& progress, std::size_t most) {
+  std::vector<bool> meets(soup.triangles.size(), false);
+  SelfIntersections found;
+  for_each_meeting(
+      soup,
+      [&](std::uint32_t a, std::uint32_t b) {
+        found.all = found.pairs < most;
+        if (!found.all) return false;
+        ++found.pairs;
+        meets[a] = meets[b] = true;
+        return true;
+      },
+      progress);
   for (std::uint32_t i = 0; i < meets.size(); ++i)
     if (meets[i]) found.triangles.push_back(i);
   return found;

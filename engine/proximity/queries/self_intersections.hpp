@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "engine/base/progress.hpp"
@@ -23,5 +24,11 @@ struct SelfIntersections {
 /// progress is a guess of how many pairs there are to look at. Throws Cancelled.
 SelfIntersections self_intersections(const Soup& soup, const Progress& progress = {},
                                      std::size_t most = 1'000'000);
+
+/// The pairs themselves, by the same rules: visit(a, b) says whether to go on. Their order is the
+/// same for the same soup.
+void for_each_meeting(const Soup& soup,
+                      const std::function<bool(std::uint32_t, std::uint32_t)>& visit,
+                      const Progress& progress = {});
 
 }  // namespace sonde

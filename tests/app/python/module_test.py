@@ -39,6 +39,11 @@ def box(half=1.0):
     return sonde.Body(half * numpy.array(CORNERS), FACES, name="box")
 
 
+def fit(by):
+    """A box that touches another, taken larger by a length: how deep it is then."""
+    return sonde.depth(box().offset(by), box(), [2.0, 0, 0, *IDENTITY])
+
+
 def query(poses, *flags):
     """What `sonde query` answers, by column."""
     with tempfile.TemporaryDirectory() as folder:
@@ -151,6 +156,17 @@ class Module(unittest.TestCase):
         self.assertGreaterEqual(whole.lower_bound[0], found.lower_bound[0])
         self.assertLessEqual(whole.lower_bound[0], found.depth[0])
         self.assertEqual(sonde.depth(box(), box(), [2.1, 0, 0] + IDENTITY).depth[0], 0)
+
+    def test_boxes_that_touch_are_apart_with_an_allowance(self):
+        self.assertEqual(list(fit(0.0).status), ["penetrating"])
+        self.assertEqual(list(fit(-1e-5).status), ["separated"])
+        self.assertLessEqual(fit(1e-3).depth[0], 1.001e-3)
+        self.assertGreater(fit(1e-3).depth[0], 0.9e-3)
+        smaller = box().offset(-0.25)
+        self.assertEqual(smaller.offset_by, -0.25)
+        self.assertEqual(smaller.measure, box().measure)
+        with self.assertRaisesRegex(sonde.InputError, "inside out"):
+            box().offset(-1.5)
 
     def test_a_body_says_what_it_is(self):
         body = box(0.5)

@@ -95,6 +95,41 @@ TEST(Scene, everything_is_read) {
   EXPECT_LT((relative.p - Vec3(-9e-3, 2e-3, 3e-3)).norm(), 1e-15);
 }
 
+TEST(Scene, an_allowance_takes_the_probe_smaller_and_a_safety_larger) {
+  const TempFolder folder;
+  const auto offset = [&](const std::string& line) {
+    const std::string text = with_line(line + ", \"unit\": \"mm\"");
+    const Scene scene = read_scene(folder.write("s.sonde.json", text));
+    EXPECT_EQ(scene.fixed.offset, 0);
+    return scene.probe.offset;
+  };
+  EXPECT_EQ(offset("\"allowance\": 0.01"), -1e-5);
+  EXPECT_EQ(offset("\"safety\": 0.25"), 2.5e-4);
+  EXPECT_EQ(offset("\"safety\": 0"), 0);
+  EXPECT_EQ(offset("\"allowance\": 0.01, \"safety\": 0"), -1e-5);
+  EXPECT_THAT(scene_complaint(with_line("\"allowance\": -1")),
+              AllOf(HasSubstr(":4: "), HasSubstr("it must be zero or more")));
+  EXPECT_THAT(scene_complaint(with_line("\"allowance\": 1, \"safety\": 2")),
+              AllOf(HasSubstr(":4: "), HasSubstr("at once")));
+  EXPECT_THAT(scene_complaint(with_line("\"safety\": \"1 mm\"")), HasSubstr(":4: "));
+  EXPECT_THAT(scene_complaint(with_probe_line("\"allowance\": 1")), HasSubstr("allowance"));
+}
+
+TEST(Scene, the_bodies_are_loaded_with_it) {
+  const TempFolder folder;
+  folder.write("a.off",
+               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+               "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  folder.write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Scene scene = read_scene(folder.write("s.sonde.json", with_line("\"allowance\": 0.01")));
+  const auto probe = load(scene.probe, scene.unit), fixed = load(scene.fixed, scene.unit);
+  EXPECT_EQ(probe->offset.by, -0.01);
+  EXPECT_EQ(fixed->offset.by, 0);
+  SceneBody surface = scene.fixed;
+  surface.offset = -0.01;
+  EXPECT_THROW(load(surface, 1), InputError);
+}
+
 TEST(Scene, a_device_is_a_profile_or_an_object) {
   const TempFolder folder;
   const auto device =

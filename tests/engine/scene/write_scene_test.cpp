@@ -33,6 +33,7 @@ void expect_same(const SceneBody& a, const SceneBody& b) {
   EXPECT_EQ(a.mesh, b.mesh);
   EXPECT_EQ(a.model, b.model);
   EXPECT_EQ(a.scale, b.scale);
+  EXPECT_EQ(a.offset, b.offset);
   expect_same(a.pose, b.pose);
 }
 
@@ -96,6 +97,21 @@ TEST(WriteScene, what_was_read_reads_the_same_again) {
   const TempFolder folder;
   const Scene scene = read_scene(folder.write("full.sonde.json", full));
   expect_same(written_and_read(scene, folder / "copy.sonde.json"), scene);
+}
+
+TEST(WriteScene, so_does_an_allowance_in_any_unit) {
+  const TempFolder folder;
+  for (const char* unit : {"m", "mm", "um", "in", "ft"})
+    for (const char* key : {"allowance", "safety"})
+      for (const char* length : {"0.01", "1e-5", "0.3333333333333333", "7.1"}) {
+        const Scene scene = read_scene(folder.write(
+            "a.sonde.json", std::string(R"({"unit": ")") + unit + R"(", "probe": {"mesh": "a.off"},
+            "fixed": {"mesh": "b.off"}, ")" +
+                                key + "\": " + length + "}"));
+        EXPECT_NE(scene.probe.offset, 0);
+        EXPECT_EQ(scene.probe.offset < 0, std::string(key) == "allowance");
+        expect_same(written_and_read(scene, folder / "copy.sonde.json"), scene);
+      }
 }
 
 TEST(WriteScene, so_does_a_bundled_scene) {

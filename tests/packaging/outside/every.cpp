@@ -41,6 +41,8 @@ int main() {
   const auto body = box();
   const sonde::BodyFacts known = sonde::facts(*body);
   if (!known.solid || std::abs(known.mass.measure - 1) > 1e-12) return complain("facts");
+  if (sonde::facts(*sonde::offset_body(*body, -0.01)).offset.by != -0.01)
+    return complain("an allowance");
   const sonde::Pair pair(body, body);
   sonde::Pose pose;
   pose.p.x() = 0.9;

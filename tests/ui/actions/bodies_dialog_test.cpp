@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -41,6 +42,29 @@ TEST_F(BodiesTest, each_body_has_a_unit_of_its_own) {
   EXPECT_EQ(scene.unit, 1);
   EXPECT_EQ(scene.probe.scale, 1e-3);
   EXPECT_LT((scene.fixed.pose.q * Vec3::UnitY() - Vec3::UnitZ()).norm(), 1e-15) << "y is up";
+}
+
+TEST_F(BodiesTest, the_probe_is_taken_smaller_or_larger) {
+  const MeshPair pair = pair_of(1, 1);
+  BodiesDialog dialog(pair, same_unit(1), window.get());
+  auto* way = dialog.findChild<QComboBox*>("probe_offset_way");
+  auto* length = dialog.findChild<QDoubleSpinBox*>("probe_offset");
+  EXPECT_FALSE(length->isEnabled());
+  EXPECT_EQ(dialog.setup().probe.offset, 0);
+  way->setCurrentIndex(1);
+  EXPECT_TRUE(length->isEnabled());
+  length->setValue(0.01);
+  EXPECT_EQ(length->text(), "0.01 mm");
+  const PairSetup smaller = dialog.setup();
+  EXPECT_EQ(smaller.probe.offset, -1e-5);
+  EXPECT_EQ(smaller.fixed.offset, 0);
+  EXPECT_EQ(scene_of(pair, smaller).probe.offset, -1e-5);
+  way->setCurrentIndex(2);
+  length->findChild<QLineEdit*>()->setText("2.5 mm");
+  EXPECT_EQ(dialog.setup().probe.offset, 2.5e-3);
+  BodiesDialog again(pair, smaller, window.get());
+  EXPECT_EQ(again.findChild<QComboBox*>("probe_offset_way")->currentIndex(), 1);
+  EXPECT_EQ(again.setup().probe.offset, -1e-5);
 }
 
 TEST_F(BodiesTest, beyond_thirty_times_it_offers_the_same_size) {

@@ -222,6 +222,29 @@ TEST_F(DocumentTest, units_change_and_come_back) {
   EXPECT_FALSE(document().modified());
 }
 
+TEST_F(DocumentTest, an_allowance_is_set_saved_and_undone) {
+  window->prompts().ask_bodies = [](const MeshPair& pair, const PairSetup& now) {
+    EXPECT_NEAR(pair.probe_size.x(), 0.1, 1e-12) << "of the mesh";
+    PairSetup said = now;
+    said.probe.offset = now.probe.offset - 1e-3;
+    return std::optional(said);
+  };
+  const double radius = window->session()->probe().mass.radius;
+  const auto by = [this] { return window->session()->probe().offset.by; };
+  act("bodies");
+  ASSERT_TRUE(wait_until([&] { return by() == -1e-3; }));
+  EXPECT_NEAR(window->session()->probe().mass.radius, radius - std::sqrt(3) * 1e-3, 1e-12);
+  EXPECT_TRUE(document().modified());
+  EXPECT_NE(document().text().find("\"allowance\""), std::string::npos);
+  act("bodies");
+  ASSERT_TRUE(wait_until([&] { return by() == -2e-3; }));
+  act("undo");
+  ASSERT_TRUE(wait_until([&] { return by() == -1e-3; }));
+  act("undo");
+  ASSERT_TRUE(wait_until([&] { return by() == 0; }));
+  EXPECT_FALSE(document().modified());
+}
+
 TEST_F(DocumentTest, a_pose_is_copied_and_pasted_as_text) {
   drag(Qt::LeftButton, {500, 400}, {40, 10});
   const Pose copied = pose();

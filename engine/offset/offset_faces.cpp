@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/offset/offset_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/offset/corner_planes.hpp"
+#include "engine/offset/fans.hpp"
+#include "engine/offset/move_faces.hpp"
+#include "engine/offset/thin_places.hpp"
+#include "engine/text/length_text.hpp"
+
+namespace sonde {
+namespace {
+
+std::string place_text(const Vec3& x) {
+  std::string text;
+  for (const double value : x) text += (text.empty() ? "(" : ", ") + number_text(value, 6);
+  return text + ") m";
+}
+
+[[noreturn]] void complain(const Body& body, double by, const ThinPlace& place) {
+  std::string reason = "an allowance of " + length_text(-by) + " turns parts of it inside out: ";
+  if (std::isfinite(place.thickness))
+    reason += "the thinnest place found is " + length_text(place.thickness) + " thick, at " +
+              place_text(place.at);
+  else
+    reason += "nothing is left of it";
+  if (place.thickness > -2 * by)
+    reason += "; corners of sharp grooves go further than the allowance";
+  throw InputError::in(body.name, reason);
+}
+
+void check(const Body& body, double by) {
+  const std::string what = by < 0 ? "an allowance" : "a safety";
+  if (!std::isfinite(by)) throw InputError::in(body.name, what + " must be finite");
+  if (!body.solid)
+    throw InputError::in(body.name, what + " needs a solid, and this is a surface (" + body.why +
+                                        "): it has no inside to be taken " +
+                                        (by < 0 ? "smaller" : "larger") + " from");
+}
+
+/// A wall between two parts that share it, there in both directions, is no face of the solid they
+/// make; nor is a sheet of no thickness. Moved inwards, the one would be a gap.
+Soup without_inner_walls(const Soup& soup, const Progress& progress) {
+  struct Key {
+    Triangle sorted;
+    bool odd;
+    std::uint32_t triangle;
+  };
+  std::vector<Key> keys;
+  keys.reserve(soup.triangles.size());
+  for_each_index(soup.triangles.size(), progress, [&](std::size_t i) {
+    Triangle t = soup.triangles[i];
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    const bool odd = t[1] > t[2];
+    if (odd) std::swap(t[1], t[2]);
+    keys.push_back({t, odd, std::uint32_t(i)});
+  });
+  std::ranges::sort(keys, {}, [](const Key& k) { return std::tuple(k.sorted, k.odd, k.triangle); });
+  std::vector<bool> gone(soup.triangles.size(), false);
+  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
+    while (end < keys.size() && keys[end].sorted == keys[begin].sorted) ++end;
+    for (std::size_t a = begin, b = end; b-- > a && !keys[a].odd && keys[b].odd; ++a)
+      gone[keys[a].triangle] = gone[keys[b].triangle] = true;
+  }
+  Soup out{soup.vertices, {}};
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (!gone[i]) out.triangles.push_back(soup.triangles[i]);
+  return out.triangles.size() == soup.triangles.size() ? soup : compacted(std::move(out));
+}
+
+}  // namespace
+
+std::shared_ptr<const Body> offset_faces(const Body& body, double by, const Progress& progress) {
+  if (by == 0) return std::make_shared<const Body>(body);
+  check(body, by);
+  const Soup soup = by < 0 ? without_inner_walls(body.soup, part_of(progress, 0, 0.1)) : body.soup;
+  if (soup.triangles.empty()) complain(body, by, {0, body.mass.com});
+  const Fans fans = find_fans(soup, file_rounding(soup), part_of(progress, 0.1, 0.2));
+  MovedFaces moved = move_faces(soup, fans, by, part_of(progress, 0.2, 0.5));
+  if (by < 0)
+    if (const auto thin = find_thin_place(body, soup, fans, moved, part_of(progress, 0.5, 0.7)))
+      complain(body, by, *thin);
+  moved.offset.by += body.offset.by;
+  return with_surface(body, std::move(moved.soup), moved.offset, part_of(progress, 0.7, 1));
+}
+
+std::string offset_words(const FaceOffset& offset) {
+  if (offset.by == 0) return {};
+  const bool smaller = offset.by < 0;
+  std::string text = "taken " + length_text(std::abs(offset.by)) +
+                     (smaller ? " smaller (allowance)" : " larger (safety)");
+  if (offset.held_back > 0)
+    text += "; at " + std::to_string(offset.held_back) +
+            (offset.held_back == 1 ? " corner" : " corners") + " a face is moved less, by " +
+            length_text(offset.least) + " at the least";
+  if (offset.filled > 0)
+    text += "; gaps narrower than twice that are filled (" + std::to_string(offset.filled) +
+            (offset.filled == 1 ? " triangle)" : " triangles)");
+  return text;
+}
+
+}  // namespace sonde
