@@ -12,6 +12,7 @@
 #include "engine/offset/fans.hpp"
 #include "engine/offset/move_faces.hpp"
 #include "engine/offset/thin_places.hpp"
+#include "engine/text/counted.hpp"
 #include "engine/text/length_text.hpp"
 
 namespace sonde {
@@ -42,6 +43,15 @@ void check(const Body& body, double by) {
     throw InputError::in(body.name, what + " needs a solid, and this is a surface (" + body.why +
                                         "): it has no inside to be taken " +
                                         (by < 0 ? "smaller" : "larger") + " from");
+  // Each piece would move by itself, and the cracks would open.
+  if (body.cracked)
+    throw InputError::in(body.name,
+                         what + " needs faces that meet at their corners: " +
+                             counted(body.repairs.joined + body.repairs.on_edges, "corner") +
+                             " of this mesh meet others by name alone");
+  if (!body.loose.empty())
+    throw InputError::in(
+        body.name, what + " needs a solid, and parts of this are surfaces (" + body.why + ")");
 }
 
 /// A wall between two parts that share it, there in both directions, is no face of the solid they
