@@ -73,7 +73,7 @@ void add_repair(CLI::App& parser, std::string& repair) {
 }
 
 std::vector<std::string> remarks_on(const Body& body) {
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks = body.remarks;
   if (body.degenerate > 0)
     remarks.push_back(counted(body.degenerate, "triangle") + " without area set aside");
   for (std::string& sentence : sentences(body.repairs)) remarks.push_back(std::move(sentence));

@@ -62,10 +62,11 @@ std::string defects_text(const Body& body) {
   return text.empty() ? "none" : text;
 }
 
-std::string repairs_text(const Body& body) {
+/// Each on a line of its own.
+std::string listed(const std::vector<std::string>& sentences) {
   std::string text;
-  for (const std::string& sentence : sentences(body.repairs))
-    text.append(text.empty() ? "" : "\n                  ").append(sentence);
+  for (const std::string& sentence : sentences)
+    text.append(text.empty() ? "" : "\n                  ").append(printable(sentence));
   return text;
 }
 
@@ -135,8 +136,9 @@ std::string text_of(const MeshReport& report) {
   if (body.offset.by != 0) text += plain("offset", offset_text(body.offset));
   text += plain("memory", memory_text(body));
   text += plain("defects", defects_text(body));
-  if (const std::string repairs = repairs_text(body); !repairs.empty())
+  if (const std::string repairs = listed(sentences(body.repairs)); !repairs.empty())
     text += plain("mended", repairs);
+  if (!body.remarks.empty()) text += plain("remarks", listed(body.remarks));
   return text;
 }
 
@@ -172,6 +174,7 @@ Json json_of(const MeshReport& report) {
   for (const Defect& defect : defects_of(body)) json["defects"][defect.json_key] = defect.count;
   json["defects"]["turned"] = body.turned;
   json["repairs"] = json_of(body.repairs);
+  json["remarks"] = body.remarks;
   return json;
 }
 

@@ -76,6 +76,7 @@ BodyFacts facts(const Body& body) {
           .turned = body.turned,
           .repairs = body.repairs,
           .mended = sentences(body.repairs),
+          .remarks = body.remarks,
           .mass = body.mass,
           .offset = body.offset};
 }

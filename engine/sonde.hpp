@@ -84,7 +84,8 @@ struct BodyFacts {
   std::string why;             ///< why it is a solid or a surface: "closed: the inside counts", ...
   bool turned = false;         ///< the mesh was inside out
   Repairs repairs;             ///< what was done so that it has an inside, counted
-  std::vector<std::string> mended;  ///< the same in words, a sentence each
+  std::vector<std::string> mended;   ///< the same in words, a sentence each
+  std::vector<std::string> remarks;  ///< what is odd about the file and was read all the same
   /// At density 1, in the mesh frame. The object norm uses it, and torques are about its centre of
   /// mass.
   MassProperties mass;

@@ -98,10 +98,12 @@ void add_outline(Body& body, const Progress& progress) {
   body.outline = std::move(rough);
 }
 
-std::shared_ptr<const Body> build(Soup soup, Model asked, Repair repair, const std::string& name,
+std::shared_ptr<const Body> build(Soup soup, std::vector<std::string> remarks, Model asked,
+                                  Repair repair, const std::string& name,
                                   const Progress& progress) {
   auto body = std::make_shared<Body>();
   body->name = name;
+  body->remarks = std::move(remarks);
   body->soup = compacted(std::move(soup), part_of(progress, 0, 0.1));
   body->topology = analyse_topology(body->soup, part_of(progress, 0.1, 0.2));
   // Triangles without an area still connect others.
@@ -139,8 +141,8 @@ std::size_t capacity_bytes(const std::vector<T>& v) {
 std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                                       const std::string& name, const Progress& progress,
                                       Repair repair) {
-  return build(triangles_of(polygons, name, part_of(progress, 0, 0.05)), asked, repair, name,
-               part_of(progress, 0.05, 1));
+  return build(triangles_of(polygons, name, part_of(progress, 0, 0.05)), polygons.remarks, asked,
+               repair, name, part_of(progress, 0.05, 1));
 }
 
 std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
@@ -151,6 +153,7 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const F
   body->why = nominal.why;
   body->turned = nominal.turned;
   body->repairs = nominal.repairs;
+  body->remarks = nominal.remarks;
   body->degenerate = nominal.degenerate;
   body->topology = nominal.topology;
   body->mass = nominal.mass;
@@ -175,10 +178,14 @@ std::size_t bytes(const Body& body) {
 
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale,
                                       const Progress& progress, Repair repair) {
+  std::vector<std::string> remarks;
   // The polygons are gone before the body is built.
-  Soup soup = triangles_of(read_mesh(file, scale, part_of(progress, 0, 0.45)), file,
-                           part_of(progress, 0.45, 0.5));
-  return build(std::move(soup), asked, repair, file, part_of(progress, 0.5, 1));
+  Soup soup = [&] {
+    PolygonSoup polygons = read_mesh(file, scale, part_of(progress, 0, 0.45));
+    remarks = std::move(polygons.remarks);
+    return triangles_of(polygons, file, part_of(progress, 0.45, 0.5));
+  }();
+  return build(std::move(soup), std::move(remarks), asked, repair, file, part_of(progress, 0.5, 1));
 }
 
 }  // namespace sonde

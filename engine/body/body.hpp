@@ -29,6 +29,8 @@ struct Body {
   std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
   bool turned = false;  ///< was inside out, all of it, and has been turned
   Repairs repairs;      ///< what was done so that it has an inside
+  /// What is odd about its file and was read all the same, a sentence each (PolygonSoup::remarks).
+  std::vector<std::string> remarks;
   /// A ray may slip through between triangles whose corners are joined by name alone: windings are
   /// then counted along whole lines, where that shows.
   bool cracked = false;

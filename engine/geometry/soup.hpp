@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -25,6 +26,9 @@ using Polygon = std::vector<std::size_t>;  ///< its corners, as indices of point
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<Polygon> polygons;
+  /// What is odd about the file and was read all the same, or left out: for the user, one remark
+  /// for each kind ("line 12: 3 faces of two corners set aside").
+  std::vector<std::string> remarks{};
 };
 
 /// The triangles of a polygon soup (by ear clipping in the polygon's best-fit plane, so that

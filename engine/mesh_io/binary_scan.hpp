@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
+#include "engine/mesh_io/plain_text.hpp"
+#include "engine/mesh_io/remarks.hpp"
 
 namespace sonde {
 
@@ -46,6 +48,14 @@ class BinaryScanner {
     if ((item & 0xffff) == 0 && progress_ &&
         !progress_(static_cast<double>(at_) / static_cast<double>(bytes_.size())))
       throw Cancelled();
+  }
+
+  /// Refuses the file where more follows; bytes that say nothing get a remark.
+  void check_end(Remarks& remarks) const {
+    if (bytes_left() == 0) return;
+    if (!is_padding(bytes_.substr(at_)))
+      refuse_at(at_, std::to_string(bytes_left()) + " bytes more than the header declares");
+    remark_on_bytes(remarks, bytes_left(), "the mesh, zeros or blanks,");
   }
 
   [[noreturn]] void refuse_at(std::size_t byte, const std::string& reason) const {

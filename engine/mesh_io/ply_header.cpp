@@ -8,22 +8,31 @@ namespace sonde {
 namespace {
 
 const PlyType* find_type(MeshScanner& scan) {
-  static const std::array<PlyType, 8> types = {{{"char", "int8", PlyKind::int8, 1},
-                                                {"uchar", "uint8", PlyKind::uint8, 1},
-                                                {"short", "int16", PlyKind::int16, 2},
-                                                {"ushort", "uint16", PlyKind::uint16, 2},
-                                                {"int", "int32", PlyKind::int32, 4},
-                                                {"uint", "uint32", PlyKind::uint32, 4},
-                                                {"float", "float32", PlyKind::float32, 4},
-                                                {"double", "float64", PlyKind::float64, 8}}};
+  static const std::array<PlyType, 10> types = {{{"char", "int8", PlyKind::int8, 1},
+                                                 {"uchar", "uint8", PlyKind::uint8, 1},
+                                                 {"short", "int16", PlyKind::int16, 2},
+                                                 {"ushort", "uint16", PlyKind::uint16, 2},
+                                                 {"int", "int32", PlyKind::int32, 4},
+                                                 {"uint", "uint32", PlyKind::uint32, 4},
+                                                 {"int64", "int64", PlyKind::int64, 8},
+                                                 {"uint64", "uint64", PlyKind::uint64, 8},
+                                                 {"float", "float32", PlyKind::float32, 4},
+                                                 {"double", "float64", PlyKind::float64, 8}}};
   const std::string_view word = scan.word();
   for (const PlyType& type : types)
     if (word == type.name || word == type.other_name) return &type;
   scan.refuse(shown(word) + " is not a type");
 }
 
+bool is_remark(std::string_view keyword) { return keyword == "comment" || keyword == "obj_info"; }
+
 void read_format(MeshScanner& scan, PlyHeader& header) {
-  if (!scan.next_line() || scan.word() != "format") scan.refuse("\"format\" is expected");
+  std::string_view keyword;
+  do {
+    if (!scan.next_line()) scan.refuse("\"format\" is expected");
+    keyword = scan.word();
+  } while (is_remark(keyword));
+  if (keyword != "format") scan.refuse("\"format\" is expected");
   header.format_name = std::string(scan.word());
   if (header.format_name == "ascii")
     header.format = PlyFormat::text;
@@ -44,6 +53,8 @@ PlyElement read_element(MeshScanner& scan) {
     element.role = PlyElementRole::vertices;
   else if (element.name == "face" || element.name == "faces")
     element.role = PlyElementRole::faces;
+  else if (element.name == "tristrips" || element.name == "tristrip")
+    element.role = PlyElementRole::strips;
   return element;
 }
 
@@ -59,24 +70,10 @@ PlyRole role_of(const PlyElement& element, bool is_list, std::string_view name) 
            : name == "y" ? PlyRole::y
            : name == "z" ? PlyRole::z
                          : PlyRole::other;
-  if (element.role == PlyElementRole::faces && is_list &&
-      (name == "vertex_indices" || name == "vertex_index"))
+  if ((element.role == PlyElementRole::faces || element.role == PlyElementRole::strips) &&
+      is_list && (name == "vertex_indices" || name == "vertex_index"))
     role = PlyRole::corners;
   return has_role(element, role) ? PlyRole::other : role;  // the first counts
-}
-
-/// Binary files hold coordinates of two types and indices of two; in text all are read alike.
-void check_types(MeshScanner& scan, const PlyProperty& property, PlyFormat format) {
-  const bool is_text = format == PlyFormat::text;
-  const PlyKind kind = property.type->kind;
-  if (property.is_list && !property.count_type->is_integer())
-    scan.refuse("the length of a list must be of a whole-number type");
-  if (property.role == PlyRole::corners &&
-      (is_text ? !property.type->is_integer() : kind != PlyKind::int32 && kind != PlyKind::uint32))
-    scan.refuse("vertex indices of type " + property.type->name + " are not supported");
-  const bool coordinate = property.role != PlyRole::corners && property.role != PlyRole::other;
-  if (coordinate && !is_text && property.type->is_integer())
-    scan.refuse("coordinates of type " + property.type->name + " are not supported");
 }
 
 void read_property(MeshScanner& scan, PlyHeader& header) {
@@ -94,7 +91,6 @@ void read_property(MeshScanner& scan, PlyHeader& header) {
   const std::string_view name = scan.word();
   if (name.empty()) scan.refuse("the property has no name");
   property.role = role_of(element, property.is_list, name);
-  check_types(scan, property, header.format);
   element.properties.push_back(property);
 }
 
@@ -119,27 +115,49 @@ void check_room(MeshScanner& scan, const PlyHeader& header) {
   }
 }
 
-const PlyElement& the_element(MeshScanner& scan, const PlyHeader& header, PlyElementRole role,
-                              const std::string& what) {
-  const PlyElement* found = nullptr;
-  for (const PlyElement& e : header.elements) {
+PlyElement* find_element(MeshScanner& scan, PlyHeader& header, PlyElementRole role,
+                         const char* what) {
+  PlyElement* found = nullptr;
+  for (PlyElement& e : header.elements) {
     if (e.role != role) continue;
-    if (found) scan.refuse_at(e.line, "a second list of " + what);
+    if (found) scan.refuse_at(e.line, std::string("a second list of ") + what);
     found = &e;
   }
-  if (!found || found->count == 0) scan.refuse("the mesh has no " + what);
-  return *found;
+  return found && found->count > 0 ? found : nullptr;
+}
+
+std::string plural(const PlyElement& element) {
+  return element.role == PlyElementRole::faces ? "faces" : "strips";
+}
+
+/// Where no list has the usual name but there is just one of whole numbers, that is taken.
+void need_corners(MeshScanner& scan, PlyHeader& header, PlyElement& element) {
+  if (has_role(element, PlyRole::corners)) return;
+  PlyProperty* only = nullptr;
+  std::size_t lists = 0;
+  for (PlyProperty& p : element.properties) {
+    if (!p.is_list || !p.type->is_integer()) continue;
+    only = &p;
+    ++lists;
+  }
+  if (lists != 1) scan.refuse_at(element.line, "the " + plural(element) + " lack vertex_indices");
+  only->role = PlyRole::corners;
+  header.remarks.push_back("line " + std::to_string(element.line) + ": the only list of " +
+                           shown(element.name) + " is read as vertex_indices");
 }
 
 void check_mesh(MeshScanner& scan, PlyHeader& header) {
-  const PlyElement& vertices = the_element(scan, header, PlyElementRole::vertices, "vertices");
-  const PlyElement& faces = the_element(scan, header, PlyElementRole::faces, "faces");
+  const PlyElement* vertices = find_element(scan, header, PlyElementRole::vertices, "vertices");
+  PlyElement* faces = find_element(scan, header, PlyElementRole::faces, "faces");
+  PlyElement* strips = find_element(scan, header, PlyElementRole::strips, "strips");
+  if (!vertices) scan.refuse("the mesh has no vertices");
+  if (!faces && !strips) scan.refuse("the mesh has no faces");
   for (const PlyRole role : {PlyRole::x, PlyRole::y, PlyRole::z})
-    if (!has_role(vertices, role)) scan.refuse_at(vertices.line, "the vertices lack x, y or z");
-  if (!has_role(faces, PlyRole::corners))
-    scan.refuse_at(faces.line, "the faces lack vertex_indices");
-  header.vertices = vertices.count;
-  header.faces = faces.count;
+    if (!has_role(*vertices, role)) scan.refuse_at(vertices->line, "the vertices lack x, y or z");
+  header.vertices = vertices->count;
+  if (faces) need_corners(scan, header, *faces);
+  if (strips) need_corners(scan, header, *strips);
+  header.faces = faces ? faces->count : 0;
 }
 
 }  // namespace
@@ -157,7 +175,7 @@ PlyHeader read_ply_header(MeshScanner& scan) {
       header.elements.push_back(read_element(scan));
     else if (keyword == "property")
       read_property(scan, header);
-    else if (keyword != "comment" && keyword != "obj_info")
+    else if (!is_remark(keyword))
       scan.refuse("unknown header line " + shown(keyword));
   }
   check_mesh(scan, header);

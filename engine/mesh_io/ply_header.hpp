@@ -10,7 +10,7 @@
 namespace sonde {
 
 enum class PlyFormat { text, little_endian, big_endian };
-enum class PlyKind { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyKind { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 struct PlyType {
   std::string name;
@@ -29,7 +29,8 @@ struct PlyProperty {
   PlyRole role = PlyRole::other;
 };
 
-enum class PlyElementRole { other, vertices, faces };
+/// Strips: each triangle is the last two corners and the next; -1 begins another strip.
+enum class PlyElementRole { other, vertices, faces, strips };
 
 struct PlyElement {
   std::string name;
@@ -45,6 +46,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
+  Remarks remarks;
 };
 
 /// Reads the header of a PLY file and checks that it declares a mesh, of no more elements than the

@@ -5,6 +5,8 @@
 #include "engine/mesh_io/binary_scan.hpp"
 #include "engine/mesh_io/mesh_readers.hpp"
 #include "engine/mesh_io/mesh_scan.hpp"
+#include "engine/mesh_io/plain_text.hpp"
+#include "engine/mesh_io/ply_corners.hpp"
 #include "engine/mesh_io/ply_header.hpp"
 
 namespace sonde {
@@ -30,10 +32,19 @@ std::optional<Eigen::Index> axis(const PlyProperty& property) {
   return {};
 }
 
+/// The index that ends a strip: -1, and in types without a sign the largest, where it is no vertex.
+std::int64_t ends_strip(const PlyType& type, std::uint64_t vertices) {
+  if (type.kind != PlyKind::uint8 && type.kind != PlyKind::uint16 && type.kind != PlyKind::uint32)
+    return -1;
+  const std::int64_t largest = (std::int64_t{1} << (8 * type.size)) - 1;
+  return static_cast<std::uint64_t>(largest) < vertices ? -1 : largest;
+}
+
 PolygonSoup with_room_for(const PlyHeader& header) {
   PolygonSoup out;
   out.points.reserve(header.vertices);
   out.polygons.reserve(header.faces);
+  out.remarks = header.remarks;
   return out;
 }
 
@@ -45,12 +56,16 @@ class TextBody {
       : scan_(scan), header_(header), out_(with_room_for(header)) {}
 
   PolygonSoup read() {
+    scan_.drop_end_marks();
     for (const PlyElement& element : header_.elements)
       for (std::uint64_t i = 0; i < element.count; ++i) {
         if (!scan_.next_line()) scan_.refuse("the file ends before " + place(element, i));
         read_item(element);
       }
     if (scan_.next_line()) scan_.refuse("data after the last declared element");
+    need_polygons();
+    corners_.remark_to(out_.remarks, "line");
+    scan_.remark_to(out_.remarks);
     return std::move(out_);
   }
 
@@ -59,7 +74,7 @@ class TextBody {
     if (element.role == PlyElementRole::vertices) out_.points.emplace_back(Vec3::Zero());
     for (const PlyProperty& p : element.properties) {
       if (p.is_list)
-        read_list(p);
+        read_list(element, p);
       else if (const auto k = axis(p))
         out_.points.back()[*k] = scan_.coordinate();
       else
@@ -69,22 +84,39 @@ class TextBody {
       scan_.refuse("the line has more numbers than the header declares for a " + element.name);
   }
 
-  void read_list(const PlyProperty& property) {
+  void read_list(const PlyElement& element, const PlyProperty& property) {
     const std::uint64_t count = scan_.count("a number of list entries");
     if (property.role != PlyRole::corners) {
       for (std::uint64_t k = 0; k < count; ++k) scan_.check_number();
       return;
     }
-    if (count < 3) scan_.refuse("a face with fewer than three corners");
+    if (element.role == PlyElementRole::strips) return read_strips(count, property);
     Polygon face;
     face.reserve(std::min<std::uint64_t>(count, scan_.bytes_in_line()));
     for (std::uint64_t k = 0; k < count; ++k) face.push_back(scan_.index(header_.vertices));
-    out_.polygons.push_back(std::move(face));
+    corners_.face(std::move(face), scan_.line());
+  }
+
+  void read_strips(std::uint64_t count, const PlyProperty& property) {
+    const std::string end = std::to_string(ends_strip(*property.type, header_.vertices));
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const std::string_view word = scan_.word();
+      if (word == "-1" || word == end)
+        corners_.end_strip();
+      else
+        corners_.strip_corner(scan_.index(word, header_.vertices), scan_.line());
+    }
+    corners_.end_strip();
+  }
+
+  void need_polygons() {
+    if (out_.polygons.empty()) scan_.refuse("no face or strip has more than two corners");
   }
 
   MeshScanner& scan_;
   const PlyHeader& header_;
   PolygonSoup out_;
+  PlyCorners corners_{out_.polygons};
 };
 
 // ---------------------------------------------------------------------------------------- binary
@@ -102,9 +134,10 @@ class BinaryBody {
         for (const PlyProperty& p : element.properties)
           p.is_list ? read_list(element, i, p) : read_number(element, i, p);
       }
-    if (scan_.bytes_left() > 0)
-      scan_.refuse_at(scan_.position(),
-                      std::to_string(scan_.bytes_left()) + " bytes more than the header declares");
+    scan_.check_end(out_.remarks);
+    if (out_.polygons.empty())
+      scan_.refuse_at(scan_.position(), "no face or strip has more than two corners");
+    corners_.remark_to(out_.remarks, "byte");
     return std::move(out_);
   }
 
@@ -127,6 +160,10 @@ class BinaryBody {
         return scan_.take<std::int32_t>();
       case PlyKind::uint32:
         return scan_.take<std::uint32_t>();
+      case PlyKind::int64:
+        return static_cast<double>(scan_.take<std::int64_t>());
+      case PlyKind::uint64:
+        return static_cast<double>(scan_.take<std::uint64_t>());
       case PlyKind::float32:
         return static_cast<double>(scan_.take<float>());
       case PlyKind::float64:
@@ -151,34 +188,66 @@ class BinaryBody {
     const std::size_t start = scan_.position();
     const double count = take(*property.count_type);
     if (count < 0) scan_.refuse_at(start, "a list of a negative length in " + place(element, item));
-    if (property.role == PlyRole::corners && count < 3)
-      scan_.refuse_at(start, place(element, item) + " has fewer than three corners");
+    if (count > most_entries) need(scan_.bytes_left() + 1, element, item);
+    if (!property.count_type->is_integer() && count != std::floor(count))
+      scan_.refuse_at(start, "a list whose length is no whole number in " + place(element, item));
     const auto entries = static_cast<std::uint64_t>(count);
     need(entries * property.type->size, element, item);
     if (property.role != PlyRole::corners) return scan_.skip(entries * property.type->size);
+    if (element.role == PlyElementRole::strips)
+      return read_strips(element, item, property, entries);
     Polygon face(entries);
-    for (std::size_t& corner : face) corner = index(element, item, property);
-    out_.polygons.push_back(std::move(face));
+    for (std::size_t& corner : face)
+      corner = checked(take(*property.type), element, item, property);
+    corners_.face(std::move(face), start);
   }
 
-  std::size_t index(const PlyElement& element, std::uint64_t item, const PlyProperty& property) {
-    const std::size_t at = scan_.position();
-    const double index = take(*property.type);
-    if (!(index >= 0 && index < static_cast<double>(header_.vertices)))
-      scan_.refuse_at(at, "vertex index " + std::to_string(static_cast<std::int64_t>(index)) +
-                              " in " + place(element, item) + " is out of range (0 to " +
-                              std::to_string(header_.vertices - 1) + ")");
+  void read_strips(const PlyElement& element, std::uint64_t item, const PlyProperty& property,
+                   std::uint64_t entries) {
+    const auto end = static_cast<double>(ends_strip(*property.type, header_.vertices));
+    for (std::uint64_t k = 0; k < entries; ++k) {
+      if ((k & 0xffff) == 0) scan_.report(k);
+      const double index = take(*property.type);
+      if (index == end)
+        corners_.end_strip();
+      else
+        corners_.strip_corner(checked(index, element, item, property),
+                              scan_.position() - property.type->size);
+    }
+    corners_.end_strip();
+  }
+
+  std::size_t checked(double index, const PlyElement& element, std::uint64_t item,
+                      const PlyProperty& property) const {
+    const bool in_range = index >= 0 && index < static_cast<double>(header_.vertices);
+    if (!in_range || (!property.type->is_integer() && index != std::floor(index)))
+      refuse_index(index, in_range, element, item, property);
     return static_cast<std::size_t>(index);
   }
+
+  [[noreturn]] void refuse_index(double index, bool in_range, const PlyElement& element,
+                                 std::uint64_t item, const PlyProperty& property) const {
+    const std::size_t at = scan_.position() - property.type->size;
+    if (in_range || !(std::abs(index) < most_entries))
+      scan_.refuse_at(at, "a vertex index in " + place(element, item) + " is no whole number");
+    scan_.refuse_at(at, "vertex index " + std::to_string(static_cast<std::int64_t>(index)) +
+                            " in " + place(element, item) + " is out of range (0 to " +
+                            std::to_string(header_.vertices - 1) + ")");
+  }
+
+  /// More than any file has; all whole numbers below are doubles.
+  static constexpr double most_entries = 9007199254740992;  // 2^53
 
   BinaryScanner scan_;
   const PlyHeader& header_;
   PolygonSoup out_;
+  PlyCorners corners_{out_.polygons};
 };
 
 }  // namespace
 
 PolygonSoup read_ply(const std::string& file, std::string_view bytes, const Progress& progress) {
+  bytes = plain_text(file, bytes);
   MeshScanner scan(file, bytes, '\0', false, progress);
   const PlyHeader header = read_ply_header(scan);
   if (header.format == PlyFormat::text) return TextBody(scan, header).read();

@@ -7,6 +7,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/mesh_io/mesh_readers.hpp"
+#include "engine/mesh_io/size_remark.hpp"
 
 namespace sonde {
 namespace {
@@ -67,14 +68,6 @@ PolygonSoup read(MeshFormat format, const std::string& file, std::string_view by
   return read_stl(file, bytes, progress);
 }
 
-/// Some programs begin a text with this; a binary file begins with its format's own word, or (STL)
-/// with a text of no meaning.
-std::string_view without_byte_order_mark(MeshFormat format, std::string_view bytes) {
-  constexpr std::string_view mark = "\xef\xbb\xbf";
-  if (format != MeshFormat::stl && bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
-  return bytes;
-}
-
 }  // namespace
 
 PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Progress& progress) {
@@ -82,12 +75,12 @@ PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Pro
   const MeshFormat format = format_of(path);
   try {
     const std::string bytes = read_bytes(path, part_of(progress, 0, 0.1));
-    PolygonSoup soup =
-        read(format, file, without_byte_order_mark(format, bytes), part_of(progress, 0.1, 1));
+    PolygonSoup soup = read(format, file, bytes, part_of(progress, 0.1, 1));
     for (Vec3& x : soup.points) {
       x *= scale;
       if (!x.allFinite()) throw InputError::in(file, "a coordinate is not finite once scaled");
     }
+    remark_on_size(soup, scale);
     report(progress, 1);
     return soup;
   } catch (const std::bad_alloc&) {

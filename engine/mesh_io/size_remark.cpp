@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mesh_io/size_remark.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+constexpr double largest_sensible = 50, smallest_sensible = 100e-6;  // m
+
+struct LengthUnit {
+  const char* name;  ///< as --unit has it
+  double metres;
+};
+/// The likely ones first.
+constexpr LengthUnit length_units[] = {{"mm", 1e-3}, {"m", 1}, {"um", 1e-6}};
+
+std::string four_digits(double x) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 4).ptr;
+  return {text, end};
+}
+
+bool is_sensible(double metres) {
+  return metres >= smallest_sensible && metres <= largest_sensible;
+}
+
+double largest_side(const PolygonSoup& soup) {
+  Vec3 low = soup.points.front(), high = low;
+  for (const Vec3& x : soup.points) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return (high - low).maxCoeff();
+}
+
+}  // namespace
+
+void remark_on_size(PolygonSoup& soup, double scale) {
+  const double size = largest_side(soup);
+  if (is_sensible(size) || size == 0) return;
+  std::string text = "the mesh is " +
+                     (size < 1 ? four_digits(size * 1e6) + " um" : four_digits(size) + " m") +
+                     " long";
+  for (const LengthUnit& unit : length_units) {
+    if (scale == 0 || !is_sensible(size / scale * unit.metres)) continue;
+    const std::string name = unit.name;
+    soup.remarks.push_back(text + ": in " + name + " it would be " + four_digits(size / scale) +
+                           " " + name + "; give --unit " + name);
+    return;
+  }
+  soup.remarks.push_back(text + ": are its unit and scale right?");
+}
+
+}  // namespace sonde
