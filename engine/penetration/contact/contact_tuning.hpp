@@ -85,6 +85,16 @@ struct ContactTuning {
   // Work, in units of Effort
   int work_of_pair = 16;
 
+  // Triangles that touch (separating_directions, touching_points)
+  /// Sine: edges more nearly parallel give no direction of their own, and cross nowhere. Such edges
+  /// touch along a line, whose ends are corners.
+  double parallel_edges = 1e-6;
+  /// rad: directions that differ by less are one, to a thousandth of what the probe may be moved.
+  double same_direction = 1e-12;
+  /// Directions tried, each with all pairs: 10 ns each. A corner in a corner of solids has some 50,
+  /// a corner of six faces on another some 400. Beyond, the pose is left to the search.
+  std::size_t most_directions = 512;
+
   // The nearest point (least_distance)
   double solved_to = 0.05;  ///< of the margin: violations of rows that are let stand
   /// Rounds, each of which takes in the row most violated, and rows that may leave in one. They are

@@ -16,6 +16,7 @@
 #include "engine/penetration/search/search_tuning.hpp"
 #include "engine/penetration/search/sketch_search.hpp"
 #include "engine/penetration/search/starts.hpp"
+#include "engine/penetration/search/touching.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/penetration/search/verified.hpp"
 
@@ -403,6 +404,11 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   const Deadline deadline{options.budget.microseconds, now_us()};
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
   if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) return *settled;
+  if (auto touching = touching_separation(pair.probe(), pair.fixed(), device, options.method)) {
+    if (options.want_lower_bound && (pair.probe().solid || pair.fixed().solid))
+      touching->lower_bound = 0;
+    return *touching;
+  }
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
   Search search(pair, device, options, tuning, deadline.part(1 - kept));
   Separation out = search.run();

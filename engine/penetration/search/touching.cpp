@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/search/touching.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/contact/separating_directions.hpp"
+#include "engine/penetration/contact/touching_points.hpp"
+#include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/touching_tuning.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/violation.hpp"
+
+namespace sonde {
+namespace {
+
+class Touch {
+ public:
+  Touch(const Body& probe, const Body& fixed, const Pose& device)
+      : probe_(probe),
+        fixed_(fixed),
+        chart_(probe.mass, device),
+        X_(device),
+        rounding_(rounding_guard(extent(probe), extent(fixed), device.p)),
+        level_(std::max(allowed_clearance(probe.mass.radius, 0),
+                        touching_tuning.level_in_roundings * rounding_)) {}
+
+  /// The contacts of all that touches; false where something overlaps, or contradicts itself.
+  bool find_contacts() {
+    if (!find_pairs()) return false;
+    const auto directions =
+        separating_directions(pairs_, probe_.solid, fixed_.solid, touching_tuning.reach * level_);
+    if (!directions) return false;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      for (const Contact& c : touching_points(pairs_[i].a, pairs_[i].b, (*directions)[i],
+                                              touching_tuning.reach * level_))
+        contacts_.push_back(c);
+    return !contacts_.empty();
+  }
+
+  std::optional<Separation> come_free(Method method) const {
+    std::vector<HalfSpace> rows;
+    for (const Contact& c : contacts_) {
+      rows.push_back({chart_.row(Vec6::Zero(), c.on_probe, c.normal), 0});
+      if (method == Method::pdt) rows.back().normal.head<3>().setZero();
+    }
+    for (const double gap : touching_tuning.gaps) {
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].bound = gap * rounding_ - contacts_[i].gap;
+      const LeastDistance nearest =
+          least_distance(rows, touching_tuning.solved_to * gap * rounding_);
+      if (!nearest.feasible || !(nearest.y.norm() <= level_)) return std::nullopt;
+      Separation out = make_separation(chart_, outcome(nearest));
+      if (!overlap(probe_, fixed_, Transform(out.separated), Doubt::exact)) return out;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool find_pairs() {
+    std::vector<Violation> found(touching_tuning.first_pairs);
+    if (!look(found)) return false;
+    if (found.size() < touching_tuning.first_pairs) return !found.empty();
+    found.resize(touching_tuning.most_pairs);
+    return look(found) && found.size() < touching_tuning.most_pairs;
+  }
+
+  /// For as many pairs as there is room for; false where one of them does more than touch.
+  bool look(std::vector<Violation>& found) {
+    Effort unlimited;
+    found.resize(
+        find_violations(probe_, fixed_, X_, touching_tuning.reach * level_, found, unlimited));
+    pairs_.clear();
+    for (const Violation& v : found) {
+      pairs_.push_back(touching_pair(place(X_, corners(surface(probe_), v.triangle_a)),
+                                     corners(surface(fixed_), v.triangle_b)));
+      if (v.gap <= 0 && overlap_of(pairs_.back(), level_) > level_) return false;
+    }
+    return true;
+  }
+
+  Descent::Outcome outcome(const LeastDistance& nearest) const {
+    const Transform X(chart_.pose(nearest.y));
+    Descent::Outcome out;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.active_count); ++i) {
+      Contact c = contacts_[static_cast<std::size_t>(nearest.active[i])];
+      c.on_probe = X * (X_.R.transpose() * (c.on_probe - X_.p));
+      c.gap = std::max(0.0, c.normal.dot(c.on_probe - c.on_fixed));
+      c.multiplier = nearest.multiplier[i];
+      if (c.multiplier > 0) out.contacts.push(c);
+    }
+    out.held = nearest.y;
+    out.move_to(nearest.y);
+    out.iterations = 1;
+    out.converged = true;
+    return out;
+  }
+
+  const Body& probe_;
+  const Body& fixed_;
+  Chart chart_;
+  Transform X_;
+  double rounding_;  // m: what coordinates lose when the probe is placed
+  double level_;     // m: what is less deep is a touch
+  std::vector<TouchingPair> pairs_;
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace
+
+std::optional<Separation> touching_separation(const Body& probe, const Body& fixed,
+                                              const Pose& X_FM, Method method) {
+  Touch touch(probe, fixed, X_FM);
+  if (!touch.find_contacts()) return std::nullopt;
+  std::optional<Separation> out = touch.come_free(method);
+  if (!out) return out;
+  if (method == Method::pdt) {
+    out->pdt = out->depth;
+  } else if (const auto translated = touch.come_free(Method::pdt)) {
+    out->pdt = std::max(out->depth, translated->depth);
+  }
+  return out;
+}
+
+}  // namespace sonde
