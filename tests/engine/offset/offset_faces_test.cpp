@@ -9,8 +9,11 @@
 #include "engine/offset/corner_planes.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/distance.hpp"
+#include "engine/proximity/queries/inside.hpp"
+#include "engine/proximity/queries/point_distance.hpp"
 #include "engine/proximity/queries/self_intersections.hpp"
 #include "tests/engine/offset/prisms.hpp"
+#include "tests/support/real_meshes.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -151,6 +154,39 @@ TEST(OffsetFaces, a_ball_is_deeper_than_the_allowance_below_each_of_its_faces) {
       EXPECT_GE(least, std::abs(by) * (1 - 1e-9)) << by;
       EXPECT_LE(most, std::abs(by) * 1.2) << by;
     }
+}
+
+/// The reference is the nominal body: the distance of points of the smaller one from its surface.
+void expect_deeper(const Body& nominal, double by, const std::string& what) {
+  ASSERT_EQ(self_intersections(nominal.soup).pairs, 0U) << what << " is no reference";
+  const auto body = offset_faces(nominal, -by);
+  ASSERT_EQ(body->offset.held_back, 0U) << what;
+  std::size_t too_near = 0, outside = 0;
+  for (const Triangle& t : body->soup.triangles) {
+    const auto& x = body->soup.vertices;
+    for (const Vec3& weights : {Vec3(1, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.2, 0.3, 0.5)}) {
+      const Vec3 point = weights[0] * x[t[0]] + weights[1] * x[t[1]] + weights[2] * x[t[2]];
+      too_near += point_distance(nominal, point) < by * (1 - 1e-4);
+      outside += !inside(nominal, point);
+    }
+  }
+  EXPECT_EQ(too_near, 0U) << what << ", of " << 3 * body->soup.triangles.size();
+  EXPECT_EQ(outside, 0U) << what;
+  EXPECT_EQ(self_intersections(body->soup).pairs, 0U) << what;
+}
+
+TEST(OffsetFaces, no_point_of_the_smaller_body_is_nearer_to_the_surface_than_the_allowance) {
+  for (const double by : {0.001, 0.02}) {
+    expect_deeper(*test::body(test::torus(1, 0.3, 40, 20)), by, "torus");
+    expect_deeper(*test::body(test::torus_knot(2, 3, 1, 0.4, 0.1, 200, 12)), by, "knot");
+    expect_deeper(*test::body(test::sphere(0.7, 20, 31)), by, "ball");
+    expect_deeper(*test::body(test::tetrahedron(1)), by, "tetrahedron");
+  }
+  EXPECT_GT(self_intersections(test::real_body("camel.off")->soup).pairs, 0U);
+  for (const char* name : {"elephant.off", "homer.off", "fandisk.off", "anchor.off"}) {
+    const auto body = test::real_body(name);
+    expect_deeper(*body, 1e-4 * body->mass.radius, name);
+  }
 }
 
 TEST(OffsetFaces, rounded_edges_finer_than_the_allowance_become_sharp_ones) {

@@ -108,10 +108,10 @@ TEST(Scene, an_allowance_takes_the_probe_smaller_and_a_safety_larger) {
   EXPECT_EQ(offset("\"safety\": 0"), 0);
   EXPECT_EQ(offset("\"allowance\": 0.01, \"safety\": 0"), -1e-5);
   EXPECT_THAT(scene_complaint(with_line("\"allowance\": -1")),
-              AllOf(HasSubstr(":4: "), HasSubstr("it must be zero or more")));
+              AllOf(HasSubstr("4: "), HasSubstr("it must be zero or more")));
   EXPECT_THAT(scene_complaint(with_line("\"allowance\": 1, \"safety\": 2")),
-              AllOf(HasSubstr(":4: "), HasSubstr("at once")));
-  EXPECT_THAT(scene_complaint(with_line("\"safety\": \"1 mm\"")), HasSubstr(":4: "));
+              AllOf(HasSubstr("4: "), HasSubstr("at once")));
+  EXPECT_THAT(scene_complaint(with_line("\"safety\": \"1 mm\"")), HasSubstr("4: "));
   EXPECT_THAT(scene_complaint(with_probe_line("\"allowance\": 1")), HasSubstr("allowance"));
 }
 
