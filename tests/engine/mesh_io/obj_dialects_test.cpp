@@ -77,10 +77,10 @@ TEST(ObjDialects, corners_may_have_empty_parts) {
       expect_read("a.obj",
                   each(as_obj(mesh), "f",
                        [&](const std::string& line) {
-                         return "f" +
-                                replaced(line.substr(1), " ", after + std::string(" "))
-                                    .substr(std::string(after).size()) +
-                                after;
+                         std::string out(1, 'f');
+                         out += replaced(line.substr(1), " ", after + std::string(" "))
+                                    .substr(std::string(after).size());
+                         return out += after;
                        }),
                   mesh);
 }
