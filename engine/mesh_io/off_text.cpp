@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include "engine/mesh_io/off_parts.hpp"
 
@@ -29,7 +30,8 @@ class OffText {
       read_lines_of_vertices();
     else
       read_vertices_anywhere();
-    if (by_line || (!scan_.has_word() && lines_left(scan_, counts_.faces) >= counts_.faces))
+    if (by_line || (!a_number_a_line_ && !scan_.has_word() &&
+                    lines_left(scan_, counts_.faces) >= counts_.faces))
       read_lines_of_faces();
     else
       read_faces_anywhere();
@@ -52,6 +54,8 @@ class OffText {
     const std::size_t words = ahead.skip_words(), least = 3 + announced_;
     extras_ = words < 3 ? 0 : words - 3;
     if (words == least) return true;
+    a_number_a_line_ = words == 1;
+    if (a_number_a_line_) return false;
     const bool several = words < 3 || words >= 2 * least;
     const std::uint64_t all = counts_.vertices + counts_.faces;
     if (several && lines_left(scan_, all) < all) return false;
@@ -139,6 +143,7 @@ class OffText {
   OffCounts counts_;
   std::size_t announced_;
   std::size_t extras_ = 0;
+  bool a_number_a_line_ = false;
   PolygonSoup out_;
   ThinFaces thin_;
 };
@@ -154,7 +159,8 @@ OffCounts read_counts(MeshScanner& scan, std::string_view first) {
 /// own.
 void pass_edges(MeshScanner& scan) {
   if (scan.has_word()) {
-    scan.word();
+    MeshScanner ahead = scan;
+    if (ahead.word().find_first_of(".eE") == std::string_view::npos) scan.word();
     return;
   }
   MeshScanner ahead = scan;
@@ -175,15 +181,18 @@ PolygonSoup read_text_off(MeshScanner& scan, std::string_view first, std::size_t
                least_vertex, least_face);
   if (!fault.empty()) scan.refuse(fault);
   if (!scan.has_word()) return OffText(scan, counts, extras).read();
-  try {
-    return OffText(scan, counts, extras).read();
-  } catch (const InputError& error) {  // perhaps it has no number of edges
+  // All in one line: whether that number is one of edges is told by what the rest then is.
+  const auto read_from = [&](const MeshScanner& start) -> std::optional<PolygonSoup> {
     try {
-      return OffText(before_edges, counts, extras).read();
+      return OffText(start, counts, extras).read();
     } catch (const InputError&) {
-      throw error;
+      return std::nullopt;
     }
-  }
+  };
+  std::optional<PolygonSoup> with = read_from(scan), without = read_from(before_edges);
+  if (without && (!with || without->remarks.size() < with->remarks.size())) return *without;
+  if (with) return *with;
+  return OffText(scan, counts, extras).read();  // says what is wrong
 }
 
 }  // namespace sonde

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/engine/geometry/soup_of.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -108,8 +109,11 @@ TEST(Mass, moves_with_the_body) {
     const Soup soup = soup_of(test::box({1, 2, 3}));
     const Quat q = test::random_rotation(random);
     const Vec3 p = test::random_in_ball(random, 10);
-    for (const auto& mass : {mass_by_volume, mass_by_area}) {
-      const MassProperties there = mass(moved(soup, q, p), {}), here = mass(soup, {});
+    for (const bool volume : {true, false}) {
+      const auto mass = [volume](const Soup& s) {
+        return volume ? mass_by_volume(s) : mass_by_area(s);
+      };
+      const MassProperties there = mass(moved(soup, q, p)), here = mass(soup);
       expect_near(there.com, q * here.com + p, 1e-13);
       expect_near(there.inertia, here.inertia, 1e-13);
       EXPECT_LE((tensor(there) - q * tensor(here) * q.conjugate()).norm(), 1e-13);
@@ -140,8 +144,10 @@ TEST(Mass, powers_of_two_scale_exactly) {
       moved(soup_of(test::torus(1, 0.3, 9, 7)), Quat(1, 2, 3, 4).normalized(), {1, 2, 3});
   for (const double s : {0x1p-200, 0x1p-10, 0x1p10, 0x1p200}) {
     for (const bool volume : {true, false}) {
-      const auto mass = volume ? mass_by_volume : mass_by_area;
-      const MassProperties one = mass(soup, {}), other = mass(scaled(soup, s), {});
+      const auto mass = [volume](const Soup& x) {
+        return volume ? mass_by_volume(x) : mass_by_area(x);
+      };
+      const MassProperties one = mass(soup), other = mass(scaled(soup, s));
       EXPECT_EQ(other.measure, one.measure * s * s * (volume ? s : 1));
       EXPECT_EQ(other.com, one.com * s);
       EXPECT_EQ(other.inertia, Vec3(one.inertia * s * s));
@@ -212,6 +218,24 @@ TEST(Mass, equal_inertias_give_canonical_axes) {
     EXPECT_LE((p.R_MP - Mat3::Identity()).norm(), 1e-11);
     EXPECT_EQ(p.inertia[0], p.inertia[1]);
   }
+}
+
+// Reference: the closed form of two boxes apart from each other, of which one is given by its
+// moments about another place.
+TEST(Mass, moments_are_added_to_those_of_the_triangles) {
+  const Soup box = soup_of(test::box({2, 4, 6}));
+  const Vec3 away(10, 1, 2), origin(3, -2, 5);
+  MassMoments more;
+  more.origin = origin;
+  more.measure = 8;  // a cube of side 2
+  const Vec3 middle = away - origin;
+  more.first = 8 * middle;
+  more.second = 8 * (middle * middle.transpose() + Mat3(Vec3::Constant(4.0 / 12).asDiagonal()));
+  const MassProperties mass = mass_by_volume(box, {}, more);
+  EXPECT_NEAR(mass.measure, 56, 1e-12);
+  EXPECT_LT((mass.com - away * 8 / 56).norm(), 1e-13);
+  const Soup both = soup_of(test::joined(test::box({2, 4, 6}), test::box({2, 2, 2}), away));
+  expect_near(mass.inertia, mass_by_volume(both).inertia, 1e-12);
 }
 
 }  // namespace

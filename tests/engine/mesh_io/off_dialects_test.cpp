@@ -124,7 +124,7 @@ TEST(OffDialects, everything_in_one_line_or_in_other_lines) {
   EXPECT_EQ(refusal_of("a.off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 3"),
             ":1: vertex index 3 is out of range (0 to 2)");
   EXPECT_EQ(refusal_of("a.off", "OFF 1000000000 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2"),
-            ":1: the header declares 1000000000 vertices and 1 faces, but only 26 bytes follow");
+            ":1: the header declares 1000000000 vertices and 1 faces, but only 25 bytes follow");
 }
 
 TEST(OffDialects, faces_of_fewer_than_three_corners_are_set_aside) {

@@ -146,7 +146,7 @@ TEST(PlyDialects, the_only_list_of_faces_may_have_another_name) {
   for (const PolygonSoup& mesh : dialect_meshes())
     for (const std::string format : formats)
       expect_read("a.ply", as_ply(mesh, format, {"float", "uchar", "int", "vertex_list", true}),
-                  mesh, {"line 13: the only list of \"face\" is read as vertex_indices"});
+                  mesh, {"line 15: the only list of \"face\" is read as vertex_indices"});
 }
 
 TEST(PlyDialects, indices_that_are_not_whole_are_refused) {
@@ -168,11 +168,12 @@ TEST(PlyDialects, indices_that_are_not_whole_are_refused) {
   EXPECT_EQ(refusal_of("a.ply", with(-1)),
             at(second, "vertex index -1 in face 1 of 4 is out of range (0 to 3)"));
   std::string count = as_ply(mesh, "binary_little_endian", {"float", "float", "int"});
+  const std::size_t first = count.find("end_header\n") + 11 + 48;
   for (const float bad : {2.5F, std::numeric_limits<float>::quiet_NaN()})
-    EXPECT_EQ(refusal_of("a.ply", count.replace(start, 4, test::raw(bad))),
-              at(start, "a list whose length is no whole number in face 1 of 4"));
+    EXPECT_EQ(refusal_of("a.ply", count.replace(first, 4, test::raw(bad))),
+              at(first, "a list whose length is no whole number in face 1 of 4"));
   for (const float bad : {1e30F, std::numeric_limits<float>::infinity()})
-    EXPECT_EQ(refusal_of("a.ply", count.replace(start, 4, test::raw(bad))),
+    EXPECT_EQ(refusal_of("a.ply", count.replace(first, 4, test::raw(bad))),
               at(count.size(), "the file ends inside face 1 of 4"));
 }
 

@@ -406,7 +406,7 @@ TEST(Scene, units) {
 TEST(Scene, load_applies_unit_and_scale) {
   const TempFolder folder;
   const auto mesh = folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const auto body = load({mesh, Model::automatic, 2, Pose{}}, 1e-3);
+  const auto body = load({.mesh = mesh, .scale = 2, .pose = {}}, 1e-3);
   EXPECT_NEAR(body->mass.measure, 2e-6, 1e-18) << "half of a square of 2 mm";
 }
 
