@@ -32,6 +32,7 @@ struct Repairs {
   /// Of the mass of what overlaps, relative to it; 0 where it is exact.
   double overlap_error = 0;
 
+  /// Whether anything was done at all.
   bool any() const {
     return joined + on_edges + repeated + turned_triangles + turned_parts + caps + hidden > 0 ||
            overlaps;

@@ -271,12 +271,24 @@ class Module(unittest.TestCase):
                 if isinstance(node, ast.FunctionDef)
                 and "property" not in map(ast.unparse, node.decorator_list)
             ]
-        self.assertEqual(len(pairs), 7)
+        self.assertEqual(len(pairs), 8)
         for node, function in pairs:
             self.assertEqual(signature_in(node), signature_of(function), node.name)
 
+    def test_a_body_says_what_was_mended(self):
+        over = [face[::-1] for face in FACES]
+        away = [[x + 5, y, z] for x, y, z in CORNERS]
+        both = FACES + [[8 + i for i in face] for face in over]
+        body = sonde.Body(CORNERS + away, both)
+        self.assertEqual(body.mended, ["1 part of 2 inside out, turned"])
+        self.assertAlmostEqual(body.measure, 16)
+        self.assertAlmostEqual(body.centre_of_mass[0], 2.5)
+        self.assertEqual(box().mended, [])
+        self.assertTrue(sonde.Body(CORNERS, FACES[:11], "solid").solid)
+        self.assertFalse(sonde.Body(CORNERS, FACES[:11], repair="none").solid)
+
     def test_values_are_of_the_types_that_are_declared(self):
-        body = box()
+        body = sonde.Body(CORNERS, [f[::-1] for f in FACES])  # inside out: something is mended
         values = {"Body": body, "Depths": sonde.depth(body, box(), [1.9, 0, 0] + IDENTITY)}
         names = {"numpy": numpy, "NDArray": NDArray, "List": List}
         checked = 0
@@ -293,7 +305,7 @@ class Module(unittest.TestCase):
                     self.assertEqual({type(v) for v in value}, set(get_args(declared)), node.name)
                 else:
                     self.assertIs(type(value), declared, node.name)
-        self.assertEqual(checked, 18)
+        self.assertEqual(checked, 20)
 
     def test_the_example_draws_the_depth_along_a_path(self):
         with tempfile.TemporaryDirectory() as folder:
