@@ -271,7 +271,7 @@ class Module(unittest.TestCase):
                 if isinstance(node, ast.FunctionDef)
                 and "property" not in map(ast.unparse, node.decorator_list)
             ]
-        self.assertEqual(len(pairs), 7)
+        self.assertEqual(len(pairs), 8)
         for node, function in pairs:
             self.assertEqual(signature_in(node), signature_of(function), node.name)
 
@@ -293,7 +293,7 @@ class Module(unittest.TestCase):
                     self.assertEqual({type(v) for v in value}, set(get_args(declared)), node.name)
                 else:
                     self.assertIs(type(value), declared, node.name)
-        self.assertEqual(checked, 18)
+        self.assertEqual(checked, 19)
 
     def test_the_example_draws_the_depth_along_a_path(self):
         with tempfile.TemporaryDirectory() as folder:
