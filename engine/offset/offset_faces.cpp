@@ -66,7 +66,7 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
   keys.reserve(soup.triangles.size());
   for_each_index(soup.triangles.size(), progress, [&](std::size_t i) {
     Triangle t = soup.triangles[i];
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     const bool odd = t[1] > t[2];
     if (odd) std::swap(t[1], t[2]);
     keys.push_back({t, odd, std::uint32_t(i)});
