@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 #include <random>
 
 #include "engine/proximity/queries/inside.hpp"
+#include "tests/support/columns.hpp"
 #include "tests/support/defects.hpp"
 #include "tests/support/real_meshes.hpp"
 #include "tests/support/shapes.hpp"
@@ -18,18 +18,6 @@ Eigen::AlignedBox3d bounds_of(const Body& body) {
   Eigen::AlignedBox3d box;
   for (const Vec3& x : body.soup.vertices) box.extend(x);
   return box;
-}
-
-/// The triangles that bound the inside, as corners.
-std::vector<std::array<Vec3, 3>> boundary(const Body& body) {
-  std::vector<std::array<Vec3, 3>> out;
-  for (std::uint32_t i = 0; i < surface(body).triangles.size(); ++i) {
-    if (is_loose(body, i)) continue;
-    const Triangle& t = surface(body).triangles[i];
-    out.push_back(
-        {surface(body).vertices[t[0]], surface(body).vertices[t[1]], surface(body).vertices[t[2]]});
-  }
-  return out;
 }
 
 /// Solid angles over 4π (Van Oosterom and Strackee, 1983): a whole number for closed meshes.
@@ -44,69 +32,9 @@ double winding(const std::vector<std::array<Vec3, 3>>& triangles, const Vec3& x)
   return sum / (2 * std::numbers::pi);
 }
 
-/// Volume and centre of where columns along z see a winding number other than 0; `count` columns
-/// along each of x and y.
-struct Integrated {
-  double volume = 0;
-  Vec3 centre = Vec3::Zero();
-};
-Integrated integrated(const Body& body, int count) {
-  // Turned: modelled sides lie along the axes, and columns beside them all err the same way.
-  const Mat3 turn = Quat(0.8, 0.2, 0.4, 0.3).normalized().toRotationMatrix();
-  auto triangles = boundary(body);
-  Eigen::AlignedBox3d box;
-  for (auto& t : triangles)
-    for (Vec3& x : t) box.extend(x = turn * x);
-  const double dx = box.sizes().x() / count, dy = box.sizes().y() / count;
-  // Off the middles, where modelled corners tend to be.
-  const auto column_x = [&](int i) { return box.min().x() + (i + 0.5137) * dx; };
-  const auto column_y = [&](int j) { return box.min().y() + (j + 0.4871) * dy; };
-  std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> hits;
-  for (const auto& t : triangles) {
-    const double x0 = std::min({t[0].x(), t[1].x(), t[2].x()}),
-                 x1 = std::max({t[0].x(), t[1].x(), t[2].x()});
-    const double y0 = std::min({t[0].y(), t[1].y(), t[2].y()}),
-                 y1 = std::max({t[0].y(), t[1].y(), t[2].y()});
-    const auto first = [](double v) { return std::max(0, static_cast<int>(std::floor(v)) - 1); };
-    const auto side = [](const Vec3& a, const Vec3& b, double x, double y) {
-      // One answer for an edge, whichever of its triangles asks.
-      const bool swapped = std::pair(a.x(), a.y()) > std::pair(b.x(), b.y());
-      const Vec3 &p = swapped ? b : a, &q = swapped ? a : b;
-      const bool left = (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x()) > 0;
-      return left != swapped;
-    };
-    for (int i = first((x0 - box.min().x()) / dx); i < count && column_x(i) <= x1; ++i)
-      for (int j = first((y0 - box.min().y()) / dy); j < count && column_y(j) <= y1; ++j) {
-        const double x = column_x(i), y = column_y(j);
-        const bool a = side(t[0], t[1], x, y), b = side(t[1], t[2], x, y),
-                   c = side(t[2], t[0], x, y);
-        if (a != b || b != c) continue;
-        const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
-        if (n.z() == 0) continue;
-        const double z = t[0].z() - (n.x() * (x - t[0].x()) + n.y() * (y - t[0].y())) / n.z();
-        hits[{i, j}].emplace_back(z, a ? 1 : -1);
-      }
-  }
-  Integrated out;
-  for (auto& [column, at] : hits) {
-    std::sort(at.begin(), at.end());
-    int w = 0;
-    for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-      w -= at[k].second;
-      if (w == 0) continue;
-      const double length = at[k + 1].first - at[k].first, piece = length * dx * dy;
-      out.volume += piece;
-      out.centre +=
-          piece * Vec3(column_x(column.first), column_y(column.second), at[k].first + length / 2);
-    }
-  }
-  out.centre = turn.transpose() * out.centre / out.volume;
-  return out;
-}
-
 /// Random points in the bounds: inside where the winding number rounds to anything but 0.
 void expect_inside_is_right(const Body& body, int points, std::uint64_t seed) {
-  const auto triangles = boundary(body);
+  const auto triangles = test::boundary(body);
   const Eigen::AlignedBox3d box = bounds_of(body);
   std::mt19937_64 random(seed);
   for (int k = 0; k < points; ++k) {
@@ -118,9 +46,12 @@ void expect_inside_is_right(const Body& body, int points, std::uint64_t seed) {
 }
 
 void expect_mass_is_right(const Body& body, int count, double tolerance) {
-  const Integrated found = integrated(body, count);
-  EXPECT_NEAR(body.mass.measure, found.volume, tolerance * found.volume) << body.name;
-  EXPECT_LT((body.mass.com - found.centre).norm(), tolerance * body.mass.radius) << body.name;
+  const test::Moments found = test::moments_by_columns(body, count);
+  EXPECT_NEAR(body.mass.measure, found.measure, tolerance * found.measure) << body.name;
+  EXPECT_LT((body.mass.com - found.com).norm(), tolerance * body.mass.radius) << body.name;
+  // The trace of the spread is half of that of the inertia.
+  const double inertia = body.mass.inertia.sum(), spread = 2 * found.covariance.trace();
+  EXPECT_NEAR(inertia, spread, 2 * tolerance * spread) << body.name;
   EXPECT_TRUE(bounds_of(body).contains(body.mass.com)) << body.name;
 }
 
