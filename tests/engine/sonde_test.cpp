@@ -268,9 +268,9 @@ TEST(Face, triangles_that_are_none_are_refused_with_the_reason) {
   EXPECT_EQ(made(box), "box: triangle 2: there is no vertex 8, only 8");
   box = brick;
   box.triangles.resize(11);
-  EXPECT_EQ(made(box), "no InputError");  // a surface
+  EXPECT_EQ(made(box), "no InputError");                // a surface
   EXPECT_EQ(made(box, Model::solid), "no InputError");  // its opening is closed
-  box.triangles.resize(1);  // a sheet
+  box.triangles.resize(1);                              // a sheet
   EXPECT_THAT(made(box, Model::solid), HasSubstr("box: cannot be a solid: 3 open edges"));
   box.triangles = {{0, 0, 1}};
   EXPECT_EQ(made(box), "box: no triangle has an area");
