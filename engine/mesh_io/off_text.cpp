@@ -20,7 +20,7 @@ std::uint64_t lines_left(MeshScanner scan, std::uint64_t enough) {
 class OffText {
  public:
   OffText(MeshScanner scan, const OffCounts& counts, std::size_t announced)
-      : scan_(std::move(scan)), counts_(counts), announced_(announced) {}
+      : scan_(scan), counts_(counts), announced_(announced) {}
 
   PolygonSoup read() {
     out_.points.reserve(counts_.vertices);

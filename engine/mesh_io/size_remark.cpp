@@ -46,8 +46,10 @@ void remark_on_size(PolygonSoup& soup, double scale) {
   for (const LengthUnit& unit : length_units) {
     if (scale == 0 || !is_sensible(size / scale * unit.metres)) continue;
     const std::string name = unit.name;
-    soup.remarks.push_back(text + ": in " + name + " it would be " + four_digits(size / scale) +
-                           " " + name + "; give --unit " + name);
+    text.append(": in ").append(name).append(" it would be ");
+    text.append(four_digits(size / scale)).append(" ").append(name);
+    text.append("; give --unit ").append(name);
+    soup.remarks.push_back(std::move(text));
     return;
   }
   soup.remarks.push_back(text + ": are its unit and scale right?");
