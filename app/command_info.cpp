@@ -79,7 +79,9 @@ Command add_info_command(CLI::App& program) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* parser = program.add_subcommand(
       "info", "Describes meshes (counts, model, mass properties, bounds, defects) or recordings");
-  parser->add_option("MESH", options->meshes, "OFF, OBJ, PLY or STL files, or recordings")
+  parser
+      ->add_option("MESH", options->meshes,
+                   "Mesh files (OFF, OBJ, PLY, STL, GLB, glTF, 3MF, DAE), or recordings")
       ->required();
   parser
       ->add_option("--model", options->model,

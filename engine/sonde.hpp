@@ -38,8 +38,9 @@ namespace sonde {
 /// it. facts() describes it.
 struct Body;
 
-/// Reads a body from an OFF, OBJ, PLY (text or binary) or STL (text or binary) file. The extension
-/// tells the format. Coordinates are multiplied by `scale`, the file's unit in metres.
+/// Reads a body from an OFF, OBJ, PLY, STL, GLB, glTF, 3MF or DAE file, text or binary. The
+/// extension tells the format. Coordinates are multiplied by `scale`, the file's unit in metres;
+/// those of the last four are in metres by the unit that they state, and `scale` comes on top.
 /// @pre `scale` is positive and finite.
 /// @throws InputError, naming the file and, where there is one, the line or byte, where the file is
 /// missing, empty, truncated or no mesh, an index is out of range, a coordinate is not finite or

@@ -193,8 +193,8 @@ void declare_body(py::module_& module) {
            "Raises InputError if they cannot be a body.")
       .def_static(
           "read", &body_in, "file"_a, "model"_a = "auto", "scale"_a = 1.0, "repair"_a = "auto",
-          "Reads an OFF, OBJ, PLY or STL file, a str or a path; model as above, scale is its\n"
-          "unit in metres.\n"
+          "Reads a mesh file (OFF, OBJ, PLY, STL, GLB, glTF, 3MF, DAE), a str or a path; model as\n"
+          "above. scale is its unit in metres; the last four state theirs, and it comes on top.\n"
           "Raises InputError, which names the file and the line.")
       .def("offset", &offset_of, "by"_a,
            "The body with each face moved by that length, metres: inwards where negative (an\n"

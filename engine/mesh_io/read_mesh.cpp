@@ -6,13 +6,14 @@
 #include <new>
 
 #include "engine/base/progress.hpp"
+#include "engine/mesh_io/assets/asset_readers.hpp"
 #include "engine/mesh_io/mesh_readers.hpp"
 #include "engine/mesh_io/size_remark.hpp"
 
 namespace sonde {
 namespace {
 
-enum class MeshFormat { off, obj, ply, stl };
+enum class MeshFormat { off, obj, ply, stl, gltf, threemf, dae };
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -27,7 +28,11 @@ MeshFormat format_of(const std::filesystem::path& path) {
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".stl") return MeshFormat::stl;
-  throw InputError::in(path.string(), "unknown mesh format: OFF, OBJ, PLY and STL are read");
+  if (extension == ".glb" || extension == ".gltf") return MeshFormat::gltf;
+  if (extension == ".3mf") return MeshFormat::threemf;
+  if (extension == ".dae") return MeshFormat::dae;
+  throw InputError::in(path.string(),
+                       "unknown mesh format: OFF, OBJ, PLY, STL, GLB, glTF, 3MF and DAE are read");
 }
 
 std::string read_bytes(const std::filesystem::path& path, const Progress& progress) {
@@ -62,6 +67,12 @@ PolygonSoup read(MeshFormat format, const std::string& file, std::string_view by
       return read_obj(file, bytes, progress);
     case MeshFormat::ply:
       return read_ply(file, bytes, progress);
+    case MeshFormat::gltf:
+      return read_gltf(file, bytes, progress);
+    case MeshFormat::threemf:
+      return read_3mf(file, bytes, progress);
+    case MeshFormat::dae:
+      return read_dae(file, bytes, progress);
     case MeshFormat::stl:
       break;
   }
@@ -69,6 +80,11 @@ PolygonSoup read(MeshFormat format, const std::string& file, std::string_view by
 }
 
 }  // namespace
+
+bool has_own_unit(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".glb" || extension == ".gltf" || extension == ".3mf" || extension == ".dae";
+}
 
 PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Progress& progress) {
   const std::string file = path.string();
@@ -80,7 +96,8 @@ PolygonSoup read_mesh(const std::filesystem::path& path, double scale, const Pro
       x *= scale;
       if (!x.allFinite()) throw InputError::in(file, "a coordinate is not finite once scaled");
     }
-    remark_on_size(soup, scale);
+    // A unit that the file states is no guess of the user's: no other is offered.
+    remark_on_size(soup, has_own_unit(path) ? 0 : scale);
     report(progress, 1);
     return soup;
   } catch (const std::bad_alloc&) {

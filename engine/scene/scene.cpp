@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "engine/base/progress.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/scene/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
@@ -319,9 +320,14 @@ std::optional<std::string> unit_name(double metres) {
 
 Pose relative_pose(const Scene& scene) { return inverse(scene.fixed.pose) * scene.probe.pose; }
 
+double mesh_scale(const SceneBody& body, double unit) {
+  return has_own_unit(body.mesh) ? body.scale : unit * body.scale;
+}
+
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
   const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
-  auto nominal = load_body(body.mesh.string(), body.model, unit * body.scale, reading, body.repair);
+  auto nominal =
+      load_body(body.mesh.string(), body.model, mesh_scale(body, unit), reading, body.repair);
   if (body.offset == 0) return nominal;
   return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
 }

@@ -94,6 +94,10 @@ Pose relative_pose(const Scene& scene);
 /// read.
 void require_meshes(const Scene& scene);
 
+/// What the numbers of a body's mesh file are multiplied by: its scale times the scene's unit, or
+/// its scale alone where the file states its own unit and is read in metres (has_own_unit).
+double mesh_scale(const SceneBody& body, double unit);
+
 /// Loads one body of a scene, in metres, with its offset. Throws as load_body and offset_faces.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 

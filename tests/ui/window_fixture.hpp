@@ -109,7 +109,7 @@ class WindowTest : public ::testing::Test {
     window->prompts().report_error = [this](const QString& text) { complaints.push_back(text); };
     window->prompts().ask_bodies = [this](const MeshPair& pair, const PairSetup&) {
       guess = guess_unit(pair);
-      return answered_unit ? std::optional(same_unit(*answered_unit)) : std::nullopt;
+      return answered_unit ? std::optional(same_unit(pair, *answered_unit)) : std::nullopt;
     };
     window->prompts().ask_paths = [this](const QString&, const QStringList& paths) {
       paths_asked_for << paths;

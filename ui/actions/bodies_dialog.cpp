@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/base/format.hpp"
@@ -109,6 +110,12 @@ QString name_of_file(const std::filesystem::path& file) {
   return QString::fromStdString(file.filename().string());
 }
 
+/// The file states its unit: there is nothing to choose.
+void keep_unit(QComboBox& unit) {
+  unit.setEnabled(false);
+  unit.setItemText(unit.currentIndex(), QStringLiteral("stated in the file"));
+}
+
 QLabel* plain(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setTextFormat(Qt::PlainText);  // file names
@@ -134,6 +141,8 @@ BodiesDialog::BodiesDialog(const MeshPair& pair, const PairSetup& guess, QWidget
                   2);
   probe_ = add_column(*grid, 1, "probe", guess.probe, pair.probe_edges);
   fixed_ = add_column(*grid, 2, "fixed", guess.fixed, pair.fixed_edges);
+  if (has_own_unit(pair.probe_file)) keep_unit(*probe_.unit);
+  if (has_own_unit(pair.fixed_file)) keep_unit(*fixed_.unit);
   warning_->setObjectName(QStringLiteral("size_warning"));
   warning_->setWordWrap(true);
   grid->addWidget(add_offset(probe_, guess.probe.offset), 8, 1);

@@ -145,8 +145,8 @@ void DocumentControl::ask_bodies() {
   MeshPair pair;
   pair.probe_file = scene.probe.mesh;
   pair.fixed_file = scene.fixed.mesh;
-  pair.probe_size = sides(probe, scene.unit * scene.probe.scale);
-  pair.fixed_size = sides(fixed, scene.unit * scene.fixed.scale);
+  pair.probe_size = sides(probe, mesh_scale(scene.probe, scene.unit));
+  pair.fixed_size = sides(fixed, mesh_scale(scene.fixed, scene.unit));
   pair.probe_edges = probe.topology;
   pair.fixed_edges = fixed.topology;
   const PairSetup old = setup_of(scene);
@@ -156,7 +156,7 @@ void DocumentControl::ask_bodies() {
   wanted.scene = with_setup(scene, old, *said);
   // As far from the fixed body, for its size, as it was.
   const double grown =
-      wanted.scene.unit * wanted.scene.fixed.scale / (scene.unit * scene.fixed.scale);
+      mesh_scale(wanted.scene.fixed, wanted.scene.unit) / mesh_scale(scene.fixed, scene.unit);
   const Pose moved = relative_pose(scene);
   wanted.here.p *= grown;
   if (same(before.here, moved)) wanted.here = relative_pose(wanted.scene);

@@ -12,7 +12,9 @@
 
 namespace sonde::ui {
 
-QString mesh_filter() { return QStringLiteral("Meshes (*.off *.obj *.ply *.stl)"); }
+QString mesh_filter() {
+  return QStringLiteral("Meshes (*.off *.obj *.ply *.stl *.glb *.gltf *.3mf *.dae)");
+}
 
 QString last_folder() { return QSettings().value(QStringLiteral("last_folder")).toString(); }
 

@@ -72,7 +72,7 @@ void Opener::open_files(const QStringList& files, std::optional<double> unit) {
 
 void Opener::ask_and_build(const std::shared_ptr<MeshPair>& pair, std::optional<double> unit) {
   const std::optional<PairSetup> setup =
-      unit ? same_unit(*unit) : prompts_.ask_bodies(*pair, guess_setup(*pair));
+      unit ? same_unit(*pair, *unit) : prompts_.ask_bodies(*pair, guess_setup(*pair));
   if (!setup) return fail(std::make_exception_ptr(Cancelled()));
   begin(QStringLiteral("Building both bodies"), [pair, said = *setup](const Progress& progress) {
     return build_pair(std::move(*pair), said, progress);

@@ -97,6 +97,12 @@ std::optional<CameraPlace> camera_of(const Scene& scene) {
                      X_FW.q * up};
 }
 
+/// The probe's scale in a scene whose unit is the fixed body's.
+double probe_scale(const std::filesystem::path& file, const PairSetup& setup) {
+  const double ratio = has_own_unit(file) ? 1 : setup.probe.unit / setup.fixed.unit;
+  return rounded(setup.probe.scale * ratio);
+}
+
 }  // namespace
 
 LoadedScene open_scene(const std::filesystem::path& file, const Progress& progress) {
@@ -160,19 +166,22 @@ MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::pa
 }
 
 const char* guess_unit(const MeshPair& pair) {
-  const double side = std::max(pair.probe_size.maxCoeff(), pair.fixed_size.maxCoeff());
+  const double probe = has_own_unit(pair.probe_file) ? 0 : pair.probe_size.maxCoeff();
+  const double fixed = has_own_unit(pair.fixed_file) ? 0 : pair.fixed_size.maxCoeff();
+  const double side = std::max(probe, fixed);
   if (side >= 20) return "mm";
   return side >= 2 ? "cm" : "m";
 }
 
-PairSetup same_unit(double metres) {
+PairSetup same_unit(const MeshPair& pair, double metres) {
   PairSetup setup;
-  setup.probe.unit = setup.fixed.unit = metres;
+  setup.probe.unit = has_own_unit(pair.probe_file) ? 1 : metres;
+  setup.fixed.unit = has_own_unit(pair.fixed_file) ? 1 : metres;
   return setup;
 }
 
 PairSetup guess_setup(const MeshPair& pair) {
-  return same_unit(unit_in_metres(guess_unit(pair)).value_or(1));
+  return same_unit(pair, unit_in_metres(guess_unit(pair)).value_or(1));
 }
 
 double same_size_scale(const MeshPair& pair, const PairSetup& setup) {
@@ -187,7 +196,7 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
   scene.probe = {.mesh = pair.probe_file,
                  .model = setup.probe.model,
                  .repair = setup.probe.repair,
-                 .scale = rounded(setup.probe.scale * setup.probe.unit / setup.fixed.unit),
+                 .scale = probe_scale(pair.probe_file, setup),
                  .pose = {turned_up(setup.probe.up), Vec3::Zero()},
                  .offset = setup.probe.offset};
   scene.fixed = {.mesh = pair.fixed_file,
@@ -201,8 +210,8 @@ Scene scene_of(const MeshPair& pair, const PairSetup& setup) {
 
 PairSetup setup_of(const Scene& scene) {
   const auto body = [&scene](const SceneBody& from) {
-    return BodySetup{scene.unit, from.scale,  up_of(from.pose.q),
-                     from.model, from.repair, from.offset};
+    const double unit = has_own_unit(from.mesh) ? 1 : scene.unit;
+    return BodySetup{unit, from.scale, up_of(from.pose.q), from.model, from.repair, from.offset};
   };
   return {body(scene.probe), body(scene.fixed)};
 }
@@ -211,13 +220,14 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
   Scene changed = scene;
   changed.unit = now.fixed.unit;
   changed.fixed.scale = now.fixed.scale;
-  changed.probe.scale = rounded(now.probe.scale * now.probe.unit / now.fixed.unit);
+  changed.probe.scale = probe_scale(scene.probe.mesh, now);
   changed.fixed.model = now.fixed.model;
   changed.probe.model = now.probe.model;
   changed.fixed.repair = now.fixed.repair;
   changed.probe.repair = now.probe.repair;
   changed.probe.offset = now.probe.offset;
-  const double grown = changed.unit * changed.fixed.scale / (scene.unit * scene.fixed.scale);
+  const double grown =
+      mesh_scale(changed.fixed, changed.unit) / mesh_scale(scene.fixed, scene.unit);
   const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
     if (before == after && grown == 1) return pose;
     const Quat turn = turned_up(before).conjugate() * turned_up(after);
@@ -233,7 +243,7 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
   Scene scene = scene_of(pair, setup);
   // The polygons of each body go as soon as it is built: they take more than the body does.
   const auto build = [&scene](PolygonSoup& soup, const SceneBody& body, const Progress& report) {
-    scale(soup, scene.unit * body.scale);
+    scale(soup, mesh_scale(body, scene.unit));
     auto built = make_body(soup, body.model, body.mesh.stem().string(), report, body.repair);
     soup = {};
     return body.offset == 0 ? built : offset_faces(*built, body.offset);

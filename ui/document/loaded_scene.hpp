@@ -54,7 +54,7 @@ enum class UpAxis { x, y, z };
 
 /// The facts about a body that its mesh file does not state, and the user does.
 struct BodySetup {
-  double unit = 1;  ///< metres per unit of the file
+  double unit = 1;  ///< metres per unit of the file; 1 where the file states it
   double scale = 1;
   UpAxis up = UpAxis::z;
   Model model = Model::automatic;
@@ -85,7 +85,8 @@ const char* guess_unit(const MeshPair& pair);
 
 /// The probable unit for both, and everything else as in the files.
 PairSetup guess_setup(const MeshPair& pair);
-PairSetup same_unit(double metres);
+/// One unit for both, but where a file states its own: that is in metres already.
+PairSetup same_unit(const MeshPair& pair, double metres);
 /// The scale that makes the probe as large as the fixed body, by their larger sides.
 double same_size_scale(const MeshPair& pair, const PairSetup& setup);
 

@@ -54,7 +54,7 @@ TEST(MeshFaults, files) {
   EXPECT_EQ(said_of(folder.path() / "pipe.stl"), ": not a regular file");
   for (const char* name : {"mesh.xyz", "mesh", "off", "mesh.off.gz"})
     EXPECT_EQ(said_of(folder.write(name, "OFF")),
-              ": unknown mesh format: OFF, OBJ, PLY and STL are read");
+              ": unknown mesh format: OFF, OBJ, PLY, STL, GLB, glTF, 3MF and DAE are read");
 }
 
 TEST(MeshFaults, off) {

@@ -29,7 +29,7 @@ class BodiesTest : public WindowTest {};
 
 TEST_F(BodiesTest, each_body_has_a_unit_of_its_own) {
   const MeshPair pair = pair_of(120, 0.09);
-  BodiesDialog dialog(pair, same_unit(1), window.get());
+  BodiesDialog dialog(pair, same_unit(pair, 1), window.get());
   dialog.findChild<QComboBox*>("probe_unit")->setCurrentIndex(2);  // mm
   dialog.findChild<QComboBox*>("fixed_up")->setCurrentIndex(1);
   dialog.findChild<QComboBox*>("probe_model")->setCurrentIndex(2);
@@ -46,7 +46,7 @@ TEST_F(BodiesTest, each_body_has_a_unit_of_its_own) {
 
 TEST_F(BodiesTest, the_probe_is_taken_smaller_or_larger) {
   const MeshPair pair = pair_of(1, 1);
-  BodiesDialog dialog(pair, same_unit(1), window.get());
+  BodiesDialog dialog(pair, same_unit(pair, 1), window.get());
   auto* way = dialog.findChild<QComboBox*>("probe_offset_way");
   auto* length = dialog.findChild<QDoubleSpinBox*>("probe_offset");
   EXPECT_FALSE(length->isEnabled());
@@ -69,9 +69,9 @@ TEST_F(BodiesTest, the_probe_is_taken_smaller_or_larger) {
 
 TEST_F(BodiesTest, beyond_thirty_times_it_offers_the_same_size) {
   const MeshPair near = pair_of(29, 1), far = pair_of(1200, 1);
-  BodiesDialog calm(near, same_unit(1), window.get());
+  BodiesDialog calm(near, same_unit(near, 1), window.get());
   EXPECT_TRUE(calm.findChild<QPushButton*>("same_size")->isHidden());
-  BodiesDialog dialog(far, same_unit(1e-3), window.get());
+  BodiesDialog dialog(far, same_unit(far, 1e-3), window.get());
   dialog.show();
   auto* same = dialog.findChild<QPushButton*>("same_size");
   ASSERT_TRUE(same->isVisible());
@@ -83,7 +83,7 @@ TEST_F(BodiesTest, beyond_thirty_times_it_offers_the_same_size) {
 
 TEST_F(BodiesTest, says_what_was_found) {
   const MeshPair pair = pair_of(1, 1);
-  const BodiesDialog dialog(pair, same_unit(1), window.get());
+  const BodiesDialog dialog(pair, same_unit(pair, 1), window.get());
   EXPECT_EQ(dialog.findChild<QLabel*>("probe_found")->text(), "closed: the inside counts");
   const QString found = dialog.findChild<QLabel*>("fixed_found")->text();
   EXPECT_TRUE(found.contains("34 open edges: there are holes")) << found.toStdString();
@@ -108,10 +108,11 @@ TEST_F(BodiesTest, what_is_up_in_the_file_is_up_in_the_scene) {
   folder.write("bar.off",
                "OFF\n4 4 0\n0 0 0\n0.01 0 0\n0 0.2 0\n0 0 0.01\n"
                "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-  PairSetup setup = same_unit(1);
-  setup.probe.up = setup.fixed.up = UpAxis::y;
   const auto file = folder / "bar.off";
-  const LoadedScene opened = build_pair(read_pair(file, file), setup);
+  MeshPair pair = read_pair(file, file);
+  PairSetup setup = same_unit(pair, 1);
+  setup.probe.up = setup.fixed.up = UpAxis::y;
+  const LoadedScene opened = build_pair(std::move(pair), setup);
   const Quat q_WF = opened.scene.fixed.pose.q;
   EXPECT_LT((q_WF * Vec3(0, 0.2, 0) - Vec3(0, 0, 0.2)).norm(), 1e-15);
   EXPECT_LT(opened.start.q.angularDistance(Quat::Identity()), 1e-12);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mesh_io/assets/import.hpp"
+
+#include "engine/text/printable.hpp"
+
+#if SONDE_ASSIMP
+
+#include <assimp/BaseImporter.h>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+#include <locale.h>
+
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
+#include <memory>
+
+#include "engine/base/progress.hpp"
+
+namespace sonde {
+namespace {
+
+/// Opens nothing: whatever a model names lies elsewhere.
+class NoFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char*) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+  void Close(Assimp::IOStream*) override {}
+};
+
+/// What throws must not pass through the library: it is kept.
+class Reporter : public Assimp::ProgressHandler {
+ public:
+  Reporter(const Progress& progress, bool& cancelled)
+      : progress_(progress), cancelled_(cancelled) {}
+  bool Update(float fraction) override {
+    if (progress_ && !progress_(fraction < 0 ? 0 : fraction)) cancelled_ = true;
+    return !cancelled_;
+  }
+
+ private:
+  const Progress& progress_;
+  bool& cancelled_;
+};
+
+/// The numbers of this thread have a '.', whatever the locale: the library's have.
+class ClassicNumbers {
+ public:
+  ClassicNumbers()
+      : classic_(newlocale(LC_NUMERIC_MASK, "C", nullptr)), before_(uselocale(classic_)) {}
+  ~ClassicNumbers() {
+    uselocale(before_);
+    if (classic_) freelocale(classic_);
+  }
+  ClassicNumbers(const ClassicNumbers&) = delete;
+  ClassicNumbers& operator=(const ClassicNumbers&) = delete;
+
+ private:
+  locale_t classic_, before_;
+};
+
+/// Leaves the importers of one extension: the library would try all others, too.
+void keep_importers(Assimp::Importer& importer, std::string_view extension) {
+  for (std::size_t k = importer.GetImporterCount(); k-- > 0;) {
+    Assimp::BaseImporter* const one = importer.GetImporter(k);
+    const std::string known = std::string(" ") + importer.GetImporterInfo(k)->mFileExtensions + " ";
+    if (known.find(' ' + std::string(extension) + ' ') != known.npos) continue;
+    importer.UnregisterLoader(one);
+    delete one;  // ours, once it is no longer the importer's
+  }
+}
+
+using Placement = Eigen::Matrix<double, 3, 4>;
+
+Placement placement_of(const aiMatrix4x4& m) {
+  Placement out;
+  out << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4;
+  return out;
+}
+
+class Collector {
+ public:
+  Collector(const std::string& file, const aiScene& scene, double scale)
+      : file_(file), scene_(scene), scale_(scale) {}
+
+  PolygonSoup collect() {
+    add(*scene_.mRootNode, Placement::Identity());
+    if (out_.polygons.empty()) throw InputError::in(file_, "the file places no mesh with faces");
+    if (thin_ > 0)
+      out_.remarks.push_back(std::to_string(thin_) +
+                             (thin_ == 1 ? " point or line" : " points and lines") +
+                             " set aside: they bound nothing");
+    return std::move(out_);
+  }
+
+ private:
+  void add(const aiNode& node, const Placement& outer) {
+    const Placement own = placement_of(node.mTransformation);
+    Placement here;
+    here.leftCols<3>() = outer.leftCols<3>() * own.leftCols<3>();
+    here.col(3) = outer.leftCols<3>() * own.col(3) + outer.col(3);
+    for (unsigned k = 0; k < node.mNumMeshes; ++k) {
+      if (node.mMeshes[k] >= scene_.mNumMeshes) throw InputError::in(file_, "a mesh is missing");
+      add(*scene_.mMeshes[node.mMeshes[k]], here);
+    }
+    for (unsigned k = 0; k < node.mNumChildren; ++k) add(*node.mChildren[k], here);
+  }
+
+  void add(const aiMesh& mesh, const Placement& here) {
+    const std::size_t before = out_.points.size();
+    const bool mirrors = here.leftCols<3>().determinant() < 0;
+    for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
+      const aiVector3D& v = mesh.mVertices[k];
+      const Vec3 x = scale_ * (here.leftCols<3>() * Vec3(v.x, v.y, v.z) + here.col(3));
+      if (!x.allFinite()) throw InputError::in(file_, "a coordinate is not finite");
+      out_.points.push_back(x);
+    }
+    for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
+      const aiFace& face = mesh.mFaces[k];
+      if (face.mNumIndices < 3) {
+        ++thin_;
+        continue;
+      }
+      Polygon& polygon = out_.polygons.emplace_back();
+      polygon.reserve(face.mNumIndices);
+      for (unsigned i = 0; i < face.mNumIndices; ++i) {
+        const unsigned at = face.mIndices[mirrors ? face.mNumIndices - 1 - i : i];
+        if (at >= mesh.mNumVertices)
+          throw InputError::in(file_, "a face names corner " + std::to_string(at) + " of " +
+                                          std::to_string(mesh.mNumVertices));
+        polygon.push_back(before + at);
+      }
+    }
+  }
+
+  const std::string& file_;
+  const aiScene& scene_;
+  double scale_;
+  PolygonSoup out_;
+  std::size_t thin_ = 0;
+};
+
+}  // namespace
+
+PolygonSoup import_model(const std::string& file, std::string_view bytes, const char* extension,
+                         double scale, std::optional<std::uint64_t> faces,
+                         const Progress& progress) {
+  const ClassicNumbers numbers;
+  bool cancelled = false;
+  Assimp::Importer importer;
+  keep_importers(importer, extension);
+  importer.SetIOHandler(new NoFiles);  // the importer owns both
+  importer.SetProgressHandler(new Reporter(progress, cancelled));
+  // Without meshes it would make one of the nodes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension);
+  if (cancelled) throw Cancelled();
+  if (!scene || !scene->mRootNode)
+    throw InputError::in(file, "cannot be read: " + printable(importer.GetErrorString()));
+  PolygonSoup out = Collector(file, *scene, scale).collect();
+  // It leaves out what it takes for wrong, and goes on.
+  if (faces && *faces != out.polygons.size())
+    throw InputError::in(file, "of " + std::to_string(*faces) + " triangles " +
+                                   std::to_string(out.polygons.size()) +
+                                   " can be read: others name corners that are not there");
+  report(progress, 1);
+  return out;
+}
+
+}  // namespace sonde
+
+#else
+
+namespace sonde {
+
+PolygonSoup import_model(const std::string& file, std::string_view, const char*, double,
+                         std::optional<std::uint64_t>, const Progress&) {
+  throw InputError::in(file, "this Sonde was built without assimp, which reads files of this kind");
+}
+
+}  // namespace sonde
+
+#endif
