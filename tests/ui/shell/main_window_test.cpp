@@ -111,7 +111,7 @@ TEST_F(WindowTest, both_sizes_in_the_question_for_the_unit_are_in_one_unit) {
   MeshPair pair;
   pair.probe_size = Vec3(0.5, 0.5, 0.5);
   pair.fixed_size = Vec3(5000, 5000, 5000);
-  const BodiesDialog dialog(pair, same_unit(1), window.get());
+  const BodiesDialog dialog(pair, same_unit(pair, 1), window.get());
   const QString probe = dialog.findChild<QLabel*>("probe_size")->text();
   const QString fixed = dialog.findChild<QLabel*>("fixed_size")->text();
   EXPECT_EQ(probe.section(' ', -1), fixed.section(' ', -1));
