@@ -23,12 +23,12 @@ bool is_sound(const Body& body) {
          body.component_triangle.size() == 1;
 }
 
-/// "3 of 7"; of very many, how many of them there are to be seen.
+/// "3 of 7"; of more than are kept, how many there are too.
 QString count_text(std::size_t index, const RepairPlaces& places) {
   const auto shown = static_cast<qulonglong>(places.places.size());
   QString out = QStringLiteral("%1 of %2").arg(index + 1).arg(shown);
   if (places.all > places.places.size())
-    out += QStringLiteral(" (the largest of %1)").arg(static_cast<qulonglong>(places.all));
+    out += QStringLiteral(" (the first of %1)").arg(static_cast<qulonglong>(places.all));
   return out;
 }
 

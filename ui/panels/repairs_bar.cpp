@@ -2,6 +2,7 @@
 #include "ui/panels/repairs_bar.hpp"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -11,8 +12,29 @@
 namespace sonde::ui {
 namespace {
 
+/// With the keyboard on it, Space and Enter press it, whatever else they do in the window.
+class KeyButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+      return QToolButton::event(event);
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    const bool plain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::KeypadModifier;
+    if (!plain || (!enter && key.key() != Qt::Key_Space)) return QToolButton::event(event);
+    event->accept();
+    if (event->type() == QEvent::ShortcutOverride) return true;
+    if (!enter) return QToolButton::event(event);
+    click();
+    return true;
+  }
+};
+
 QToolButton* button(const QString& object, const QString& text, QWidget* parent) {
-  auto* made = new QToolButton(parent);
+  auto* made = new KeyButton(parent);
   made->setObjectName(object);
   made->setText(text);
   made->setToolButtonStyle(Qt::ToolButtonTextOnly);

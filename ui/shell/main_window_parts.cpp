@@ -169,6 +169,7 @@ void MainWindow::add_repairs() {
   repairs_ = new RepairsControl(*viewport_, *documents_, *this);
   column->addWidget(&repairs_->bar());
   column->addWidget(viewport_, 1);
+  middle->setFocusProxy(viewport_);  // who gives the keyboard back gives it to the view
   setCentralWidget(middle);
   repairs_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
 }

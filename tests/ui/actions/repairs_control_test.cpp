@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/engine/mesh_io/mesh_files.hpp"
 #include "tests/support/defects.hpp"
@@ -84,6 +85,11 @@ class RepairsTest : public WindowTest {
   void wait_for_flight() {
     ASSERT_TRUE(wait_until([this] { return !window->repairs().flying(); }));
   }
+  /// Pictures for the eye, where SONDE_TEST_PICTURES names a folder.
+  void keep_picture(const char* name) {
+    const char* to = std::getenv("SONDE_TEST_PICTURES");
+    if (to) window->save_picture(QString::fromUtf8(to) + '/' + name + ".png");
+  }
   /// Of the picture: pixels of the caps' hue.
   int cap_pixels() {
     const QImage image = picture();
@@ -118,6 +124,7 @@ TEST_F(RepairsTest, the_bar_lies_above_the_view_and_not_in_it) {
     wait(100);
     const QRect view(window->viewport().mapTo(window.get(), QPoint()), window->viewport().size());
     const QRect above(bar().mapTo(window.get(), QPoint()), bar().size());
+    keep_picture(size.width() > 1000 ? "bar-wide" : "bar-narrow");
     EXPECT_FALSE(view.intersects(above));
     EXPECT_EQ(above.width(), view.width());
     EXPECT_LT(above.height(), 70) << "of two lines";
@@ -152,6 +159,7 @@ TEST_F(RepairsTest, show_flies_to_each_place_in_turn) {
         EXPECT_TRUE(QRectF(view.rect()).adjusted(40, 40, -40, -40).contains(at))
             << at.x() << ", " << at.y();
         EXPECT_GT(cap_pixels(), 200) << "it is seen from outside";
+        keep_picture("shown-place");
       }
   }
   ASSERT_EQ(seen.size(), 3u);
@@ -187,6 +195,7 @@ TEST_F(RepairsTest, as_in_the_file_is_a_step_that_can_be_undone) {
   EXPECT_TRUE(window->session()->probe().solid) << "the other stays";
   EXPECT_EQ(line("mended_fixed"), "holes (fixed): taken as in the file");
   EXPECT_EQ(button("mended_fixed_repair")->text(), "Mend it");
+  keep_picture("as-in-the-file");
   EXPECT_FALSE(button("mended_fixed_show")->isVisible());
   EXPECT_TRUE(window->documents().document().modified());
   EXPECT_EQ(find<QAction>("undo")->text(), "&Undo: Take holes as in the file");
@@ -217,6 +226,10 @@ TEST_F(RepairsTest, what_could_be_a_solid_is_closed_when_asked) {
   EXPECT_FALSE(button("mended_probe_close")->isVisible());
   act("from_above");
   EXPECT_GT(cap_pixels(), 500);
+  act("theme_light");
+  keep_picture("closed-in-light");
+  act("theme_dark");
+  darken();
   // As in the file it is no solid: it need not be one any more.
   press_and_wait("mended_probe_repair");
   EXPECT_FALSE(window->session()->probe().solid);
@@ -264,6 +277,19 @@ TEST_F(RepairsTest, the_keyboard_reaches_each_button_and_each_has_a_name) {
   button("mended_fixed_show")->setFocus();
   QTest::keyClick(button("mended_fixed_show"), Qt::Key_Space);
   EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "1 of 2");
+  QTest::keyClick(button("mended_fixed_show"), Qt::Key_Return);
+  EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "2 of 2");
+  EXPECT_FALSE(window->session()->paused()) << "Space pauses elsewhere";
+  // From the view through the docks F6 comes to the bar, and back to the view.
+  window->viewport().canvas()->setFocus();
+  bool reached = false;
+  for (int press = 0; press < 20 && !reached; ++press) {
+    QTest::keyClick(window.get(), Qt::Key_F6);
+    reached = bar().isAncestorOf(QApplication::focusWidget());
+  }
+  EXPECT_TRUE(reached);
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  EXPECT_TRUE(window->viewport().canvas()->hasFocus());
 }
 
 TEST_F(RepairsTest, as_in_the_scene_it_is_said_from_the_start) {
