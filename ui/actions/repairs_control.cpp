@@ -23,13 +23,10 @@ bool is_sound(const Body& body) {
          body.component_triangle.size() == 1;
 }
 
-/// "3 of 7"; of more than are kept, how many there are too.
-QString count_text(std::size_t index, const RepairPlaces& places) {
-  const auto shown = static_cast<qulonglong>(places.places.size());
-  QString out = QStringLiteral("%1 of %2").arg(index + 1).arg(shown);
-  if (places.all > places.places.size())
-    out += QStringLiteral(" (the first of %1)").arg(static_cast<qulonglong>(places.all));
-  return out;
+/// Of more places than are kept, how many there are.
+QString more_text(const RepairPlaces& places) {
+  if (places.all == places.places.size()) return {};
+  return QStringLiteral(" (the first of %1)").arg(static_cast<qulonglong>(places.all));
 }
 
 }  // namespace
@@ -87,8 +84,7 @@ std::optional<RepairsRow> RepairsControl::row_of(std::size_t index) const {
   const SceneBody& wanted = is_probe ? scene.probe : scene.fixed;
   if (wanted.model == Model::surface) return {};
   RepairsRow row;
-  row.name = QStringLiteral("%1 (%2)").arg(
-      short_name(body), is_probe ? QStringLiteral("probe") : QStringLiteral("fixed"));
+  row.name = short_name(body);
   row.in_full = repairs_in_full(body);
   row.as_in_file = wanted.repair == Repair::none;
   if (row.as_in_file) {
@@ -135,10 +131,11 @@ void RepairsControl::show_next(std::size_t index) {
   std::size_t& next = next_.at(index);
   if (next >= all.places.size()) next = 0;
   const RepairPlace& place = all.places[next];
-  const QString count = count_text(next++, all);
+  const QString count = QStringLiteral("%1 of %2").arg(++next).arg(all.places.size());
+  const QString in_full = count + more_text(all);
   const PointedPlace pointed{index == RepairsBar::probe, place.at, place.outward, place.size,
-                             QStringLiteral("%1: %2").arg(count, words(place.kind))};
-  bar_->show_places(index, count);
+                             QStringLiteral("%1: %2").arg(in_full, words(place.kind))};
+  bar_->show_places(index, count, in_full);
   viewport_.point_out(pointed);
   pointing_.start(pointing_ms);
   fly_to(viewport_.before(pointed));

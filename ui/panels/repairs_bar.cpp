@@ -4,10 +4,12 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/elided_label.hpp"
+#include "ui/base/theme.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -31,6 +33,26 @@ class KeyButton : public QToolButton {
     click();
     return true;
   }
+};
+
+/// The body's colour, as in the legend.
+class Mark : public QWidget {
+ public:
+  Mark(const QColor& colour, QWidget* parent) : QWidget(parent), colour_(colour) {
+    setFixedSize(9, 9);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour_);
+    painter.drawRoundedRect(rect(), 2, 2);
+  }
+
+ private:
+  QColor colour_;
 };
 
 QToolButton* button(const QString& object, const QString& text, QWidget* parent) {
@@ -80,14 +102,17 @@ RepairsBar::Widgets RepairsBar::make_row(std::size_t body) {
   auto* layout = new QHBoxLayout(made.row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
+  auto* mark = new Mark(body == probe ? colour::probe : colour::fixed, made.row);
   made.text = new ElidedLabel(made.row);
   made.text->setObjectName(object);
   made.places = new QLabel(made.row);
-  made.places->setObjectName(object + QStringLiteral("_places"));
   made.places->setTextFormat(Qt::PlainText);
+  made.places->setObjectName(object + QStringLiteral("_places"));
   made.show = button(object + QStringLiteral("_show"), QStringLiteral("Show"), made.row);
   made.repair = button(object + QStringLiteral("_repair"), {}, made.row);
   made.close = button(object + QStringLiteral("_close"), QStringLiteral("Close it"), made.row);
+  layout->addWidget(mark);
+  layout->addSpacing(4);
   layout->addWidget(made.text, 1);
   for (QWidget* widget : {static_cast<QWidget*>(made.places), static_cast<QWidget*>(made.show),
                           static_cast<QWidget*>(made.close), static_cast<QWidget*>(made.repair)})
@@ -112,9 +137,10 @@ void RepairsBar::show_row(std::size_t body, const std::optional<RepairsRow>& row
   if (row) {
     line.as_in_file = row->as_in_file;
     line.text->show_text(QStringLiteral("%1: %2").arg(row->name, row->text));
-    line.text->setToolTip(
-        QStringLiteral("%1\n%2").arg(line.text->text(), row->in_full).toHtmlEscaped());
-    line.text->setAccessibleName(line.text->text());
+    const QString whole = QStringLiteral("%1 %2").arg(
+        body == probe ? QStringLiteral("Probe") : QStringLiteral("Fixed body"), line.text->text());
+    line.text->setToolTip(QStringLiteral("%1\n%2").arg(whole, row->in_full).toHtmlEscaped());
+    line.text->setAccessibleName(whole);
     line.show->setVisible(row->can_show);
     line.repair->setVisible(row->can_be_as_in_file || row->as_in_file);
     line.close->setVisible(row->can_close);
@@ -132,14 +158,15 @@ void RepairsBar::show_row(std::size_t body, const std::optional<RepairsRow>& row
     describe(
         *line.close, QStringLiteral("Close the openings of %1").arg(mesh),
         QStringLiteral("Its inside counts from now on, with its openings closed; can be undone"));
-    show_places(body, row->places);
+    show_places(body, {}, {});
   }
   line.row->setVisible(row.has_value());
 }
 
-void RepairsBar::show_places(std::size_t body, const QString& places) {
+void RepairsBar::show_places(std::size_t body, const QString& places, const QString& in_full) {
   QLabel& label = *rows_.at(body).places;
   label.setText(places);
+  label.setToolTip(in_full);
   label.setVisible(!places.isEmpty());
 }
 

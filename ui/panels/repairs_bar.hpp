@@ -18,7 +18,6 @@ struct RepairsRow {
   QString name;           ///< the body's
   QString text;           ///< in brief
   QString in_full;        ///< for the tooltip
-  QString places;         ///< where Show is: "1 of 7"; empty: before the first
   bool can_show = false;  ///< there are places
   bool can_be_as_in_file = false;
   bool as_in_file = false;  ///< it is: the button mends it
@@ -34,7 +33,8 @@ class RepairsBar : public QFrame {
   explicit RepairsBar(QWidget* parent);
 
   void show_row(std::size_t body, const std::optional<RepairsRow>& row);
-  void show_places(std::size_t body, const QString& places);
+  /// Where Show is: "1 of 7", and what there is to add to it.
+  void show_places(std::size_t body, const QString& places, const QString& in_full);
   /// How Show is reached by the keyboard, for its tooltip.
   void set_key(const QString& key);
 

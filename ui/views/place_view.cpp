@@ -62,10 +62,11 @@ void PlaceView::draw(const Frame& frame) {
   const Vec3 at = X_FB * place_->at;
   const Quat turn = X_FB.q * Quat::FromTwoVectors(Vec3::UnitZ(), axis);
   place(*actor_, {turn, at});
-  actor_->SetScale(std::max(ring_room * place_->size, least_ring * frame.pixel));
+  const double radius = std::max(ring_room * place_->size, least_ring * frame.pixel);
+  actor_->SetScale(radius);
   actor_->GetProperty()->SetLineWidth(ring_width * frame.density);
   actor_->VisibilityOn();
-  label(at, place_->text, colour::cap);
+  label(at + turn * Vec3(0, radius, 0), place_->text, colour::cap);  // not on what it points at
 }
 
 void PlaceView::hide() { actor_->VisibilityOff(); }

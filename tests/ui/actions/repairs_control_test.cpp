@@ -13,6 +13,7 @@
 
 #include "tests/engine/mesh_io/mesh_files.hpp"
 #include "tests/support/defects.hpp"
+#include "tests/support/shapes.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/base/elided_label.hpp"
@@ -109,9 +110,11 @@ TEST_F(RepairsTest, the_bar_comes_for_a_mended_body_alone) {
   EXPECT_FALSE(bar().isVisible());
   open_pair("ball.off", "turned.off");
   ASSERT_TRUE(bar().isVisible());
-  EXPECT_EQ(line("mended_fixed"), "turned (fixed): 1 triangle turned");
+  EXPECT_EQ(line("mended_fixed"), "turned: 1 triangle turned");
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible());
-  EXPECT_TRUE(find<ElidedLabel>("mended_fixed")->toolTip().contains("agree with neighbours"));
+  const QString tip = find<ElidedLabel>("mended_fixed")->toolTip();
+  EXPECT_TRUE(tip.contains("agree with neighbours")) << tip.toStdString();
+  EXPECT_TRUE(tip.startsWith("Fixed body turned"));
   EXPECT_FALSE(button("mended_fixed_close")->isVisible());
   open_pair("ball.off", "ball.off");
   EXPECT_FALSE(bar().isVisible());
@@ -139,7 +142,7 @@ TEST_F(RepairsTest, the_bar_lies_above_the_view_and_not_in_it) {
 TEST_F(RepairsTest, show_flies_to_each_place_in_turn) {
   open_pair("ball.off", "holes.off");
   ASSERT_EQ(window->session()->fixed().places.all, 2u);
-  EXPECT_EQ(line("mended_fixed"), "holes (fixed): 2 openings closed");
+  EXPECT_EQ(line("mended_fixed"), "holes: 2 openings closed");
   std::vector<Vec3> seen;
   for (int press = 0; press < 3; ++press) {
     QElapsedTimer clock;
@@ -165,6 +168,33 @@ TEST_F(RepairsTest, show_flies_to_each_place_in_turn) {
   ASSERT_EQ(seen.size(), 3u);
   EXPECT_NE(seen[0], seen[1]);
   EXPECT_EQ(seen[0], seen[2]) << "after the last comes the first";
+}
+
+TEST_F(RepairsTest, of_very_many_places_the_first_are_shown_and_all_are_counted) {
+  constexpr int side = 33;
+  const PolygonSoup one = sonde::test::triangulated(sonde::test::box({0.001, 0.001, 0.001}));
+  PolygonSoup many;
+  for (int i = 0; i < side * side; ++i) {
+    const std::size_t at = many.points.size();
+    for (const Vec3& x : one.points)
+      many.points.push_back(x + 0.002 * Vec3(i % side, double(i / side), 0));
+    for (Polygon polygon : one.polygons) {
+      for (std::size_t& corner : polygon) corner += at;
+      many.polygons.push_back(polygon);
+    }
+    std::swap(many.polygons.back()[0], many.polygons.back()[1]);
+  }
+  folder.write("many.off", as_off(many));
+  open_pair("ball.off", "many.off");
+  EXPECT_EQ(line("mended_fixed"), "many: 1089 triangles turned");
+  button("mended_fixed_show")->click();
+  EXPECT_EQ(find<QLabel>("mended_fixed_places")->text(), "1 of 1000");
+  EXPECT_EQ(find<QLabel>("mended_fixed_places")->toolTip(), "1 of 1000 (the first of 1089)");
+  window->resize(960, 600);
+  wait(100);
+  EXPECT_EQ(bar().width(), window->viewport().width());
+  EXPECT_EQ(window->width(), 960) << "the bar makes nothing wider";
+  keep_picture("very-many");
 }
 
 TEST_F(RepairsTest, a_key_goes_through_both_bodies) {
@@ -193,7 +223,7 @@ TEST_F(RepairsTest, as_in_the_file_is_a_step_that_can_be_undone) {
   EXPECT_FALSE(window->session()->fixed().solid);
   EXPECT_TRUE(window->session()->fixed().caps.triangles.empty());
   EXPECT_TRUE(window->session()->probe().solid) << "the other stays";
-  EXPECT_EQ(line("mended_fixed"), "holes (fixed): taken as in the file");
+  EXPECT_EQ(line("mended_fixed"), "holes: taken as in the file");
   EXPECT_EQ(button("mended_fixed_repair")->text(), "Mend it");
   keep_picture("as-in-the-file");
   EXPECT_FALSE(button("mended_fixed_show")->isVisible());
@@ -202,7 +232,7 @@ TEST_F(RepairsTest, as_in_the_file_is_a_step_that_can_be_undone) {
   undo_and_wait();
   EXPECT_EQ(scene_now().fixed.repair, Repair::automatic);
   EXPECT_TRUE(window->session()->fixed().solid);
-  EXPECT_EQ(line("mended_fixed"), "holes (fixed): 2 openings closed");
+  EXPECT_EQ(line("mended_fixed"), "holes: 2 openings closed");
   EXPECT_FALSE(window->documents().document().modified());
   press_and_wait("mended_fixed_repair");
   press_and_wait("mended_fixed_repair");
@@ -222,7 +252,7 @@ TEST_F(RepairsTest, what_could_be_a_solid_is_closed_when_asked) {
   press_and_wait("mended_probe_close");
   EXPECT_EQ(scene_now().probe.model, Model::solid);
   EXPECT_TRUE(window->session()->probe().solid);
-  EXPECT_EQ(line("mended_probe"), "vessel (probe): 1 opening closed");
+  EXPECT_EQ(line("mended_probe"), "vessel: 1 opening closed");
   EXPECT_FALSE(button("mended_probe_close")->isVisible());
   act("from_above");
   EXPECT_GT(cap_pixels(), 500);
@@ -298,7 +328,7 @@ TEST_F(RepairsTest, as_in_the_scene_it_is_said_from_the_start) {
       "fixed": {"mesh": "holes.off", "repair": "none"}})");
   open({QString::fromStdString(file.string())});
   ASSERT_TRUE(bar().isVisible());
-  EXPECT_EQ(line("mended_fixed"), "holes (fixed): taken as in the file");
+  EXPECT_EQ(line("mended_fixed"), "holes: taken as in the file");
   EXPECT_FALSE(find<ElidedLabel>("mended_probe")->isVisible()) << "nothing of it is to be mended";
   const auto surface = folder.write("surface.sonde.json", R"({"unit": "m",
       "probe": {"mesh": "ball.off", "pose": [0.13, 0, 0, 1, 0, 0, 0]},
