@@ -153,6 +153,7 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const F
   body->why = nominal.why;
   body->turned = nominal.turned;
   body->repairs = nominal.repairs;
+  body->places = nominal.places;
   body->remarks = nominal.remarks;
   body->degenerate = nominal.degenerate;
   body->topology = nominal.topology;
@@ -172,8 +173,8 @@ std::size_t bytes(const Body& body) {
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
          capacity_bytes(body.facets.vertices) + capacity_bytes(body.facets.triangles) +
          capacity_bytes(body.caps.vertices) + capacity_bytes(body.caps.triangles) +
-         capacity_bytes(body.component_triangle) + body.loose.capacity() / 8 + bytes(body.tree) +
-         (body.outline ? bytes(*body.outline) : 0);
+         capacity_bytes(body.places.places) + capacity_bytes(body.component_triangle) +
+         body.loose.capacity() / 8 + bytes(body.tree) + (body.outline ? bytes(*body.outline) : 0);
 }
 
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale,

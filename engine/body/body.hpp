@@ -14,6 +14,7 @@
 #include "engine/geometry/model.hpp"
 #include "engine/geometry/soup.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/mending/repair_places.hpp"
 #include "engine/mending/repairs.hpp"
 
 namespace sonde {
@@ -29,6 +30,7 @@ struct Body {
   std::string why;      ///< "closed", "12 open edges: the inside does not count", ...
   bool turned = false;  ///< was inside out, all of it, and has been turned
   Repairs repairs;      ///< what was done so that it has an inside
+  RepairPlaces places;  ///< and where
   /// What is odd about its file and was read all the same, a sentence each (PolygonSoup::remarks).
   std::vector<std::string> remarks;
   /// A ray may slip through between triangles whose corners are joined by name alone: windings are

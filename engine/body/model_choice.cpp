@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
@@ -32,6 +33,8 @@ void turn_inside_out(Body& body) {
   body.mass.measure = -body.mass.measure;
   body.turned = true;
   body.repairs.turned_parts = 1;
+  add_place(body.places, RepairKind::inside_out, body.soup.vertices, body.soup.triangles);
+  settle(body.places);
 }
 
 /// Solid by the mass of the region, surface by that of the area where there is no volume. Returns
@@ -57,6 +60,18 @@ void hide(Mended& mended, const std::vector<bool>& parts) {
       mended.kinds[i] = TriangleKind::hidden;
       ++mended.repairs.hidden;
     }
+}
+
+/// Where it was mended, with the triangles that were left out since.
+RepairPlaces places_of(Mended& mended, const Soup& all) {
+  RepairPlaces places = std::move(mended.places);
+  std::vector<Triangle> hidden;
+  if (mended.repairs.hidden > 0)
+    for (std::size_t i = 0; i < mended.triangles.size(); ++i)
+      if (mended.kinds[i] == TriangleKind::hidden) hidden.push_back(mended.triangles[i]);
+  add_places(places, RepairKind::hidden, all.vertices, hidden);
+  settle(places);
+  return places;
 }
 
 }  // namespace
@@ -125,6 +140,7 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
     region = find_region(mended.solid.soup, mended.solid.part, part_of(progress, 0.7, 0.85));
   hide(mended, region.hidden);
   body.repairs = mended.repairs;
+  body.places = places_of(mended, all);
   std::vector<TriangleKind> kinds;
   if (any_inside && (!mended.as_given || body.repairs.solid_parts < body.repairs.parts)) {
     Soup soup{all.vertices, {}}, caps{all.vertices, {}};

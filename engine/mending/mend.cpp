@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/base/progress.hpp"
 #include "engine/mending/distinct.hpp"
@@ -37,6 +38,7 @@ class Mender {
     put_out();
     hide_walls();
     describe();
+    find_places();
     return std::move(out_);
   }
 
@@ -168,6 +170,64 @@ class Mender {
       out_.why = "closed once mended: the inside counts";
     else
       out_.why = "closed: the inside counts";
+  }
+
+  /// Where anything was done, by the labels of corners: what was cracked hangs together by them.
+  void find_places() {
+    if (out_.solid.soup.triangles.empty() || !out_.repairs.any()) return;
+    const auto& x = soup_.vertices;
+    const auto at = [&](const Triangle& t, bool over) {
+      const auto& label = seams_.label;
+      return over ? Triangle{label[t[0]], label[t[2]], label[t[1]]}
+                  : Triangle{label[t[0]], label[t[1]], label[t[2]]};
+    };
+    std::vector<Triangle> turned, repeated;
+    std::map<std::uint32_t, std::vector<Triangle>> inside_out;  // by part
+    for (std::uint32_t k = 0; k < once_.triangles.size(); ++k) {
+      const std::uint32_t part = orientation_.part[k];
+      if (!solid_[part]) continue;
+      const Triangle t = at(once_.triangles[k], orientation_.turned[k] != turn_[part]);
+      if (orientation_.turned[k]) turned.push_back(t);
+      if (turn_[part]) inside_out[part].push_back(t);
+    }
+    for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i)
+      if (distinct_.by[i] != i) repeated.push_back(at(soup_.triangles[i], false));
+    for (const Cap& cap : caps_)
+      if (solid_[cap.part]) add_cap_place(cap);
+    add_places(out_.places, RepairKind::turned, x, turned);
+    for (const auto& [part, triangles] : inside_out)
+      add_place(out_.places, RepairKind::inside_out, x, triangles);
+    add_places(out_.places, RepairKind::repeated, x, repeated);
+    if (seams_.joined + seams_.on_edges > 0) add_seam_places(at);
+  }
+
+  void add_cap_place(const Cap& cap) {
+    std::vector<Triangle> triangles = cap.triangles;
+    if (turn_[cap.part])
+      for (Triangle& t : triangles) std::swap(t[1], t[2]);
+    add_place(out_.places, RepairKind::cap, soup_.vertices, triangles);
+  }
+
+  template <class At>
+  void add_seam_places(At at) {
+    std::vector<bool> marked(soup_.vertices.size(), false);
+    for (std::uint32_t v = 0; v < seams_.label.size(); ++v)
+      if (seams_.label[v] != v) marked[seams_.label[v]] = true;
+    for (const Seams::Cut& cut : seams_.cuts) {
+      for (const std::uint32_t v : cut.at) marked[v] = true;
+      // The ends of the side too: cuts in sides that meet are one seam.
+      const Triangle& t = once_.triangles[cut.side / 3];
+      for (const std::uint32_t k : {cut.side % 3, (cut.side + 1) % 3})
+        marked[seams_.label[t[k]]] = true;
+    }
+    std::vector<Triangle> triangles;
+    for (std::uint32_t k = 0; k < once_.triangles.size(); ++k) {
+      const Triangle t =
+          at(once_.triangles[k], orientation_.turned[k] != turn_[orientation_.part[k]]);
+      if (std::ranges::any_of(t, [&](std::uint32_t v) { return bool(marked[v]); }))
+        triangles.push_back(t);
+    }
+    add_corner_places(out_.places, RepairKind::seam, soup_.vertices, triangles, marked);
   }
 
   /// The largest part that is no solid; none where there is none.

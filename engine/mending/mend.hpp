@@ -10,6 +10,7 @@
 #include "engine/geometry/model.hpp"
 #include "engine/geometry/soup.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/mending/repair_places.hpp"
 #include "engine/mending/repairs.hpp"
 #include "engine/mending/sealed.hpp"
 
@@ -38,6 +39,7 @@ struct Mended {
   bool as_given = true;  ///< the triangles are the soup's own, unturned, in their order
   std::string why;       ///< why it is a solid or a surface
   Repairs repairs;
+  RepairPlaces places;  ///< all but the hidden triangles, not settled yet
 };
 
 /// Joins, turns and caps a soup until every part of it is closed, and decides for each part whether

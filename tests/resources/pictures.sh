@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 copy=$work/copy
 mkdir "$copy"
 cp -r "$source/"{packaging,resources,engine,ui,app,CMakeLists.txt} "$copy"
-rm "$copy/resources/docs/images/sonde-view.png" "$copy"/resources/scenes/*.png \
+rm "$copy"/resources/docs/images/{sonde-view,mended}.png "$copy"/resources/scenes/*.png \
   "$copy"/resources/docs/images/{compare,traces}-spoon-in-cup.svg \
   "$copy"/packaging/desktop/hicolor/*/apps/*.png
 "$copy/packaging/pictures" "$build"
@@ -36,7 +36,7 @@ done
 for name in {compare,traces}-spoon-in-cup; do
   grep -q '</svg>' "$copy/resources/docs/images/$name.svg" || complain "no $name.svg"
 done
-for picture in docs/images/sonde-view scenes/{crumpled-soup,linked-tori,nut-on-bolt,peg-in-hole} \
-  scenes/{spoon-in-cup,terrain,torus-knots}; do
+for picture in docs/images/{sonde-view,mended} \
+  scenes/{crumpled-soup,linked-tori,nut-on-bolt,peg-in-hole,spoon-in-cup,terrain,torus-knots}; do
   file "$copy/resources/$picture.png" | grep -q 'PNG image data' || complain "no $picture.png"
 done

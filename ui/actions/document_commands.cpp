@@ -13,6 +13,7 @@
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/base/format.hpp"
 #include "ui/document/kept_gains.hpp"
 #include "ui/document/pose_text.hpp"
 #include "ui/document/same_pose.hpp"
@@ -23,6 +24,20 @@ namespace {
 bool same(const std::optional<DeviceSettings>& a, const std::optional<DeviceSettings>& b) {
   return a.has_value() == b.has_value() &&
          (!a || device_settings_text(*a) == device_settings_text(*b));
+}
+
+SceneBody& body_of(Scene& scene, Role role) {
+  return role == Role::probe ? scene.probe : scene.fixed;
+}
+
+bool is_suited(const Scene& scene, const Body& probe) {
+  return ui::same(scene.coupling, suited_coupling(probe.mass));
+}
+
+/// Gains that suited the probe suit it again.
+LoadedScene suited_again(LoadedScene opened, bool suited) {
+  if (suited) opened.scene.coupling = opened.coupling = suited_coupling(opened.pair.probe().mass);
+  return opened;
 }
 
 /// Bodies that something else owns too.
@@ -124,7 +139,7 @@ void DocumentControl::swap_bodies() {
 
 void DocumentControl::replace_body(Role role, const QString& file) {
   Content wanted = now();
-  (role == Role::probe ? wanted.scene.probe : wanted.scene.fixed).mesh = file.toStdString();
+  body_of(wanted.scene, role).mesh = file.toStdString();
   const QString what = role == Role::probe ? QStringLiteral("Replace the probe")
                                            : QStringLiteral("Replace the fixed body");
   change_bodies(what, wanted, [scene = wanted.scene](const Progress& progress) {
@@ -160,14 +175,49 @@ void DocumentControl::ask_bodies() {
   const Pose moved = relative_pose(scene);
   wanted.here.p *= grown;
   if (same(before.here, moved)) wanted.here = relative_pose(wanted.scene);
-  const bool suited = same(scene.coupling, suited_coupling(probe.mass));
+  const bool suited = is_suited(scene, probe);
   change_bodies(QStringLiteral("Units, axes and insides"), wanted,
                 [scene = wanted.scene, suited](const Progress& progress) {
-                  LoadedScene opened = open_scene(scene, progress);
-                  if (suited)
-                    opened.scene.coupling = opened.coupling =
-                        suited_coupling(opened.pair.probe().mass);
-                  return opened;
+                  return suited_again(open_scene(scene, progress), suited);
+                });
+}
+
+void DocumentControl::set_repair(Role role, Repair repair) {
+  take_body(
+      role,
+      repair == Repair::none ? QStringLiteral("Take %1 as in the file") : QStringLiteral("Mend %1"),
+      [repair](SceneBody& body) {
+        body.repair = repair;
+        if (repair == Repair::none && body.model == Model::solid) body.model = Model::automatic;
+      });
+}
+
+void DocumentControl::make_solid(Role role) {
+  take_body(role, QStringLiteral("Close %1"), [](SceneBody& body) {
+    body.repair = Repair::automatic;
+    body.model = Model::solid;
+  });
+}
+
+/// Reads that one again; the other stays as it is. `what` has a place for its name.
+void DocumentControl::take_body(Role role, const QString& what,
+                                const std::function<void(SceneBody&)>& change) {
+  if (document_.empty()) return;
+  Content wanted = now();
+  const auto bodies = wanted.bodies;
+  const Body& before = role == Role::probe ? bodies->pair.probe() : bodies->pair.fixed();
+  const bool suited = is_suited(wanted.scene, bodies->pair.probe());
+  change(body_of(wanted.scene, role));
+  change_bodies(what.arg(short_name(before)), wanted,
+                [bodies, role, suited, scene = wanted.scene](const Progress& progress) {
+                  const bool is_probe = role == Role::probe;
+                  const SceneBody& from = is_probe ? scene.probe : scene.fixed;
+                  MeshMarks marks = bodies->marks;
+                  (is_probe ? marks.probe : marks.fixed) = mark_of(from.mesh);
+                  const auto read = load(from, scene.unit, progress);
+                  const Pair pair = is_probe ? Pair(read, shared(bodies, Role::fixed))
+                                             : Pair(shared(bodies, Role::probe), read);
+                  return suited_again(open_scene(scene, pair, bodies->trajectory, marks), suited);
                 });
 }
 

@@ -65,6 +65,10 @@ class DocumentControl : public QObject {
   void start_from_here();
   void swap_bodies();
   void ask_bodies();  ///< units, axes, scales and models of the two that are open
+  /// That body as in its file, or mended. One that has to be a solid need not be any more, where it
+  /// is not mended.
+  void set_repair(Role role, Repair repair);
+  void make_solid(Role role);  ///< its openings are closed, and its inside counts
   void copy_pose();
   void paste_pose();
   void place(const Pose& X_FM, const QString& what, bool mergeable = false);
@@ -85,6 +89,7 @@ class DocumentControl : public QObject {
   void change_bodies(const QString& what, const Content& wanted,
                      std::function<LoadedScene(const Progress&)> open);
   void replace_body(Role role, const QString& file);
+  void take_body(Role role, const QString& what, const std::function<void(SceneBody&)>& change);
   bool write(const std::filesystem::path& file);
   void watch();
   void file_changed(const QString& file);

@@ -23,6 +23,7 @@ inline const QColor straight{226, 250, 250};  ///< the way out without a turn, P
 inline const QColor turn{168, 140, 255};      ///< what a turn adds to the depth
 inline const QColor hole{255, 235, 160};      ///< where a mesh is not closed
 inline const QColor flipped{230, 90, 200};    ///< where its faces do not agree which side is out
+inline const QColor cap{153, 238, 119};       ///< what closes openings of a mesh, and was not in it
 inline const QColor crossing{255, 120, 150};  ///< triangles that go through others of their mesh
 inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut at
 inline const QColor bound{170, 160, 255};     ///< what shows the lower bound

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <vector>
 
+#include "ui/actions/repairs_control.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/shell/main_window.hpp"
 #include "ui/views/viewport.hpp"
@@ -15,21 +16,24 @@
 namespace sonde::ui {
 namespace {
 
-/// The first thing in a dock that takes the keyboard; null where nothing does.
-QWidget* first_control(const QDockWidget& dock) {
-  if (!dock.widget()) return nullptr;
-  for (QWidget* inside : dock.widget()->findChildren<QWidget*>())
+/// The first thing in there that takes the keyboard; null where nothing does.
+QWidget* first_control(const QWidget& within) {
+  for (QWidget* inside : within.findChildren<QWidget*>())
     if (inside->isVisible() && inside->isEnabled() && (inside->focusPolicy() & Qt::TabFocus))
       return inside;
   return nullptr;
 }
 
-/// From the view through the docks, those behind another in their tabs too, and back.
+/// From the view through the docks, those behind another in their tabs too, then to the bar of what
+/// was mended, and back.
 void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
   std::vector<QDockWidget*> docks;
   for (QDockWidget* dock : all)
     if (dock->toggleViewAction()->isChecked()) docks.push_back(dock);  // open, if behind another
   std::size_t next = 0;
+  RepairsBar& bar = window.repairs().bar();
+  const bool in_bar = bar.isAncestorOf(QApplication::focusWidget());
+  if (in_bar) next = docks.size();
   for (std::size_t i = 0; i < docks.size(); ++i)
     if (docks[i]->isAncestorOf(QApplication::focusWidget())) next = i + 1;
   // A dock that goes behind another would hand the keyboard to whoever comes next in its chain.
@@ -37,9 +41,12 @@ void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
   for (; next < docks.size(); ++next) {
     docks[next]->raise();
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);  // its tab is on show
-    QWidget* control = first_control(*docks[next]);
+    const QWidget* within = docks[next]->widget();
+    QWidget* control = within ? first_control(*within) : nullptr;
     if (control) return control->setFocus(Qt::TabFocusReason);
   }
+  if (!in_bar && bar.isVisible())
+    if (QWidget* control = first_control(bar)) control->setFocus(Qt::TabFocusReason);
 }
 
 }  // namespace

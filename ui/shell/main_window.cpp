@@ -25,6 +25,7 @@
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/format.hpp"
@@ -114,6 +115,7 @@ void MainWindow::show_nothing() {
   seeing_->attach(nullptr);
   accuracy_->attach(nullptr);
   exporter_->attach(nullptr);
+  repairs_->attach(nullptr);
   force_log_.end();
   forget_shown();
   search_.forget();
@@ -135,6 +137,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   forget_shown();
   search_.forget();
   history_->attach(session());
+  repairs_->attach(&now, same_document);  // before: its bar takes room from the view
   viewport_->show_bodies(drawn_.bodies, same_document);
   seeing_->attach(&now);
   exporter_->attach(&drawn_);

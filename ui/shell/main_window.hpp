@@ -35,6 +35,7 @@ class MouseProbe;
 class Opener;
 class PosePanel;
 class ReadoutPanel;
+class RepairsControl;
 class SeeingControl;
 class StartPage;
 class StiffnessControl;
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   SeeingControl& seeing() { return *seeing_; }
   AccuracyControl& accuracy() { return *accuracy_; }
   ExportControl& exporter() { return *exporter_; }
+  RepairsControl& repairs() { return *repairs_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
   void connect_export();
   DocumentView document_view();
   void add_history();
+  void add_repairs();
   void place(const Pose& X_FM);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
@@ -141,6 +144,7 @@ class MainWindow : public QMainWindow {
   SeeingControl* seeing_ = nullptr;
   AccuracyControl* accuracy_ = nullptr;
   ExportControl* exporter_ = nullptr;
+  RepairsControl* repairs_ = nullptr;
   StatusLine status_;
   EscapeKey escape_;
   QTimer frame_timer_;

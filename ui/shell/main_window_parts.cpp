@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <QVBoxLayout>
 #include <utility>
 
 #include "ui/actions/accuracy_control.hpp"
@@ -14,6 +15,7 @@
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/measure_control.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
@@ -60,7 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
-  setCentralWidget(viewport_);
+  add_repairs();
   addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
   tabifyDockWidget(coupling_panel_, device_panel_);
   tabifyDockWidget(coupling_panel_, pose_panel_);
@@ -156,6 +158,20 @@ void MainWindow::add_history() {
   splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
   tabifyDockWidget(log_, &history_->plots());
   history_->plots().hide();
+}
+
+/// The bar above the view: nothing in the view lies below it.
+void MainWindow::add_repairs() {
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  repairs_ = new RepairsControl(*viewport_, *documents_, *this);
+  column->addWidget(&repairs_->bar());
+  column->addWidget(viewport_, 1);
+  middle->setFocusProxy(viewport_);  // who gives the keyboard back gives it to the view
+  setCentralWidget(middle);
+  repairs_->say = [this](const QString& what) { statusBar()->showMessage(what, 8000); };
 }
 
 void MainWindow::connect_export() {

@@ -17,6 +17,7 @@
 
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/history_control.hpp"
+#include "ui/actions/repairs_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/document/recent_files.hpp"
@@ -241,6 +242,17 @@ void add_history_menu(MainWindow& window) {
       [history](bool) { history->run_again(Method::pdt, {}); });
 }
 
+void add_mended(MainWindow& window, QMenu& menu) {
+  RepairsControl* repairs = &window.repairs();
+  const QAction* next =
+      add(window, menu, "next_mended", QStringLiteral("&Next mended place"),
+          QKeySequence(QStringLiteral("N")), [repairs](bool) { repairs->show_next(); });
+  repairs->bar().set_key(next->shortcut().toString());
+  QAction* bar = add_toggle(window, menu, "mended_bar", QStringLiteral("What was &mended"), {},
+                            !repairs->away(), [repairs](bool on) { repairs->set_away(!on); });
+  repairs->away_changed = [bar](bool away) { bar->setChecked(!away); };
+}
+
 void add_view_menu(MainWindow& window, QToolBar& bar) {
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&View"));
   MainWindow* w = &window;
@@ -260,6 +272,8 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             Layer::bound);
   add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
             Layer::defects);
+  add_layer(window, menu, "show_mended", QStringLiteral("Closed openings, in their colour"), {},
+            Layer::mended);
   add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
   add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
              key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
@@ -272,6 +286,7 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,
              [w](bool on) { w->set_swing(on); });
   menu.addSeparator();
+  add_mended(window, menu);
   add_desk_menu(window, menu);
   for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
     menu.addAction(dock->toggleViewAction());

@@ -6,9 +6,11 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <span>
 #include <vector>
 
 #include "engine/geometry/defect_edges.hpp"
+#include "engine/mending/edge_uses.hpp"
 #include "ui/views/surface.hpp"
 
 namespace sonde::ui {
@@ -34,6 +36,16 @@ DefectLines defects_of(const Body& body) {
   return {lines_of(body.soup, edges.open), lines_of(body.soup, edges.flipped)};
 }
 
+/// The edges of one cap triangle alone are those of the openings.
+CapSurface caps_of(const Body& body) {
+  if (body.caps.triangles.empty()) return {};
+  std::vector<DefectEdges::Edge> border;
+  for_each_edge(edge_uses(body.caps), [&](std::span<const EdgeUse> edge) {
+    if (edge.size() % 2 == 1) border.push_back({edge[0].low, edge[0].high});
+  });
+  return {make_surface(body.caps), lines_of(body.caps, border)};
+}
+
 }  // namespace
 
 DrawnBodies draw_bodies(const LoadedScene& loaded) {
@@ -46,7 +58,9 @@ DrawnBodies draw_bodies(const LoadedScene& loaded) {
           .probe_surface = make_surface(probe.soup),
           .fixed_surface = make_surface(fixed.soup),
           .probe_defects = defects_of(probe),
-          .fixed_defects = defects_of(fixed)};
+          .fixed_defects = defects_of(fixed),
+          .probe_caps = caps_of(probe),
+          .fixed_caps = caps_of(fixed)};
 }
 
 }  // namespace sonde::ui

@@ -18,6 +18,12 @@ struct DefectLines {
   vtkSmartPointer<vtkPolyData> holes, flipped;
 };
 
+/// What closes the openings of a mesh, as a surface, and the lines where it meets the mesh; null
+/// where nothing does.
+struct CapSurface {
+  vtkSmartPointer<vtkPolyData> faces, seams;
+};
+
 /// Two bodies as they are drawn, and how a picture of them begins.
 struct DrawnBodies {
   std::optional<Pair> pair;           ///< none: nothing is drawn
@@ -28,6 +34,7 @@ struct DrawnBodies {
   vtkSmartPointer<vtkPolyData> probe_surface;
   vtkSmartPointer<vtkPolyData> fixed_surface;
   DefectLines probe_defects, fixed_defects;
+  CapSurface probe_caps, fixed_caps;
 };
 /// Slow for large meshes: call it in a worker.
 DrawnBodies draw_bodies(const LoadedScene& loaded);

@@ -19,7 +19,8 @@ const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 205);
 
 /// A body has its own colour on either background.
 QColor mark_colour(const QColor& colour, const QPalette& palette) {
-  return colour == colour::probe || colour == colour::fixed ? colour : readable(colour, palette);
+  const bool of_body = colour == colour::probe || colour == colour::fixed || colour == colour::cap;
+  return of_body ? colour : readable(colour, palette);
 }
 
 QFont small_font(const QWidget& widget) {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/penetration/search/pair.hpp"
+#include "ui/views/cap_view.hpp"
 #include "ui/views/contact_view.hpp"
 #include "ui/views/crossing_view.hpp"
 #include "ui/views/cut_view.hpp"
@@ -25,6 +26,7 @@
 #include "ui/views/hint_view.hpp"
 #include "ui/views/measure_view.hpp"
 #include "ui/views/movement.hpp"
+#include "ui/views/place_view.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
 #include "ui/views/tone.hpp"
@@ -48,6 +50,7 @@ struct Viewport::Scenery {
         cut(*above, shapes),
         measures(*top, shapes),
         witness(*top, shapes),
+        place(*top),
         probe_gaps(*bodies),
         fixed_gaps(*bodies),
         probe_crossings(*bodies, true),
@@ -73,10 +76,12 @@ struct Viewport::Scenery {
   CutView cut;
   MeasureView measures;
   WitnessView witness;
+  PlaceView place;
   GapView probe_gaps, fixed_gaps;
   CrossingView probe_crossings, fixed_crossings;
   Tone tone;
   std::unique_ptr<DefectView> defects;
+  std::unique_ptr<CapView> caps;
   Detail detail;
   Movement movement;
 
@@ -93,10 +98,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 15> shown{true,  true,  true,  true, false, false, false, true,
-                             false, false, false, true, false, false, false};  ///< by Layer
+  std::array<bool, 16> shown{true,  true,  true,  true, false, false, false, true,
+                             false, false, false, true, false, false, false, true};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 16> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 18> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -111,6 +116,8 @@ struct Viewport::Scenery {
              {Layer::crossings, &probe_crossings},
              {Layer::crossings, &fixed_crossings},
              {Layer::cut, &cut},
+             {Layer::mended, caps.get()},
+             {Layer::mended, &place},
              {Layer::bound, &witness},
              {Layer::measures, &measures}}};
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include "engine/geometry/pose.hpp"
 
 namespace sonde::ui {
@@ -22,6 +24,15 @@ struct CutPlane {
 struct Seeing {
   Look probe = Look::opaque, fixed = Look::opaque;
   CutPlane cut;
+};
+
+/// A place of a body that is pointed out.
+struct PointedPlace {
+  bool on_probe = false;
+  Vec3 at = Vec3::Zero();       ///< in that body's mesh frame, m
+  Vec3 outward = Vec3::Zero();  ///< there, unit; zero: none
+  double size = 0;              ///< m, of a ball about `at`
+  QString text;
 };
 
 }  // namespace sonde::ui

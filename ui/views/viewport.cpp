@@ -8,7 +8,9 @@
 #include <QImage>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -129,6 +131,7 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
       found(&BackgroundResult::nearest, FoundView::Shape::mesh, "nearest way out", colour::nearest);
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
+  s.caps = std::make_unique<CapView>(*s.bodies, drawn);
   const int small = software ? simplify_above : simplify_above_on_card;
   s.detail.add(*drawn.fixed_surface, small, {s.fixed_actor});
   s.detail.add(*drawn.probe_surface, small,
@@ -136,6 +139,7 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.pair = drawn.pair;
   s.trail.clear();
   s.measures.clear();
+  s.place.set({});
   apply_theme();
   s.probe_gaps.clear();
   s.fixed_gaps.clear();
@@ -205,6 +209,8 @@ void Viewport::update_legend() {
     legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
     legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
+  if (s.caps && s.caps->any() && shown(Layer::mended))
+    legend.push_back({colour::cap, QStringLiteral("openings that were closed")});
   if (shown(Layer::crossings))
     legend.push_back(
         {colour::crossing, QStringLiteral("triangles through others"), LegendMark::mesh});
@@ -291,6 +297,7 @@ void Viewport::apply_layers() {
   Scenery& s = *scenery_;
   for (const auto& [layer, overlay] : s.overlays())
     if (overlay) overlay->set_visible(shown(layer));
+  if (s.caps) s.caps->set_ghost(shown(Layer::ghost));
 }
 
 void Viewport::set_handles_local(bool local) {
@@ -356,6 +363,7 @@ void Viewport::apply_theme() {
   set_background(*s.bodies, is_light(palette()));
   std::vector<const vtkActor*> bodies{s.fixed_actor};
   if (s.probe) bodies.push_back(&s.probe->actor());
+  if (s.caps) std::ranges::copy(s.caps->faces(), std::back_inserter(bodies));
   s.tone.apply(*s.bodies, palette(), bodies);
   for (vtkRenderer* glyphs : {s.above.Get(), s.top.Get()}) s.tone.apply(*glyphs, palette());
   invalidate();

@@ -41,6 +41,7 @@ enum class Layer {
   bound,      ///< the witness of the lower bound
   measures,   ///< points that were picked
   crossings,  ///< triangles that go through others of their mesh
+  mended,     ///< what closes openings, and the place that is pointed out
 };
 
 /// A point of a body that is visible in the picture.
@@ -116,6 +117,13 @@ class Viewport : public QWidget {
   /// Triangles of the bodies' soups, in ascending order.
   void set_crossings(const std::vector<std::uint32_t>& probe,
                      const std::vector<std::uint32_t>& fixed);
+
+  /// Puts a ring round a place, with its words; none: takes it away.
+  void point_out(const std::optional<PointedPlace>& place);
+  /// X_FB of a body's mesh frame as it was drawn last.
+  Pose pose_of(bool probe) const;
+  /// Where the eye would stand before such a place, with some of the body around it.
+  CameraPlace before(const PointedPlace& place) const;
 
   Camera camera() const;
   CameraPlace place() const;

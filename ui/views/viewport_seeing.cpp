@@ -5,6 +5,10 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "engine/proximity/queries/ray_hit.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/views/body_look.hpp"
@@ -14,6 +18,9 @@ namespace sonde::ui {
 namespace {
 
 constexpr double square_part = 1.05;  // of the fixed body's radius: the outline is beside the body
+constexpr double around = 2.5;        // times a place's size is in the picture, and at least
+constexpr double least_part = 0.15;   // of the body's radius
+constexpr double along_sight = 0.95;  // the cosine: such a line of sight has no up but the camera's
 
 }  // namespace
 
@@ -37,6 +44,7 @@ void Viewport::apply_seeing() {
   apply_look(s.probe->actor(), s.seeing.probe, colour::probe, s.pair->probe().solid, through_probe);
   s.probe->set_visible(s.seeing.probe != Look::hidden);
   s.defects->set_cut(through_probe, through_fixed);
+  s.caps->set_seeing(s.seeing, through_probe, through_fixed);
   s.fixed_gaps.set_cut(through_fixed);
   s.fixed_crossings.set_cut(through_fixed);
   s.probe_crossings.set_cut(through_probe);
@@ -96,6 +104,27 @@ void Viewport::clear_measured() {
 }
 
 const std::vector<MeasuredPoint>& Viewport::measured() const { return scenery_->measures.points(); }
+
+void Viewport::point_out(const std::optional<PointedPlace>& place) {
+  scenery_->place.set(place);
+  invalidate();
+}
+
+Pose Viewport::pose_of(bool probe) const { return probe ? scenery_->last_device : Pose{}; }
+
+CameraPlace Viewport::before(const PointedPlace& place) const {
+  const Scenery& s = *scenery_;
+  const Pose X_FB = pose_of(place.on_probe);
+  const double body = (place.on_probe ? s.pair->probe() : s.pair->fixed()).mass.radius;
+  const double radius = std::max(around * place.size, least_part * body);
+  const double half_angle = s.bodies->GetActiveCamera()->GetViewAngle() * std::numbers::pi / 360;
+  const bool faces = place.outward.norm() > 0;
+  const Vec3 direction = faces ? Vec3(X_FB.q * place.outward) : camera().axes().towards;
+  const Vec3 at = X_FB * place.at;
+  const Vec3 up = s.q_FW * Vec3::UnitZ();
+  const bool along_up = std::abs(up.dot(direction)) > along_sight;
+  return {at + direction * (radius / std::sin(half_angle)), at, along_up ? camera().axes().up : up};
+}
 
 void Viewport::set_gaps(const Gaps& gaps) {
   Scenery& s = *scenery_;

@@ -154,5 +154,23 @@ TEST(ModelChoice, clean_meshes_need_no_mending) {
   }
 }
 
+TEST(ModelChoice, a_body_tells_where_it_was_mended) {
+  const auto sound = test::body(test::icosphere(1, 2));
+  EXPECT_EQ(sound->places.all, 0u);
+  const auto turned = test::body(test::turned_over(test::icosphere(1, 2)));
+  ASSERT_EQ(turned->places.all, 1u);
+  EXPECT_EQ(turned->places.places[0].kind, RepairKind::inside_out);
+  // A ball within a box that nothing can touch.
+  const auto full =
+      test::body(test::joined(test::box({4, 4, 4}), test::icosphere(0.5, 2), Vec3(1, 0, 0)));
+  ASSERT_EQ(full->places.all, 1u);
+  EXPECT_EQ(full->places.places[0].kind, RepairKind::hidden);
+  EXPECT_LT((full->places.places[0].at - Vec3(1, 0, 0)).norm(), 1e-12);
+  const auto as_in_file =
+      make_body(test::without(test::icosphere(1, 3), [](const Vec3& x) { return x.z() > 0.98; }),
+                Model::automatic, "open", {}, Repair::none);
+  EXPECT_EQ(as_in_file->places.all, 0u);
+}
+
 }  // namespace
 }  // namespace sonde

@@ -99,6 +99,15 @@ TEST(Theme, colours_of_the_picture_differ_for_those_who_see_fewer_hues) {
       }
 }
 
+/// What closes an opening is not taken for the body that it is part of.
+TEST(Theme, caps_differ_from_the_bodies_for_those_who_see_fewer_hues) {
+  for (const Seen& seen : ways_of_seeing)
+    for (const QColor& body : {colour::probe, colour::fixed}) {
+      const Rgb a = lab(colour::cap, seen), b = lab(body, seen);
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 23) << seen.by;
+    }
+}
+
 TEST(Theme, colours_can_be_read_on_a_light_window_and_stay_on_a_dark_one) {
   QPalette light, dark;
   light.setColor(QPalette::Window, QColor(240, 242, 245));

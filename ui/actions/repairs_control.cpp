@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/repairs_control.hpp"
+
+#include <QLayout>
+#include <cmath>
+
+#include "ui/actions/document_control.hpp"
+#include "ui/base/format.hpp"
+#include "ui/document/session.hpp"
+#include "ui/panels/repairs_text.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int flight_ms = 450;
+constexpr int pointing_ms = 8000;
+
+/// Whether a mesh has anything to be mended: as the engine sees it before it mends.
+bool is_sound(const Body& body) {
+  const Topology& t = body.topology;
+  return t.closed && t.nonmanifold_edges == 0 && t.duplicate_triangles == 0 &&
+         body.component_triangle.size() == 1;
+}
+
+/// Of more places than are kept, how many there are.
+QString more_text(const RepairPlaces& places) {
+  if (places.all == places.places.size()) return {};
+  return QStringLiteral(" (the first of %1)").arg(static_cast<qulonglong>(places.all));
+}
+
+}  // namespace
+
+RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window)
+    : QObject(&window), viewport_(viewport), documents_(documents), bar_(new RepairsBar(&window)) {
+  bar_->show_wanted = [this](std::size_t body) { show_next(body); };
+  bar_->repair_wanted = [this](std::size_t body, bool as_in_file) {
+    documents_.set_repair(body == RepairsBar::probe ? Role::probe : Role::fixed,
+                          as_in_file ? Repair::none : Repair::automatic);
+  };
+  bar_->close_wanted = [this](std::size_t body) {
+    documents_.make_solid(body == RepairsBar::probe ? Role::probe : Role::fixed);
+  };
+  bar_->put_away = [this] {
+    set_away(true);
+    viewport_.canvas()->setFocus();
+  };
+  flight_.setStartValue(0.0);
+  flight_.setEndValue(1.0);
+  flight_.setDuration(flight_ms);
+  flight_.setEasingCurve(QEasingCurve::InOutCubic);
+  connect(&flight_, &QVariantAnimation::valueChanged, this,
+          [this](const QVariant& part) { fly(part.toDouble()); });
+  pointing_.setSingleShot(true);
+  connect(&pointing_, &QTimer::timeout, this, [this] { viewport_.point_out({}); });
+}
+
+void RepairsControl::attach(Session* session, bool same_document) {
+  session_ = session;
+  flight_.stop();
+  pointing_.stop();
+  next_ = {};
+  last_ = RepairsBar::probe;
+  if (!same_document && away_) set_away(false);
+  show_rows();
+}
+
+void RepairsControl::set_away(bool away) {
+  if (away == away_) return;
+  away_ = away;
+  show_rows();
+  if (away_changed) away_changed(away);
+}
+
+const Body& RepairsControl::body(std::size_t index) const {
+  return index == RepairsBar::probe ? session_->probe() : session_->fixed();
+}
+
+std::optional<RepairsRow> RepairsControl::row_of(std::size_t index) const {
+  if (!session_) return {};
+  const Body& body = this->body(index);
+  const bool is_probe = index == RepairsBar::probe;
+  const Scene& scene = session_->loaded().scene;
+  const SceneBody& wanted = is_probe ? scene.probe : scene.fixed;
+  if (wanted.model == Model::surface) return {};
+  RepairsRow row;
+  row.name = short_name(body);
+  row.in_full = repairs_in_full(body);
+  row.as_in_file = wanted.repair == Repair::none;
+  if (row.as_in_file) {
+    if (is_sound(body)) return {};
+    row.text = QStringLiteral("taken as in the file");
+    return row;
+  }
+  row.text = repairs_in_brief(body);
+  if (row.text.isEmpty()) return {};
+  row.can_show = !body.places.places.empty();
+  row.can_be_as_in_file = row.can_show && !is_sound(body);
+  row.can_close = body.repairs.could_be_solid && wanted.model == Model::automatic;
+  return row;
+}
+
+void RepairsControl::show_rows() {
+  const std::optional<RepairsRow> probe = row_of(RepairsBar::probe),
+                                  fixed = row_of(RepairsBar::fixed);
+  bar_->show_row(RepairsBar::probe, probe);
+  bar_->show_row(RepairsBar::fixed, fixed);
+  bar_->setVisible(!away_ && (probe || fixed));
+  // The view has its size before anything is fitted into it.
+  if (QWidget* around = bar_->parentWidget(); around && around->layout())
+    around->layout()->activate();
+  viewport_.invalidate();
+}
+
+void RepairsControl::show_next() {
+  if (!session_) return;
+  for (const std::size_t index : {last_, 1 - last_, last_}) {
+    const bool has_more = next_.at(index) < body(index).places.places.size();
+    if (has_more) return show_next(index);
+    next_.at(index) = 0;  // through: the other one, and then it again
+  }
+  if (say) say(QStringLiteral("Nothing was mended."));
+}
+
+void RepairsControl::show_next(std::size_t index) {
+  if (!session_) return;
+  const Body& body = this->body(index);
+  const RepairPlaces& all = body.places;
+  if (all.places.empty()) return;
+  last_ = index;
+  std::size_t& next = next_.at(index);
+  if (next >= all.places.size()) next = 0;
+  const RepairPlace& place = all.places[next];
+  const QString count = QStringLiteral("%1 of %2").arg(++next).arg(all.places.size());
+  const QString in_full = count + more_text(all);
+  const PointedPlace pointed{index == RepairsBar::probe, place.at, place.outward, place.size,
+                             QStringLiteral("%1: %2").arg(in_full, words(place.kind))};
+  bar_->show_places(index, count, in_full);
+  viewport_.point_out(pointed);
+  pointing_.start(pointing_ms);
+  fly_to(viewport_.before(pointed));
+  if (say)
+    say(QStringLiteral("%1, %2, %3 across")
+            .arg(short_name(body), pointed.text,
+                 LengthUnit(body.mass.radius).text(2 * place.size)));
+}
+
+void RepairsControl::fly_to(const CameraPlace& place) {
+  flight_.stop();
+  from_ = viewport_.place();
+  to_ = place;
+  flight_.start();
+}
+
+/// Round the target, which moves in a line, at a distance that changes in proportion.
+void RepairsControl::fly(double part) {
+  const Vec3 from = from_.position - from_.target, to = to_.position - to_.target;
+  const Quat turn = Quat::FromTwoVectors(from, to);
+  const Vec3 direction = Quat::Identity().slerp(part, turn) * from.normalized();
+  const double distance = std::pow(from.norm(), 1 - part) * std::pow(to.norm(), part);
+  const Vec3 target = (1 - part) * from_.target + part * to_.target;
+  const Vec3 up = (1 - part) * from_.up + part * to_.up;
+  const bool along = direction.cross(up).norm() < 1e-3;
+  viewport_.look({target + direction * distance, target, along ? to_.up : up});
+}
+
+}  // namespace sonde::ui

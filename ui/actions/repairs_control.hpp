@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <QVariantAnimation>
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "ui/document/loaded_scene.hpp"
+#include "ui/panels/repairs_bar.hpp"
+
+namespace sonde::ui {
+
+class DocumentControl;
+class Session;
+class Viewport;
+
+/// What was mended of the bodies on show: the bar that says so, the way to each place, and taking
+/// it back.
+class RepairsControl : public QObject {
+ public:
+  RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window);
+
+  RepairsBar& bar() { return *bar_; }
+  /// Null: nothing is open. The bar is there, and has its size, when this returns.
+  void attach(Session* session, bool same_document = false);
+  /// The next place of that body, and after its last the first.
+  void show_next(std::size_t body);
+  /// The next place of either body.
+  void show_next();
+  /// Until another document is open.
+  void set_away(bool away);
+  bool away() const { return away_; }
+  bool flying() const { return flight_.state() == QAbstractAnimation::Running; }
+
+  std::function<void(const QString&)> say;
+  std::function<void(bool away)> away_changed;
+
+ private:
+  const Body& body(std::size_t index) const;
+  std::optional<RepairsRow> row_of(std::size_t index) const;
+  void show_rows();
+  void fly_to(const CameraPlace& place);
+  void fly(double part);
+
+  Viewport& viewport_;
+  DocumentControl& documents_;
+  RepairsBar* bar_;
+  Session* session_ = nullptr;
+  bool away_ = false;
+  std::array<std::size_t, 2> next_{};  ///< place of each body
+  std::size_t last_ = 0;               ///< the body that was shown last
+  QVariantAnimation flight_;
+  CameraPlace from_{}, to_{};
+  QTimer pointing_;  ///< until the ring goes
+};
+
+}  // namespace sonde::ui
