@@ -17,14 +17,15 @@ struct Distinct {
   /// For each triangle the one that stands for it: itself where it stays, or one that stays and has
   /// the same three corners; none where it and its like cancel out, as a wall between two bodies.
   std::vector<std::uint32_t> by;
-  /// Triangles of components in which each stands against another one, as in an export of both
-  /// sides: only those that stay are left of these.
+  /// Triangles that are left out altogether, as copies of one that stays: of components in which
+  /// each stands against another one, as in an export of both sides; and repeated by accident.
   std::vector<bool> backs;
   std::size_t repeated = 0;  ///< triangles that do not stay
 };
 
 /// In each connected component, of the triangles with the same three corners as many stay as leave
-/// its winding numbers in proportion (all of it written twice: half of it). Throws Cancelled.
+/// its winding numbers in proportion (all of it written twice: half of it); one, where the rest of
+/// the component is open without it. Throws Cancelled.
 Distinct find_distinct(const Soup& soup, const Progress& progress = {});
 
 }  // namespace sonde

@@ -244,10 +244,9 @@ class Mender {
     if (largest == nullptr) return "no triangles";
     if (largest->torn > 0 && !largest->flat)
       return "one side only (non-orientable along " + counted(largest->torn, "edge") + ")";
-    if (open_edges_ == 0) return "closed but flat (no volume)";
-    std::string edges = counted(open_edges_, "open edge");
-    if (largest->flat) return edges;
-    return edges + ", " +
+    const std::string edges = open_edges_ == 0 ? "" : counted(open_edges_, "open edge");
+    if (largest->flat) return open_edges_ == 0 ? "closed but flat (no volume)" : edges;
+    return edges + (open_edges_ == 0 ? "" : ", ") +
            (largest->mouth > part_tuning.widest_mouth
                 ? "open mouth " + number_text(100 * largest->mouth, 2)
                 : "openings " + number_text(100 * largest->open, 2)) +

@@ -33,6 +33,15 @@ PolygonSoup turned_over(PolygonSoup soup) {
   return soup;
 }
 
+PolygonSoup repeated(PolygonSoup soup, const std::vector<std::size_t>& which, bool turned) {
+  for (const std::size_t i : which) {
+    Polygon polygon = soup.polygons[i];
+    if (turned) std::reverse(polygon.begin(), polygon.end());
+    soup.polygons.push_back(std::move(polygon));
+  }
+  return soup;
+}
+
 PolygonSoup moved(PolygonSoup soup, const std::function<Vec3(const Vec3&)>& move) {
   for (Vec3& x : soup.points) x = move(x);
   return soup;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "engine/geometry/soup.hpp"
 
@@ -12,6 +13,8 @@ namespace sonde::test {
 
 PolygonSoup joined(PolygonSoup a, const PolygonSoup& b, const Vec3& by = Vec3::Zero());
 PolygonSoup turned_over(PolygonSoup soup);
+/// The mesh with the polygons of these numbers again, turned over or not.
+PolygonSoup repeated(PolygonSoup soup, const std::vector<std::size_t>& which, bool turned);
 PolygonSoup placed(PolygonSoup soup, const Vec3& by);
 PolygonSoup moved(PolygonSoup soup, const std::function<Vec3(const Vec3&)>& move);
 /// Triangles alone.

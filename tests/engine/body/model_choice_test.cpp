@@ -106,6 +106,25 @@ TEST(ModelChoice, a_triangle_missing_or_turned_or_repeated_is_mended) {
   }
 }
 
+// Coarse meshes, of which a triangle is no small opening; once more, twice more, a patch of them.
+TEST(ModelChoice, triangles_repeated_by_accident_count_once) {
+  for (const PolygonSoup& mesh :
+       {test::icosphere(0.3, 0), test::icosphere(2, 2), test::box({1, 2, 3}),
+        test::torus(5, 2, 7, 6), test::tetrahedron(0.01)}) {
+    const PolygonSoup triangles = test::triangulated(mesh);
+    const auto whole = test::body(triangles);
+    for (const bool turned : {false, true})
+      for (const std::vector<std::size_t>& which :
+           {std::vector<std::size_t>{3}, {0, 1}, {2, 2}, {1, 1, 1}, {0, 1, 2}}) {
+        const auto body = test::body(test::repeated(triangles, which, turned));
+        expect_same_mass(*body, *whole, 1e-12);
+        EXPECT_EQ(surface(*body).triangles.size(), surface(*whole).triangles.size());
+        EXPECT_EQ(body->repairs.repeated, which.size());
+        EXPECT_EQ(body->repairs.caps, 0u);
+      }
+  }
+}
+
 TEST(ModelChoice, a_part_written_twice_counts_once) {
   for (const PolygonSoup& mesh : sound()) {
     const auto whole = test::body(mesh);
