@@ -44,7 +44,10 @@ constexpr int oversampled = 2;
 struct Decided {
   std::string name;
   std::shared_ptr<const Body> body;
-  double mouth() const { return std::max(body->repairs.widest_cap, body->repairs.widest_mouth); }
+  bool in_part() const { return body->solid && body->repairs.solid_parts < body->repairs.parts; }
+  /// Of the parts that are solids, and of the others.
+  double closed() const { return body->solid ? body->repairs.widest_cap : 0; }
+  double open() const { return body->repairs.widest_mouth; }
 };
 
 std::vector<Decided> decide(const std::filesystem::path& folder) {
@@ -112,11 +115,13 @@ class Studio {
 };
 
 std::string words_of(const Decided& one) {
+  const std::string what =
+      one.in_part() ? "solid in part" : (one.body->solid ? "solid" : "surface");
+  const double mouth = one.body->solid ? one.closed() : one.open();
+  if (mouth == 0) return what;
   char text[64];
-  if (one.mouth() == 0) return one.body->solid ? "solid" : "surface";
-  std::snprintf(text, sizeof text, "%s, %.3g %%", one.body->solid ? "solid" : "surface",
-                100 * one.mouth());
-  return text;
+  std::snprintf(text, sizeof text, ", %.3g %%", 100 * mouth);
+  return what + text;
 }
 
 void draw_sheet(const std::vector<Decided>& all, const QString& file) {
@@ -147,11 +152,12 @@ void draw_sheet(const std::vector<Decided>& all, const QString& file) {
 void draw_chart(const std::vector<Decided>& all, const std::string& file) {
   constexpr double step = 0.1;
   std::map<int, std::pair<int, int>> bars;
+  const auto bar_of = [](double mouth) {
+    return static_cast<int>(std::floor(std::log10(std::max(100 * mouth, 0.1001)) / step));
+  };
   for (const Decided& one : all) {
-    if (one.mouth() == 0) continue;
-    auto& [solids, surfaces] =
-        bars[static_cast<int>(std::floor(std::log10(std::max(100 * one.mouth(), 0.1001)) / step))];
-    ++(one.body->solid ? solids : surfaces);
+    if (one.closed() > 0) ++bars[bar_of(one.closed())].first;
+    if (one.open() > 0) ++bars[bar_of(one.open())].second;
   }
   ChartPanel panel;
   panel.x = {"widest opening, % of what is seen from all around", true, 0.1, 100};

@@ -57,7 +57,8 @@ TEST(Distinct, what_is_repeated_by_accident_stays_once) {
     for (const bool turned : {false, true})
       for (const std::vector<std::size_t>& which :
            {std::vector<std::size_t>{3}, {0, 1, 2, 3, 4, 5}, {2, 9}}) {
-        const Soup once = test::welded(mesh), soup = test::welded(test::repeated(mesh, which, turned));
+        const Soup once = test::welded(mesh),
+                   soup = test::welded(test::repeated(mesh, which, turned));
         const std::size_t more = soup.triangles.size() - once.triangles.size();
         const Distinct distinct = find_distinct(soup);
         EXPECT_EQ(distinct.repeated, more);
