@@ -26,9 +26,9 @@ PolygonSoup read_gltf(const std::string& file, std::string_view bytes, const Pro
 
 PolygonSoup read_3mf(const std::string& file, std::string_view bytes, const Progress& progress) {
   const ThreeMfShape shape = threemf_shape(file, bytes, part_of(progress, 0, 0.4));
-  return with_remarks(
-      import_model(file, bytes, "3mf", shape.metres, shape.triangles, part_of(progress, 0.4, 1)),
-      shape.remarks);
+  return with_remarks(import_model(file, shape.bytes, "3mf", shape.metres, shape.triangles,
+                                   part_of(progress, 0.4, 1)),
+                      shape.remarks);
 }
 
 PolygonSoup read_dae(const std::string& file, std::string_view bytes, const Progress& progress) {

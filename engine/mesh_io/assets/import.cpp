@@ -12,10 +12,12 @@
 
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <assimp/ProgressHandler.hpp>
 #include <memory>
+#include <system_error>
 
 #include "engine/base/progress.hpp"
+#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/mesh_io/assets/packed_soup.hpp"
 
 namespace sonde {
 namespace {
@@ -29,35 +31,20 @@ class NoFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream*) override {}
 };
 
-/// What throws must not pass through the library: it is kept.
-class Reporter : public Assimp::ProgressHandler {
- public:
-  Reporter(const Progress& progress, bool& cancelled)
-      : progress_(progress), cancelled_(cancelled) {}
-  bool Update(float fraction) override {
-    if (progress_ && !progress_(fraction < 0 ? 0 : fraction)) cancelled_ = true;
-    return !cancelled_;
-  }
-
- private:
-  const Progress& progress_;
-  bool& cancelled_;
-};
-
-/// The numbers of this thread have a '.', whatever the locale: the library's have.
+/// Numbers with a '.', whatever the locale, for the library.
 class ClassicNumbers {
  public:
-  ClassicNumbers()
-      : classic_(newlocale(LC_NUMERIC_MASK, "C", nullptr)), before_(uselocale(classic_)) {}
+  ClassicNumbers() : classic_(newlocale(LC_NUMERIC_MASK, "C", nullptr)) {}
   ~ClassicNumbers() {
-    uselocale(before_);
     if (classic_) freelocale(classic_);
   }
   ClassicNumbers(const ClassicNumbers&) = delete;
   ClassicNumbers& operator=(const ClassicNumbers&) = delete;
+  /// In this thread, from now on.
+  void use() const { uselocale(classic_); }
 
  private:
-  locale_t classic_, before_;
+  locale_t classic_;
 };
 
 /// Leaves the importers of one extension: the library would try all others, too.
@@ -141,25 +128,48 @@ class Collector {
   std::size_t thin_ = 0;
 };
 
+/// What the library makes of it; a word of its own where it refuses.
+PolygonSoup import_here(const std::string& file, std::string_view bytes, const char* extension,
+                        double scale) {
+  Assimp::Importer importer;
+  keep_importers(importer, extension);
+  importer.SetIOHandler(new NoFiles);  // the importer's from now on
+  // Without meshes it would make one of the nodes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension);
+  if (!scene || !scene->mRootNode)
+    throw InputError::in(file, "cannot be read: " + printable(importer.GetErrorString()));
+  return Collector(file, *scene, scale).collect();
+}
+
 }  // namespace
 
 PolygonSoup import_model(const std::string& file, std::string_view bytes, const char* extension,
                          double scale, std::optional<std::uint64_t> faces,
                          const Progress& progress) {
   const ClassicNumbers numbers;
-  bool cancelled = false;
-  Assimp::Importer importer;
-  keep_importers(importer, extension);
-  importer.SetIOHandler(new NoFiles);  // the importer owns both
-  importer.SetProgressHandler(new Reporter(progress, cancelled));
-  // Without meshes it would make one of the nodes.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension);
-  if (cancelled) throw Cancelled();
-  if (!scene || !scene->mRootNode)
-    throw InputError::in(file, "cannot be read: " + printable(importer.GetErrorString()));
-  PolygonSoup out = Collector(file, *scene, scale).collect();
+  ChildEnd end;
+  try {
+    end = in_child_process(
+        [&] {
+          numbers.use();
+          try {
+            return packed(import_here(file, bytes, extension, scale));
+          } catch (const InputError& error) {
+            return packed(error);
+          }
+        },
+        progress);
+  } catch (const std::system_error& none) {
+    throw InputError::in(file, std::string("no process can be had to read it in: ") + none.what());
+  }
+  if (end.signal != 0 || end.threw)
+    throw InputError::in(
+        file, "cannot be read: assimp " +
+                  (end.signal == 0 ? std::string("does not get to the end of it")
+                                   : "ends by signal " + std::to_string(end.signal) + " in it"));
+  PolygonSoup out = unpacked(file, end.output);
   // It leaves out what it takes for wrong, and goes on.
   if (faces && *faces != out.polygons.size())
     throw InputError::in(file, "of " + std::to_string(*faces) + " triangles " +

@@ -11,9 +11,10 @@
 
 namespace sonde {
 
-/// Reads a model by assimp, as its importer of that extension does, times `scale`. Nothing else is
-/// opened. `bytes` have been checked; `faces`: of all copies, where that is known. Throws
-/// InputError where assimp refuses or drops faces, nothing is in it, or Sonde was built without it.
+/// Reads a model by assimp, as its importer of that extension does, times `scale`: in a process of
+/// its own, which a bad file may end. Nothing else is opened. `faces`: of all copies, where that is
+/// known. Throws InputError where assimp refuses, ends, or drops faces, nothing is in the file, or
+/// Sonde was built without it.
 PolygonSoup import_model(const std::string& file, std::string_view bytes, const char* extension,
                          double scale, std::optional<std::uint64_t> faces,
                          const Progress& progress);

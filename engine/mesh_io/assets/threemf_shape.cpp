@@ -132,7 +132,17 @@ ThreeMfShape threemf_shape(const std::string& file, std::string_view bytes,
   if (!model)
     throw InputError::in(file, "the package has no part " + in_quotes(name) + ", its model");
   const std::string text = package.unpack(*model);
-  return ModelWalk(file + ": " + model->name).read(text, progress);
+  ThreeMfShape shape = ModelWalk(file + ": " + model->name).read(text, progress);
+  const std::string types =
+      "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/"
+      "content-types\"/>";
+  const std::string relations =
+      "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+      "<Relationship Target=\"/3D/3dmodel.model\" Id=\"model\" Type=\"http://schemas.microsoft.com/"
+      "3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
+  shape.bytes = zip_of(
+      {{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {"3D/3dmodel.model", text}});
+  return shape;
 }
 
 }  // namespace sonde

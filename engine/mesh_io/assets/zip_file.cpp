@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <new>
 
 #include "engine/base/error.hpp"
 #include "engine/mesh_io/assets/asset_readers.hpp"
@@ -17,6 +18,26 @@ constexpr std::size_t end_size = 22, entry_size = 46, local_header_size = 30;
 constexpr std::size_t longest_comment = 65535;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::uint64_t crc_of(std::string_view bytes) {
+  return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+
+/// Shorter than `size` where it does not unpack to that.
+std::string inflated(std::string_view packed, std::uint64_t size) {
+  std::string out(size, '\0');
+  z_stream stream{};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(size);
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
+  const int result = inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  if (result != Z_STREAM_END) out.clear();
+  out.resize(std::min<std::size_t>(out.size(), stream.total_out));
+  return out;
+}
 
 }  // namespace
 
@@ -38,7 +59,8 @@ ZipFile::ZipFile(const std::string& file, std::string_view bytes) : file_(file),
                       .packed = little_endian(bytes, at + 20, 4),
                       .unpacked = little_endian(bytes, at + 24, 4),
                       .header = little_endian(bytes, at + 42, 4),
-                      .method = static_cast<unsigned>(little_endian(bytes, at + 10, 2))});
+                      .method = static_cast<unsigned>(little_endian(bytes, at + 10, 2)),
+                      .sum = little_endian(bytes, at + 16, 4)});
     unpacked += parts_.back().unpacked;
     if (unpacked > most_unpacked)
       throw InputError::in(
@@ -65,20 +87,41 @@ std::string ZipFile::unpack(const Part& part) const {
                            little_endian(bytes_, part.header + 28, 2);
   if (at > bytes_.size() || bytes_.size() - at < part.packed) throw refuse("is cut off");
   const std::string_view packed = bytes_.substr(at, part.packed);
-  if (part.method == 0 && part.packed == part.unpacked) return std::string(packed);
-  if (part.method != 8) throw refuse("is packed in a way that is not read");
-  std::string out(part.unpacked, '\0');
-  z_stream stream{};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = static_cast<uInt>(packed.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
-  const int result = inflate(&stream, Z_FINISH);
-  inflateEnd(&stream);
-  if (result != Z_STREAM_END || stream.avail_out != 0)
-    throw refuse("does not unpack to the size that the directory declares");
+  // Deflate makes no more than 1032 bytes of one.
+  if (part.unpacked > 1032 * part.packed + 64) throw refuse("declares more than it can unpack to");
+  std::string out;
+  if (part.method == 8)
+    out = inflated(packed, part.unpacked);
+  else if (part.method == 0)
+    out = packed;
+  else
+    throw refuse("is packed in a way that is not read");
+  if (out.size() != part.unpacked || crc_of(out) != part.sum)
+    throw refuse("does not unpack to what the directory declares");
   return out;
+}
+
+std::string zip_of(const std::vector<std::pair<std::string, std::string_view>>& parts) {
+  std::string out, directory;
+  const auto number = [](std::uint64_t value, int size) {
+    std::string bytes;
+    for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> 8 * k));
+    return bytes;
+  };
+  constexpr int version = 10;  // of what is needed to read it
+  for (const auto& [name, content] : parts) {
+    // From the version on, as in both headers: flags, method and time are none.
+    const std::string common = number(version, 2) + number(0, 8) + number(crc_of(content), 4) +
+                               number(content.size(), 4) + number(content.size(), 4) +
+                               number(name.size(), 2) + number(0, 2);
+    directory.append("PK\1\2").append(number(version, 2)).append(common).append(number(0, 10));
+    directory.append(number(out.size(), 4)).append(name);
+    out.append("PK\3\4").append(common).append(name).append(content);
+  }
+  const std::size_t at = out.size();
+  out.append(directory).append("PK\5\6").append(number(0, 4));
+  out.append(number(parts.size(), 2)).append(number(parts.size(), 2));
+  return out.append(number(directory.size(), 4)).append(number(at, 4)).append(number(0, 2));
 }
 
 }  // namespace sonde

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sonde {
@@ -19,12 +20,13 @@ class ZipFile {
     std::string name;
     std::uint64_t packed = 0, unpacked = 0, header = 0;  ///< bytes; the header's place
     unsigned method = 0;                                 ///< 0: stored, 8: deflated
+    std::uint64_t sum = 0;                               ///< CRC-32 of what it unpacks to
   };
   const std::vector<Part>& parts() const { return parts_; }
   /// The part of that name, the case of letters aside, as packages of this kind have it; null:
   /// none.
   const Part* find(std::string_view name) const;
-  /// Throws InputError where it does not unpack to the size that the directory declares.
+  /// Throws InputError where it does not unpack to what the directory declares.
   std::string unpack(const Part& part) const;
 
  private:
@@ -32,5 +34,8 @@ class ZipFile {
   std::string_view bytes_;
   std::vector<Part> parts_;
 };
+
+/// A ZIP file of these parts, name and content, as they are.
+std::string zip_of(const std::vector<std::pair<std::string, std::string_view>>& parts);
 
 }  // namespace sonde

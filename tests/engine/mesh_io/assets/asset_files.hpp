@@ -98,10 +98,10 @@ inline std::string as_zip(const std::vector<std::pair<std::string, std::string>>
     }
     const uLong sum =
         crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
-    const std::string head = two(20) + two(0) + two(deflated ? 8 : 0) + four(0) + four(sum) +
+    const std::string head = two(10) + two(0) + two(deflated ? 8 : 0) + four(0) + four(sum) +
                              four(packed.size()) + four(text.size()) + two(name.size()) + two(0);
     directory +=
-        "PK\1\2" + two(20) + head + two(0) + two(0) + two(0) + four(0) + four(out.size()) + name;
+        "PK\1\2" + two(10) + head + two(0) + two(0) + two(0) + four(0) + four(out.size()) + name;
     out += "PK\3\4" + head + name + packed;
   }
   const std::size_t at = out.size();

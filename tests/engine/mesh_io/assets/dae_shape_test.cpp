@@ -31,6 +31,13 @@ TEST(DaeShape, faults) {
   EXPECT_TRUE(test::refusal_of("a.dae", cut).find("not well-formed XML") != std::string::npos);
 }
 
+// assimp 5.2 reads an array without a count as empty, and then from beyond its end.
+TEST(DaeShape, what_ends_the_library_is_refused) {
+  const std::string text = test::replaced(text_of(one), " count=\"12\">", " co5nt=\"12\">");
+  ASSERT_NE(text, text_of(one));
+  EXPECT_TRUE(test::refusal_of("a.dae", text).starts_with(": cannot be read: "));
+}
+
 TEST(DaeShape, other_files) {
   EXPECT_EQ(said_of("<node><instance_geometry url=\"other.dae#g\"/></node>"),
             ":5: the file names another file, \"other.dae#g\", which is not read");

@@ -34,6 +34,14 @@ TEST(ZipFile, parts_are_unpacked) {
   }
 }
 
+TEST(ZipFile, what_is_packed_is_unpacked) {
+  const std::string file = "a.zip", bytes = zip_of({{"A/b", "content"}, {"c", ""}});
+  const ZipFile zip(file, bytes);
+  ASSERT_EQ(zip.parts().size(), 2u);
+  EXPECT_EQ(zip.unpack(*zip.find("A/b")), "content");
+  EXPECT_EQ(bytes, test::as_zip({{"A/b", "content"}, {"c", ""}}, false));
+}
+
 TEST(ZipFile, faults) {
   const std::string good = test::as_zip({{"a", std::string(1000, 'x')}});
   EXPECT_EQ(why(good), "accepted");
@@ -44,8 +52,11 @@ TEST(ZipFile, faults) {
   std::string bad = good;
   bad[directory + 24] = 7;  // bytes unpacked: 1000 is 232 + 3 * 256
   EXPECT_EQ(why(bad),
-            "a.zip: byte 0: the part \"a\" does not unpack to the size that the "
+            "a.zip: byte 0: the part \"a\" does not unpack to what the "
             "directory declares");
+  bad = test::as_zip({{"a", "content"}}, false);
+  bad[bad.find("content")] = 'C';
+  EXPECT_NE(why(bad).find("does not unpack to what"), std::string::npos);
   bad = good;
   bad[directory + 10] = 12;
   EXPECT_EQ(why(bad), "a.zip: byte 0: the part \"a\" is packed in a way that is not read");
