@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <numeric>
-#include <unordered_map>
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
@@ -46,40 +46,89 @@ std::array<std::uint64_t, 3> edges_of(const Triangle& t) {
 /// Triangles that are there several times, not as often as the rest of their component: either
 /// walls and shells in their own right (between two bodies, of a part within another), at whose rim
 /// the rest closes without them; or repeated by accident, and then the rest is open along their
-/// rim, and closes with one of each. `corners(k)`: of all[k].
-template <class Corners>
-void keep_one_where_the_rest_is_open(std::vector<Same>& all, const Corners& corners) {
-  struct Rim {
-    std::uint32_t doubtful = 0, first = 0;  // triangles of these, and one of them
-    bool odd = false;                       // the others that stay
-  };
-  const auto is_doubtful = [](const Same& same) {
-    return same.end - same.begin >= 2 && same.wanted != 1;
-  };
-  if (std::ranges::none_of(all, is_doubtful)) return;
-  std::unordered_map<std::uint64_t, Rim> edges;
-  TurnedSets patches(all.size());
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    if (!is_doubtful(all[k])) continue;
-    for (const std::uint64_t edge : edges_of(corners(k))) {
-      Rim& rim = edges[edge];
-      if (rim.doubtful++ > 0)
-        patches.join(rim.first, k);
-      else
-        rim.first = k;
+/// rim, and closes with one of each. Each patch of such triangles is one or the other.
+class DoubtfulPatches {
+ public:
+  /// `corners(k)`: of all[k].
+  template <class Corners>
+  DoubtfulPatches(std::vector<Same>& all, const Corners& corners) : all_(all), sets_(all.size()) {
+    for (std::uint32_t k = 0; k < all.size(); ++k) {
+      if (!is_doubtful(all[k])) continue;
+      doubtful_.push_back(k);
+      for (const std::uint64_t edge : edges_of(corners(k))) edges_[edge].doubtful.push_back(k);
     }
+    if (doubtful_.empty()) return;
+    for (std::uint32_t k = 0; k < all.size(); ++k) {
+      if (is_doubtful(all[k])) continue;
+      for (const std::uint64_t edge : edges_of(corners(k)))
+        if (const auto found = edges_.find(edge); found != edges_.end()) {
+          ++found->second.others;
+          found->second.odd ^= all[k].wanted % 2 != 0;
+        }
+    }
+    // Where more meet, as a skin and a wall do, each is a patch of its own.
+    for (const auto& [key, edge] : edges_)
+      if (edge.doubtful.size() == 2 && edge.others == 0)
+        sets_.join(edge.doubtful[0], edge.doubtful[1]);
+    for (const auto& [key, edge] : edges_)
+      for (const std::uint32_t k : edge.doubtful) rims_[sets_.set_of(k)].push_back(&edge);
   }
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    if (all[k].wanted % 2 == 0 || is_doubtful(all[k])) continue;
-    for (const std::uint64_t edge : edges_of(corners(k)))
-      if (const auto rim = edges.find(edge); rim != edges.end()) rim->second.odd ^= true;
+
+  void settle() {
+    // At first: what faces one way is there by accident, what faces both is a wall.
+    for (const std::uint32_t k : doubtful_) once_[sets_.set_of(k)] |= all_[k].net != 0;
+    bool changed = !doubtful_.empty();
+    for (int round = 0; changed && round < most_rounds; ++round) {
+      changed = false;
+      for (const std::uint32_t k : doubtful_) {
+        const std::uint32_t patch = sets_.set_of(k);
+        if (patch != k) continue;
+        const int open = votes(patch);
+        if (open == 0 || (open > 0) == once_[patch]) continue;
+        once_[patch] = open > 0;
+        changed = true;
+      }
+    }
+    for (const std::uint32_t k : doubtful_)
+      if (once_[sets_.set_of(k)]) all_[k].wanted = 1, all_[k].once = true;
   }
-  std::vector<int> open(all.size(), 0);  // by patch: edges of the rim that need one, less others
-  for (const auto& [edge, rim] : edges)
-    if (rim.doubtful % 2 == 1) open[patches.set_of(rim.first)] += rim.odd ? 1 : -1;
-  for (std::uint32_t k = 0; k < all.size(); ++k)
-    if (is_doubtful(all[k]) && open[patches.set_of(k)] > 0) all[k].wanted = 1, all[k].once = true;
-}
+
+ private:
+  /// One patch may be settled by what its neighbours are settled to be.
+  static constexpr int most_rounds = 8;
+  struct Edge {
+    std::vector<std::uint32_t> doubtful;
+    int others = 0;    // triangles that are in no doubt,
+    bool odd = false;  // an odd number of which stay
+  };
+  static bool is_doubtful(const Same& same) {
+    return same.end - same.begin >= 2 && same.wanted != 1;
+  }
+
+  /// Edges of the rim along which the rest is open without the patch, less others.
+  int votes(std::uint32_t patch) {
+    int open = 0;
+    for (const Edge* edge : rims_[patch]) {
+      bool odd = edge->odd, own = false;
+      for (const std::uint32_t k : edge->doubtful) {
+        const std::uint32_t its = sets_.set_of(k);
+        if (its == patch)
+          own = !own;
+        else
+          odd ^= once_[its] || all_[k].wanted % 2 != 0;
+      }
+      if (own) open += odd ? 1 : -1;
+    }
+    return open;
+  }
+
+  std::vector<Same>& all_;
+  TurnedSets sets_;
+  std::vector<std::uint32_t> doubtful_;
+  std::map<std::uint64_t, Edge> edges_;
+  std::map<std::uint32_t, std::vector<const Edge*>> rims_;  // by patch, its lowest triangle
+  std::map<std::uint32_t, bool> once_;
+};
 
 }  // namespace
 
@@ -104,8 +153,8 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
   for (Same& same : all)
     if (const long shared = common[components.of[entries[same.begin].triangle]]; shared != 0)
       same.wanted = std::labs(same.net) / shared;
-  keep_one_where_the_rest_is_open(all,
-                                  [&](std::size_t k) { return entries[all[k].begin].corners; });
+  if (std::ranges::any_of(all, [](const Same& same) { return same.end - same.begin >= 2; }))
+    DoubtfulPatches(all, [&](std::size_t k) { return entries[all[k].begin].corners; }).settle();
   Distinct out;
   out.by.assign(soup.triangles.size(), Distinct::none);
   out.backs.assign(soup.triangles.size(), false);

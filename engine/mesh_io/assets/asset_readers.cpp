@@ -20,13 +20,13 @@ PolygonSoup with_remarks(PolygonSoup soup, const std::vector<std::string>& remar
 PolygonSoup read_gltf(const std::string& file, std::string_view bytes, const Progress& progress) {
   const GltfShape shape = gltf_shape(file, bytes);
   return with_remarks(import_model(file, shape.bytes, shape.binary ? "glb" : "gltf", 1,
-                                   shape.triangles, part_of(progress, 0.3, 1)),
+                                   3 * shape.triangles, part_of(progress, 0.3, 1)),
                       shape.remarks);
 }
 
 PolygonSoup read_3mf(const std::string& file, std::string_view bytes, const Progress& progress) {
   const ThreeMfShape shape = threemf_shape(file, bytes, part_of(progress, 0, 0.4));
-  return with_remarks(import_model(file, shape.bytes, "3mf", shape.metres, shape.triangles,
+  return with_remarks(import_model(file, shape.bytes, "3mf", shape.metres, 3 * shape.triangles,
                                    part_of(progress, 0.4, 1)),
                       shape.remarks);
 }
@@ -35,8 +35,9 @@ PolygonSoup read_dae(const std::string& file, std::string_view bytes, const Prog
   const DaeShape shape = dae_shape(file, bytes, part_of(progress, 0, 0.4));
   // The library multiplies by the unit, in single precision.
   const double rest = shape.metres / static_cast<double>(static_cast<float>(shape.metres));
-  return with_remarks(import_model(file, bytes, "dae", rest, {}, part_of(progress, 0.4, 1)),
-                      shape.remarks);
+  return with_remarks(
+      import_model(file, bytes, "dae", rest, shape.corners, part_of(progress, 0.4, 1)),
+      shape.remarks);
 }
 
 }  // namespace sonde

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/mesh_io/assets/dae_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -32,7 +34,7 @@ class DaeWalk {
         throw InputError::at_line(file_, line, "nothing in the file has the id " + in_quotes(id));
       copies_.place(parent, found->second);
     }
-    copies_.count(file_, inside_.front());
+    shape_.corners = static_cast<std::uint64_t>(copies_.count(file_, inside_.front()));
     if (skins_ > 0)
       shape_.remarks.push_back(counted(skins_, "skin") +
                                " not applied: meshes are as they were bound");
@@ -55,12 +57,46 @@ class DaeWalk {
       place(element, element.attribute("source"));
     }
     if (name == "spline" || name == "convex_mesh" || name == "brep") ++others_;
-    of_indices_ = name == "p" || name == "ph" || name == "h";
+    if (name == "ph") refuse(element, "polygons with holes are not read");
+    if (name == "input") stride_ = std::max(stride_, offset_of(element) + 1);
+    if (is_primitive(name)) primitive_ = name, stride_ = 0;
+    of_indices_ = name == "p";
+    if (of_indices_) words_ = 0, in_word_ = false;
+  }
+
+  [[noreturn]] void refuse(const XmlElement& element, const std::string& why) const {
+    throw InputError::at_line(file_, element.line, why);
+  }
+
+  static bool is_primitive(std::string_view name) {
+    static constexpr std::string_view all[] = {"triangles", "polylist",   "polygons", "tristrips",
+                                               "trifans",   "linestrips", "lines"};
+    return std::ranges::find(all, name) != std::end(all);
+  }
+
+  std::size_t offset_of(const XmlElement& element) const {
+    const std::string_view text = element.attribute("offset");
+    if (text.empty()) return 0;
+    const std::optional<double> value = parse_number(text);
+    if (!value || !(*value >= 0 && *value < 1000))
+      refuse(element, in_quotes(text) + " is no offset");
+    return static_cast<std::size_t>(*value);
   }
 
   void end(std::string_view name) {
     if (name == "node" || name == "geometry" || name == "controller") inside_.pop_back();
+    if (name == "p" && of_indices_) count_corners();
     of_indices_ = false;
+  }
+
+  /// Of the faces and lines of one list of indices.
+  void count_corners() {
+    const std::size_t n = words_ / std::max<std::size_t>(stride_, 1);
+    const auto of_strip = [n](std::size_t each) { return n < each ? 0 : each * (n - each + 1); };
+    const std::size_t corners = primitive_ == "tristrips" || primitive_ == "trifans" ? of_strip(3)
+                                : primitive_ == "linestrips"                         ? of_strip(2)
+                                                                                     : n;
+    copies_.add_corners(inside_.back(), static_cast<double>(corners));
   }
 
   /// A node is placed where it stands; what lies in a library, where it is named.
@@ -89,9 +125,15 @@ class DaeWalk {
     shape_.metres = *value;
   }
 
-  /// No more corners than this: a digit and a blank are one.
   void add_text(std::string_view text) {
-    if (of_indices_) copies_.add_corners(inside_.back(), static_cast<double>(text.size() + 1) / 2);
+    if (!of_indices_) return;
+    for (const char c : text) {
+      const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+      if (!blank && (c < '0' || c > '9'))
+        throw InputError::in(file_, "an index that is no count: it holds " + in_quotes({&c, 1}));
+      words_ += !blank && !in_word_;
+      in_word_ = !blank;
+    }
   }
 
   struct Placed {
@@ -106,6 +148,9 @@ class DaeWalk {
   std::map<std::string, std::size_t, std::less<>> objects_;
   std::vector<Placed> placed_;
   std::size_t skins_ = 0, others_ = 0;
+  std::string primitive_;
+  std::size_t stride_ = 0, words_ = 0;  ///< of the primitive; numbers in its list so far
+  bool in_word_ = false;
   bool of_indices_ = false, is_collada_ = false, has_unit_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,8 @@ namespace sonde {
 
 /// What is asked of a COLLADA file before a library reads it.
 struct DaeShape {
-  double metres = 1;  ///< its unit
+  double metres = 1;          ///< its unit
+  std::uint64_t corners = 0;  ///< of the faces and lines of all copies
   std::vector<std::string> remarks;
 };
 

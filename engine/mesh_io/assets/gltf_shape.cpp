@@ -424,7 +424,9 @@ GltfShape gltf_shape(const std::string& file, std::string_view bytes) {
   const Glb glb = binary ? chunks_of(file, bytes) : Glb{bytes, {}};
   ShapeReader reader(file, glb.text, glb.data.size(), binary);
   const std::string text = reader.read().dump();
-  return {binary ? glb_of(text, glb.data) : text, binary, reader.triangles(),
+  // The chunk of a GLB is for a buffer without data of its own.
+  const bool chunk = binary && !glb.data.empty();
+  return {chunk ? glb_of(text, glb.data) : text, chunk, reader.triangles(),
           std::move(reader.remarks)};
 }
 

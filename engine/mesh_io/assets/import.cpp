@@ -71,8 +71,12 @@ class Collector {
   Collector(const std::string& file, const aiScene& scene, double scale)
       : file_(file), scene_(scene), scale_(scale) {}
 
-  PolygonSoup collect() {
+  PolygonSoup collect(std::uint64_t corners) {
     add(*scene_.mRootNode, Placement::Identity());
+    // The library leaves out what it takes for wrong, and goes on.
+    if (corners != corners_)
+      throw InputError::in(file_, "of " + std::to_string(corners) + " corners of faces " +
+                                      std::to_string(corners_) + " can be read");
     if (out_.polygons.empty()) throw InputError::in(file_, "the file places no mesh with faces");
     if (thin_ > 0)
       out_.remarks.push_back(std::to_string(thin_) +
@@ -105,6 +109,7 @@ class Collector {
     }
     for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
       const aiFace& face = mesh.mFaces[k];
+      corners_ += face.mNumIndices;
       if (face.mNumIndices < 3) {
         ++thin_;
         continue;
@@ -126,11 +131,12 @@ class Collector {
   double scale_;
   PolygonSoup out_;
   std::size_t thin_ = 0;
+  std::uint64_t corners_ = 0;  // of faces and lines
 };
 
 /// What the library makes of it; a word of its own where it refuses.
 PolygonSoup import_here(const std::string& file, std::string_view bytes, const char* extension,
-                        double scale) {
+                        double scale, std::uint64_t corners) {
   Assimp::Importer importer;
   keep_importers(importer, extension);
   importer.SetIOHandler(new NoFiles);  // the importer's from now on
@@ -140,14 +146,13 @@ PolygonSoup import_here(const std::string& file, std::string_view bytes, const c
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension);
   if (!scene || !scene->mRootNode)
     throw InputError::in(file, "cannot be read: " + printable(importer.GetErrorString()));
-  return Collector(file, *scene, scale).collect();
+  return Collector(file, *scene, scale).collect(corners);
 }
 
 }  // namespace
 
 PolygonSoup import_model(const std::string& file, std::string_view bytes, const char* extension,
-                         double scale, std::optional<std::uint64_t> faces,
-                         const Progress& progress) {
+                         double scale, std::uint64_t corners, const Progress& progress) {
   const ClassicNumbers numbers;
   ChildEnd end;
   try {
@@ -155,7 +160,7 @@ PolygonSoup import_model(const std::string& file, std::string_view bytes, const 
         [&] {
           numbers.use();
           try {
-            return packed(import_here(file, bytes, extension, scale));
+            return packed(import_here(file, bytes, extension, scale, corners));
           } catch (const InputError& error) {
             return packed(error);
           }
@@ -170,11 +175,6 @@ PolygonSoup import_model(const std::string& file, std::string_view bytes, const 
                   (end.signal == 0 ? std::string("does not get to the end of it")
                                    : "ends by signal " + std::to_string(end.signal) + " in it"));
   PolygonSoup out = unpacked(file, end.output);
-  // It leaves out what it takes for wrong, and goes on.
-  if (faces && *faces != out.polygons.size())
-    throw InputError::in(file, "of " + std::to_string(*faces) + " triangles " +
-                                   std::to_string(out.polygons.size()) +
-                                   " can be read: others name corners that are not there");
   report(progress, 1);
   return out;
 }
@@ -186,7 +186,7 @@ PolygonSoup import_model(const std::string& file, std::string_view bytes, const 
 namespace sonde {
 
 PolygonSoup import_model(const std::string& file, std::string_view, const char*, double,
-                         std::optional<std::uint64_t>, const Progress&) {
+                         std::uint64_t, const Progress&) {
   throw InputError::in(file, "this Sonde was built without assimp, which reads files of this kind");
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,11 +11,10 @@
 namespace sonde {
 
 /// Reads a model by assimp, as its importer of that extension does, times `scale`: in a process of
-/// its own, which a bad file may end. Nothing else is opened. `faces`: of all copies, where that is
-/// known. Throws InputError where assimp refuses, ends, or drops faces, nothing is in the file, or
-/// Sonde was built without it.
+/// its own, which a bad file may end. Nothing else is opened. `corners`: of the faces and lines of
+/// all copies. Throws InputError where assimp refuses, ends, or makes others of it, nothing is in
+/// the file, or Sonde was built without it.
 PolygonSoup import_model(const std::string& file, std::string_view bytes, const char* extension,
-                         double scale, std::optional<std::uint64_t> faces,
-                         const Progress& progress);
+                         double scale, std::uint64_t corners, const Progress& progress);
 
 }  // namespace sonde

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <functional>
 #include <map>
 
@@ -11,6 +12,7 @@
 #include "engine/mesh_io/assets/xml_walk.hpp"
 #include "engine/mesh_io/assets/zip_file.hpp"
 #include "engine/text/json_checks.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde {
 namespace {
@@ -64,18 +66,51 @@ class ModelWalk {
   void begin(const XmlElement& element) {
     if (element.name == "model") return begin_model(element);
     if (element.name == "object") {
+      vertices_ = 0;
       current_ = copies_.add(0);
       objects_.emplace(element.attribute("id"), current_);
     } else if (element.name == "component") {
       place(element, current_);
     } else if (element.name == "item") {
       place(element, build_);
+    } else if (element.name == "vertex") {
+      for (const char* name : {"x", "y", "z"}) need_number(element, element.attribute(name));
+      ++vertices_;
     } else if (element.name == "triangle") {
+      for (const char* name : {"v1", "v2", "v3"}) need_vertex(element, element.attribute(name));
       copies_.add_corners(current_, 3);
     } else if (element.name == "beamlattice") {
       shape_.remarks.push_back("line " + std::to_string(element.line) +
                                ": a lattice of beams is not read");
     }
+  }
+
+  [[noreturn]] void refuse(const XmlElement& element, const std::string& why) const {
+    throw InputError::at_line(name_, element.line, why);
+  }
+  void need_number(const XmlElement& element, std::string_view text) const {
+    if (!parse_number(text)) refuse(element, in_quotes(text) + " is not a number");
+  }
+  /// The vertices of a mesh come before its triangles.
+  void need_vertex(const XmlElement& element, std::string_view text) const {
+    std::uint64_t index = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+    if (error != std::errc() || end != text.data() + text.size() || index >= vertices_)
+      refuse(element,
+             in_quotes(text) + " is none of the " + std::to_string(vertices_) + " vertices");
+  }
+  void check_transform(const XmlElement& element) const {
+    std::string_view text = element.attribute("transform");
+    if (text.empty()) return;
+    int count = 0;
+    constexpr std::string_view blanks = " \t\r\n";
+    for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != text.npos; ++count) {
+      const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+      need_number(element, text.substr(at, end - at));
+      at = end;
+    }
+    if (count != 12)
+      refuse(element, "a transform of " + std::to_string(count) + " numbers, not 12");
   }
 
   void begin_model(const XmlElement& element) {
@@ -106,6 +141,7 @@ class ModelWalk {
                                 "an object in another part of the package, " +
                                     in_quotes(element.attribute("path")) +
                                     ", is not read: export it as one model");
+    check_transform(element);
     placed_.push_back({parent, std::string(element.attribute("objectid")), element.line});
   }
 
@@ -118,6 +154,7 @@ class ModelWalk {
   ThreeMfShape shape_;
   Copies copies_;
   std::size_t build_, current_ = build_;
+  std::uint64_t vertices_ = 0;  ///< of the mesh so far
   std::map<std::string, std::size_t, std::less<>> objects_;
   std::vector<Placed> placed_;
 };

@@ -78,7 +78,9 @@ void on_entity(void* user, const char*, int, const char*, int, const char*, cons
 
 std::string_view XmlElement::attribute(std::string_view wanted) const {
   for (const char** it = attributes; *it; it += 2)
-    if (wanted == *it || wanted == without_prefix(*it)) return it[1];
+    if (wanted == *it) return it[1];
+  for (const char** it = attributes; *it; it += 2)
+    if (wanted == without_prefix(*it)) return it[1];
   return {};
 }
 

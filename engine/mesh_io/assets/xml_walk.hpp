@@ -16,7 +16,7 @@ struct XmlElement {
   const char** attributes;  ///< names and values in turn, a null at the end
   std::size_t line;
 
-  /// Empty where there is none. `name` is as it is written, or without its prefix.
+  /// Empty where there is none. `name` is as it is written; where none is, without its prefix.
   std::string_view attribute(std::string_view name) const;
 };
 

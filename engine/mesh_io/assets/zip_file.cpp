@@ -15,9 +15,29 @@ namespace {
 
 // APPNOTE.TXT of the format: 4.3.7 local header, 4.3.12 directory, 4.3.16 its end.
 constexpr std::size_t end_size = 22, entry_size = 46, local_header_size = 30;
+constexpr std::size_t locator_size = 20, end64_size = 56;  // 4.3.15, 4.3.14
 constexpr std::size_t longest_comment = 65535;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// What does not fit into 32 bits stands in an extra field, in this order (4.5.3).
+void read_large_numbers(std::string_view bytes, std::uint64_t at, std::uint64_t size,
+                        ZipFile::Part& part) {
+  constexpr std::uint64_t elsewhere = 0xffffffff, id = 1;
+  if (at > bytes.size() || bytes.size() - at < size) return;
+  for (const std::uint64_t end = at + size; end - at >= 4;) {
+    const std::uint64_t its = little_endian(bytes, at + 2, 2), begin = at + 4;
+    if (end - begin < its) return;
+    std::uint64_t next = begin;
+    if (little_endian(bytes, at, 2) == id)
+      for (std::uint64_t* number : {&part.unpacked, &part.packed, &part.header})
+        if (*number == elsewhere && begin + its - next >= 8) {
+          *number = little_endian(bytes, next, 8);
+          next += 8;
+        }
+    at = begin + its;
+  }
+}
 
 std::uint64_t crc_of(std::string_view bytes) {
   return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
@@ -47,8 +67,15 @@ ZipFile::ZipFile(const std::string& file, std::string_view bytes) : file_(file),
   if (end == bytes.npos || bytes.size() - end < end_size ||
       bytes.size() - end > end_size + longest_comment)
     throw InputError::in(file, "not a ZIP file, or cut off: it has no directory");
-  const std::uint64_t count = little_endian(bytes, end + 10, 2);
-  std::uint64_t at = little_endian(bytes, end + 16, 4), unpacked = 0;
+  std::uint64_t count = little_endian(bytes, end + 10, 2), at = little_endian(bytes, end + 16, 4);
+  if (end >= locator_size && bytes.substr(end - locator_size, 4) == "PK\6\7"sv) {
+    const std::uint64_t end64 = little_endian(bytes, end - locator_size + 8, 8);
+    if (end64 > bytes.size() || bytes.size() - end64 < end64_size)
+      throw InputError::in(file, "the directory of the ZIP file is cut off");
+    count = little_endian(bytes, end64 + 32, 8);
+    at = little_endian(bytes, end64 + 48, 8);
+  }
+  std::uint64_t unpacked = 0;
   for (std::uint64_t k = 0; k < count; ++k) {
     if (at > bytes.size() || bytes.size() - at < entry_size || bytes.substr(at, 4) != "PK\1\2"sv)
       throw InputError::at_byte(file, at, "the directory of the ZIP file is damaged");
@@ -61,6 +88,9 @@ ZipFile::ZipFile(const std::string& file, std::string_view bytes) : file_(file),
                       .header = little_endian(bytes, at + 42, 4),
                       .method = static_cast<unsigned>(little_endian(bytes, at + 10, 2)),
                       .sum = little_endian(bytes, at + 16, 4)});
+    read_large_numbers(bytes, at + entry_size + name, little_endian(bytes, at + 30, 2),
+                       parts_.back());
+    if (parts_.back().unpacked > most_unpacked) unpacked = most_unpacked;
     unpacked += parts_.back().unpacked;
     if (unpacked > most_unpacked)
       throw InputError::in(
@@ -88,7 +118,7 @@ std::string ZipFile::unpack(const Part& part) const {
   if (at > bytes_.size() || bytes_.size() - at < part.packed) throw refuse("is cut off");
   const std::string_view packed = bytes_.substr(at, part.packed);
   // Deflate makes no more than 1032 bytes of one.
-  if (part.unpacked > 1032 * part.packed + 64) throw refuse("declares more than it can unpack to");
+  if (part.unpacked / 1032 > part.packed + 1) throw refuse("declares more than it can unpack to");
   std::string out;
   if (part.method == 8)
     out = inflated(packed, part.unpacked);

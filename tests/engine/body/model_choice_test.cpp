@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <random>
+#include <utility>
 
 #include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
@@ -120,6 +123,70 @@ TEST(ModelChoice, triangles_repeated_by_accident_count_once) {
         expect_same_mass(*body, *whole, 1e-12);
         EXPECT_EQ(surface(*body).triangles.size(), surface(*whole).triangles.size());
         EXPECT_EQ(body->repairs.repeated, which.size());
+        EXPECT_EQ(body->repairs.caps, 0u);
+      }
+  }
+}
+
+/// Blocks of unit cells from x = 0 to 2 and from 2 to 4, 3 cells wide and high, that share a wall;
+/// no corner is where it should be, so that nothing is flat. And the number of triangles of the
+/// first.
+std::pair<PolygonSoup, std::size_t> blocks_with_a_wall(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  PolygonSoup out;
+  const auto point = [](int x, int y, int z) {
+    return static_cast<std::size_t>((x * 4 + y) * 4 + z);
+  };
+  for (int x = 0; x <= 4; ++x)
+    for (int y = 0; y <= 3; ++y)
+      for (int z = 0; z <= 3; ++z)
+        out.points.push_back(Vec3(x, y, z) + 0.2 * Vec3(test::uniform(random, -1, 1),
+                                                        test::uniform(random, -1, 1),
+                                                        test::uniform(random, -1, 1)));
+  const auto side = [&out](std::size_t a, std::size_t b, std::size_t c, std::size_t d,
+                           bool turned) {
+    const std::vector<Polygon> both{{a, b, c}, {a, c, d}};
+    for (Polygon t : both) {
+      if (turned) std::swap(t[1], t[2]);
+      out.polygons.push_back(std::move(t));
+    }
+  };
+  std::size_t first = 0;
+  for (const int low : {0, 2}) {
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        for (const int x : {low, low + 2})
+          side(point(x, i, k), point(x, i + 1, k), point(x, i + 1, k + 1), point(x, i, k + 1),
+               x == low);
+    for (int x = low; x < low + 2; ++x)
+      for (int i = 0; i < 3; ++i)
+        for (const int end : {0, 3}) {
+          side(point(x, end, i), point(x, end, i + 1), point(x + 1, end, i + 1),
+               point(x + 1, end, i), end == 0);
+          side(point(x, i, end), point(x + 1, i, end), point(x + 1, i + 1, end),
+               point(x, i + 1, end), end == 0);
+        }
+    if (low == 0) first = out.polygons.size();
+  }
+  return {out, first};
+}
+
+// At the rim of a wall between two bodies three skins meet: each is settled by itself.
+TEST(ModelChoice, skin_repeated_beside_a_wall_leaves_the_wall_alone) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto [blocks, first] = blocks_with_a_wall(seed);
+    const auto whole = test::body(blocks);
+    ASSERT_TRUE(whole->solid);
+    std::mt19937_64 random(seed);
+    for (const bool turned : {false, true})
+      for (const std::size_t count : {1, 4, 9, 30}) {
+        // Of the first block's long sides, which come after its two ends.
+        std::vector<std::size_t> which;
+        for (std::size_t i = 36; i < first; ++i) which.push_back(i);
+        std::ranges::shuffle(which, random);
+        which.resize(count);
+        const auto body = test::body(test::repeated(blocks, which, turned));
+        expect_same_mass(*body, *whole, 1e-12);
         EXPECT_EQ(body->repairs.caps, 0u);
       }
   }

@@ -99,6 +99,10 @@ TEST(Gltf, copies_are_placed_and_mirrored) {
     const PolygonSoup want = placed(shape, {stretched, stretched * mirrored, as_it_is});
     expect_same_place(test::read_bytes_as("a.glb", test::as_glb(file)), want);
     expect_same_place(test::read_bytes_as("a.gltf", test::as_gltf(file)), want);
+    test::GltfFile inside = file;
+    inside.tree = nlohmann::json::parse(test::as_gltf(file));
+    inside.data.clear();
+    expect_same_place(test::read_bytes_as("a.glb", test::as_glb(inside)), want);
   }
 }
 

@@ -26,6 +26,8 @@ TEST(DaeShape, faults) {
   EXPECT_EQ(said_of(one, "<unit meter=\"inch\"/>"), ":3: \"inch\" is no unit in metres");
   EXPECT_EQ(said_of("<node><instance_geometry url=\"#h\"/></node>"),
             ":5: nothing in the file has the id \"h\"");
+  EXPECT_EQ(test::refusal_of("a.dae", test::replaced(text_of(one), "<p>0 ", "<p>-1 ")),
+            ": an index that is no count: it holds \"-\"");
   EXPECT_EQ(said_of("<node/>"), ": the file places no mesh with faces");
   const std::string cut = text_of(one).substr(0, 700);
   EXPECT_TRUE(test::refusal_of("a.dae", cut).find("not well-formed XML") != std::string::npos);

@@ -67,7 +67,7 @@ TEST(GltfShape, lies) {
   test::GltfFile file = tetrahedron();
   file.data[48] = 9;  // a corner of the first triangle: there are four
   EXPECT_EQ(test::refusal_of("a.glb", test::as_glb(file)),
-            ": of 4 triangles 3 can be read: others name corners that are not there");
+            ": of 12 corners of faces 9 can be read");
 }
 
 TEST(GltfShape, other_files) {

@@ -46,12 +46,22 @@ TEST(ThreeMfShape, model) {
   EXPECT_TRUE(said_of("", "<object", "").starts_with(": 3D/part.model:3: not well-formed XML: "));
 }
 
-TEST(ThreeMfShape, a_face_of_no_corner) {
-  for (const char* corner : {"4", "-1", "4000000000", "x"}) {
-    const std::string bad = test::replaced(part, "v1=\"0\"", std::string("v1=\"") + corner + "\"");
-    EXPECT_EQ(said_of("", bad, "<item objectid=\"1\"/>").starts_with(": "), corner[0] != 'x')
-        << corner;
-  }
+TEST(ThreeMfShape, numbers) {
+  const auto said = [](const std::string& from, const std::string& to) {
+    const std::string bad = test::replaced(part, from, to);
+    EXPECT_NE(bad, part);
+    return said_of("", bad, "<item objectid=\"1\"/>");
+  };
+  for (const char* corner : {"4", "-1", "4000000000", "4294967296", "x", "", "1.5"})
+    EXPECT_EQ(said("v1=\"0\"", std::string("v1=\"") + corner + "\""),
+              ": 3D/part.model:3: \"" + std::string(corner) + "\" is none of the 4 vertices");
+  for (const char* number : {"1,5", "abc", ""})
+    EXPECT_EQ(said("x=\"5\" y=\"-5\"", std::string("x=\"") + number + "\" y=\"0\""),
+              ": 3D/part.model:3: \"" + std::string(number) + "\" is not a number");
+  EXPECT_EQ(said_of("", part, "<item objectid=\"1\" transform=\"1 0 0 0 1 0\"/>"),
+            ": 3D/part.model:4: a transform of 6 numbers, not 12");
+  EXPECT_EQ(said_of("x:unit=\"yard\" unit=\"inch\" xmlns:x=\"x\"", part, "<item objectid=\"1\"/>"),
+            "accepted");
 }
 
 TEST(ThreeMfShape, bombs) {
