@@ -135,7 +135,7 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string_view>>& 
   std::string out, directory;
   const auto number = [](std::uint64_t value, int size) {
     std::string bytes;
-    for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> 8 * k));
+    for (; size > 0; --size, value >>= 8) bytes.push_back(static_cast<char>(value));
     return bytes;
   };
   constexpr int version = 10;  // of what is needed to read it
