@@ -7,8 +7,12 @@
 #include <locale.h>
 
 #include <Eigen/Geometry>
+#include <cstdlib>
+#include <stdexcept>
 
 #include "engine/geometry/mass.hpp"
+#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/mesh_io/assets/packed_soup.hpp"
 #include "tests/engine/mesh_io/assets/asset_files.hpp"
 #include "tests/engine/mesh_io/mesh_checks.hpp"
 #include "tests/support/locales.hpp"
@@ -220,27 +224,33 @@ TEST(Assets, a_scale_comes_on_top_of_the_unit) {
   expect_same_place(read_mesh(file, 3), want);
 }
 
+/// A file read where decimals have a comma: in another process, whose locale is its own.
+PolygonSoup read_in_german(const std::filesystem::path& locales, const std::string& name,
+                           const std::string& bytes) {
+  const ChildEnd end = in_child_process(
+      [&] {
+        ::setenv("LOCPATH", locales.c_str(), 1);
+        const locale_t german = ::newlocale(LC_ALL_MASK, "de_DE.UTF-8", nullptr);
+        if (!german || ::uselocale(german) == nullptr) throw std::runtime_error("no such locale");
+        return packed(test::read_bytes_as(name, bytes));
+      },
+      {});
+  EXPECT_FALSE(end.threw);
+  return unpacked(name, end.output);
+}
+
 TEST(Assets, numbers_have_a_point_in_any_locale) {
   const test::TempFolder folder;
-  ASSERT_EQ(::setenv("LOCPATH", test::make_locale(folder, "de_DE").c_str(), 1), 0);
-  const locale_t german = ::newlocale(LC_ALL_MASK, "de_DE.UTF-8", nullptr);
-  ASSERT_NE(german, nullptr);
-  const locale_t before = ::uselocale(german);
-  const PolygonSoup shape = shapes()[0];
-  const PolygonSoup dae = test::read_bytes_as(
-      "a.dae",
-      test::as_dae(shape, "<unit meter=\"0.5\"/>", "Z_UP",
-                   "<node><scale>0.5 0.5 0.5</scale><instance_geometry url=\"#g\"/></node>"));
-  const PolygonSoup threemf = test::read_bytes_as(
-      "a.3mf", test::as_3mf(test::xml_3mf("unit=\"meter\"", test::object_3mf(shape, "1"),
-                                          "<item objectid=\"1\"/>")));
-  ::uselocale(before);
-  ::freelocale(german);
-  ::unsetenv("LOCPATH");
-  PolygonSoup want = shape;
-  expect_same_place(threemf, want);
+  const auto locales = test::make_locale(folder, "de_DE");
+  PolygonSoup want = shapes()[0];
+  const std::string threemf = test::as_3mf(
+      test::xml_3mf("unit=\"meter\"", test::object_3mf(want, "1"), "<item objectid=\"1\"/>"));
+  expect_same_place(read_in_german(locales, "a.3mf", threemf), want);
+  const std::string dae =
+      test::as_dae(want, "<unit meter=\"0.5\"/>", "Z_UP",
+                   "<node><scale>0.5 0.5 0.5</scale><instance_geometry url=\"#g\"/></node>");
   for (Vec3& x : want.points) x *= 0.25;
-  expect_same_place(dae, want);
+  expect_same_place(read_in_german(locales, "a.dae", dae), want);
 }
 
 TEST(Assets, a_reader_is_cancelled) {
