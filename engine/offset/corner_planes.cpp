@@ -50,8 +50,8 @@ void CornerPlanes::find_planes(const Progress& progress) {
   for (const auto& [fan, triangle] : fans_.beside) faces_[next[fan]++] = triangle;
 }
 
-std::vector<HalfSpace> CornerPlanes::planes_of(std::uint32_t fan) const {
-  std::vector<HalfSpace> planes;  // the normals weighted by the area, until the end
+std::vector<HalfSpace3> CornerPlanes::planes_of(std::uint32_t fan) const {
+  std::vector<HalfSpace3> planes;  // the normals weighted by the area, until the end
   for_faces(fan, [&](std::uint32_t t) {
     const std::size_t from = planes.size() > most_compared ? planes.size() - most_compared : 0;
     for (std::size_t i = from; i < planes.size(); ++i) {
@@ -62,14 +62,14 @@ std::vector<HalfSpace> CornerPlanes::planes_of(std::uint32_t fan) const {
     }
     planes.push_back({area_[t] * normal_[t], way_});
   });
-  for (HalfSpace& plane : planes) plane.normal = sign_ * plane.normal.normalized();
+  for (HalfSpace3& plane : planes) plane.normal = sign_ * plane.normal.normalized();
   return planes;
 }
 
 Vec3 CornerPlanes::way_of(std::uint32_t fan) const {
-  const std::vector<HalfSpace> planes = planes_of(fan);
+  const std::vector<HalfSpace3> planes = planes_of(fan);
   const Vec3 common = nearest_to_planes(planes);
-  const bool on_all = std::ranges::all_of(planes, [&](const HalfSpace& plane) {
+  const bool on_all = std::ranges::all_of(planes, [&](const HalfSpace3& plane) {
     return std::abs(plane.normal.dot(common) - way_) <= on_planes * way_;
   });
   if (on_all && planes.size() < 3) return limited(common);

@@ -47,7 +47,7 @@ class CornerPlanes {
   }
 
   /// The half-spaces that the corner of a fan has to go into, from its vertex.
-  std::vector<HalfSpace> planes_of(std::uint32_t fan) const;
+  std::vector<HalfSpace3> planes_of(std::uint32_t fan) const;
   /// The way of the corner of a fan, m. On all its planes where they have a point in common, else
   /// the shortest way into all its half-spaces; of a saddle that has none, along the mean normal.
   Vec3 way_of(std::uint32_t fan) const;

@@ -31,7 +31,7 @@ std::vector<std::size_t> scattered(std::size_t n) {
 /// is on its plane (Seidel's linear programming, 1991, for a distance). Expected time linear.
 class Nearest {
  public:
-  Nearest(const std::vector<HalfSpace>& spaces, const Vec3& from, double rounding)
+  Nearest(const std::vector<HalfSpace3>& spaces, const Vec3& from, double rounding)
       : spaces_(spaces), order_(scattered(spaces.size())), from_(from), rounding_(rounding) {}
 
   std::optional<Vec3> find() const {
@@ -46,7 +46,7 @@ class Nearest {
   }
 
  private:
-  const HalfSpace& at(std::size_t i) const { return spaces_[order_[i]]; }
+  const HalfSpace3& at(std::size_t i) const { return spaces_[order_[i]]; }
   double missed_by(std::size_t i, const Vec3& x) const { return at(i).least - at(i).normal.dot(x); }
 
   /// Of the half-spaces before i, on the plane of i.
@@ -98,7 +98,7 @@ class Nearest {
     return x + std::clamp(0.0, low, high) * direction;
   }
 
-  const std::vector<HalfSpace>& spaces_;
+  const std::vector<HalfSpace3>& spaces_;
   std::vector<std::size_t> order_;
   Vec3 from_;
   double rounding_;
@@ -106,16 +106,16 @@ class Nearest {
 
 }  // namespace
 
-std::optional<Vec3> nearest_in(const std::vector<HalfSpace>& spaces, const Vec3& from,
+std::optional<Vec3> nearest_in(const std::vector<HalfSpace3>& spaces, const Vec3& from,
                                double rounding) {
   if (spaces.empty()) return from;
   return Nearest(spaces, from, rounding).find();
 }
 
-Vec3 nearest_to_planes(const std::vector<HalfSpace>& spaces) {
+Vec3 nearest_to_planes(const std::vector<HalfSpace3>& spaces) {
   Mat3 squares = Mat3::Zero();
   Vec3 sums = Vec3::Zero();
-  for (const HalfSpace& space : spaces) {
+  for (const HalfSpace3& space : spaces) {
     squares += space.normal * space.normal.transpose();
     sums += space.least * space.normal;
   }

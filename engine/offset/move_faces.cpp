@@ -200,12 +200,12 @@ class Mover {
   std::optional<Vec3> place_of(const std::vector<std::uint32_t>& members) {
     Vec3 mean = Vec3::Zero();
     for (const std::uint32_t fan : members) mean += at(fans_.vertex[fan]) / double(members.size());
-    std::vector<HalfSpace> spaces;
+    std::vector<HalfSpace3> spaces;
     double size = way_;
     for (const std::uint32_t fan : members) {
       const Vec3 from = at(fans_.vertex[fan]) - mean;
       size = std::max(size, from.norm());
-      for (const HalfSpace& plane : planes_.planes_of(fan))
+      for (const HalfSpace3& plane : planes_.planes_of(fan))
         spaces.push_back({plane.normal, plane.least + plane.normal.dot(from)});
       const auto [begin, end] = over_.equal_range(fan);
       for (auto face = begin; face != end; ++face) {

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-double most_missed(const std::vector<HalfSpace>& spaces, const Vec3& x) {
+double most_missed(const std::vector<HalfSpace3>& spaces, const Vec3& x) {
   double most = 0;
-  for (const HalfSpace& s : spaces) most = std::max(most, s.least - s.normal.dot(x));
+  for (const HalfSpace3& s : spaces) most = std::max(most, s.least - s.normal.dot(x));
   return most;
 }
 
 /// Brute force: the nearest of all points that one, two or three of the planes determine.
-std::optional<Vec3> nearest_of_all(const std::vector<HalfSpace>& spaces, const Vec3& from) {
+std::optional<Vec3> nearest_of_all(const std::vector<HalfSpace3>& spaces, const Vec3& from) {
   std::optional<Vec3> best;
   const auto offer = [&](const Vec3& x) {
     if (!x.allFinite() || most_missed(spaces, x) > 1e-9) return;
@@ -50,7 +50,7 @@ TEST(HalfSpaces, the_nearest_point_is_that_of_brute_force) {
   std::mt19937_64 random(1);
   int without = 0;
   for (int round = 0; round < 3000; ++round) {
-    std::vector<HalfSpace> spaces;
+    std::vector<HalfSpace3> spaces;
     const int n = 1 + round % 12;
     for (int i = 0; i < n; ++i)
       spaces.push_back(
@@ -69,7 +69,7 @@ TEST(HalfSpaces, the_nearest_point_is_that_of_brute_force) {
 
 TEST(HalfSpaces, planes_of_a_cone_meet_in_its_tip) {
   for (const int sides : {3, 17, 64, 1000}) {
-    std::vector<HalfSpace> spaces;
+    std::vector<HalfSpace3> spaces;
     const double slope = 0.3;
     for (int i = 0; i < sides; ++i) {
       const double a = test::two_pi * i / sides;
@@ -86,7 +86,7 @@ TEST(HalfSpaces, planes_of_a_cone_meet_in_its_tip) {
 }
 
 TEST(HalfSpaces, opposite_ones_that_leave_nothing_have_no_point) {
-  std::vector<HalfSpace> spaces{{Vec3::UnitX(), 1}, {-Vec3::UnitX(), -0.5}};
+  std::vector<HalfSpace3> spaces{{Vec3::UnitX(), 1}, {-Vec3::UnitX(), -0.5}};
   EXPECT_FALSE(nearest_in(spaces, Vec3::Zero(), rounding));
   spaces[1].least = -1;
   ASSERT_TRUE(nearest_in(spaces, Vec3::Zero(), rounding));
@@ -96,8 +96,8 @@ TEST(HalfSpaces, opposite_ones_that_leave_nothing_have_no_point) {
 
 TEST(HalfSpaces, two_planes_meet_nearest_in_the_plane_of_their_normals) {
   for (const double angle : {0.1, 1.0, 2.0, 3.0}) {
-    const std::vector<HalfSpace> spaces{{Vec3::UnitX(), 1},
-                                        {Vec3(std::cos(angle), std::sin(angle), 0), 1}};
+    const std::vector<HalfSpace3> spaces{{Vec3::UnitX(), 1},
+                                         {Vec3(std::cos(angle), std::sin(angle), 0), 1}};
     const Vec3 expected = Vec3(std::cos(angle / 2), std::sin(angle / 2), 0) / std::cos(angle / 2);
     EXPECT_LT((nearest_to_planes(spaces) - expected).norm(), 1e-12 * expected.norm());
   }
