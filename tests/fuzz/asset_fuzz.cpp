@@ -3,6 +3,7 @@
 #include "engine/mesh_io/assets/asset_readers.hpp"
 #include "tests/engine/mesh_io/assets/asset_files.hpp"
 #include "tests/fuzz/fuzz.hpp"
+#include "tests/fuzz/soup_checks.hpp"
 
 namespace {
 
@@ -22,21 +23,12 @@ PolygonSoup read(std::uint8_t format, std::string_view bytes) {
   }
 }
 
-void check(const PolygonSoup& soup) {
-  for (const Polygon& polygon : soup.polygons) {
-    require(polygon.size() >= 3, "a polygon has corners");
-    for (const std::size_t i : polygon) require(i < soup.points.size(), "an index is in range");
-  }
-  for (const Vec3& x : soup.points) require(x.allFinite(), "a coordinate is finite");
-  require(!soup.polygons.empty(), "a mesh that is read has polygons");
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    check(read(data[0], fuzz::text_of(data + 1, size - 1)));
+    fuzz::require_sound(read(data[0], fuzz::text_of(data + 1, size - 1)));
   } catch (const InputError& error) {
     require(std::string_view(error.what()).find('\n') == std::string_view::npos,
             "a message is one line");

@@ -22,21 +22,6 @@ constexpr double see_through = 0.6;  // opacity on what is translucent itself, o
 constexpr int seam_shade = 260;      // QColor's: 200 is half as bright
 constexpr float seam_width = 2;      // pixels
 
-vtkSmartPointer<vtkActor> seam_actor(vtkRenderer& renderer, vtkPolyData& lines) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&lines);
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -8);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  const QColor colour = colour::cap.darker(seam_shade);
-  actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-  actor->GetProperty()->LightingOff();
-  actor->VisibilityOff();
-  renderer.AddActor(actor);
-  return actor;
-}
-
 }  // namespace
 
 CapView::Drawn CapView::drawn_of(vtkRenderer& renderer, const CapSurface& caps, bool solid) {
@@ -48,7 +33,8 @@ CapView::Drawn CapView::drawn_of(vtkRenderer& renderer, const CapSurface& caps, 
   // The body has the same triangles there: these come before them, and the lines before these.
   drawn.faces->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
   drawn.faces->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
-  drawn.seams = seam_actor(renderer, drawn.there ? *caps.seams : *none);
+  drawn.seams =
+      lines_on_body(renderer, drawn.there ? *caps.seams : *none, colour::cap.darker(seam_shade));
   return drawn;
 }
 

@@ -17,28 +17,12 @@ namespace {
 
 constexpr float hole_width = 2, flipped_width = 5;
 
-vtkSmartPointer<vtkActor> lines_actor(vtkRenderer& renderer, vtkPolyData* lines,
-                                      const QColor& colour) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(lines);
-  // They lie on the body: it hides those behind it, and not those in front.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -8);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-  actor->GetProperty()->LightingOff();
-  actor->VisibilityOff();
-  renderer.AddActor(actor);
-  return actor;
-}
-
 }  // namespace
 
 DefectView::DefectView(vtkRenderer& renderer, const DrawnBodies& drawn) : renderer_(&renderer) {
   const auto both = [&](const DefectLines& lines) {
-    return std::array{lines_actor(renderer, lines.holes, colour::hole),
-                      lines_actor(renderer, lines.flipped, colour::flipped)};
+    return std::array{lines_on_body(renderer, *lines.holes, colour::hole),
+                      lines_on_body(renderer, *lines.flipped, colour::flipped)};
   };
   probe_ = both(drawn.probe_defects);
   fixed_ = both(drawn.fixed_defects);

@@ -85,6 +85,21 @@ Vec3 any_normal(const Vec3& axis) {
   return axis.cross(other).normalized();
 }
 
+vtkSmartPointer<vtkActor> lines_on_body(vtkRenderer& renderer, vtkPolyData& lines,
+                                        const QColor& colour) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&lines);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -8);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+  actor->GetProperty()->LightingOff();
+  actor->VisibilityOff();
+  renderer.AddActor(actor);
+  return actor;
+}
+
 GlyphShapes::GlyphShapes() {
   vtkNew<vtkCylinderSource> shaft;
   shaft->SetRadius(1);

@@ -19,6 +19,10 @@ namespace sonde::ui {
 /// Moves an actor to the pose.
 void place(vtkActor& actor, const Pose& pose);
 
+/// Lines on a body, hidden at first: the body hides those behind it, and not those in front.
+vtkSmartPointer<vtkActor> lines_on_body(vtkRenderer& renderer, vtkPolyData& lines,
+                                        const QColor& colour);
+
 /// The shapes of glyphs, of unit size. Each has one mapper that all actors share.
 class GlyphShapes {
  public:

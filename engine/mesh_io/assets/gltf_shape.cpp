@@ -9,7 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/mesh_io/assets/copies.hpp"
-#include "engine/mesh_io/assets/little_endian.hpp"
+#include "engine/mesh_io/assets/glb.hpp"
 #include "engine/text/counted.hpp"
 #include "engine/text/json_checks.hpp"
 #include "engine/text/located_json.hpp"
@@ -21,72 +21,12 @@ using nlohmann::json;
 using Kind = JsonNode::Kind;
 using namespace std::string_view_literals;
 
-constexpr std::size_t glb_header_size = 12, chunk_header_size = 8;
 constexpr double largest_count = 1e15;  // whole, as a double
-constexpr std::string_view draco = "KHR_draco_mesh_compression";
-/// Extensions that a file may require: of the first Sonde reads what bears on the shape, the others
-/// bear on looks alone.
-constexpr std::array known_extensions = {draco,
-                                         "KHR_materials_unlit"sv,
-                                         "KHR_texture_transform"sv,
-                                         "KHR_texture_basisu"sv,
-                                         "EXT_texture_webp"sv,
-                                         "KHR_lights_punctual"sv,
-                                         "KHR_materials_pbrSpecularGlossiness"sv,
-                                         "KHR_materials_variants"sv};
-
-struct Glb {
-  std::string_view text;
-  std::string_view data;
-};
-
-/// The two chunks of a GLB; others may follow and are passed over.
-Glb chunks_of(const std::string& file, std::string_view bytes) {
-  if (bytes.size() < glb_header_size)
-    throw InputError::in(file, "the file is cut off in its header");
-  if (little_endian(bytes, 4, 4) != 2)
-    throw InputError::at_byte(
-        file, 4, "version " + std::to_string(little_endian(bytes, 4, 4)) + " of GLB: 2 is read");
-  if (little_endian(bytes, 8, 4) != bytes.size())
-    throw InputError::at_byte(file, 8,
-                              "the header declares " + std::to_string(little_endian(bytes, 8, 4)) +
-                                  " bytes, but the file has " + std::to_string(bytes.size()));
-  Glb glb;
-  std::size_t at = glb_header_size;
-  for (int k = 0; at < bytes.size(); ++k) {
-    if (bytes.size() - at < chunk_header_size ||
-        bytes.size() - at - chunk_header_size < little_endian(bytes, at, 4))
-      throw InputError::at_byte(file, at, "a chunk is cut off");
-    const std::string_view chunk =
-        bytes.substr(at + chunk_header_size, little_endian(bytes, at, 4));
-    const std::string_view type = bytes.substr(at + 4, 4);
-    if (k == 0 && type != "JSON")
-      throw InputError::at_byte(file, at, "the first chunk is not JSON");
-    if (k == 0) glb.text = chunk;
-    if (k == 1 && type == "BIN\0"sv) glb.data = chunk;
-    at += chunk_header_size + chunk.size();
-  }
-  if (glb.text.empty()) throw InputError::in(file, "the file has no JSON chunk");
-  return glb;
-}
-
-std::string glb_of(const std::string& text, std::string_view data) {
-  std::string out;
-  const auto add_number = [&](std::size_t value) {
-    for (int k = 0; k < 4; ++k) out.push_back(static_cast<char>(value >> 8 * k));
-  };
-  const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
-  out.append("glTF");
-  add_number(2);
-  add_number(glb_header_size + 2 * chunk_header_size + padded(text.size()) + padded(data.size()));
-  const auto add_chunk = [&](std::string_view bytes, std::string_view type, char filler) {
-    add_number(padded(bytes.size()));
-    out.append(type).append(bytes).append(padded(bytes.size()) - bytes.size(), filler);
-  };
-  add_chunk(text, "JSON", ' ');
-  add_chunk(data, "BIN\0"sv, '\0');
-  return out;
-}
+/// Extensions that a file may require: they bear on looks alone.
+constexpr std::array known_extensions = {
+    "KHR_materials_unlit"sv,   "KHR_texture_transform"sv, "KHR_texture_basisu"sv,
+    "EXT_texture_webp"sv,      "KHR_lights_punctual"sv,   "KHR_materials_pbrSpecularGlossiness"sv,
+    "KHR_materials_variants"sv};
 
 class ShapeReader {
  public:
@@ -165,7 +105,6 @@ class ShapeReader {
         refuse(name,
                "the file requires the extension " + in_quotes(name.text) + ", which is not read");
     for (const JsonNode& name : elements(root_, "extensionsUsed", Kind::string)) {
-      if (name.text == draco) out_["extensionsUsed"] = {draco};
       if (name.text == "EXT_mesh_gpu_instancing")
         refuse(name, "the file places copies by EXT_mesh_gpu_instancing, which is not read");
     }
@@ -232,19 +171,18 @@ class ShapeReader {
 
   /// A view with room for so many elements of so many bytes.
   std::size_t room(const JsonNode& of, std::uint64_t begin, std::uint64_t count,
-                   std::uint64_t bytes, bool may_stride) const {
+                   std::uint64_t bytes) const {
     const std::size_t view = index(of, "bufferView", views_.size(), "view");
-    const std::uint64_t stride =
-        may_stride && views_[view].stride != 0 ? views_[view].stride : bytes;
+    const std::uint64_t stride = views_[view].stride != 0 ? views_[view].stride : bytes;
     if (begin > views_[view].size || bytes > views_[view].size - begin ||
-        (count - 1) > (views_[view].size - begin - bytes) / std::max<std::uint64_t>(stride, 1))
+        (count - 1) > (views_[view].size - begin - bytes) / stride)
       refuse(of, std::to_string(count) + " elements are declared, and their data are shorter");
     return view;
   }
 
   struct Accessor {
     std::uint64_t count = 0, component = 0;
-    bool vector = false, has_data = false;
+    bool vector = false;
   };
 
   void read_accessors() {
@@ -269,24 +207,13 @@ class ShapeReader {
                    {"componentType", accessor.component},
                    {"type", found->first},
                    {"byteOffset", begin}};
-      if (node.find("bufferView")) {
-        kept["bufferView"] = room(node, begin, accessor.count, bytes * found->second, true);
-        accessor.has_data = true;
-      }
+      // Those of compressed data have none, and no view is an array of zeros of any length.
+      if (!node.find("bufferView")) refuse(node, "an accessor without data");
+      kept["bufferView"] = room(node, begin, accessor.count, bytes * found->second);
       if (node.find("sparse")) refuse(*node.find("sparse"), "sparse data are not read");
       accessors_.push_back(accessor);
       out_["accessors"].push_back(std::move(kept));
     }
-  }
-
-  /// The draco data of a primitive, where it has some.
-  json compressed(const JsonNode& primitive) const {
-    const JsonNode* extensions = primitive.find("extensions");
-    const JsonNode* packed = extensions ? extensions->find(draco) : nullptr;
-    if (!packed) return {};
-    const JsonNode& attributes = need_key(file_, *packed, "attributes", "the file");
-    return {{"bufferView", index(*packed, "bufferView", views_.size(), "view")},
-            {"attributes", {{"POSITION", needed(attributes, "POSITION")}}}};
   }
 
   /// Its corners.
@@ -295,11 +222,6 @@ class ShapeReader {
     expect_kind(file_, attributes, Kind::object);
     if (!attributes.find("POSITION")) return 0;
     const std::size_t points = index(attributes, "POSITION", accessors_.size(), "accessor");
-    const json packed = compressed(primitive);
-    const auto check = [&](const JsonNode& node, const Accessor& accessor) {
-      if (!accessor.has_data && packed.is_null()) refuse(node, "an accessor without data");
-    };
-    check(primitive, accessors_[points]);
     if (!accessors_[points].vector || accessors_[points].component != 5126)
       refuse(primitive, "positions that are not three floats are not read");
     kept["attributes"]["POSITION"] = points;
@@ -314,13 +236,11 @@ class ShapeReader {
     if (primitive.find("indices")) {
       const std::size_t indices = index(primitive, "indices", accessors_.size(), "accessor");
       const Accessor& accessor = accessors_[indices];
-      check(primitive, accessor);
       if (accessor.component != 5121 && accessor.component != 5123 && accessor.component != 5125)
         refuse(primitive, "indices that are no counts");
       kept["indices"] = indices;
       corners = accessor.count;
     }
-    if (!packed.is_null()) kept["extensions"][draco] = packed;
     // Each corner of a strip or a fan but the first two makes a triangle.
     return 3 * (mode == 4 ? corners / 3 : corners - std::min<std::uint64_t>(corners, 2));
   }

@@ -285,6 +285,11 @@ struct Agreement {
   int poses = 0, unconverged = 0, same = 0, nearly = 0;
 };
 
+/// The way out that the search with its first seed misses by 21 % here and finds in both other
+/// worlds (seeds 2 and 3 find it): a fault of the search, which depths_test counts. The rest is
+/// held to what it was.
+constexpr std::string_view missed = "comb-comb/10 linked";
+
 /// Searches at rows of the reference depths, and again in another world. Rows of a pair follow one
 /// another.
 Agreement compare(const std::vector<reference::Row>& rows, World world) {
@@ -309,6 +314,10 @@ Agreement compare(const std::vector<reference::Row>& rows, World world) {
       continue;
     }
     const double change = there.depth / here.depth - 1;
+    if (reference::name(row) == missed) {
+      EXPECT_LT(change, -0.1) << "is found now: count it as the others";
+      continue;
+    }
     ++out.poses, out.same += std::abs(change) <= 0.003, out.nearly += std::abs(change) <= 0.01;
     if (std::abs(change) > 0.003)
       std::printf("  %s: %+.2f %%\n", reference::name(row).c_str(), 100 * change);
@@ -334,8 +343,7 @@ TEST(Invariance, converged_depths_of_a_sample_hardly_depend_on_the_world) {
   for (const World world : {World::moved, World::mirrored}) {
     const Agreement a = compare(sample(16), world);
     EXPECT_GE(a.poses, 14);
-    // Where 3.6 % differ (below), three of 16 do in one sample of fifty-four.
-    EXPECT_GE(a.same, a.poses - 2);
+    EXPECT_GE(a.same, a.poses - 1);
   }
 }
 
@@ -348,7 +356,7 @@ TEST(Invariance, Full_converged_depths_hardly_depend_on_the_world) {
   for (const World world : {World::moved, World::mirrored}) {
     const Agreement a = compare(rows, world);
     EXPECT_GE(a.poses, static_cast<int>(rows.size() * 9 / 10));
-    EXPECT_GE(a.same, a.poses * 96 / 100);
+    EXPECT_GE(a.same, a.poses * 97 / 100);
     EXPECT_GE(a.nearly, a.poses * 98 / 100);
   }
 }
