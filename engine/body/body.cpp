@@ -145,8 +145,8 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
                repair, name, part_of(progress, 0.05, 1));
 }
 
-std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
-                                         const Progress& progress) {
+std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup caps,
+                                         const FaceOffset& offset, const Progress& progress) {
   auto body = std::make_shared<Body>();
   body->name = nominal.name;
   body->solid = nominal.solid;
@@ -160,6 +160,7 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const F
   body->mass = nominal.mass;
   body->offset = offset;
   body->soup = std::move(soup);
+  body->caps = std::move(caps);
   check_size(body->soup, body->name);
   body->mass.radius = radius_about(body->soup, body->mass.com);
   grow_tree(*body, {}, part_of(progress, 0, 0.8));
@@ -173,6 +174,7 @@ std::size_t bytes(const Body& body) {
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +
          capacity_bytes(body.facets.vertices) + capacity_bytes(body.facets.triangles) +
          capacity_bytes(body.caps.vertices) + capacity_bytes(body.caps.triangles) +
+         capacity_bytes(body.joined.vertices) + capacity_bytes(body.joined.triangles) +
          capacity_bytes(body.places.places) + capacity_bytes(body.component_triangle) +
          body.loose.capacity() / 8 + bytes(body.tree) + (body.outline ? bytes(*body.outline) : 0);
 }

@@ -36,6 +36,9 @@ struct Body {
   /// A ray may slip through between triangles whose corners are joined by name alone: windings are
   /// then counted along whole lines, where that shows.
   bool cracked = false;
+  /// Where cracked: the same surface with one corner where several are joined, and sides cut where
+  /// corners lie on them, for what moves its faces.
+  Soup joined;
   Soup caps;  ///< the triangles that close openings, a copy of those in `soup`, to be shown
   std::size_t degenerate = 0;  ///< triangles set aside for having no area
   Topology topology;           ///< with the degenerate triangles
@@ -82,9 +85,10 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
 
 /// The same body with a surface that is elsewhere by `offset`: name, model and mass stay, R is that
 /// of the surface. The soup is as that of a body: one vertex for each place, no degenerate
-/// triangle. Throws InputError where it leaves the range of make_body.
-std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, const FaceOffset& offset,
-                                         const Progress& progress = {});
+/// triangle. `caps`: those of its triangles that close openings. Throws InputError where it leaves
+/// the range of make_body.
+std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup caps,
+                                         const FaceOffset& offset, const Progress& progress = {});
 
 /// The memory that a body takes, in bytes: itself and all that it owns.
 std::size_t bytes(const Body& body);

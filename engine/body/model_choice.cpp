@@ -168,6 +168,7 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
       mass_by_volume(sound ? body.soup : mended.solid.soup, part_of(progress, 0.95, 1));
   if (!take_mass(body, by_area, sum, region)) body.why = "closed but flat (no volume)";
   body.cracked = mended.cracked;
+  if (body.cracked) body.joined = compacted(std::move(mended.solid.soup));
   body.turned = body.repairs.turned_parts > 0 && body.repairs.turned_parts == body.repairs.parts;
   if (std::ranges::count(kinds, TriangleKind::loose) == 0) kinds.clear();
   return kinds;

@@ -9,6 +9,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/mending/opposed_shells.hpp"
 #include "engine/mending/turned_sets.hpp"
 
 namespace sonde {
@@ -20,14 +21,6 @@ struct Entry {
   bool even;  // orientation
 };
 
-/// Entries of the same three corners.
-struct Same {
-  std::size_t begin, end;
-  long net;           // even ones less the others
-  long wanted = 1;    // how many stay
-  bool once = false;  // one stays, whatever the net
-};
-
 Entry entry_of(const Soup& soup, std::size_t i) {
   Triangle t = soup.triangles[i];
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -36,31 +29,22 @@ Entry entry_of(const Soup& soup, std::size_t i) {
   return {t, static_cast<std::uint32_t>(i), even};
 }
 
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-std::array<std::uint64_t, 3> edges_of(const Triangle& t) {
-  return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
-}
-
 /// Triangles that are there several times, not as often as the rest of their component: either
 /// walls and shells in their own right (between two bodies, of a part within another), at whose rim
 /// the rest closes without them; or repeated by accident, and then the rest is open along their
 /// rim, and closes with one of each. Each patch of such triangles is one or the other.
 class DoubtfulPatches {
  public:
-  /// `corners(k)`: of all[k].
-  template <class Corners>
-  DoubtfulPatches(std::vector<Same>& all, const Corners& corners) : all_(all), sets_(all.size()) {
+  explicit DoubtfulPatches(std::vector<SameTriangles>& all) : all_(all), sets_(all.size()) {
     for (std::uint32_t k = 0; k < all.size(); ++k) {
       if (!is_doubtful(all[k])) continue;
       doubtful_.push_back(k);
-      for (const std::uint64_t edge : edges_of(corners(k))) edges_[edge].doubtful.push_back(k);
+      for (const std::uint64_t edge : edge_keys(all[k].corners)) edges_[edge].doubtful.push_back(k);
     }
     if (doubtful_.empty()) return;
     for (std::uint32_t k = 0; k < all.size(); ++k) {
       if (is_doubtful(all[k])) continue;
-      for (const std::uint64_t edge : edges_of(corners(k)))
+      for (const std::uint64_t edge : edge_keys(all[k].corners))
         if (const auto found = edges_.find(edge); found != edges_.end()) {
           ++found->second.others;
           found->second.odd ^= all[k].wanted % 2 != 0;
@@ -76,7 +60,7 @@ class DoubtfulPatches {
 
   void settle() {
     // At first: what faces one way is there by accident, what faces both is a wall.
-    for (const std::uint32_t k : doubtful_) once_[sets_.set_of(k)] |= all_[k].net != 0;
+    for (const std::uint32_t k : doubtful_) once_[sets_.set_of(k)] |= all_[k].net() != 0;
     bool changed = !doubtful_.empty();
     for (int round = 0; changed && round < most_rounds; ++round) {
       changed = false;
@@ -101,8 +85,8 @@ class DoubtfulPatches {
     int others = 0;    // triangles that are in no doubt,
     bool odd = false;  // an odd number of which stay
   };
-  static bool is_doubtful(const Same& same) {
-    return same.end - same.begin >= 2 && same.wanted != 1;
+  static bool is_doubtful(const SameTriangles& same) {
+    return same.size() >= 2 && same.wanted != 1 && !same.settled;
   }
 
   /// Edges of the rim along which the rest is open without the patch, less others.
@@ -122,7 +106,7 @@ class DoubtfulPatches {
     return open;
   }
 
-  std::vector<Same>& all_;
+  std::vector<SameTriangles>& all_;
   TurnedSets sets_;
   std::vector<std::uint32_t> doubtful_;
   std::map<std::uint64_t, Edge> edges_;
@@ -140,28 +124,33 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
     return x.corners != y.corners ? x.corners < y.corners : x.triangle < y.triangle;
   });
   const Components components = find_components(soup, part_of(progress, 0.5, 0.7));
-  std::vector<Same> all;
+  std::vector<SameTriangles> all;
   std::vector<long> common(components.count, 0);
   for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
-    long net = 0;
-    for (j = i; j < entries.size() && entries[j].corners == entries[i].corners; ++j)
-      net += entries[j].even ? 1 : -1;
-    all.push_back({.begin = i, .end = j, .net = net});
-    long& shared = common[components.of[entries[i].triangle]];
-    shared = std::gcd(shared, net);
+    SameTriangles same{.corners = entries[i].corners,
+                       .component = components.of[entries[i].triangle],
+                       .begin = i,
+                       .end = i};
+    for (j = i; j < entries.size() && entries[j].corners == same.corners; ++j)
+      ++(entries[j].even ? same.evens : same.odds);
+    same.end = j;
+    long& shared = common[same.component];
+    shared = std::gcd(shared, same.net());
+    all.push_back(same);
   }
-  for (Same& same : all)
-    if (const long shared = common[components.of[entries[same.begin].triangle]]; shared != 0)
-      same.wanted = std::labs(same.net) / shared;
-  if (std::ranges::any_of(all, [](const Same& same) { return same.end - same.begin >= 2; }))
-    DoubtfulPatches(all, [&](std::size_t k) { return entries[all[k].begin].corners; }).settle();
+  for (SameTriangles& same : all)
+    if (const long shared = common[same.component]; shared != 0)
+      same.wanted = std::labs(same.net()) / shared;
+  if (std::ranges::any_of(all, [](const SameTriangles& same) { return same.size() >= 2; })) {
+    settle_opposed_shells(soup.vertices, all, part_of(progress, 0.7, 0.9));
+    DoubtfulPatches(all).settle();
+  }
   Distinct out;
   out.by.assign(soup.triangles.size(), Distinct::none);
   out.backs.assign(soup.triangles.size(), false);
-  for (const Same& same : all) {
-    const std::uint32_t first = entries[same.begin].triangle;
-    const bool whole = common[components.of[first]] == 0;  // each against another one
-    const bool even = same.net == 0 ? entries[same.begin].even : same.net > 0;
+  for (const SameTriangles& same : all) {
+    const bool whole = common[same.component] == 0 && same.wanted > 0;  // each against another one
+    const bool even = same.net() == 0 ? entries[same.begin].even : same.net() > 0;
     long wanted = same.wanted;
     std::uint32_t last = Distinct::none;
     for (std::size_t k = same.begin; k < same.end; ++k) {

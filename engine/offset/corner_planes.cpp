@@ -19,17 +19,18 @@ constexpr double too_far = 4;
 
 }  // namespace
 
-CornerPlanes::CornerPlanes(const Soup& soup, const Fans& fans, double by, const Progress& progress)
+CornerPlanes::CornerPlanes(const Soup& soup, const Fans& fans, double by, double rounding,
+                           const Progress& progress)
     : soup_(soup), fans_(fans), way_(std::abs(by)), sign_(by < 0 ? -1 : 1) {
-  find_planes(progress);
+  find_planes(rounding, progress);
 }
 
-void CornerPlanes::find_planes(const Progress& progress) {
-  const double floor = file_rounding(soup_);
+void CornerPlanes::find_planes(double rounding, const Progress& progress) {
   const std::size_t n = soup_.triangles.size();
   normal_.resize(n);
   area_.resize(n);
   has_say_.resize(n);
+  tilt_.resize(n);
   first_.assign(fans_.count() + 1, 0);
   for_each_index(n, progress, [&](std::size_t t) {
     const Vec3 v = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
@@ -38,7 +39,8 @@ void CornerPlanes::find_planes(const Progress& progress) {
       longest = std::max(longest, (corner(t, (k + 1) % 3) - corner(t, k)).norm());
     area_[t] = v.norm();
     normal_[t] = v / area_[t];
-    has_say_[t] = area_[t] > floor * longest;
+    has_say_[t] = area_[t] > rounding * longest;
+    tilt_[t] = std::max(one_plane, rounding * longest / area_[t]);
     for (const std::uint32_t fan : fans_.of[t]) ++first_[fan + 1];
   });
   for (const auto& [fan, triangle] : fans_.beside) ++first_[fan + 1];
@@ -52,16 +54,22 @@ void CornerPlanes::find_planes(const Progress& progress) {
 
 std::vector<HalfSpace3> CornerPlanes::planes_of(std::uint32_t fan) const {
   std::vector<HalfSpace3> planes;  // the normals weighted by the area, until the end
-  for_faces(fan, [&](std::uint32_t t) {
+  std::vector<std::uint32_t> faces;
+  for_faces(fan, [&](std::uint32_t t) { faces.push_back(t); });
+  // Those first that tell their planes best.
+  std::ranges::stable_sort(faces, {}, [&](std::uint32_t t) { return tilt_[t]; });
+  for (const std::uint32_t t : faces) {
     const std::size_t from = planes.size() > most_compared ? planes.size() - most_compared : 0;
-    for (std::size_t i = from; i < planes.size(); ++i) {
-      if ((planes[i].normal.normalized() - normal_[t]).squaredNorm() > one_plane * one_plane)
-        continue;
-      planes[i].normal += area_[t] * normal_[t];
-      return;
-    }
-    planes.push_back({area_[t] * normal_[t], way_});
-  });
+    const auto same = std::find_if(
+        planes.begin() + static_cast<std::ptrdiff_t>(from), planes.end(),
+        [&](const HalfSpace3& plane) {
+          return (plane.normal.normalized() - normal_[t]).squaredNorm() <= tilt_[t] * tilt_[t];
+        });
+    if (same != planes.end())
+      same->normal += area_[t] * normal_[t];
+    else
+      planes.push_back({area_[t] * normal_[t], way_});
+  }
   for (HalfSpace3& plane : planes) plane.normal = sign_ * plane.normal.normalized();
   return planes;
 }

@@ -23,14 +23,18 @@ constexpr double most_inward_way = 1e3;
 /// Where the corners of a solid go when its faces move by a length.
 class CornerPlanes {
  public:
-  /// Of a soup, which stays, its fans, and a length by which faces move outwards (m).
-  CornerPlanes(const Soup& soup, const Fans& fans, double by, const Progress& progress = {});
+  /// Of a soup, which stays, its fans, a length by which faces move outwards, and what its
+  /// coordinates may be off by (m).
+  CornerPlanes(const Soup& soup, const Fans& fans, double by, double rounding,
+               const Progress& progress = {});
 
   double way() const { return way_; }                           ///< |by|
   double sign() const { return sign_; }                         ///< of `by`
   const std::vector<Vec3>& normals() const { return normal_; }  ///< of triangles, unit, outwards
   /// Of triangles: not so flat that rounding decides which way they look.
   const std::vector<char>& have_say() const { return has_say_; }
+  /// Of triangles: the angle (rad) that normals of one plane differ by there, by rounding.
+  const std::vector<double>& tilts() const { return tilt_; }
 
   /// Calls each(triangle) for those of a fan that have a say, or for all where none has.
   template <class Each>
@@ -56,7 +60,7 @@ class CornerPlanes {
   const Vec3& corner(std::size_t t, std::size_t k) const {
     return soup_.vertices[soup_.triangles[t][k]];
   }
-  void find_planes(const Progress& progress);
+  void find_planes(double rounding, const Progress& progress);
   Vec3 limited(const Vec3& way) const;
   Vec3 mean_normal(std::uint32_t fan) const;
 
@@ -65,8 +69,9 @@ class CornerPlanes {
   double way_;
   double sign_;
   std::vector<Vec3> normal_;
-  std::vector<double> area_;        // twice
-  std::vector<char> has_say_;       // of a triangle
+  std::vector<double> area_;   // twice
+  std::vector<char> has_say_;  // of a triangle
+  std::vector<double> tilt_;
   std::vector<std::size_t> first_;  // of each fan in faces_
   std::vector<std::uint32_t> faces_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "engine/body/region.hpp"
 
@@ -49,7 +50,7 @@ double area(const std::vector<std::array<double, 2>>& x, std::uint32_t a, std::u
 }  // namespace
 
 FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
-                         const std::vector<char>& has_say, double angle)
+                         const std::vector<char>& has_say, const std::vector<double>& tilts)
     : neighbours_(neighbours_of(fans)), of_(fans.of.size(), none) {
   std::uint32_t count = 0;
   const auto flood = [&](std::uint32_t seed) {
@@ -61,7 +62,8 @@ FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
       if (!has_say[t]) continue;
       for (const std::uint32_t next : neighbours_[t]) {
         if (next == none || of_[next] != none) continue;
-        if (has_say[next] && (normals[next] - normals[seed]).squaredNorm() > angle * angle)
+        if (has_say[next] &&
+            (normals[next] - normals[seed]).squaredNorm() > tilts[next] * tilts[next])
           continue;
         of_[next] = count;
         triangles_.push_back(next);
@@ -69,9 +71,14 @@ FlatRegions::FlatRegions(const Fans& fans, const std::vector<Vec3>& normals,
     }
     ++count;
   };
-  for (const bool with_say : {true, false})
-    for (std::uint32_t t = 0; t < of_.size(); ++t)
-      if (of_[t] == none && bool(has_say[t]) == with_say) flood(t);
+  std::vector<std::uint32_t> seeds(of_.size());
+  std::iota(seeds.begin(), seeds.end(), 0U);
+  // Those first that tell their planes best.
+  std::ranges::stable_sort(seeds, {}, [&](std::uint32_t t) {
+    return has_say[t] ? tilts[t] : std::numeric_limits<double>::infinity();
+  });
+  for (const std::uint32_t t : seeds)
+    if (of_[t] == none) flood(t);
   first_.push_back(std::uint32_t(triangles_.size()));
 }
 

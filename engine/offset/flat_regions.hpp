@@ -15,10 +15,10 @@ namespace sonde {
 /// The flat parts of a surface: a flat face is its outline, however it is cut into triangles.
 class FlatRegions {
  public:
-  /// Triangles that hang together at sides and whose normals (of unit length) are within `angle`
-  /// (rad) of that of one of them. Those that have no say join any neighbour.
+  /// Triangles that hang together at sides and whose normals (of unit length) are within their
+  /// tilts (rad) of that of one of them. Those that have no say join any neighbour.
   FlatRegions(const Fans& fans, const std::vector<Vec3>& normals, const std::vector<char>& has_say,
-              double angle);
+              const std::vector<double>& tilts);
 
   std::uint32_t of(std::uint32_t triangle) const { return of_[triangle]; }
   /// The triangle on the other side of a side of a triangle; none where there is not just one.

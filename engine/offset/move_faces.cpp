@@ -20,10 +20,10 @@ constexpr int most_rounds = 64;
 /// Places of corners.
 class Mover {
  public:
-  Mover(const Soup& soup, const Fans& fans, double by, const Progress& progress)
+  Mover(const Soup& soup, const Fans& fans, double by, double rounding, const Progress& progress)
       : soup_(soup),
         fans_(fans),
-        planes_(soup, fans, by, progress),
+        planes_(soup, fans, by, rounding, progress),
         way_(planes_.way()),
         sign_(planes_.sign()),
         normal_(planes_.normals()),
@@ -76,7 +76,7 @@ class Mover {
     std::vector<std::uint32_t> over;
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
       if (has_say_[t] && !is_gone(t, groups_) && is_turned_over(t)) over.push_back(t);
-    if (!over.empty() && !regions_) regions_.emplace(fans_, normal_, has_say_, one_plane);
+    if (!over.empty() && !regions_) regions_.emplace(fans_, normal_, has_say_, planes_.tilts());
     return over;
   }
 
@@ -221,15 +221,18 @@ class Mover {
 
   /// What could not be done.
   void measure() {
-    constexpr double rounding = 1e-4;  // of planes that are one to 1e-5 rad, and a long way
+    constexpr double rounding = 10;  // times the tilt of planes that are one: and a long way
     for (std::uint32_t fan = 0; fan < fans_.count(); ++fan) {
       const Vec3 way = place_[groups_.of(fan)] - at(fans_.vertex[fan]);
       out_.offset.furthest = std::max(out_.offset.furthest, way.norm());
-      double least = way_;
-      planes_.for_faces(
-          fan, [&](std::uint32_t t) { least = std::min(least, sign_ * normal_[t].dot(way)); });
       const double exact = 1e-15 * at(fans_.vertex[fan]).cwiseAbs().maxCoeff();
-      if (least >= way_ * (1 - rounding) - exact) continue;
+      double least = way_;
+      planes_.for_faces(fan, [&](std::uint32_t t) {
+        const double along = sign_ * normal_[t].dot(way);
+        if (along < way_ * (1 - rounding * planes_.tilts()[t]) - exact)
+          least = std::min(least, along);
+      });
+      if (least == way_) continue;
       ++out_.offset.held_back;
       out_.offset.least = std::min(out_.offset.least, least);
     }
@@ -288,8 +291,9 @@ class Mover {
 
 }  // namespace
 
-MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, const Progress& progress) {
-  return Mover(soup, fans, by, part_of(progress, 0, 0.2)).run(part_of(progress, 0.2, 1));
+MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, double rounding,
+                      const Progress& progress) {
+  return Mover(soup, fans, by, rounding, part_of(progress, 0, 0.2)).run(part_of(progress, 0.2, 1));
 }
 
 }  // namespace sonde

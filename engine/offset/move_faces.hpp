@@ -26,7 +26,9 @@ struct MovedFaces {
 /// a fan goes to where all its planes are (one, two, three independent ones, the tip of a cone);
 /// where they have no such point, to the nearest one that is far enough from all of them. Where a
 /// triangle is smaller than what its corners move, these become one corner of all faces round it.
-/// The fans are those of the soup. Deterministic. Throws Cancelled.
-MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, const Progress& progress = {});
+/// The fans are those of the soup, whose
+/// coordinates may be off by `rounding` (m). Deterministic. Throws Cancelled.
+MovedFaces move_faces(const Soup& soup, const Fans& fans, double by, double rounding,
+                      const Progress& progress = {});
 
 }  // namespace sonde

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -43,12 +44,6 @@ void check(const Body& body, double by) {
     throw InputError::in(body.name, what + " needs a solid, and this is a surface (" + body.why +
                                         "): it has no inside to be taken " +
                                         (by < 0 ? "smaller" : "larger") + " from");
-  // Each piece would move by itself, and the cracks would open.
-  if (body.cracked)
-    throw InputError::in(body.name,
-                         what + " needs faces that meet at their corners: " +
-                             counted(body.repairs.joined + body.repairs.on_edges, "corner") +
-                             " of this mesh meet others by name alone");
   if (!body.loose.empty())
     throw InputError::in(
         body.name, what + " needs a solid, and parts of this are surfaces (" + body.why + ")");
@@ -84,20 +79,48 @@ Soup without_inner_walls(const Soup& soup, const Progress& progress) {
   return out.triangles.size() == soup.triangles.size() ? soup : compacted(std::move(out));
 }
 
+/// The corners of a triangle, whichever of them is the first.
+std::array<std::array<double, 3>, 3> places_of(const Soup& soup, const Triangle& t) {
+  std::array<std::array<double, 3>, 3> places;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& x = soup.vertices[t[k]];
+    places[k] = {x.x(), x.y(), x.z()};
+  }
+  std::ranges::rotate(places, std::ranges::min_element(places));
+  return places;
+}
+
+/// Of the moved faces, those that close openings.
+Soup moved_caps(const Body& body, const Soup& soup, const MovedFaces& moved) {
+  if (body.caps.triangles.empty()) return {};
+  std::set<std::array<std::array<double, 3>, 3>> caps;
+  for (const Triangle& t : body.caps.triangles) caps.insert(places_of(body.caps, t));
+  Soup out{moved.soup.vertices, {}};
+  for (std::size_t i = 0; i < moved.from.size(); ++i)
+    if (caps.contains(places_of(soup, soup.triangles[moved.from[i]])))
+      out.triangles.push_back(moved.soup.triangles[i]);
+  return compacted(std::move(out));
+}
+
 }  // namespace
 
 std::shared_ptr<const Body> offset_faces(const Body& body, double by, const Progress& progress) {
   if (by == 0) return std::make_shared<const Body>(body);
   check(body, by);
-  const Soup soup = by < 0 ? without_inner_walls(body.soup, part_of(progress, 0, 0.1)) : body.soup;
+  // By themselves, the pieces of a cracked mesh would move apart.
+  const Soup& all = body.cracked ? body.joined : body.soup;
+  const Soup soup = by < 0 ? without_inner_walls(all, part_of(progress, 0, 0.1)) : all;
   if (soup.triangles.empty()) complain(body, by, {0, body.mass.com});
-  const Fans fans = find_fans(soup, file_rounding(soup), part_of(progress, 0.1, 0.2));
-  MovedFaces moved = move_faces(soup, fans, by, part_of(progress, 0.2, 0.5));
+  const double rounding = std::max(file_rounding(soup), body.repairs.reach);
+  const Fans fans = find_fans(soup, rounding, part_of(progress, 0.1, 0.2));
+  MovedFaces moved = move_faces(soup, fans, by, rounding, part_of(progress, 0.2, 0.5));
   if (by < 0)
     if (const auto thin = find_thin_place(body, soup, fans, moved, part_of(progress, 0.5, 0.7)))
       complain(body, by, *thin);
   moved.offset.by += body.offset.by;
-  return with_surface(body, std::move(moved.soup), moved.offset, part_of(progress, 0.7, 1));
+  Soup caps = moved_caps(body, soup, moved);
+  return with_surface(body, std::move(moved.soup), std::move(caps), moved.offset,
+                      part_of(progress, 0.7, 1));
 }
 
 std::string offset_words(const FaceOffset& offset) {

@@ -192,6 +192,98 @@ TEST(ModelChoice, skin_repeated_beside_a_wall_leaves_the_wall_alone) {
   }
 }
 
+PolygonSoup joined_all(const std::vector<PolygonSoup>& parts) {
+  PolygonSoup out;
+  for (const PolygonSoup& part : parts) out = test::joined(out, part);
+  return out;
+}
+
+/// Triangle by triangle, each with its back.
+PolygonSoup with_backs(const PolygonSoup& mesh) {
+  PolygonSoup out{mesh.points, {}};
+  for (const Polygon& t : test::triangulated(mesh).polygons) {
+    out.polygons.push_back(t);
+    out.polygons.push_back({t[0], t[2], t[1]});
+  }
+  return out;
+}
+
+// Reference: the body without its copies. They meet the other along a face, an edge, at a corner.
+TEST(ModelChoice, a_neighbour_that_is_there_both_ways_round_counts_once) {
+  const std::vector<std::vector<PolygonSoup>> all{
+      {test::box({1, 1, 1}), test::placed(test::box({1, 1, 1}), {1, 0, 0})},
+      {test::box({1, 1, 1}), test::placed(test::box({1, 1, 1}), {1, 1, 0})},
+      {test::box({2, 1, 1}), test::placed(test::box({2, 1, 1}), {2, 1, 1})},
+      {test::box({1, 1, 1}), test::placed(test::box({1, 1, 3}), {1, 0, 1})},
+      {test::box({1, 1, 1}), test::placed(test::box({1, 1, 1}), {1, 0, 0}),
+       test::placed(test::box({1, 1, 1}), {2, 0, 0})}};
+  for (const auto& parts : all) {
+    const PolygonSoup both = test::triangulated(joined_all(parts));
+    const auto whole = test::body(both);
+    for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
+      const PolygonSoup part = test::triangulated(parts[which]);
+      const PolygonSoup turned = test::turned_over(part);
+      std::vector<PolygonSoup> interleaved = parts;
+      interleaved[which] = with_backs(parts[which]);
+      for (const PolygonSoup& mesh :
+           {test::joined(both, turned), test::joined(turned, both), joined_all(interleaved)}) {
+        const auto body = test::body(mesh);
+        ASSERT_TRUE(body->solid);
+        expect_same_mass(*body, *whole, 1e-12);
+      }
+    }
+  }
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto [blocks, first] = blocks_with_a_wall(seed);
+    PolygonSoup second{
+        blocks.points,
+        {blocks.polygons.begin() + static_cast<std::ptrdiff_t>(first), blocks.polygons.end()}};
+    expect_same_mass(*test::body(test::joined(blocks, test::turned_over(second))),
+                     *test::body(blocks), 1e-12);
+  }
+}
+
+// Reference: the block without a cavity, by its closed form.
+TEST(ModelChoice, a_cavity_that_another_body_fills_is_none) {
+  const std::vector<PolygonSoup> fillers{test::box({1, 1, 1}), test::icosphere(0.9, 2),
+                                         test::torus(1, 0.3, 12, 8), test::tetrahedron(1)};
+  for (const PolygonSoup& shape : fillers) {
+    const PolygonSoup block = test::box({4, 5, 6}), filler = test::triangulated(shape),
+                      cavity = test::turned_over(filler);
+    for (const auto& parts : std::vector<std::vector<PolygonSoup>>{{block, cavity, filler},
+                                                                   {block, filler, cavity},
+                                                                   {filler, block, cavity},
+                                                                   {cavity, filler, block}})
+      for (const bool mirrored : {false, true}) {
+        const PolygonSoup all = joined_all(parts);
+        const auto body = test::body(mirrored ? test::turned_over(all) : all);
+        ASSERT_TRUE(body->solid);
+        EXPECT_NEAR(body->mass.measure, 120, 1e-9);
+        EXPECT_NEAR(body->mass.com.norm(), 0, 1e-12);
+      }
+    // One is filled, the other is not; and a body beside a sheet is not in it.
+    const PolygonSoup more = test::placed(test::turned_over(test::icosphere(0.2, 1)), {1.6, 2, 2});
+    const double hole = -test::body(test::turned_over(more))->mass.measure;
+    EXPECT_NEAR(test::body(joined_all({block, cavity, more, filler}))->mass.measure, 120 + hole,
+                1e-9);
+    const PolygonSoup sheet{{{-9, -9, -4}, {9, -9, -4}, {0, 9, -4}}, {{0, 1, 2}}};
+    for (const PolygonSoup& under : {sheet, test::placed(sheet, {0, 0, 8})})
+      EXPECT_NEAR(test::body(joined_all({under, filler, cavity}))->mass.measure,
+                  test::body(filler)->mass.measure, 1e-12);
+  }
+}
+
+// Seven boxes as a plus: the one in the middle is walled in by its neighbours all around.
+TEST(ModelChoice, a_body_walled_in_by_others_stays) {
+  std::vector<PolygonSoup> boxes{test::box({1, 1, 1})};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double way : {-1.0, 1.0})
+      boxes.push_back(test::placed(test::box({1, 1, 1}), way * Vec3::Unit(axis)));
+  const auto body = test::body(joined_all(boxes));
+  EXPECT_NEAR(body->mass.measure, 7, 1e-12);
+  EXPECT_NEAR(body->mass.com.norm(), 0, 1e-14);
+}
+
 TEST(ModelChoice, a_part_written_twice_counts_once) {
   for (const PolygonSoup& mesh : sound()) {
     const auto whole = test::body(mesh);

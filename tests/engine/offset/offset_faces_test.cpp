@@ -13,6 +13,7 @@
 #include "engine/proximity/queries/point_distance.hpp"
 #include "engine/proximity/queries/self_intersections.hpp"
 #include "tests/engine/offset/prisms.hpp"
+#include "tests/support/defects.hpp"
 #include "tests/support/real_meshes.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -29,6 +30,8 @@ Eigen::AlignedBox3d bounds(const Body& body) {
   return box;
 }
 double volume(const Body& body) { return mass_by_volume(body.soup).measure; }
+
+double area(const Body& body) { return mass_by_area(body.soup).measure; }
 
 std::string refusal(const Body& body, double by) {
   try {
@@ -344,6 +347,49 @@ TEST(OffsetFaces, zero_is_the_body_itself) {
   const auto nominal = test::body(test::box({1, 1, 1})), same = offset_faces(*nominal, 0);
   EXPECT_EQ(same->soup.vertices, nominal->soup.vertices);
   EXPECT_EQ(offset_words(same->offset), "");
+}
+
+/// Cracks as of a float STL, and edges cut on one side alone, off the edge: no piece moves by
+/// itself. The references are the sound peg, its hole and its clearance.
+TEST(OffsetFaces, a_cracked_peg_is_taken_smaller_as_the_sound_one) {
+  std::uint64_t seed = 1;
+  for (const Outline& outline : pegs())
+    for (const double crack : {1e-10, 3e-9}) {
+      const PolygonSoup sound = test::prism(outline, 30 * mm);
+      const PolygonSoup cut = test::cut_beyond(sound, Vec3(0, 0.3, 1), 15 * mm, crack);
+      const auto block = test::body(test::block_with_hole(outline, 20 * mm));
+      const auto shrunk = offset_faces(*test::body(sound), -10 * um);
+      for (const PolygonSoup& mesh : {test::cracked(sound, crack, seed++), cut}) {
+        const auto nominal = test::body(mesh);
+        ASSERT_TRUE(nominal->solid && nominal->cracked);
+        const auto peg = offset_faces(*nominal, -10 * um);
+        EXPECT_FALSE(peg->cracked);
+        EXPECT_TRUE(analyse_topology(peg->soup).closed);
+        EXPECT_NEAR(volume(*peg), volume(*shrunk), 100 * crack * area(*nominal));
+        const Distance gap = distance(*peg, *block, Transform());
+        EXPECT_FALSE(gap.overlapping);
+        EXPECT_NEAR(gap.distance, 10 * um, 4 * crack);
+        EXPECT_EQ(separate_static({peg, block}, {}).status, Status::separated);
+      }
+    }
+}
+
+/// What closes an opening goes inwards with the rest, and is still told apart.
+TEST(OffsetFaces, caps_move_and_stay_caps) {
+  const PolygonSoup ball = test::icosphere(1, 4);
+  for (const std::size_t missing : {std::size_t{0}, std::size_t{333}}) {
+    PolygonSoup open = ball;
+    open.polygons.erase(open.polygons.begin() + static_cast<std::ptrdiff_t>(missing));
+    const auto nominal = test::body(open);
+    ASSERT_TRUE(nominal->solid && !nominal->caps.triangles.empty());
+    const auto body = offset_faces(*nominal, -0.01);
+    EXPECT_EQ(body->caps.triangles.size(), nominal->caps.triangles.size());
+    Vec3 middle = Vec3::Zero(), before = Vec3::Zero();
+    for (const Vec3& x : body->caps.vertices) middle += x / double(body->caps.vertices.size());
+    for (const Vec3& x : nominal->caps.vertices)
+      before += x / double(nominal->caps.vertices.size());
+    EXPECT_NEAR((before - middle).norm(), 0.01, 1e-4);
+  }
 }
 
 TEST(OffsetFaces, surfaces_and_lengths_without_sense_are_refused) {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/opposed_shells.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "engine/mending/point_windings.hpp"
+#include "engine/mending/turned_sets.hpp"
+
+namespace sonde {
+namespace {
+
+class OpposedShells {
+ public:
+  OpposedShells(const std::vector<Vec3>& x, std::vector<SameTriangles>& all) : x_(x), all_(all) {}
+
+  void settle(const Progress& progress) {
+    find_odd_pairs();
+    if (odd_.empty()) return;
+    find_shells();
+    if (shells_.empty()) return;
+    find_rest();
+    std::vector<PartPoint> points;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) add_samples(s, points);
+    std::vector<std::map<std::uint32_t, std::size_t>> inside(shells_.size());
+    std::vector<std::size_t> asked(shells_.size(), 0);
+    const std::vector<PartWindings> around = part_windings(rest_, points, progress);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      ++asked[points[k].part];
+      for (const auto& [part, winding] : around[k])
+        if (!open_.contains(part)) ++inside[points[k].part][part];
+    }
+    for (std::uint32_t s = 0; s < shells_.size(); ++s)
+      settle(shells_[s], std::ranges::any_of(inside[s], [&](const auto& found) {
+               return found.second == asked[s];
+             }));
+  }
+
+ private:
+  /// Points on a shell that must all lie inside of another part for it to be in there.
+  static constexpr std::size_t samples = 9;
+
+  /// Where an odd number of pairs is, in proportion to how often the component is written.
+  void find_odd_pairs() {
+    std::map<std::uint32_t, long> common;
+    for (const SameTriangles& same : all_)
+      if (same.pairs() > 0) common[same.component] = 0;
+    if (common.empty()) return;
+    for (const SameTriangles& same : all_)
+      if (const auto found = common.find(same.component); found != common.end())
+        found->second = std::gcd(found->second, std::gcd(same.net(), same.pairs()));
+    for (std::uint32_t k = 0; k < all_.size(); ++k)
+      if (all_[k].pairs() > 0 && all_[k].pairs() / common[all_[k].component] % 2 != 0)
+        odd_.push_back(k);
+  }
+
+  /// Of those, what hangs together by edges and is closed.
+  void find_shells() {
+    std::map<std::uint64_t, std::vector<std::uint32_t>> edges;  // by their places in odd_
+    TurnedSets sets(odd_.size());
+    for (std::uint32_t i = 0; i < odd_.size(); ++i)
+      for (const std::uint64_t edge : edge_keys(all_[odd_[i]].corners)) {
+        std::vector<std::uint32_t>& at = edges[edge];
+        at.push_back(i);
+        sets.join(at.front(), i);
+      }
+    std::set<std::uint32_t> open;
+    for (const auto& [key, at] : edges)
+      if (at.size() % 2 != 0) open.insert(sets.set_of(at.front()));
+    std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
+    for (std::uint32_t i = 0; i < odd_.size(); ++i)
+      if (const std::uint32_t set = sets.set_of(i); !open.contains(set))
+        shells[set].push_back(odd_[i]);
+    for (auto& [set, shell] : shells) shells_.push_back(std::move(shell));
+  }
+
+  /// All without what stands against each other, and which of its components are open.
+  void find_rest() {
+    rest_.soup.vertices = x_;
+    std::map<std::uint64_t, std::pair<std::uint32_t, bool>> odd_edges;
+    for (const SameTriangles& same : all_) {
+      Triangle t = same.corners;
+      if (same.net() < 0) std::swap(t[1], t[2]);
+      for (long n = std::labs(same.net()); n > 0; --n) {
+        rest_.soup.triangles.push_back(t);
+        rest_.part.push_back(same.component);
+        for (const std::uint64_t edge : edge_keys(t)) {
+          auto& [component, odd] = odd_edges[edge];
+          component = same.component;
+          odd = !odd;
+        }
+      }
+    }
+    for (const auto& [key, edge] : odd_edges)
+      if (edge.second) open_.insert(edge.first);
+  }
+
+  void add_samples(std::uint32_t s, std::vector<PartPoint>& points) const {
+    const std::vector<std::uint32_t>& shell = shells_[s];
+    const std::size_t stride = std::max<std::size_t>(1, shell.size() / samples);
+    for (std::size_t i = 0; i < shell.size() && i / stride < samples; i += stride) {
+      const Triangle& t = all_[shell[i]].corners;
+      points.push_back({(x_[t[0]] + x_[t[1]] + x_[t[2]]) / 3, s});
+    }
+  }
+
+  void settle(const std::vector<std::uint32_t>& shell, bool within) {
+    for (const std::uint32_t k : shell) {
+      SameTriangles& same = all_[k];
+      same.settled = true;
+      if (within)
+        same.wanted = same.net() == 0 ? 0 : same.wanted;
+      else  // a face that is shared with another body is a wall between the two
+        same.wanted = same.net() == 0 ? 1 : same.wanted - 1;
+      same.once = !within && same.net() == 0;
+    }
+  }
+
+  const std::vector<Vec3>& x_;
+  std::vector<SameTriangles>& all_;
+  std::vector<std::uint32_t> odd_;
+  std::vector<std::vector<std::uint32_t>> shells_;
+  Sealed rest_;
+  std::set<std::uint32_t> open_;  // components
+};
+
+}  // namespace
+
+void settle_opposed_shells(const std::vector<Vec3>& x, std::vector<SameTriangles>& all,
+                           const Progress& progress) {
+  OpposedShells(x, all).settle(progress);
+}
+
+}  // namespace sonde
