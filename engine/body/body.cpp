@@ -116,8 +116,8 @@ std::shared_ptr<const Body> build(Soup soup, std::vector<std::string> remarks, M
     body->soup = compacted(std::move(body->soup), part_of(progress, 0.25, 0.3));
   check_size(body->soup, name);
   const Progress choosing = part_of(progress, 0.3, 0.4);
-  const std::vector<TriangleKind> kinds =
-      mends ? choose_mended(*body, all, asked, choosing) : choose_model(*body, asked, choosing);
+  const std::vector<TriangleKind> kinds = mends ? choose_mended(*body, all, asked, choosing)
+                                                : choose_model(*body, asked, repair, choosing);
   grow_tree(*body, kinds, part_of(progress, 0.4, 0.9));
   add_outline(*body, part_of(progress, 0.9, 1));
   report(progress, 1);

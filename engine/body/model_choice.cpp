@@ -95,41 +95,6 @@ std::size_t set_aside_degenerate(Soup& soup, const Progress& progress) {
   return all - kept;
 }
 
-std::vector<TriangleKind> choose_model(Body& body, Model asked, const Progress& progress) {
-  const bool may_be_solid = asked != Model::surface && body.topology.closed;
-  MassProperties by_area, sum;
-  Region region;
-  run_both(
-      may_be_solid && body.soup.triangles.size() >= worth_a_thread, progress,
-      [&](const Progress& part) {
-        by_area = mass_by_area(body.soup, part_of(part, 0, 0.5));
-        if (may_be_solid) sum = mass_by_volume(body.soup, part_of(part, 0.5, 1));
-      },
-      [&](const Progress& part) {
-        const std::vector<std::uint32_t> one_part(body.soup.triangles.size(), 0);
-        if (may_be_solid) region = find_region(body.soup, one_part, part);
-      });
-  if (asked == Model::surface) {
-    body.why = "asked for: surface";
-    body.mass = by_area;
-    return {};
-  }
-  std::string why_not = why_not_closed(body.topology);
-  if (why_not.empty() && !take_mass(body, by_area, sum, region))
-    why_not = "closed but flat (no volume)";
-  if (why_not.empty()) {
-    body.why = "closed: the inside counts";
-    body.repairs.parts = body.repairs.solid_parts = 1;
-    if (body.mass.measure < 0) turn_inside_out(body);
-  } else if (asked == Model::solid) {
-    throw InputError::in(body.name, "cannot be a solid: " + why_not);
-  } else {
-    body.mass = by_area;
-    body.why = why_not + ": the inside does not count";
-  }
-  return {};
-}
-
 std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked,
                                         const Progress& progress) {
   Mended mended = mend(all, body.topology, asked, body.name, part_of(progress, 0, 0.7));
@@ -172,6 +137,45 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
   body.turned = body.repairs.turned_parts > 0 && body.repairs.turned_parts == body.repairs.parts;
   if (std::ranges::count(kinds, TriangleKind::loose) == 0) kinds.clear();
   return kinds;
+}
+
+std::vector<TriangleKind> choose_model(Body& body, Model asked, Repair repair,
+                                       const Progress& progress) {
+  const bool may_be_solid = asked != Model::surface && body.topology.closed;
+  MassProperties by_area, sum;
+  Region region;
+  run_both(
+      may_be_solid && body.soup.triangles.size() >= worth_a_thread, progress,
+      [&](const Progress& part) {
+        by_area = mass_by_area(body.soup, part_of(part, 0, 0.5));
+        if (may_be_solid) sum = mass_by_volume(body.soup, part_of(part, 0.5, 1));
+      },
+      [&](const Progress& part) {
+        const std::vector<std::uint32_t> one_part(body.soup.triangles.size(), 0);
+        if (may_be_solid) region = find_region(body.soup, one_part, part);
+      });
+  if (asked == Model::surface) {
+    body.why = "asked for: surface";
+    body.mass = by_area;
+    return {};
+  }
+  // It crosses itself: perhaps parts that hang together at corners alone, one of them inside out.
+  if (region.overlaps && repair == Repair::automatic)
+    return choose_mended(body, Soup(body.soup), asked, progress);
+  std::string why_not = why_not_closed(body.topology);
+  if (why_not.empty() && !take_mass(body, by_area, sum, region))
+    why_not = "closed but flat (no volume)";
+  if (why_not.empty()) {
+    body.why = "closed: the inside counts";
+    body.repairs.parts = body.repairs.solid_parts = 1;
+    if (body.mass.measure < 0) turn_inside_out(body);
+  } else if (asked == Model::solid) {
+    throw InputError::in(body.name, "cannot be a solid: " + why_not);
+  } else {
+    body.mass = by_area;
+    body.why = why_not + ": the inside does not count";
+  }
+  return {};
 }
 
 }  // namespace sonde

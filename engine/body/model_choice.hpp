@@ -20,10 +20,12 @@ bool may_need_mending(const Body& body, const Progress& progress = {});
 /// Removes the triangles without an area, and returns how many. Vertices stay.
 std::size_t set_aside_degenerate(Soup& soup, const Progress& progress = {});
 
-/// Decides by the mesh as it is: solid where it is closed and has a volume. Fills in all that says
-/// so, and the mass. Throws InputError where `asked` is solid and it cannot be.
-/// @return Nothing: all triangles bound the inside, or none does.
-std::vector<TriangleKind> choose_model(Body& body, Model asked, const Progress& progress = {});
+/// Decides by the mesh as it is: solid where it is closed and has a volume; one that crosses itself
+/// is mended, where `repair` allows it. Fills in all that says so, and the mass. Throws InputError
+/// where `asked` is solid and it cannot be.
+/// @return As choose_mended.
+std::vector<TriangleKind> choose_model(Body& body, Model asked, Repair repair,
+                                       const Progress& progress = {});
 
 /// Decides part by part by the mesh as it is once mended; `all` is its soup with the degenerate
 /// triangles. May exchange body.soup. Throws as choose_model.

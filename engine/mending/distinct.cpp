@@ -8,26 +8,13 @@
 #include <numeric>
 
 #include "engine/base/progress.hpp"
+#include "engine/geometry/by_corners.hpp"
 #include "engine/geometry/topology.hpp"
 #include "engine/mending/opposed_shells.hpp"
 #include "engine/mending/turned_sets.hpp"
 
 namespace sonde {
 namespace {
-
-struct Entry {
-  Triangle corners;  // ascending
-  std::uint32_t triangle;
-  bool even;  // orientation
-};
-
-Entry entry_of(const Soup& soup, std::size_t i) {
-  Triangle t = soup.triangles[i];
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  const bool even = t[1] < t[2];
-  if (!even) std::swap(t[1], t[2]);
-  return {t, static_cast<std::uint32_t>(i), even};
-}
 
 /// Triangles that are there several times, not as often as the rest of their component: either
 /// walls and shells in their own right (between two bodies, of a part within another), at whose rim
@@ -73,8 +60,10 @@ class DoubtfulPatches {
         changed = true;
       }
     }
-    for (const std::uint32_t k : doubtful_)
-      if (once_[sets_.set_of(k)]) all_[k].wanted = 1, all_[k].once = true;
+    for (const std::uint32_t k : doubtful_) {
+      all_[k].once = once_[sets_.set_of(k)];
+      all_[k].wanted = all_[k].once ? 1 : all_[k].wanted / 2 * 2;
+    }
   }
 
  private:
@@ -99,7 +88,7 @@ class DoubtfulPatches {
         if (its == patch)
           own = !own;
         else
-          odd ^= once_[its] || all_[k].wanted % 2 != 0;
+          odd ^= once_[its];
       }
       if (own) open += odd ? 1 : -1;
     }
@@ -117,27 +106,21 @@ class DoubtfulPatches {
 }  // namespace
 
 Distinct find_distinct(const Soup& soup, const Progress& progress) {
-  std::vector<Entry> entries(soup.triangles.size());
-  for_each_index(entries.size(), part_of(progress, 0, 0.3),
-                 [&](std::size_t i) { entries[i] = entry_of(soup, i); });
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return x.corners != y.corners ? x.corners < y.corners : x.triangle < y.triangle;
-  });
+  const std::vector<CornerTriangle> entries = triangles_by_corners(soup, part_of(progress, 0, 0.5));
   const Components components = find_components(soup, part_of(progress, 0.5, 0.7));
   std::vector<SameTriangles> all;
   std::vector<long> common(components.count, 0);
-  for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
-    SameTriangles same{.corners = entries[i].corners,
-                       .component = components.of[entries[i].triangle],
-                       .begin = i,
-                       .end = i};
-    for (j = i; j < entries.size() && entries[j].corners == same.corners; ++j)
-      ++(entries[j].even ? same.evens : same.odds);
-    same.end = j;
+  for_each_alike(entries, [&](std::span<const CornerTriangle> alike) {
+    const auto begin = static_cast<std::size_t>(alike.data() - entries.data());
+    SameTriangles same{.corners = alike[0].corners,
+                       .component = components.of[alike[0].triangle],
+                       .begin = begin,
+                       .end = begin + alike.size()};
+    for (const CornerTriangle& t : alike) ++(t.even ? same.evens : same.odds);
     long& shared = common[same.component];
     shared = std::gcd(shared, same.net());
     all.push_back(same);
-  }
+  });
   for (SameTriangles& same : all)
     if (const long shared = common[same.component]; shared != 0)
       same.wanted = std::labs(same.net()) / shared;

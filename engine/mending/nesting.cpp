@@ -11,9 +11,12 @@
 namespace sonde {
 namespace {
 
-/// Points on a part that all must lie inside another for it to be nested there. Where parts cross,
-/// they only may; what then is taken wrongly for nested keeps the sign that the file gave it.
-constexpr std::size_t samples = 9;
+/// Points on a part that all must lie inside another for it to be nested there, as its bounds must
+/// within the other's. Where parts cross, they only may; what then is taken wrongly for nested
+/// keeps the sign that the file gave it.
+constexpr std::size_t samples = 64;
+/// Of the size of a part: its bounds are within another's where they stand out by less.
+constexpr double bounds_rounding = 1e-6;
 
 /// Middles of triangles, spread over those of a part.
 std::vector<PartPoint> sample_points(const Sealed& sealed, const std::vector<PartFacts>& facts) {
@@ -29,6 +32,14 @@ std::vector<PartPoint> sample_points(const Sealed& sealed, const std::vector<Par
     points.push_back({(x[t[0]] + x[t[1]] + x[t[2]]) / 3, p});
   }
   return points;
+}
+
+std::vector<Eigen::AlignedBox3d> bounds_of(const Sealed& sealed, std::size_t parts) {
+  std::vector<Eigen::AlignedBox3d> bounds(parts);
+  for (std::size_t i = 0; i < sealed.part.size(); ++i)
+    for (const std::uint32_t corner : sealed.soup.triangles[i])
+      bounds[sealed.part[i]].extend(sealed.soup.vertices[corner]);
+  return bounds;
 }
 
 }  // namespace
@@ -57,9 +68,13 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
     for (const auto& [part, winding] : around[k])
       if (winding != 0 && part != points[k].part) ++inside[points[k].part][part];
   }
+  const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(sealed, facts.size());
   const auto nested_in = [&](std::uint32_t p, std::uint32_t q) {
+    const Vec3 rounding = Vec3::Constant(bounds_rounding * bounds[p].sizes().maxCoeff());
     const auto found = inside[p].find(q);
-    return found != inside[p].end() && found->second == asked[p];
+    return found != inside[p].end() && found->second == asked[p] &&
+           (bounds[p].min() + rounding - bounds[q].min()).minCoeff() >= 0 &&
+           (bounds[q].max() + rounding - bounds[p].max()).minCoeff() >= 0;
   };
   const auto is_outermost = [&](std::uint32_t q, std::uint32_t but) {
     return std::ranges::none_of(inside[q], [&](const auto& further) {

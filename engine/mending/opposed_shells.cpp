@@ -41,7 +41,7 @@ class OpposedShells {
 
  private:
   /// Points on a shell that must all lie inside of another part for it to be in there.
-  static constexpr std::size_t samples = 9;
+  static constexpr std::size_t samples = 64;
 
   /// Where an odd number of pairs is, in proportion to how often the component is written.
   void find_odd_pairs() {

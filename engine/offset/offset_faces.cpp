@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "engine/geometry/by_corners.hpp"
 #include "engine/offset/corner_planes.hpp"
 #include "engine/offset/fans.hpp"
 #include "engine/offset/move_faces.hpp"
@@ -52,27 +52,14 @@ void check(const Body& body, double by) {
 /// A wall between two parts that share it, there in both directions, is no face of the solid they
 /// make; nor is a sheet of no thickness. Moved inwards, the one would be a gap.
 Soup without_inner_walls(const Soup& soup, const Progress& progress) {
-  struct Key {
-    Triangle sorted;
-    bool odd;
-    std::uint32_t triangle;
-  };
-  std::vector<Key> keys;
-  keys.reserve(soup.triangles.size());
-  for_each_index(soup.triangles.size(), progress, [&](std::size_t i) {
-    Triangle t = soup.triangles[i];
-    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
-    const bool odd = t[1] > t[2];
-    if (odd) std::swap(t[1], t[2]);
-    keys.push_back({t, odd, std::uint32_t(i)});
-  });
-  std::ranges::sort(keys, {}, [](const Key& k) { return std::tuple(k.sorted, k.odd, k.triangle); });
+  const std::vector<CornerTriangle> all = triangles_by_corners(soup, progress);
   std::vector<bool> gone(soup.triangles.size(), false);
-  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-    while (end < keys.size() && keys[end].sorted == keys[begin].sorted) ++end;
-    for (std::size_t a = begin, b = end; b-- > a && !keys[a].odd && keys[b].odd; ++a)
-      gone[keys[a].triangle] = gone[keys[b].triangle] = true;
-  }
+  for_each_alike(all, [&](std::span<const CornerTriangle> alike) {
+    const long evens = std::ranges::count_if(alike, &CornerTriangle::even);
+    long pairs_even = std::min(evens, std::ssize(alike) - evens), pairs_odd = pairs_even;
+    for (const CornerTriangle& t : alike)
+      gone[t.triangle] = (t.even ? pairs_even : pairs_odd)-- > 0;
+  });
   Soup out{soup.vertices, {}};
   for (std::size_t i = 0; i < gone.size(); ++i)
     if (!gone[i]) out.triangles.push_back(soup.triangles[i]);
