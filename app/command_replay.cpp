@@ -36,15 +36,19 @@ struct ReplayOptions {
   SettingValues servo;
 };
 
-constexpr std::array<Column, 30> replay_columns{
+constexpr std::array<Column, 31> replay_columns{
     {{"t", "s"},        {"px", "m"},       {"py", "m"},      {"pz", "m"},      {"qw", ""},
      {"qx", ""},        {"qy", ""},        {"qz", ""},       {"sx", "m"},      {"sy", "m"},
      {"sz", "m"},       {"sqw", ""},       {"sqx", ""},      {"sqy", ""},      {"sqz", ""},
      {"fx", "N"},       {"fy", "N"},       {"fz", "N"},      {"tx", "N*m"},    {"ty", "N*m"},
      {"tz", "N*m"},     {"depth", "m"},    {"sigma", "m^2"}, {"contacts", ""}, {"iterations", ""},
-     {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""},   {"converged", ""}}};
+     {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""},   {"converged", ""},
+     {"released", "J"}}};
 
-Row row_of(const Snapshot& tick, double rate_hz) {
+/// What the tick let go; none where no energy of the coupling is defined by the separation.
+enum class Released { known, unknown };
+
+Row row_of(const Snapshot& tick, double rate_hz, Released released) {
   const Separation& s = tick.separation;
   const bool failed = s.status == Status::failed;
   Row row{tick.time};
@@ -66,6 +70,10 @@ Row row_of(const Snapshot& tick, double rate_hz) {
   row.push_back(std::int64_t{tick.tick_us > 1e6 / rate_hz});
   row.push_back(std::int64_t{s.jumped});
   row.push_back(std::int64_t{s.converged});
+  if (released == Released::known && tick.coupling.mode == Coupling::Mode::object)
+    row.push_back(0.5 * tick.coupling.k * s.released);
+  else
+    append_nothing(row, 1);
   return row;
 }
 
@@ -105,7 +113,7 @@ class Results {
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
       failures_.emplace_back(table_.rows.size(), tick.separation);
-    table_.rows.push_back(row_of(tick, scene_.servo.rate_hz));
+    table_.rows.push_back(row_of(tick, scene_.servo.rate_hz, Released::known));
     accuracy_.append_claim(table_.rows.back(), tick.separation);
     append_phases(options_.phases, table_.rows.back(), tick.separation);
     picture_.add(tick.separation, tick.tick_us);
@@ -199,7 +207,7 @@ void write_as_recorded(const ReplayOptions& options) {
   const TickLog& ticks = recording->ticks;
   ResultTable table{replay_columns, {}, recording->header.scene.probe.offset};
   for (std::uint64_t i = ticks.begin(); i < ticks.end(); ++i)
-    table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz));
+    table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz, Released::unknown));
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));
 }
 

@@ -60,6 +60,7 @@ const LocalContacts& ContactFeed::refresh(const Pose& X_FM, std::uint64_t tick, 
   contacts_.tick = tick;
   contacts_.time = time;
   if (contacts_.separation.jumped) ++contacts_.jumps;
+  contacts_.released += contacts_.separation.released;
   gather(budget);
   contacts_.separation.phases += times_;
   contacts_.refresh_us = now_us() - begin;

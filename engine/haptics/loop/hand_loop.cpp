@@ -38,6 +38,7 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   ids_.forget();
   X_FM_ = X_FM;
   jumps_ = 0;
+  released_ = 0;
   resting_ = false;
   resumed_ = 0;
   out_ = HandTick{};
@@ -99,7 +100,9 @@ void HandLoop::separate(const LocalContacts& contacts, const Clock& clock) noexc
   const LocalAnswer answer = separate_locally(mass_, method_, contacts, X_FM_);
   out_.separation = answer.separation;
   out_.separation.jumped = contacts.jumps != jumps_;
+  out_.separation.released = contacts.released - released_;
   jumps_ = contacts.jumps;
+  released_ = contacts.released;
   ids_.follow(out_.separation.separated, mass_.radius, out_.separation.clusters);
   const std::uint64_t age = clock.tick - contacts.tick;
   out_.hand.rows = {.age_ticks = age,

@@ -107,6 +107,7 @@ class HandLoop {
   ClusterIds ids_;
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the rows before
+  double released_ = 0;                // m²: of those rows
   bool resting_ = false;               ///< the last tick was one of rest
   Withheld rest_ = Withheld::nothing;  ///< reason of the last rest
   double resumed_ = 0;                 ///< s, the first tick after that

@@ -32,6 +32,7 @@ struct LocalContacts {
   std::uint64_t tick = 0;   ///< the tick of the servo that took the pose
   double time = 0;          ///< s, when that tick took it, on the servo's clock
   std::uint64_t jumps = 0;  ///< how often the separated pose has jumped so far
+  double released = 0;      ///< m²: Separation::released, all of it so far
   double refresh_us = 0;    ///< time the geometry took
 };
 

@@ -87,13 +87,21 @@ bool ContactRows::is_news(const Contact& contact) const noexcept {
   return true;
 }
 
-void ContactRows::take(const NearPair& pair, const Transform& X, double flat) noexcept {
+void ContactRows::take(const NearPair& pair, const Transform& X, double flat,
+                       const Transform* end) noexcept {
   const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
   const Corners tb = corners(surface(fixed_), pair.triangle_b);
+  // The part of the path after which the pair meets along a direction.
+  const auto free_until = [&](const Vec3& n) {
+    const Corners then_a = place(*end, corners(surface(probe_), pair.triangle_a));
+    const double now = gap_along(n, ta, tb), then = gap_along(n, then_a, tb);
+    return now <= 0 ? 0 : then < now ? now / (now - then) : infinity;
+  };
   Contact own{pair.on_a, pair.on_b, pair.normal, pair.gap, 0};
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
     if (gap_along(row.normal, ta, tb) < contact_tuning.same_gap * row.gap) continue;
+    if (end && free_until(pair.normal) > free_until(row.normal)) break;
     own.normal = row.normal;
     own.gap = row.normal.dot(own.on_probe - own.on_fixed);
     break;
@@ -209,6 +217,23 @@ void ContactRows::move_rows_with_probe(const Chart& chart, const Vec6& y) noexce
   linearise(chart, y);
 }
 
+bool ContactRows::replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
+                                   double margin) noexcept {
+  bool any = false;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.active_count); ++k) {
+    const auto i = static_cast<std::size_t>(nearest.active[k]);
+    if (i >= count_ || !(nearest.multiplier[k] > 0)) continue;
+    const auto [a, b] = pair_of_[i];
+    const ClosestPoints p =
+        closest_points(place(X_, corners(surface(probe_), a)), corners(surface(fixed_), b));
+    if (!(p.gap > contact_tuning.far_from_row * std::max(contacts_[i].gap, margin))) continue;
+    contacts_[i] = {p.a, p.b, p.normal, p.gap, 0};
+    linearise(chart, y, i, i + 1);
+    any = true;
+  }
+  return any;
+}
+
 ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const Motion& motion,
                                         double margin, Effort& effort) noexcept {
   const PhaseTimer timer(times_, Phase::look);
@@ -243,7 +268,7 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
     out.lost = std::max(out.lost, std::min(p.gap, margin) - gap);
     smallest_gap_ = std::min(smallest_gap_, p.gap);
     keep({a, b});
-    take({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity);
+    take({p.a, p.b, p.normal, p.gap, a, b}, X_, infinity, &end);
   }
   linearise(chart, y, before);
   out.news = count_ > before;
@@ -251,8 +276,9 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
   return out;
 }
 
-void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from) noexcept {
-  for (std::size_t i = from; i < count_; ++i) {
+void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from,
+                            std::size_t to) noexcept {
+  for (std::size_t i = from; i < std::min(to, count_); ++i) {
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     at_[i] = rows_[i].normal.dot(y);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();

@@ -29,8 +29,9 @@ namespace sonde {
 /// Each direction that separates two triangles gives a half-space in which they stay apart. The
 /// direction of their closest points is not the best one for every pair: beside a convex contact
 /// it forbids sliding by more than half of the pair's offset. So gather() takes the nearest pair
-/// first. A later pair takes over the normal of a nearer row if that normal separates it too. The
-/// pair gets no row if the row would then add nothing.
+/// first. A later pair takes over the normal of a nearer row if that normal separates it too, and
+/// if a path that the pair is in the way of meets it no sooner along that normal than along its
+/// own. The pair gets no row if the row would then add nothing.
 class ContactRows {
  public:
   /// How many pairs of triangles are gathered, and how many a neighbour list may hold.
@@ -94,6 +95,12 @@ class ContactRows {
   PathCheck cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
                 Effort& effort) noexcept;
 
+  /// Gives rows that hold a solution their pair's own direction, where that pair is not near: a
+  /// direction taken over from another row may be a wall where there is none. Returns whether there
+  /// were any; then the solution is no more one.
+  bool replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
+                        double margin) noexcept;
+
   /// What solve() asks of a gap that is smaller than the margin already: that it does not shrink,
   /// or that it grows to the margin.
   enum class SmallGaps { keep, widen };
@@ -133,9 +140,12 @@ class ContactRows {
   /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
-  void take(const NearPair& pair, const Transform& X, double flat) noexcept;
-  /// Makes rows of the contacts from index `from` on, in the chart at y, and the rim's row.
-  void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0) noexcept;
+  /// `end`: where the path leads that the pair is in the way of; null: no path is known.
+  void take(const NearPair& pair, const Transform& X, double flat,
+            const Transform* end = nullptr) noexcept;
+  /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the rim's row.
+  void linearise(const Chart& chart, const Vec6& y, std::size_t from = 0,
+                 std::size_t to = capacity) noexcept;
 
   const Body& probe_;
   const Body& fixed_;

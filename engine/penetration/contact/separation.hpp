@@ -126,9 +126,14 @@ struct Separation {
   /// its most starts, without evidence that it was done. What it ends with is verified anyhow.
   int limited = 0;
   /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
-  /// In a tick, the path swept free led over an edge to another place, and the depth fell by more
-  /// than the device moved (with translation only: by more than any point of the device moved).
+  /// In a tick, the held pose was no optimum any more, and the path swept free led to another
+  /// place: the depth fell by more than the device moved, or, on a part of the way, more steeply
+  /// (with translation only: than any point of the device moved). True in each tick of a fall that
+  /// takes several.
   bool jumped = false;
+  /// m², coherent only: what of σ was neither stored nor given back to the hand in a tick that
+  /// jumped; the energy that it let go is ½ k of that. 0 in any other.
+  double released = 0;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
   /// Static only: the translational depth that the search found on the way, m: PD_t where nothing
   /// limits the search, and an upper bound of it else. None if the time ran out before that.

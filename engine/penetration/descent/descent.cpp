@@ -42,6 +42,14 @@ bool at_rim(const Chart& chart, const Vec6& y) {
   return chart.v(y).norm() > (1 - 1e-6) * Chart::largest_v;
 }
 
+/// m²: ½|y|² by which a way comes down more steeply than `slope` (m).
+double fallen(const Vec6& y, const Vec6& way, double slope) {
+  const double length = way.norm();
+  const double steeper = length > 0 ? -y.dot(way) / length - slope : 0;
+  const double steep = std::clamp(steeper, 0.0, length);  // from there on it is no more
+  return (steeper - 0.5 * steep) * steep;
+}
+
 Vec6 shortened(const Vec6& step, double longest) {
   const double size = step.norm();
   return size > longest ? Vec6(step * (longest / size)) : step;
@@ -86,21 +94,35 @@ struct Descent::Pace {
   /// m: no further does it go. What is in the way of a step is looked for up to where it would go
   /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
   double damped_to = std::numeric_limits<double>::max();
-  Vec6 last = Vec6::Zero();
-  int stalled = 0;  ///< steps in a row that led nowhere
+  /// m: |y| never rises beyond it.
+  double ceiling = std::numeric_limits<double>::max();
+  Vec6 last = Vec6::Zero();    ///< the last step, damped
+  Vec6 wanted = Vec6::Zero();  ///< and before
+  double went = 0;             ///< m: how far it led
+  int returns = 0;             ///< steps in a row that turned back
+  int stalled = 0;             ///< steps in a row that led nowhere
 
-  /// Steps that undo each other straddle a sharp edge: they are halved until they settle on it.
+  /// Steps that undo each other straddle a sharp edge. What is wanted changes about linearly from
+  /// pose to pose: it vanishes between the last one and this one, there the step ends (the secant
+  /// method). Where that does not settle them, they are halved.
   Vec6 damped(const Vec6& step) {
     const double size = step.norm();
-    if (step.dot(last) < descent_tuning.turns_back * size * last.norm())
-      damped_to = 0.5 * std::min({damped_to, size, last.norm()});
-    else
+    if (!(step.dot(last) < descent_tuning.turns_back * size * last.norm())) {
+      returns = 0;
       damped_to *= descent_tuning.longest_growth;
+    } else if (went > 0 && ++returns <= descent_tuning.most_secants) {
+      const Vec6 way = last / last.norm();
+      damped_to = size * went / (std::max(0.0, wanted.dot(way)) - step.dot(way));
+    } else {
+      damped_to = 0.5 * std::min({damped_to, size, last.norm()});
+    }
+    wanted = step;
     return shortened(step, damped_to);
   }
   void learn(const Vec6& step, const Sweep& swept, double worth_while, double radius) {
     const double moved = swept.free_until * step.norm();
     last = step;
+    went = moved;
     stalled = moved > worth_while ? 0 : stalled + 1;
     scale = std::max(moved, 0.1 * scale);
     const bool cut_short = swept.hit && !swept.given_up && swept.free_until < 0.5;
@@ -120,23 +142,35 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
   const double room =
       std::min(descent_tuning.most_room * size2 / y.norm(), std::max(pace.bending * size2, margin));
-  // Where so much is not to be had, a part of it is: what has come too near its contacts for a
-  // straight step to lead anywhere gets away from them again.
-  for (double part = room; part > 0.5 * rows_.smallest_gap(); part *= descent_tuning.less_room) {
-    const Vec6 lifted = rows_.solve(part, ContactRows::SmallGaps::widen).y - y;
-    if (!(-y.dot(lifted) > descent_tuning.least_gain * size2)) continue;
-    step = lifted;
-    break;
+  const bool crowded = rows_.smallest_gap() < descent_tuning.crowded_gap * margin;
+  const double lift = descent_tuning.most_lift * margin;
+  bool lifts = false;
+  const auto gains = [&](const Vec6& way) {
+    return -y.dot(way) > descent_tuning.least_gain * size2;
+  };
+  // Where so much is not to be had, a part of it is. What has come too near its contacts for a
+  // straight step to lead anywhere gets away from them again, also at the price of some depth.
+  for (double part = crowded ? std::max(room, margin) : room; part > 0.5 * rows_.smallest_gap();) {
+    const LeastDistance up = rows_.solve(part, ContactRows::SmallGaps::widen);
+    const bool regains = crowded && up.feasible && part <= margin;
+    if (gains(up.y - y) || (regains && part > 2 * rows_.smallest_gap() &&
+                            up.y.norm() <= std::min(y.norm() + lift, pace.ceiling))) {
+      step = up.y - y;
+      lifts = regains;
+      break;
+    }
+    const double less = descent_tuning.less_room * part;
+    part = crowded && less < margin && part > margin ? margin : less;
   }
   if (rise > 0) {
     const Vec6 risen = rows_.solve(margin, ContactRows::SmallGaps::keep, rise).y - y;
-    if (-y.dot(risen) > descent_tuning.least_gain * size2) step = risen;
+    if (gains(risen)) step = risen, lifts = false;
   }
   step = within_chart(chart, y, step);
   // At the rim of the chart nothing may be left of it.
   if (!(step.squaredNorm() > 0)) return Vec6::Zero();
-  // |y| must fall along all of the path: up to the point of it that is nearest to the origin.
-  step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
+  // |y| falls along all of the path, up to the point of it that is nearest to the origin.
+  if (!lifts) step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
   const double quick = std::max(longest_path_, 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
@@ -199,7 +233,8 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
   Outcome out;
   Vec6 y = start;
   Pace pace{.scale = expected_step > 0 ? expected_step : descent_tuning.first_scale * radius,
-            .bending = descent_tuning.first_bending / radius};
+            .bending = descent_tuning.first_bending / radius,
+            .ceiling = start.norm() + descent_tuning.most_lift * margin(chart, start.norm())};
   if (expected_step > 0)
     pace.longest = std::max(descent_tuning.longest_per_expected * expected_step,
                             descent_tuning.first_longest * radius);
@@ -236,7 +271,13 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
               rows_.smallest_gap() <= descent_tuning.settled_gap * margin) ||
              !(off > 0);
     };
-    out.converged = settled();
+    // Optimal by rows that are none here is not optimal.
+    for (out.converged = settled();
+         out.converged && rows_.replace_far_rows(chart, y, nearest, margin);
+         out.converged = settled()) {
+      nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
+      report(out, y, nearest);
+    }
     // One step at least, however late: a tick that never moves would never catch up.
     const bool late = out.iterations > 0 && deadline.passed();
     if (out.converged) return out;
@@ -263,13 +304,16 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
       if (look.news) {
         nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
         report(out, y, nearest);
-        out.converged = settled();
+        out.converged = settled() && !rows_.replace_far_rows(chart, y, nearest, margin);
         if (out.converged) return out;
       }
       out.limited += !look.news && rows_.is_full();
       // Contacts that the rows know bend into the path by so much.
       rise = look.news ? 0 : rise + descent_tuning.rise_per_loss * look.lost;
+      const Vec6 before = step;
       step = next_step(chart, y, nearest, margin, rise, pace);
+      // Nothing is new: the sweep says how far it is free.
+      if (!look.news && step == before) break;
     }
     if (!(step.squaredNorm() > 0)) {
       out.limited += at_rim(chart, y);
@@ -283,6 +327,7 @@ Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const Desce
     else if (out.iterations == 1)
       longest_path_ =
           descent_tuning.longest_after_giving_up * Motion(chart, y, target).farthest(radius);
+    out.fallen += fallen(y, swept.free_until * step, goal.held_slope);
     y = swept.hit ? Vec6(y + swept.free_until * step) : target;
     pace.learn(step, swept, descent_tuning.nowhere * std::max(margin, 1e-3 * size), radius);
   }

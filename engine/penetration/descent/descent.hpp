@@ -18,12 +18,15 @@ double allowed_clearance(double radius, double depth);
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
   int steps = 60;          ///< iterations at most
+  double held_slope = 0;   ///< m: of ½|y|², of a way down that is no fall (Outcome::fallen)
 };
 
 /// Local optimisation on the contact space, from a free pose. Each step linearises the near pairs
 /// (ContactRows), solves the least-distance problem of the rows, and moves along the straight path
-/// in y as far as a sweep proves it free. |y| never rises along the path, so each of its poses is
-/// an upper bound. The object holds its workspace: run() never allocates.
+/// in y as far as a sweep proves it free. |y| falls along the path, but for a step that regains the
+/// gaps which contacts have lost. It may raise |y|, in all of a run by one margin: the gap that it
+/// aims at. Each of the path's poses is an upper bound. The object holds its workspace: run() never
+/// allocates.
 class Descent {
  public:
   /// The gap at which a descent aims, as a share of the allowed clearance. The gap at which the
@@ -41,6 +44,7 @@ class Descent {
     ContactSet contacts;
     Vec6 held = Vec6::Zero();  ///< Jᵀλ of the contacts
     double residual = 0;
+    double fallen = 0;  ///< m²: ½|y|² that was lost where it fell more steeply than held_slope
     int iterations = 0;
     bool converged = false;
     /// Limits that acted: steps that one on looks or on fruitless steps cut short (DescentTuning),

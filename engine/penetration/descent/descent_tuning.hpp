@@ -32,6 +32,10 @@ struct DescentTuning {
   double most_room = 0.8;
   /// Of the step's gain, in |y|·m: a step with room that gains less is made without.
   double least_gain = 0.1;
+  /// Margins: contacts that have come nearer are moved away from, to one margin, for |y| that may
+  /// rise by so many margins. What gaps lose tick by tick would block every straight path at last.
+  double crowded_gap = 0.5;
+  double most_lift = 1;
   double less_room = 0.25;     ///< of the room tried before, where that is not to be had
   double rise_per_loss = 1.2;  ///< of what a path was found to lose to contacts that bend into it
 
@@ -44,6 +48,8 @@ struct DescentTuning {
   double longest_after_giving_up = 0.25;
   /// Steps that turn back by more than this cosine undo each other across a sharp edge.
   double turns_back = -0.25;
+  /// Of such in a row, made by the secant method: beyond, what is wanted is not about linear.
+  int most_secants = 3;
 
   // Where rows are looked for
   double widest_reach = 0.03;  ///< R: further costs more than it tells

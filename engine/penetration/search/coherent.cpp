@@ -47,6 +47,7 @@ struct CoherentSolver::State {
   Pose separated;  ///< the last one, free
   bool started = false;
   bool behind = false;  ///< after a jump of the device the probe has not come to its end yet
+  double lag = 0;       ///< m: how far the device has come since a tick that converged
 
   State(const Pair& bodies, Method m)
       : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
@@ -69,6 +70,14 @@ struct CoherentSolver::State {
     const Vec6 y = from.coordinates(to);
     if (method == Method::pdg) return y.norm();
     return y.tail<3>().norm() + 2 * from.v(y).norm() * probe.mass.radius;
+  }
+
+  /// m²: what of σ the tick let go: twice the work of the force, per stiffness, on the way of the
+  /// separated probe from y = `from` to `to`. On a path of optima it is none, since the contacts do
+  /// no work.
+  double let_go(const Chart& chart, const Vec6& from, const Vec6& to) const noexcept {
+    const Vec6 before = from - chart.coordinates(device);
+    return (from - to).dot(before + to);
   }
 
   bool within_reach(const Pose& X) const {
@@ -167,6 +176,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
   s.behind = false;
+  s.lag = 0;
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
@@ -202,6 +212,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
+    goal.held_slope = (moved + s.lag) * (1 + 1e-9);
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     s.descent.prepare_next_list(effort);
   } else {
@@ -214,11 +225,17 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // more the nearer the turn is to a half one, and nothing has swept that.
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
-  // The depth that the last tick found was the best near by; it can only have fallen further than
-  // the device moved by leaving that place for another.
-  s.last.jumped = s.last.depth <
-                  before - moved * (1 + 1e-9) - 2 * allowed_clearance(s.probe.mass.radius, before);
+  // What the last tick found was the best near by. As long as it is, the depth changes by no more
+  // than the device moves, and the probe comes down no more steeply than the device has moved
+  // since.
+  const double clearance = allowed_clearance(s.probe.mass.radius, before);
+  s.last.jumped = s.last.depth < before - moved * (1 + 1e-9) - 2 * clearance ||
+                  found.fallen > Descent::gap_of_follower * clearance * before;
+  if (s.last.jumped)
+    s.last.released =
+        s.method == Method::pdg ? s.let_go(chart, from, found.y) : before * before - s.last.sigma;
   s.last.converged = s.last.converged && followed;
+  s.lag = s.last.converged ? 0 : s.lag + moved;
   // A probe that can spin at no cost is not where the device is.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);

@@ -10,8 +10,9 @@
 namespace sonde {
 
 /// Follows the separated pose of a moving probe. Each tick reaches its Q from the last one along a
-/// path swept free, on which σ to the new device pose never rises. The path ends at a KKT point, or
-/// where the budget ends; the result says which.
+/// path swept free, on which the distance √σ to the new device pose falls; it rises by a quarter of
+/// the allowed clearance at most, where the probe regains its gaps. The path ends at a KKT point,
+/// or where the budget ends; the result says which.
 class CoherentSolver {
  public:
   explicit CoherentSolver(const Pair& pair, Method method = Method::pdg);

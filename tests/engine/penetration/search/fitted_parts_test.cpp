@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Conforming parts, pressed and wedged: what the coherent solver holds is an optimum, however the
+// walls are cut, and what it lets go is said.
+#include "tests/support/fitted_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/geometry/chart.hpp"
+#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/penetration/search/coherent.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "tests/support/exact_reference.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double k = 800;  // N/m
+
+std::vector<Separation> follow(const test::FittedScene& scene, int ticks) {
+  const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
+  EXPECT_TRUE(probe->solid && fixed->solid) << scene.name;
+  const std::vector<Pose> path = test::fitted_path(scene.path, ticks);
+  CoherentSolver solver({probe, fixed});
+  std::vector<Separation> out{solver.reset(path.front())};
+  EXPECT_EQ(out.back().status, Status::separated) << scene.name;
+  for (std::size_t i = 1; i < path.size(); ++i) out.push_back(solver.tick(path[i]));
+  return out;
+}
+
+/// From a separated pose, of so many random straight motions of 64 µm for each cm of R along which
+/// σ falls with a slope of a tenth at least, the steepest that is free; 0 where none is. Reference
+/// for freedom: exact predicates on all pairs of triangles.
+double steepest_way_down(const Body& probe, const Body& fixed, const Separation& s, int tries,
+                         std::mt19937_64& random) {
+  const Chart chart(probe.mass, s.device);
+  const Vec6 y = chart.coordinates(s.separated);
+  const double step = 6.4e-3 * probe.mass.radius;
+  std::normal_distribution<double> normal;
+  double steepest = 0;
+  for (int i = 0; i < tries; ++i) {
+    Vec6 way;
+    for (double& x : way) x = normal(random);
+    way.normalize();
+    const double slope = std::abs(way.dot(y)) / y.norm();
+    if (slope < 0.1 || slope <= steepest) continue;
+    if (way.dot(y) > 0) way = -way;
+    bool free = true;
+    for (const double share : {0.03, 0.1, 0.25, 0.5, 0.75, 1.0}) {
+      const Transform X(chart.pose(y + share * step * way));
+      free = free && !triangles_meet(probe, fixed, X, Doubt::contact) &&
+             !test::any_meet({probe, X}, {fixed, Transform()});
+      if (!free) break;
+    }
+    if (free) steepest = slope;
+  }
+  return steepest;
+}
+
+void expect_optima(int ticks, int every, int tries) {
+  for (const test::FittedScene& scene : test::fitted_scenes()) {
+    const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
+    const std::vector<Separation> all = follow(scene, ticks);
+    std::mt19937_64 random(7);
+    int looked_at = 0, converged = 0, contact = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].status != Status::penetrating) continue;
+      ++contact;
+      converged += all[i].converged;
+      if (!all[i].converged || i % static_cast<std::size_t>(every) != 0 ||
+          all[i].depth < 1e-3 * probe->mass.radius)
+        continue;
+      ++looked_at;
+      EXPECT_EQ(steepest_way_down(*probe, *fixed, all[i], tries, random), 0)
+          << scene.name << ", tick " << i;
+    }
+    EXPECT_GT(looked_at, 2) << scene.name;
+    EXPECT_GE(converged, contact - contact / 500) << scene.name;
+  }
+}
+
+TEST(FittedParts, what_holds_a_probe_leaves_no_way_down) { expect_optima(600, 50, 200); }
+TEST(FittedParts, Full_what_holds_a_probe_leaves_no_way_down) { expect_optima(3000, 60, 1500); }
+
+// The shape is the same: so is what is felt, but where a tick says that it fell.
+TEST(FittedParts, how_walls_are_cut_changes_nothing) {
+  constexpr int ticks = 700;
+  const std::vector<test::FittedScene> plain = test::fitted_scenes_cut({});
+  for (std::size_t s = 0; s < plain.size(); ++s) {
+    const std::vector<Separation> want = follow(plain[s], ticks);
+    double deepest = 0;
+    for (const Separation& w : want) deepest = std::max(deepest, w.depth);
+    for (const std::vector<double>& cuts : {test::even_strips(2), test::even_strips(3),
+                                            test::even_strips(7), test::random_strips(4, 9)}) {
+      const std::vector<Separation> got = follow(test::fitted_scenes_cut(cuts)[s], ticks);
+      const auto probe = test::body(plain[s].probe);
+      int other_way = 0;
+      bool apart = false;  // after a fall they may lie at different optima
+      for (std::size_t i = 0; i < got.size(); ++i) {
+        apart = (apart || got[i].jumped || want[i].jumped) && got[i].status == Status::penetrating;
+        const double off = farthest_move(probe->mass, got[i].separated, want[i].separated);
+        if (off > 1e-3 * deepest) ++other_way;
+        if (apart) continue;
+        EXPECT_NEAR(got[i].depth, want[i].depth, 1e-3 * deepest)
+            << plain[s].name << ", " << cuts.size() << " cuts, tick " << i;
+      }
+      EXPECT_LT(other_way, ticks / 20) << plain[s].name << ", " << cuts.size() << " cuts";
+    }
+  }
+}
+
+/// In parts of the largest energy: what a path neither stored nor gave back to the hand, at ticks
+/// that jumped and at others. The work is that of the mean force of two ticks.
+struct Ledger {
+  double flagged = 0, unflagged = 0;
+};
+Ledger ledger(const test::FittedScene& scene, int ticks) {
+  const auto probe = test::body(scene.probe);
+  const std::vector<Separation> all = follow(scene, ticks);
+  double largest = 0;
+  Ledger out;
+  Wrench last;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const bool contact = all[i].status == Status::penetrating;
+    const Wrench now =
+        contact ? object_norm_wrench(probe->mass, all[i].device, all[i].separated, k) : Wrench();
+    const SeparationMotion step = separation_motion(probe->mass, all[i - 1].device, all[i].device);
+    const double given = 0.5 * (now.force + last.force).dot(step.t) +
+                         0.5 * (now.torque + last.torque).dot(step.theta);
+    const double lost = 0.5 * k * (all[i - 1].sigma - all[i].sigma) - given;
+    (all[i].jumped ? out.flagged : out.unflagged) += lost;
+    EXPECT_EQ(all[i].released > 0, all[i].jumped) << scene.name << ", tick " << i;
+    if (all[i].jumped) {
+      EXPECT_NEAR(0.5 * k * all[i].released, lost, 0.05 * lost + 1e-5 * 0.5 * k * all[i].sigma)
+          << scene.name << ", tick " << i;
+    }
+    largest = std::max(largest, 0.5 * k * all[i].sigma);
+    last = now;
+  }
+  return {out.flagged / largest, out.unflagged / largest};
+}
+
+TEST(FittedParts, what_is_let_go_is_said) {
+  for (const test::FittedScene& scene : test::fitted_scenes())
+    for (const int ticks : {3000, 9000}) {
+      const Ledger books = ledger(scene, ticks);
+      EXPECT_LT(std::abs(books.unflagged), 2e-3) << scene.name << ", " << ticks << " ticks";
+    }
+}
+
+}  // namespace
+}  // namespace sonde
