@@ -47,7 +47,10 @@ struct CoherentSolver::State {
   Pose separated;  ///< the last one, free
   bool started = false;
   bool behind = false;  ///< after a jump of the device the probe has not come to its end yet
-  double lag = 0;       ///< m: how far the device has come since a tick that converged
+  /// Of the allowed clearance, to what the last pose may lie above its contacts: where a search put
+  /// it, all of that.
+  double gap = 1;
+  double lag = 0;  ///< m: how far the device has come since a tick that converged
 
   State(const Pair& bodies, Method m)
       : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
@@ -177,6 +180,7 @@ const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& o
   s.started = s.last.status != Status::failed;
   s.behind = false;
   s.lag = 0;
+  s.gap = 1;
   s.device = s.last.device;
   s.separated = s.last.separated;
   s.descent.forget();
@@ -230,12 +234,13 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // since.
   const double clearance = allowed_clearance(s.probe.mass.radius, before);
   s.last.jumped = s.last.depth < before - moved * (1 + 1e-9) - 2 * clearance ||
-                  found.fallen > Descent::gap_of_follower * clearance * before;
+                  found.fallen > s.gap * clearance * before;
   if (s.last.jumped)
     s.last.released =
         s.method == Method::pdg ? s.let_go(chart, from, found.y) : before * before - s.last.sigma;
   s.last.converged = s.last.converged && followed;
   s.lag = s.last.converged ? 0 : s.lag + moved;
+  if (s.last.converged) s.gap = Descent::gap_of_follower;
   // A probe that can spin at no cost is not where the device is.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
