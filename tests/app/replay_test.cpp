@@ -10,7 +10,7 @@ using nlohmann::json;
 
 constexpr const char* replay_header =
     "t,px,py,pz,qw,qx,qy,qz,sx,sy,sz,sqw,sqx,sqy,sqz,fx,fy,fz,tx,ty,tz,depth,sigma,contacts,"
-    "iterations,tick_us,saturated,late,jumped,converged";
+    "iterations,tick_us,saturated,late,jumped,converged,released";
 
 class Replay : public AppTest {
  protected:
@@ -25,7 +25,7 @@ TEST_F(Replay, one_row_for_each_row_of_the_path) {
   const Csv csv = replay("boxes.sonde.json");
   EXPECT_EQ(csv.header, replay_header);
   ASSERT_EQ(csv.rows.size(), 40u);
-  for (const auto& row : csv.rows) EXPECT_EQ(row.size(), 30u);
+  for (const auto& row : csv.rows) EXPECT_EQ(row.size(), 31u);
   EXPECT_EQ(csv.number(7, "t"), 0.007);
   EXPECT_EQ(csv.number(7, "px"), 0.163);
   EXPECT_EQ(csv.text(7, "sx"), csv.text(7, "px")) << "free: the separated pose is the device's";
@@ -142,7 +142,7 @@ TEST_F(Replay, json_has_units) {
   const json result = json::parse(sonde("replay --json boxes.sonde.json").out);
   EXPECT_EQ(result.at("units").at("fx"), "N");
   EXPECT_EQ(result.at("results").size(), 40u);
-  EXPECT_EQ(result.at("results")[3].size(), 30u);
+  EXPECT_EQ(result.at("results")[3].size(), 31u);
 }
 
 TEST_F(Replay, out_is_written_whole) {

@@ -26,6 +26,12 @@ constexpr double farthest = 1e9;
 
 /// R: a device that moves further in a tick jumps.
 constexpr double jump_of_device = 0.25;
+/// Of the allowed clearance: a probe that is held has so much of a gap at the most (twice what it
+/// aims at), and coming down by that is no fall.
+constexpr double gap_of_held = 2 * Descent::gap_of_follower;
+/// The slope that a motion of the device makes is its length where the metric is flat; turns bend
+/// it, by a few per cent of it at the angles of one tick.
+constexpr double bend_of_metric = 1.1;
 /// Units of Effort, some 10 ns each: what a tick after such a jump may take where nothing else
 /// limits it. The long way that is then to be swept can lead past everything there is.
 constexpr std::int64_t work_after_jump = 3'000'000;
@@ -216,7 +222,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
     followed = s.method == Method::pdg || s.follow_turn(chart, effort, y);
     DescentGoal goal;
     if (budget.steps > 0) goal.steps = budget.steps;
-    goal.held_slope = (moved + s.lag) * (1 + 1e-9);
+    goal.held_slope = bend_of_metric * (moved + s.lag);
     found = s.descent.run(chart, y, goal, std::max(moved, 1e-9 * s.probe.mass.radius), effort);
     s.descent.prepare_next_list(effort);
   } else {
@@ -233,14 +239,15 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   // than the device moves, and the probe comes down no more steeply than the device has moved
   // since.
   const double clearance = allowed_clearance(s.probe.mass.radius, before);
-  s.last.jumped = s.last.depth < before - moved * (1 + 1e-9) - 2 * clearance ||
-                  found.fallen > s.gap * clearance * before;
-  if (s.last.jumped)
-    s.last.released =
-        s.method == Method::pdg ? s.let_go(chart, from, found.y) : before * before - s.last.sigma;
+  const bool turns = s.method == Method::pdg;
+  const double let_go = turns ? s.let_go(chart, from, found.y) : before * before - s.last.sigma;
+  const bool fell_far = s.last.depth < before - moved * (1 + 1e-9) - 2 * clearance;
+  const bool fell_steeply = turns && found.fallen > s.gap * clearance * before;
+  s.last.jumped = let_go > 0 && (fell_far || fell_steeply);
+  if (s.last.jumped) s.last.released = let_go;
   s.last.converged = s.last.converged && followed;
   s.lag = s.last.converged ? 0 : s.lag + moved;
-  if (s.last.converged) s.gap = Descent::gap_of_follower;
+  if (s.last.converged) s.gap = gap_of_held;
   // A probe that can spin at no cost is not where the device is.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
