@@ -128,8 +128,9 @@ Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method met
 
 /// Follows a moving probe and keeps its separated pose. Each separated pose is reached from the one
 /// before along a path swept free, on which √σ to the new device pose falls, but for a quarter of
-/// the allowed clearance at most, where the probe regains gaps. So the probe never pops through, and
-/// the pose may be further away than the nearest pose that separate() finds. Only one thread at a time may use a follower.
+/// the allowed clearance at most, where the probe regains gaps. So the probe never pops through,
+/// and the pose may be further away than the nearest pose that separate() finds. Only one thread at
+/// a time may use a follower.
 class Follower {
  public:
   /// A follower of this pair, which it shares, not started yet. Allocates.

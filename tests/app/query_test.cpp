@@ -54,6 +54,22 @@ TEST_F(Query, out_is_what_stdout_would_be) {
   EXPECT_EQ(file.without({"time_us"}), query("--out - " + scene).without({"time_us"}));
 }
 
+// Reference: the same poses in another file, in another order.
+TEST_F(Query, the_answer_to_a_pose_does_not_depend_on_its_row) {
+  const std::string first = "0.12,0.03,0.01,0.8,0.6,0,0\n",
+                    second = "0.02,-0.05,0.04,0.5,0.5,-0.5,0.5\n",
+                    header = "px,py,pz,qw,qx,qy,qz\n";
+  folder.write("ab.csv", header + first + second);
+  folder.write("bba.csv", header + second + second + first);
+  const Csv ab = query("boxes.sonde.json --budget-steps 40 --poses ab.csv"),
+            bba = query("boxes.sonde.json --budget-steps 40 --poses bba.csv");
+  for (const char* column : {"status", "depth", "px", "py", "pz", "qw", "qx", "qy", "qz"}) {
+    EXPECT_EQ(ab.text(0, column), bba.text(2, column));
+    EXPECT_EQ(ab.text(1, column), bba.text(0, column));
+    EXPECT_EQ(ab.text(1, column), bba.text(1, column));
+  }
+}
+
 TEST_F(Query, quiet_and_a_pipe_leave_stderr_empty) {
   EXPECT_EQ(sonde("query --quiet " + scene).err, "");
   EXPECT_THAT(sonde("query " + scene).err, testing::Not(HasSubstr("searching"))) << "no terminal";

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/soup.hpp"
 #include "engine/geometry/pose.hpp"
+#include "engine/geometry/soup.hpp"
 
 namespace sonde::test {
 
