@@ -29,12 +29,12 @@ class DoubtfulPatches {
       for (const std::uint64_t edge : edge_keys(all[k].corners)) edges_[edge].doubtful.push_back(k);
     }
     if (doubtful_.empty()) return;
-    for (std::uint32_t k = 0; k < all.size(); ++k) {
-      if (is_doubtful(all[k])) continue;
-      for (const std::uint64_t edge : edge_keys(all[k].corners))
+    for (const SameTriangles& same : all) {
+      if (is_doubtful(same)) continue;
+      for (const std::uint64_t edge : edge_keys(same.corners))
         if (const auto found = edges_.find(edge); found != edges_.end()) {
           ++found->second.others;
-          found->second.odd ^= all[k].wanted % 2 != 0;
+          found->second.odd ^= same.wanted % 2 != 0;
         }
     }
     // Where more meet, as a skin and a wall do, each is a patch of its own.

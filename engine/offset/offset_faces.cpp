@@ -73,7 +73,7 @@ std::array<std::array<double, 3>, 3> places_of(const Soup& soup, const Triangle&
     const Vec3& x = soup.vertices[t[k]];
     places[k] = {x.x(), x.y(), x.z()};
   }
-  std::ranges::rotate(places, std::ranges::min_element(places));
+  std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
   return places;
 }
 
