@@ -30,6 +30,7 @@
 #include "engine/mending/repairs.hpp"                   // Repairs
 #include "engine/penetration/contact/separation.hpp"    // Method, Status, Budget, Separation
 #include "engine/penetration/search/pair.hpp"           // Pair
+#include "engine/penetration/search/pose_seed.hpp"      // seed_of_pose
 #include "engine/penetration/search/static_search.hpp"  // StaticOptions
 
 namespace sonde {

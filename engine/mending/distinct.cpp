@@ -29,6 +29,9 @@ class DoubtfulPatches {
       for (const std::uint64_t edge : edge_keys(all[k].corners)) edges_[edge].doubtful.push_back(k);
     }
     if (doubtful_.empty()) return;
+    // What is shared comes first: its other owners are taken for bodies until they turn out not to
+    // be.
+    std::ranges::stable_partition(doubtful_, [&](std::uint32_t k) { return all[k].shared; });
     for (const SameTriangles& same : all) {
       if (is_doubtful(same)) continue;
       for (const std::uint64_t edge : edge_keys(same.corners))
@@ -75,7 +78,7 @@ class DoubtfulPatches {
     bool odd = false;  // an odd number of which stay
   };
   static bool is_doubtful(const SameTriangles& same) {
-    return same.size() >= 2 && same.wanted != 1 && !same.settled;
+    return same.size() >= 2 && (same.wanted != 1 || same.shared) && !same.settled;
   }
 
   /// Edges of the rim along which the rest is open without the patch, less others.

@@ -52,24 +52,31 @@ class OpposedShells {
     for (const SameTriangles& same : all_)
       if (const auto found = common.find(same.component); found != common.end())
         found->second = std::gcd(found->second, std::gcd(same.net(), same.pairs()));
-    for (std::uint32_t k = 0; k < all_.size(); ++k)
-      if (all_[k].pairs() > 0 && all_[k].pairs() / common[all_[k].component] % 2 != 0)
+    for (std::uint32_t k = 0; k < all_.size(); ++k) {
+      if (all_[k].pairs() == 0) continue;
+      if (all_[k].pairs() / common[all_[k].component] % 2 != 0)
         odd_.push_back(k);
+      else if (all_[k].net() == 0)  // two such shells share it, perhaps
+        all_[k].shared = true;
+    }
   }
 
   /// Of those, what hangs together by edges and is closed.
   void find_shells() {
     std::map<std::uint64_t, std::vector<std::uint32_t>> edges;  // by their places in odd_
-    TurnedSets sets(odd_.size());
     for (std::uint32_t i = 0; i < odd_.size(); ++i)
-      for (const std::uint64_t edge : edge_keys(all_[odd_[i]].corners)) {
-        std::vector<std::uint32_t>& at = edges[edge];
-        at.push_back(i);
-        sets.join(at.front(), i);
-      }
-    std::set<std::uint32_t> open;
+      for (const std::uint64_t edge : edge_keys(all_[odd_[i]].corners)) edges[edge].push_back(i);
+    // Where more meet, as a shell and a wall do, each is a shell of its own.
+    TurnedSets sets(odd_.size());
     for (const auto& [key, at] : edges)
-      if (at.size() % 2 != 0) open.insert(sets.set_of(at.front()));
+      if (at.size() == 2) sets.join(at[0], at[1]);
+    std::set<std::uint32_t> open;
+    for (const auto& [key, at] : edges) {
+      std::map<std::uint32_t, int> uses;
+      for (const std::uint32_t i : at) ++uses[sets.set_of(i)];
+      for (const auto& [set, count] : uses)
+        if (count % 2 != 0) open.insert(set);
+    }
     std::map<std::uint32_t, std::vector<std::uint32_t>> shells;
     for (std::uint32_t i = 0; i < odd_.size(); ++i)
       if (const std::uint32_t set = sets.set_of(i); !open.contains(set))
@@ -110,12 +117,16 @@ class OpposedShells {
   void settle(const std::vector<std::uint32_t>& shell, bool within) {
     for (const std::uint32_t k : shell) {
       SameTriangles& same = all_[k];
-      same.settled = true;
-      if (within)
-        same.wanted = same.net() == 0 ? 0 : same.wanted;
-      else  // a face that is shared with another body is a wall between the two
-        same.wanted = same.net() == 0 ? 1 : same.wanted - 1;
-      same.once = !within && same.net() == 0;
+      if (same.net() == 0) {
+        same.settled = true;
+        same.once = !within;
+        same.wanted = within ? 0 : 1;
+      } else if (within) {
+        same.settled = true;
+      } else {  // a wall between the two, or not: it depends on the other
+        same.shared = true;
+        --same.wanted;
+      }
     }
   }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "engine/geometry/soup.hpp"
@@ -21,6 +20,7 @@ struct SameTriangles {
   long wanted = 1;              ///< how many stay, of the orientation that prevails
   bool once = false;            ///< one stays, and all others are copies of it
   bool settled = false;         ///< that is no longer in doubt
+  bool shared = false;          ///< a shell that is there both ways round shares it with others
   long net() const { return evens - odds; }
   long pairs() const { return std::min(evens, odds); }  ///< that stand against each other
   std::size_t size() const { return end - begin; }

@@ -17,6 +17,7 @@ set(allowed
     engine/haptics/coupling/coupling.hpp
     engine/penetration/search/pair.hpp
     engine/penetration/contact/separation.hpp
+    engine/penetration/search/pose_seed.hpp
     engine/penetration/search/static_search.hpp
     engine/sonde.hpp)
 set(source "${WORK}/face_alone.cpp")

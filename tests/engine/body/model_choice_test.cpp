@@ -267,7 +267,7 @@ void expect_union_of_boxes(int count) {
 
 // Reference: the unit cells of the union, counted.
 TEST(ModelChoice, boxes_that_touch_and_cross_are_their_union) { expect_union_of_boxes(60); }
-TEST(ModelChoice, Full_boxes_that_touch_and_cross_are_their_union) { expect_union_of_boxes(1000); }
+TEST(ModelChoice, Full_boxes_that_touch_and_cross_are_their_union) { expect_union_of_boxes(3000); }
 
 // Reference: the body without its copies. They meet the other along a face, an edge, at a corner.
 TEST(ModelChoice, a_neighbour_that_is_there_both_ways_round_counts_once) {

@@ -147,7 +147,7 @@ TEST(FittedParts, what_is_let_go_is_said) {
   for (const test::FittedScene& scene : test::fitted_scenes())
     for (const int ticks : {3000, 9000}) {
       const Ledger books = ledger(scene, ticks);
-      EXPECT_LT(std::abs(books.unflagged), 2e-3) << scene.name << ", " << ticks << " ticks";
+      EXPECT_LT(std::abs(books.unflagged), 1e-3) << scene.name << ", " << ticks << " ticks";
     }
 }
 
