@@ -45,7 +45,7 @@ bool take_mass(Body& body, const MassProperties& by_area, const MassProperties& 
   body.mass.radius = radius_about(body.soup, body.mass.com);
   body.repairs.overlaps = region.overlaps;
   body.repairs.overlap_error = region.error;
-  body.solid = has_volume(body.mass, by_area);
+  body.solid = has_volume(body.mass, by_area) && region.error <= overlap_tuning.most_error;
   if (!body.solid) body.mass = by_area;
   return body.solid;
 }

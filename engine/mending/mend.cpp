@@ -75,7 +75,7 @@ class Mender {
   /// The triangles that are touched.
   void put_out() {
     for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i) {
-      if (distinct_.backs[i]) continue;
+      if (distinct_.backs[i] || repeats_solid(i)) continue;
       Triangle t = soup_.triangles[i];
       TriangleKind kind =
           TriangleKind::bounds;  // a pair that cancels out bounds nothing either way
@@ -102,6 +102,13 @@ class Mender {
         out_.as_given = false;
       }
     }
+  }
+
+  /// A copy of one that stays, in a solid: with both, a shell that is there more often than the
+  /// others would have another winding number than the mass is of.
+  bool repeats_solid(std::uint32_t i) const {
+    const std::uint32_t by = distinct_.by[i];
+    return by != i && by != Distinct::none && solid_[orientation_.part[number_[by]]];
   }
 
   void add(const Triangle& t, TriangleKind kind, std::uint32_t part) {
@@ -165,7 +172,8 @@ class Mender {
     else if (r.solid_parts < r.parts)
       out_.why = std::to_string(r.solid_parts) + " of " + counted(r.parts, "part") +
                  (r.solid_parts == 1 ? " is closed: its inside counts"
-                                     : " are closed: their inside counts");
+                                     : " are closed: their inside counts") +
+                 (r.could_be_solid ? "; the largest other has " + why_surface() : "");
     else if (r.any())
       out_.why = "closed once mended: the inside counts";
     else

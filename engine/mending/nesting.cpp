@@ -60,13 +60,16 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
   }
   const std::vector<PartPoint> points = sample_points(sealed, facts);
   const std::vector<PartWindings> around = part_windings(sealed, points, progress);
-  // How many of its points, of how many, lie inside of which others.
+  // How many of its points, of how many, lie inside of which others, and of any other.
   std::vector<std::map<std::uint32_t, std::size_t>> inside(facts.size());
-  std::vector<std::size_t> asked(facts.size(), 0);
+  std::vector<std::size_t> asked(facts.size(), 0), covered(facts.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    ++asked[points[k].part];
+    const std::uint32_t p = points[k].part;
+    bool any = false;
+    ++asked[p];
     for (const auto& [part, winding] : around[k])
-      if (winding != 0 && part != points[k].part) ++inside[points[k].part][part];
+      if (winding != 0 && part != p) ++inside[p][part], any = true;
+    covered[p] += any;
   }
   const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(sealed, facts.size());
   const auto nested_in = [&](std::uint32_t p, std::uint32_t q) {
@@ -77,9 +80,22 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
            (bounds[q].max() + rounding - bounds[p].max()).minCoeff() >= 0;
   };
   const auto is_outermost = [&](std::uint32_t q, std::uint32_t but) {
-    return std::ranges::none_of(inside[q], [&](const auto& further) {
-      return further.first != but && nested_in(q, further.first);
-    });
+    const auto others =
+        std::ranges::count_if(inside[q], [&](const auto& further) { return further.first != but; });
+    return (others < 2 || covered[q] < asked[q]) &&
+           std::ranges::none_of(inside[q], [&](const auto& further) {
+             return further.first != but && nested_in(q, further.first);
+           });
+  };
+  // Within several together, as a cavity across two halves; where one of these is mirrored and the
+  // other is not, it is a cavity still.
+  const auto turns_with_all = [&](std::uint32_t p) {
+    bool any_over = false, any_not = false;
+    for (const auto& [q, count] : inside[p])
+      if (is_outermost(q, p)) (facts[q].volume < 0 ? any_over : any_not) = true;
+    return any_over && any_not   ? facts[p].volume > 0
+           : any_over || any_not ? any_over
+                                 : facts[p].volume < 0;
   };
   // The outermost part around each: one that holds it and is nested in none itself.
   for (std::uint32_t p = 0; p < facts.size(); ++p) {
@@ -87,8 +103,12 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
     const auto around_it = std::ranges::find_if(inside[p], [&](const auto& found) {
       return nested_in(p, found.first) && is_outermost(found.first, p);
     });
-    const std::uint32_t outermost = around_it == inside[p].end() ? p : around_it->first;
-    turn[p] = facts[outermost].volume < 0;
+    if (around_it != inside[p].end())
+      turn[p] = facts[around_it->first].volume < 0;
+    else if (inside[p].size() > 1 && covered[p] == asked[p])
+      turn[p] = turns_with_all(p);
+    else
+      turn[p] = facts[p].volume < 0;
   }
   return turn;
 }

@@ -131,6 +131,7 @@ class Judge {
       return;
     }
     const Sealed own = alone(p);
+    const double thin = part_tuning.thinnest_lobe * boxes_[p].sizes().norm();
     double inside = 0;
     for (int k = 0; k < 3; ++k) {
       const Lines lines(own.soup, line_frame(k), part_tuning.flat_lines);
@@ -138,7 +139,8 @@ class Judge {
         int winding = 0;
         double from = 0;
         for (const LineHit& hit : lines[i]) {
-          if (winding != 0) inside += (hit.along - from) * lines.pixel() * lines.pixel() / 3;
+          if (const double length = hit.along - from; winding != 0 && length > thin)
+            inside += length * lines.pixel() * lines.pixel() / 3;
           winding -= hit.sign;
           from = hit.along;
         }

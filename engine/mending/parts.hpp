@@ -25,6 +25,8 @@ struct PartTuning {
   double flat = 1e-12;
   /// The same where volume is counted by lines, which see lobes that cancel in the sum.
   double flat_by_lines = 1e-9;
+  /// Of its size: what lines find no longer inside of is their rounding, on a sheet and its lid.
+  double thinnest_lobe = 1e-6;
   int lines = 256;      ///< along a side of the raster, in each of three directions
   int own_lines = 128;  ///< for a part by itself
   int flat_lines = 64;  ///< to look for lobes

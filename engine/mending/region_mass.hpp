@@ -19,6 +19,7 @@ struct OverlapTuning {
   double rounding = 1e-9;
   /// Of the volume: less than this, the sum over the triangles stands, and so do its last digits.
   double least = 1e-7;
+  double most_error = 0.1;  ///< of the volume: known no better, it is not known
 };
 inline constexpr OverlapTuning overlap_tuning;
 

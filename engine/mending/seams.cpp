@@ -200,13 +200,19 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
   best.label.resize(soup.vertices.size());
   std::iota(best.label.begin(), best.label.end(), 0u);
   best.uses = open;
+  const double size = box.sizes().norm(), widest_reach = *std::rbegin(seam_tuning.reaches);
+  const double rounding =
+      std::min(seam_tuning.farthest_rounding * size,
+               seam_tuning.single_precision *
+                   std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
   const auto within = [&](double reach) {
-    return Attempt(soup, box, reach * box.sizes().norm()).run(open, uses.size());
+    const double at_least = reach == widest_reach ? rounding : 0;
+    return Attempt(soup, box, std::max(reach * size, at_least)).run(open, uses.size());
   };
   report(progress, 0);
   // Where the widest reach finds nothing, none does.
   if (border > 0) {
-    const Seams widest = within(*std::rbegin(seam_tuning.reaches));
+    const Seams widest = within(widest_reach);
     best.unsearched = widest.unsearched;
     if (widest.joined + widest.on_edges == 0) border = 0;
   }

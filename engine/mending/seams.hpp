@@ -19,6 +19,11 @@ struct SeamTuning {
   /// step is kept only where it shortens the border of the best before it by a fifth. The last one
   /// is ten times the rounding of a file with six digits; what is further apart stays open.
   double reaches[4] = {0, 1e-7, 1e-6, 1e-5};
+  /// Of the largest coordinate: how far apart rounding to single precision puts what was one place.
+  /// Far from the origin this is more than the last reach, and takes its place. Of the diagonal,
+  /// it is never more than `farthest_rounding`.
+  double single_precision = 2.1e-7;
+  double farthest_rounding = 1e-3;
   double shorter = 0.8;
   /// Of the shortest open edge there: a reach beyond would close what is drawn that small.
   double of_edge = 0.2;

@@ -19,6 +19,9 @@
 namespace sonde {
 namespace {
 
+/// m. No coordinate may lie beyond it; squares of more are none.
+constexpr double farthest = 1e30;
+
 std::string place_text(const Vec3& x) {
   std::string text;
   for (const double value : x) text += (text.empty() ? "(" : ", ") + number_text(value, 6);
@@ -39,7 +42,8 @@ std::string place_text(const Vec3& x) {
 
 void check(const Body& body, double by) {
   const std::string what = by < 0 ? "an allowance" : "a safety";
-  if (!std::isfinite(by)) throw InputError::in(body.name, what + " must be finite");
+  if (!(std::abs(by) <= farthest))
+    throw InputError::in(body.name, what + " must be at most " + number_text(farthest, 1) + " m");
   if (!body.solid)
     throw InputError::in(body.name, what + " needs a solid, and this is a surface (" + body.why +
                                         "): it has no inside to be taken " +

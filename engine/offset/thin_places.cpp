@@ -24,6 +24,37 @@ Corners corners_of(const Soup& soup, std::uint32_t t) {
 Vec3 area_vector(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
 Vec3 middle(const Corners& c) { return (c[0] + c[1] + c[2]) / 3; }
 
+/// The faces around a corner: unit normals, outwards.
+struct CornerFaces {
+  std::vector<Vec3> normals;
+  bool concave = false;  ///< somewhere: what is next to one of them stands above it
+};
+
+/// The largest cosine between a unit direction and those from n to m, the short way round.
+double nearest_between(const Vec3& n, const Vec3& m, const Vec3& direction) {
+  const double at_n = n.dot(direction), at_m = m.dot(direction), c = n.dot(m);
+  // Of the part of the direction in their plane, as a combination of the two.
+  const double by_n = at_n - c * at_m, by_m = at_m - c * at_n, s2 = 1 - c * c;
+  if (!(by_n > 0 && by_m > 0 && s2 > 0)) return std::max(at_n, at_m);
+  return std::sqrt((by_n * at_n + by_m * at_m) / s2);
+}
+
+/// How much of a way leads inwards: along the normal there, or the one of those that a ball which
+/// touches a concave corner from inside may have.
+double inwards(const CornerFaces& corner, const Vec3& way) {
+  const Vec3 back = -way.normalized();
+  double most = -1;
+  if (corner.concave) {
+    for (const Vec3& n : corner.normals)
+      for (const Vec3& m : corner.normals) most = std::max(most, nearest_between(n, m, back));
+  } else {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& n : corner.normals) sum += n;
+    most = sum.normalized().dot(back);
+  }
+  return most * way.norm();
+}
+
 /// Where a line crosses a triangle, from x along a unit direction.
 std::optional<double> crossed(const Corners& c, const Vec3& x, const Vec3& direction) {
   const Vec3 n = area_vector(c);
@@ -118,27 +149,36 @@ class ThinFinder {
     });
   }
 
-  /// From the middles of the faces there straight through the material, and from their corners to
-  /// what is nearest of all that looks the other way.
+  /// From the middles of the faces there straight through the material, and from their corners by
+  /// the smallest ball that touches there and reaches something that looks the other way.
   ThinPlace thinnest() const {
     ThinPlace least{std::numeric_limits<double>::infinity(), body_.mass.com};
-    std::map<std::uint32_t, Vec3> corners;  // with the sum of the normals
+    std::map<std::uint32_t, CornerFaces> corners;
     for (const std::uint32_t t : suspects_)
-      for (const std::uint32_t vertex : soup_.triangles[t]) corners[vertex] = Vec3::Zero();
+      for (const std::uint32_t vertex : soup_.triangles[t]) corners[vertex] = {};
     std::vector<std::uint32_t> faces;
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       bool there = false;
       for (const std::uint32_t vertex : soup_.triangles[t])
         if (const auto found = corners.find(vertex); found != corners.end()) {
-          found->second += area_vector(corners_of(soup_, t)).normalized();
+          found->second.normals.push_back(area_vector(corners_of(soup_, t)).normalized());
           there = true;
         }
       if (there && faces.size() < most_places) faces.push_back(t);
     }
     for (const std::uint32_t t : faces) look_through(t, least);
+    const double rounding = file_rounding(soup_);
+    for (const Triangle& t : soup_.triangles)
+      for (const std::uint32_t vertex : t)
+        if (const auto found = corners.find(vertex); found != corners.end())
+          for (const Vec3& n : found->second.normals)
+            for (const std::uint32_t other : t)
+              found->second.concave =
+                  found->second.concave ||
+                  n.dot(soup_.vertices[other] - soup_.vertices[vertex]) > rounding;
     std::size_t tried = 0;
-    for (const auto& [vertex, outwards] : corners)
-      if (tried++ < most_places) look_across(soup_.vertices[vertex], outwards, least);
+    for (const auto& [vertex, around] : corners)
+      if (tried++ < most_places) look_across(soup_.vertices[vertex], around, least);
     return least;
   }
 
@@ -153,14 +193,20 @@ class ThinFinder {
     }
   }
 
-  void look_across(const Vec3& x, const Vec3& outwards, ThinPlace& least) const {
+  void look_across(const Vec3& x, const CornerFaces& around, ThinPlace& least) const {
     const double here = file_rounding(soup_);
+    Vec3 outwards = Vec3::Zero();
+    for (const Vec3& n : around.normals) outwards += n;
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       const Corners other = corners_of(soup_, t);
       const Vec3 normal = area_vector(other);
       if (normal.dot(outwards) >= 0 || normal.dot(other[0] - x) <= 0) continue;
-      const double across = closest_points({x, x, x}, other).distance;
-      if (across > here && across < least.thickness) least = {across, x};
+      const Vec3 way = closest_points({x, x, x}, other).b - x;
+      if (way.norm() <= here) continue;
+      const double in = inwards(around, way);
+      if (!(in > 0)) continue;
+      const double across = way.squaredNorm() / in;
+      if (across < least.thickness) least = {across, x};
     }
   }
 

@@ -237,6 +237,9 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
         return pairs.give_up(std::max(0.0, known * (1 - 1e-12)));
       }
       Vec3 n = normal_of(pair.tag);
+      if (n != Vec3::Zero() && p.distance[k] > 0 &&
+          pairs.is_clear_between(pair.i, pair.j, 0, pairs.start(), n, normal(p, k)))
+        return;
       double from = 0;
       if (n != Vec3::Zero()) {
         const PairSweep::Step step = pairs.step_along(pair.i, pair.j, n, pairs.start());

@@ -93,6 +93,14 @@ bool PairSweep::is_clear_along(std::uint32_t i, std::uint32_t j, const Vec3& n) 
   return std::min(from, to) - floor >= until * until * hangs_by(bend);
 }
 
+bool PairSweep::is_clear_between(std::uint32_t i, std::uint32_t j, double s, const Moment& now,
+                                 const Vec3& from, const Vec3& to) {
+  const Corners local = corners(surface(a_), i), tb = corners(surface(b_), j);
+  const double gap = gap_along(from, place(now.X, local), tb);
+  const double floor = s > 0 ? clearance_ + guard_ : floor_of(gap);
+  return gap > 0 && slides({s, now, from}, {1, at(1), to}, local, tb, radius(local), floor);
+}
+
 bool PairSweep::slides(const Slide& from, const Slide& to, const Corners& local, const Corners& tb,
                        double radius, double floor) const {
   // Along m(s) = n₀ + s (n₁ − n₀), |m| ≤ 1, a corner x of A is h = m·(x − b) above one of B, and

@@ -58,6 +58,10 @@ class PairSweep {
   }
   /// Is the pair certain to keep its clearance along a normal as far as the path is followed?
   bool is_clear_along(std::uint32_t i, std::uint32_t j, const Vec3& normal);
+  /// The same from s on, `now`, along a direction that turns from one normal, that separates the
+  /// pair then, to another at the end of the path.
+  bool is_clear_between(std::uint32_t i, std::uint32_t j, double s, const Moment& now,
+                        const Vec3& from, const Vec3& to);
 
   /// The path is followed no further: all that was not looked at is free up to `known`.
   void give_up(double known) {

@@ -54,7 +54,9 @@ class Sweeper {
       if (!stack_.empty())
         visit(stack_.pop());
       else if (waiting_ > 0)
-        advance_waiting();
+        look_at_waiting();
+      else if (open_ > 0)
+        advance_open();
       else
         break;
     }
@@ -95,7 +97,8 @@ class Sweeper {
           level[count++] = p;
       }
     }
-    if (waiting_ > 0) advance_waiting();
+    if (waiting_ > 0) look_at_waiting();
+    if (open_ > 0) advance_open();
   }
 
   /// As far as all pairs that are still to be looked at are known to be free.
@@ -104,6 +107,8 @@ class Sweeper {
     while (!stack_.empty()) known = std::min(known, static_cast<double>(stack_.pop().bound));
     for (int k = 0; k < waiting_; ++k)
       known = std::min(known, queue_[static_cast<std::size_t>(k)].from);
+    for (int k = 0; k < open_; ++k)
+      known = std::min(known, open_queue_[static_cast<std::size_t>(k)].from);
     pairs_.give_up(known);
     return pairs_.result();
   }
@@ -195,6 +200,8 @@ class Sweeper {
     double from;  // known to be free so far
     double s;     // of the moment at which they are compared
     Moment moment;
+    Vec3 normal = Vec3::Zero();  // that separates them then
+    bool leads = false;          // as far as `from`
   };
 
   /// Most pairs of triangles are done with after one look, which eight take together.
@@ -203,25 +210,46 @@ class Sweeper {
     set_lane(lanes_, waiting_, place(now.moment.X, corners(surface(a_), i)),
              corners(surface(b_), j));
     queue_[static_cast<std::size_t>(waiting_++)] = {
-        i, j, static_cast<double>(p.bound), static_cast<double>(now.number) / moments, now.moment};
-    if (waiting_ == static_cast<int>(queue_.size())) advance_waiting();
+        i, j, static_cast<double>(p.bound), static_cast<double>(now.number) / moments, now.moment,
+        Vec3::Zero(), false};
+    if (waiting_ == static_cast<int>(queue_.size())) look_at_waiting();
   }
 
-  void advance_waiting() {
+  void look_at_waiting() {
     ClosestPoints8 points;
     closest_points(lanes_, waiting_, std::numeric_limits<double>::infinity(), points);
     for (int k = 0; k < waiting_; ++k) {
-      const Waiting& w = queue_[static_cast<std::size_t>(k)];
-      Vec3 n = Vec3::Zero();
-      double from = w.from;
-      if (points.gap[k] > 2 * pairs_.clearance()) {
-        n = normal(points, k);
-        from = std::max(from, w.s + pairs_.step_along(w.i, w.j, n, w.moment).length);
-      }
-      if (from < pairs_.free_until()) effort_.spend(pairs_.advance(w.i, w.j, from, n));
+      Waiting& w = queue_[static_cast<std::size_t>(k)];
+      if (points.distance[k] > 0) w.normal = normal(points, k);
+      w.leads = points.gap[k] > 2 * pairs_.clearance();
+      if (w.leads)
+        w.from = std::max(w.from, w.s + pairs_.step_along(w.i, w.j, w.normal, w.moment).length);
+      if (w.from >= pairs_.free_until()) continue;
+      set_lane(lanes_at_end_, open_, place(pairs_.end(), corners(surface(a_), w.i)),
+               corners(surface(b_), w.j));
+      open_queue_[static_cast<std::size_t>(open_++)] = w;
+      if (open_ == static_cast<int>(open_queue_.size())) advance_open();
     }
     effort_.spend(work_to_advance * waiting_);
     waiting_ = 0;
+  }
+
+  /// Of the others most only slide past: a look at the end of the path, that eight take together,
+  /// tells so.
+  void advance_open() {
+    ClosestPoints8 points;
+    closest_points(lanes_at_end_, open_, std::numeric_limits<double>::infinity(), points);
+    for (int k = 0; k < open_; ++k) {
+      const Waiting& w = open_queue_[static_cast<std::size_t>(k)];
+      if (w.from >= pairs_.free_until()) continue;
+      if (w.normal != Vec3::Zero() && points.distance[k] > 0 &&
+          pairs_.is_clear_between(w.i, w.j, w.s, w.moment, w.normal, normal(points, k)))
+        continue;
+      Vec3 n = w.leads ? w.normal : Vec3::Zero();
+      effort_.spend(pairs_.advance(w.i, w.j, w.from, n));
+    }
+    effort_.spend(work_to_advance * open_);
+    open_ = 0;
   }
 
   /// The last moment, of those that suit the size of the boxes, before the pair's. Most visits are
@@ -274,9 +302,9 @@ class Sweeper {
   PathBounds bounds_{};
   float per_path_;  // a part of 1 over the longest path of a point of A
   std::array<Placed, 64> kept_;
-  TrianglePairs8 lanes_;
-  std::array<Waiting, 8> queue_;
-  int waiting_ = 0;
+  TrianglePairs8 lanes_, lanes_at_end_;
+  std::array<Waiting, 8> queue_, open_queue_;
+  int waiting_ = 0, open_ = 0;
   PairStack<SlotPair> stack_;
 };
 

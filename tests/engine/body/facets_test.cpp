@@ -157,22 +157,29 @@ TEST(Facets, many_copies_of_a_solid_are_one) {
   for (const int times : {2, 3, 300}) {
     const auto body = make_body(test::repeated(block, times), Model::automatic, "copies");
     EXPECT_TRUE(body->solid);
-    EXPECT_EQ(body->duplicates, 192u * static_cast<std::size_t>(times - 1));
+    EXPECT_EQ(body->duplicates, 0u);
+    EXPECT_EQ(body->repairs.repeated, 192u * static_cast<std::size_t>(times - 1));
     EXPECT_EQ(surface(*body).triangles.size(), 12u);
     EXPECT_EQ(winding_number(*body, {0.1, 0.2, 0.3}), 1);
     EXPECT_EQ(winding_number(*body, {1, 2, 3}), 0);
     EXPECT_NEAR(body->mass.com.norm(), 0, 1e-12);
     EXPECT_NEAR(body->mass.inertia.x(), 1.0 / 6, 1e-12);
   }
+  const auto as_it_is =
+      make_body(test::repeated(block, 3), Model::automatic, "copies", {}, Repair::none);
+  EXPECT_EQ(as_it_is->duplicates, 384u);
+  EXPECT_EQ(surface(*as_it_is).triangles.size(), 12u);
+  EXPECT_EQ(winding_number(*as_it_is, {0.1, 0.2, 0.3}), 1);
 }
 
-// By hand: two, three or four copies of a part, and what is left in proportion.
+// By hand: two, three or four copies of a part, and what is left in proportion; once where it is
+// mended.
 TEST(Facets, copies_of_a_solids_parts_stay_in_proportion) {
   const PolygonSoup block = test::box({1, 1, 1}), other = moved(block, {3, 0, 0});
-  const auto windings = [&](int times, int times_other) {
+  const auto windings = [&](int times, int times_other, Repair repair = Repair::none) {
     const auto body =
         make_body(joined(test::repeated(block, times), test::repeated(other, times_other)),
-                  Model::automatic, "parts");
+                  Model::automatic, "parts", {}, repair);
     EXPECT_TRUE(body->solid);
     return std::pair(winding_number(*body, {0.1, 0.2, 0.3}),
                      winding_number(*body, {3.1, 0.2, 0.3}));
@@ -180,6 +187,8 @@ TEST(Facets, copies_of_a_solids_parts_stay_in_proportion) {
   EXPECT_EQ(windings(2, 4), std::pair(1, 2));
   EXPECT_EQ(windings(2, 3), std::pair(2, 3));
   EXPECT_EQ(windings(1, 3), std::pair(1, 3));
+  EXPECT_EQ(windings(2, 4, Repair::automatic), std::pair(1, 1));
+  EXPECT_EQ(windings(2, 3, Repair::automatic), std::pair(1, 1));
 }
 
 TEST(Facets, a_surface_keeps_one_of_each_orientation) {

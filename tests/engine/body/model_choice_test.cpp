@@ -11,6 +11,8 @@
 #include <set>
 #include <utility>
 
+#include "engine/penetration/search/static_search.hpp"
+#include "tests/support/conforming.hpp"
 #include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -356,6 +358,30 @@ TEST(ModelChoice, a_part_written_twice_counts_once) {
     expect_same_mass(*test::body(test::joined(test::joined(mesh, mesh), more)),
                      *test::body(test::joined(mesh, more)), 1e-12);
   }
+}
+
+// A cavity stays one, however often its shell and the outer one were written: for the mass, the
+// inside and the search. Reference: each written once.
+TEST(ModelChoice, a_cavity_stays_one_however_often_its_shells_are_written) {
+  const auto probe = test::body(test::box({0.4, 0.4, 0.4}));
+  for (const PolygonSoup& outer : {test::box({4, 4, 4}), test::icosphere(3, 2)})
+    for (const PolygonSoup& hollow :
+         {test::box({2, 2, 2}), test::icosphere(1.1, 1), test::cut_block({2, 2, 2}, {3})}) {
+      const PolygonSoup cavity = test::turned_over(hollow);
+      const auto once = test::body(test::joined(outer, cavity));
+      for (const auto& [outers, cavities] :
+           {std::pair{2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 3}, {2, 2}}) {
+        const auto body = test::body(
+            test::joined(test::repeated(outer, outers), test::repeated(cavity, cavities)));
+        expect_same_mass(*body, *once, 1e-12);
+        const Pair pair(probe, body);
+        const Separation within = separate_static(pair, Pose{Quat::Identity(), Vec3::Zero()}, {});
+        EXPECT_EQ(within.status, Status::separated) << outers << " " << cavities;
+        const Pose crossing{Quat::Identity(), Vec3(0, 0, 1.05)};
+        EXPECT_EQ(separate_static(pair, crossing, {}).depth,
+                  separate_static(Pair(probe, once), crossing, {}).depth);
+      }
+    }
 }
 
 // Reference: the parts apart from each other.

@@ -56,6 +56,29 @@ TEST(Nesting, a_cavity_and_what_is_in_it_turn_with_what_holds_them) {
             (Turned{true, true, false}));
 }
 
+// A cavity that lies in two halves together stays one, whichever half is mirrored; and what is in
+// it is material.
+TEST(Nesting, a_cavity_across_two_halves_is_one) {
+  const auto over = [](const PolygonSoup& mesh) { return test::turned_over(mesh); };
+  for (const PolygonSoup& hollow :
+       {test::box({2, 2, 2}), test::icosphere(1.1, 2), test::torus(0.9, 0.4, 20, 10)})
+    for (const double overlap : {0.0, 0.3}) {
+      const PolygonSoup right =
+                            test::placed(test::box({2 + overlap, 4, 4}), {1 - overlap / 2, 0, 0}),
+                        left =
+                            test::placed(test::box({2 + overlap, 4, 4}), {overlap / 2 - 1, 0, 0}),
+                        shifted = test::placed(hollow, {0.02, 0, 0}), cavity = over(shifted),
+                        core = test::placed(test::box({0.2, 0.2, 0.2}), {0.02, 0, 0});
+      EXPECT_EQ(turned({right, left, cavity}), (Turned{false, false, false}));
+      EXPECT_EQ(turned({right, over(left), cavity}), (Turned{false, true, false}));
+      EXPECT_EQ(turned({over(right), left, cavity}), (Turned{true, false, false}));
+      EXPECT_EQ(turned({over(right), over(left), shifted}), (Turned{true, true, true}));
+      EXPECT_EQ(turned({right, left, cavity, core}), (Turned{false, false, false, false}));
+      EXPECT_EQ(turned({over(right), over(left), shifted, over(core)}),
+                (Turned{true, true, true, true}));
+    }
+}
+
 TEST(Nesting, a_copy_in_the_same_place_is_not_nested) {
   const PolygonSoup box = test::icosphere(1, 1);
   EXPECT_EQ(turned({box, test::turned_over(box)}), (Turned{false, true}));

@@ -90,6 +90,26 @@ TEST(Parts, a_net_is_no_solid) {
   EXPECT_FALSE(any);
 }
 
+// A sheet and the lid that closes it bound nothing, however finely it is cut and wherever it lies.
+TEST(Parts, a_sheet_and_its_lid_are_flat) {
+  for (const int squares : {3, 4, 5, 8, 17})
+    for (const double size : {1e-3, 1.0, 400.0})
+      for (const bool turned : {false, true}) {
+        PolygonSoup sheet;
+        for (int i = 0; i <= squares; ++i)
+          for (int j = 0; j <= squares; ++j) sheet.points.push_back({size * i, size * j, 0});
+        const auto at = [&](int i, int j) {
+          return static_cast<std::size_t>(i * (squares + 1) + j);
+        };
+        for (int i = 0; i < squares; ++i)
+          for (int j = 0; j < squares; ++j)
+            sheet.polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        const Quat q = Quat(0.4, 0.3, -0.5, 0.7).normalized();
+        if (turned) sheet = test::moved(sheet, [&](const Vec3& x) { return Vec3(q * x); });
+        for (const PartFacts& part : judged(sheet)) EXPECT_TRUE(part.flat) << squares << size;
+      }
+}
+
 TEST(Parts, lobes_that_cancel_are_not_flat) {
   const PolygonSoup bow = test::moved(test::triangulated(test::box({2, 2, 2})), [](const Vec3& x) {
     return x.z() > 0 ? Vec3(-x.x(), x.y(), x.z()) : x;

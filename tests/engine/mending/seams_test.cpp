@@ -39,6 +39,21 @@ TEST(Seams, corners_apart_by_rounding_are_joined) {
     }
 }
 
+// Far from the origin the rounding of a file in single precision is more than the reach.
+TEST(Seams, rounding_to_single_precision_is_joined_wherever_it_is) {
+  for (const double away : {10.0, 300.0, 1000.0, 5000.0})
+    for (const PolygonSoup& mesh :
+         {test::box({1, 2, 3}), test::icosphere(0.8, 2), test::torus(1, 0.3, 24, 12)}) {
+      const PolygonSoup cut =
+          test::moved(test::cut_beyond(mesh, Vec3(1, 0.3, 0.2), 0), [&](const Vec3& x) {
+            return Vec3((x + Vec3(away, -away, away)).cast<float>().cast<double>());
+          });
+      const Soup soup = test::welded(cut);
+      ASSERT_GT(open_edges(edge_uses(soup)), 0u);
+      EXPECT_EQ(open_edges(seams_of(soup).uses), 0u) << away;
+    }
+}
+
 // A cut along a plane: on one side every triangle is cut in four.
 TEST(Seams, corners_on_the_sides_of_others_cut_them) {
   for (const PolygonSoup& mesh :

@@ -253,6 +253,12 @@ TEST(OffsetFaces, thinner_than_twice_the_allowance_is_refused_with_the_thickness
       EXPECT_EQ(refusal(*body, -0.3 * thick), "accepted") << i << " " << thick;
     }
   }
+  // Two opposite faces of a regular solid are the thinnest place of it, 2√((5 + 2√5) / 15) =
+  // 1.589 radii of an icosahedron.
+  for (const auto& [radius, thick] :
+       {std::pair{0.01, "15.8931 mm thick"}, {1.0, "1.58931 m thick"}, {30.0, "47.6793 m thick"}})
+    EXPECT_THAT(refusal(*test::body(test::icosphere(radius, 0)), -0.8 * radius),
+                testing::HasSubstr(thick));
   const auto ball = test::body(test::sphere(0.01, 12, 20));
   EXPECT_THAT(refusal(*ball, -0.02), testing::HasSubstr("inside out"));
   EXPECT_THAT(refusal(*ball, -1e9), testing::HasSubstr("inside out"));
@@ -395,10 +401,12 @@ TEST(OffsetFaces, caps_move_and_stay_caps) {
 TEST(OffsetFaces, surfaces_and_lengths_without_sense_are_refused) {
   const auto box = test::body(test::box({1, 1, 1}));
   EXPECT_EQ(refusal(*box, std::numeric_limits<double>::quiet_NaN()),
-            "test shape: a safety must be finite");
+            "test shape: a safety must be at most 1e+30 m");
   EXPECT_EQ(refusal(*box, -std::numeric_limits<double>::infinity()),
-            "test shape: an allowance must be finite");
-  EXPECT_THAT(refusal(*box, 1e31), testing::HasSubstr("beyond 1e30 m"));
+            "test shape: an allowance must be at most 1e+30 m");
+  for (const double huge : {1e31, 1e160, 1e300})
+    EXPECT_THAT(refusal(*box, huge), testing::HasSubstr("must be at most 1e+30 m"));
+  EXPECT_THAT(refusal(*box, 1e30), testing::HasSubstr("beyond 1e30 m"));
   PolygonSoup open = test::box({1, 1, 1});
   open.polygons.pop_back();
   const auto asked = test::body(test::box({1, 1, 1}), Model::surface);
