@@ -8,6 +8,7 @@
 #include "engine/geometry/topology.hpp"
 #include "engine/mesh_io/mesh_readers.hpp"
 #include "engine/mesh_io/plain_text.hpp"
+#include "engine/mesh_io/remarks.hpp"
 #include "engine/mesh_io/stl_parts.hpp"
 
 namespace sonde {

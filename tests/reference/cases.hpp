@@ -39,7 +39,14 @@ struct Case {
   Pose pose;  ///< X_FM, at which the bodies overlap
 };
 
+/// Those of depths.csv.
 const std::vector<PairSpec>& pair_specs();
+/// Those of deep_tuning.csv and deep_reporting.csv: families of deep concave pairs, on the first of
+/// which the search was tuned, and on the second of which nothing was.
+const std::vector<PairSpec>& deep_tuning_specs();
+const std::vector<PairSpec>& deep_reporting_specs();
+/// All of them.
+std::vector<const PairSpec*> known_specs();
 
 /// The poses of a pair, always the same ones. Each overlaps by the exact test.
 std::vector<Case> cases(const PairSpec& spec, const Body& probe, const Body& fixed);

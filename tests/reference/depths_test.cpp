@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// depths.csv against what it is said to hold. Depths are checked by the definition of σ (the mean
-// squared displacement, integrated over the triangles) and by the exact test of freedom; that no
-// smaller ones are known, by a short search with another seed.
+// depths.csv and the files of deep pairs against what they are said to hold. Depths are checked by
+// the definition of σ (the mean squared displacement, integrated over the triangles) and by the
+// exact test of freedom; that no smaller ones are known, by a short search with another seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,30 +22,44 @@
 namespace sonde::reference {
 namespace {
 
+std::vector<Row> rows_in(const std::string& file) {
+  return read_rows(std::string(SONDE_REFERENCE) + "/" + file);
+}
+
 const std::vector<Row>& rows() {
-  static const std::vector<Row> all = read_rows(SONDE_DEPTHS);
+  static const std::vector<Row> all = rows_in("depths.csv");
   return all;
 }
 
+/// Those of all three files.
+std::vector<Row> known_rows() {
+  std::vector<Row> out = rows();
+  for (const char* const file : {"deep_tuning.csv", "deep_reporting.csv"})
+    std::ranges::copy(rows_in(file), std::back_inserter(out));
+  return out;
+}
+
 std::vector<Row> rows_of(const std::string& pair) {
+  static const std::vector<Row> all = known_rows();
   std::vector<Row> out;
-  for (const Row& row : rows())
+  for (const Row& row : all)
     if (row.pair == pair) out.push_back(row);
   return out;
 }
 
 TEST(Depths, every_case_has_its_row) {
   std::size_t count = 0;
-  for (const PairSpec& spec : pair_specs()) {
-    const std::vector<Row> of_pair = rows_of(spec.name);
-    EXPECT_EQ(static_cast<int>(of_pair.size()), case_count(spec)) << spec.name;
+  for (const PairSpec* spec : known_specs()) {
+    const std::vector<Row> of_pair = rows_of(spec->name);
+    EXPECT_EQ(static_cast<int>(of_pair.size()), case_count(*spec)) << spec->name;
     for (std::size_t i = 0; i < of_pair.size(); ++i)
       EXPECT_EQ(of_pair[i].index, static_cast<int>(i)) << name(of_pair[i]);
     count += of_pair.size();
   }
-  EXPECT_EQ(rows().size(), count) << "rows of a pair that is not there";
-  EXPECT_GE(count, 200U);
+  EXPECT_EQ(known_rows().size(), count) << "rows of a pair that is not there";
+  EXPECT_GE(rows().size(), 200U);
   EXPECT_GE(pair_specs().size(), 12U);
+  EXPECT_EQ(deep_tuning_specs().size() + deep_reporting_specs().size(), 8U);
 }
 
 void check(const Row& row, const Case& at, const Body& probe, const Body& fixed,
@@ -67,12 +81,12 @@ void check(const Row& row, const Case& at, const Body& probe, const Body& fixed,
 }
 
 TEST(Depths, poses_overlap_and_their_answers_are_free_and_as_far_away_as_said) {
-  for (const PairSpec& spec : pair_specs()) {
-    const auto probe = spec.probe(), fixed = spec.fixed();
-    const std::vector<Case> all = cases(spec, *probe, *fixed);
+  for (const PairSpec* spec : known_specs()) {
+    const auto probe = spec->probe(), fixed = spec->fixed();
+    const std::vector<Case> all = cases(*spec, *probe, *fixed);
     const test::Moments moments =
         probe->repairs.overlaps ? test::moments_by_columns(*probe, 400) : test::moments(*probe);
-    for (const Row& row : rows_of(spec.name))
+    for (const Row& row : rows_of(spec->name))
       check(row, all.at(static_cast<std::size_t>(row.index)), *probe, *fixed, moments);
   }
 }
@@ -80,7 +94,7 @@ TEST(Depths, poses_overlap_and_their_answers_are_free_and_as_far_away_as_said) {
 /// The bodies of every pair, by its name.
 std::map<std::string, const PairSpec*> specs() {
   std::map<std::string, const PairSpec*> out;
-  for (const PairSpec& spec : pair_specs()) out[spec.name] = &spec;
+  for (const PairSpec* spec : known_specs()) out[spec->name] = spec;
   return out;
 }
 
@@ -115,13 +129,14 @@ TEST(Depths, a_short_search_finds_nothing_better_and_mostly_the_same) {
 }
 
 /// What the static search makes of every n-th row.
-void check_search(Method method, std::size_t every, double share_within_5) {
+void check_search(const std::vector<Row>& of, Method method, std::size_t every,
+                  double share_within_5) {
   const auto specs = reference::specs();
   StaticOptions options;
   options.method = method;
   std::size_t searched = 0, within_5 = 0;
-  for (std::size_t i = 0; i < rows().size(); i += every) {
-    const Row& row = rows()[i];
+  for (std::size_t i = 0; i < of.size(); i += every) {
+    const Row& row = of[i];
     const PairSpec& spec = *specs.at(row.pair);
     const Measured m = measure(row, {spec.probe(), spec.fixed()}, options);
     EXPECT_TRUE(m.free) << name(row);
@@ -196,9 +211,17 @@ TEST(Depths, without_any_time_the_answer_is_where_sketches_say) {
   EXPECT_GE(linked, 4);
 }
 
-TEST(Depths, the_static_search_finds_nine_tenths_of_a_sample) { check_search(Method::pdg, 9, 0.9); }
+TEST(Depths, the_static_search_finds_nine_tenths_of_a_sample) {
+  check_search(rows(), Method::pdg, 9, 0.9);
+}
 TEST(Depths, the_translational_search_finds_nine_tenths_of_a_sample) {
-  check_search(Method::pdt, 9, 0.9);
+  check_search(rows(), Method::pdt, 9, 0.9);
+}
+// Measured on all of them, three seeds: 188 of 192 within 5 % on the half of the families that the
+// search was tuned on, 187 on the other; without overlaps that are pushed apart 170 and 159.
+TEST(Depths, the_static_search_finds_nine_tenths_of_deep_concave_poses) {
+  check_search(rows_in("deep_tuning.csv"), Method::pdg, 3, 0.9);
+  check_search(rows_in("deep_reporting.csv"), Method::pdg, 3, 0.9);
 }
 
 }  // namespace

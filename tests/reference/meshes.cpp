@@ -14,10 +14,11 @@
 namespace sonde::reference {
 namespace {
 
-/// A point of the wire's axis with the direction across it in the plane.
+/// A point of the wire's axis with two directions across it.
 struct Station {
   Vec3 at;
   Vec3 across;
+  Vec3 up = Vec3::UnitZ();
 };
 
 /// Rings about the stations, and a fan at either end.
@@ -26,8 +27,7 @@ PolygonSoup wire_mesh(const std::vector<Station>& stations, double wire, int sid
   for (const Station& s : stations)
     for (int j = 0; j < sides; ++j) {
       const double angle = 2 * std::numbers::pi * j / sides;
-      out.points.push_back(s.at +
-                           wire * (std::cos(angle) * s.across + std::sin(angle) * Vec3::UnitZ()));
+      out.points.push_back(s.at + wire * (std::cos(angle) * s.across + std::sin(angle) * s.up));
     }
   const int last = static_cast<int>(stations.size()) - 1;
   const auto at = [&](int i, int j) { return static_cast<std::size_t>(i * sides + j % sides); };
@@ -73,6 +73,36 @@ std::shared_ptr<const Body> hook(double bow, double wire, double shank, int step
     stations.push_back({bow * outward, outward});
   }
   return make_body(wire_mesh(stations, wire, sides), Model::solid, "hook");
+}
+
+std::shared_ptr<const Body> coil(double radius, double pitch, double turns, double wire, int steps,
+                                 int sides) {
+  std::vector<Station> stations;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = 2 * std::numbers::pi * turns * i / steps;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0), round(-out.y(), out.x(), 0);
+    const Vec3 along =
+        (radius * round + pitch / (2 * std::numbers::pi) * Vec3::UnitZ()).normalized();
+    const double height = pitch * turns * (static_cast<double>(i) / steps - 0.5);
+    stations.push_back({radius * out + height * Vec3::UnitZ(), out, out.cross(along)});
+  }
+  return make_body(wire_mesh(stations, wire, sides), Model::solid, "coil");
+}
+
+std::shared_ptr<const Body> lathe(const std::vector<Eigen::Vector2d>& section, int sides) {
+  PolygonSoup soup;
+  const std::size_t n = section.size(), m = static_cast<std::size_t>(sides);
+  for (std::size_t j = 0; j < m; ++j) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(j) / sides;
+    for (const Eigen::Vector2d& x : section)
+      soup.points.emplace_back(x[0] * std::cos(angle), x[0] * std::sin(angle), x[1]);
+  }
+  for (std::size_t j = 0; j < m; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = (i + 1) % n, l = (j + 1) % m;
+      soup.polygons.push_back({j * n + i, l * n + i, l * n + k, j * n + k});
+    }
+  return make_body(soup, Model::solid, "lathe");
 }
 
 std::shared_ptr<const Body> comb(int teeth, double tooth, double length) {

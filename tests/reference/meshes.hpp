@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/body/body.hpp"
 
@@ -15,6 +16,12 @@ std::shared_ptr<const Body> egg(double half_length, int rings);
 /// five eighths of a circle about the origin. Closed, with flat ends; m.
 std::shared_ptr<const Body> hook(double bow, double wire, double shank, int steps, int sides);
 
+/// A wire wound about the z axis, its middle at the origin.
+std::shared_ptr<const Body> coil(double radius, double pitch, double turns, double wire, int steps,
+                                 int sides);
+/// A section in the half plane (distance from the z axis > 0, z), counter-clockwise, turned about
+/// the axis.
+std::shared_ptr<const Body> lathe(const std::vector<Eigen::Vector2d>& section, int sides);
 /// Teeth in a row on a back along x, pointing to +y; each of them a closed box of its own that
 /// reaches into the back. A second one fits between the teeth with an eighth of a tooth to spare on
 /// either side.

@@ -84,10 +84,10 @@ class Bodies {
     if (pair == name_) return bodies.has_value();
     name_ = pair;
     bodies.reset();
-    for (const PairSpec& spec : pair_specs()) try {
-        if (spec.name != pair) continue;
-        auto fixed = spec.fixed();
-        bodies.emplace(spec.probe(), std::move(fixed));
+    for (const PairSpec* spec : known_specs()) try {
+        if (spec->name != pair) continue;
+        auto fixed = spec->fixed();
+        bodies.emplace(spec->probe(), std::move(fixed));
         return true;
       } catch (const std::exception& error) {
         std::fprintf(stderr, "sonde-depths: %s is missing: %s\n", pair.c_str(), error.what());

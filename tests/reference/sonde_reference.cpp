@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   std::string out = "tests/reference/depths.csv";
+  const std::vector<PairSpec>* pairs = &pair_specs();
   std::string only;
   int first = 0;
   int count = std::numeric_limits<int>::max();
@@ -34,7 +35,7 @@ class Session {
   int run() {
     int ordinal = 0;
     int missing = 0;
-    for (const PairSpec& spec : pair_specs()) {
+    for (const PairSpec& spec : *options_.pairs) {
       const int begin = ordinal;
       ordinal += case_count(spec);
       if (!options_.only.empty() && options_.only != spec.name) continue;
@@ -95,7 +96,7 @@ class Session {
   /// Rows of single pairs may have come in any order.
   void sort_rows() {
     std::map<std::string, std::size_t> place;
-    for (const PairSpec& spec : pair_specs()) place.emplace(spec.name, place.size());
+    for (const PairSpec& spec : *options_.pairs) place.emplace(spec.name, place.size());
     const auto key = [&](const Row& row) { return std::pair(place[row.pair], row.index); };
     const auto before = [&](const Row& a, const Row& b) { return key(a) < key(b); };
     if (std::is_sorted(rows_.begin(), rows_.end(), before)) return;
@@ -112,6 +113,16 @@ int run(int argc, char** argv) {
   CLI::App app("Reference depths for the static search, by brute force");
   app.add_option("--out", options.out, "the file of rows, from the folder one is in")
       ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--pairs",
+         [&](const std::string& which) {
+           if (which == "deep-tuning") options.pairs = &deep_tuning_specs();
+           if (which == "deep-reporting") options.pairs = &deep_reporting_specs();
+         },
+         "those of depths.csv, or deep concave ones: of the half of the families that the search "
+         "was "
+         "tuned on, or of the other")
+      ->check(CLI::IsMember({"all", "deep-tuning", "deep-reporting"}));
   app.add_option("--only", options.only, "one pair of meshes");
   app.add_option("--first", options.first, "the first case, counted over all pairs");
   app.add_option("--count", options.count, "how many cases from there on");

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/base/numbers.hpp"
+#include "engine/geometry/chart.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "tests/support/shapes.hpp"
 

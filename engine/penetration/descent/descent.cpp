@@ -89,7 +89,8 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
 struct Descent::Pace {
   double scale;    ///< m: about how long a step is
   double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
-  /// m: no further is a step looked at, since long paths cost much to sweep.
+  /// m: no longer step, and no longer path of any point of the probe, is looked at, since these
+  /// cost much to sweep. (Where the device is half a turn ahead the second is far longer.)
   double longest = std::numeric_limits<double>::max();
   /// m: no further does it go. What is in the way of a step is looked for up to where it would go
   /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
@@ -172,7 +173,7 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   // |y| falls along all of the path, up to the point of it that is nearest to the origin.
   if (!lifts) step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
-  const double quick = std::max(longest_path_, 8 * margin);
+  const double quick = std::max(std::min(longest_path_, pace.longest), 8 * margin);
   const double path = Motion(chart, y, y + step).farthest(radius);
   return path > quick ? Vec6(step * (quick / path)) : step;
 }

@@ -29,9 +29,12 @@ bool Evidence::sketches_see() const {
   return optima_.best() < rules_.tuned.blind * sketches_.ends().front().depth + sketch_error();
 }
 
-bool Evidence::may_be_narrow() const {
-  if (!settles()) return true;
-  return optima_.best() > rules_.tuned.narrow * sketched_[0].depth_of_points(chart_, Vec6::Zero());
+bool Evidence::may_be_narrow() const { return !settles() || may_be_deep(); }
+
+bool Evidence::may_be_deep() const {
+  if (sketched_.empty() || optima_.empty()) return false;
+  const double deepest = sketched_[0].depth_of_points(chart_, Vec6::Zero());
+  return deepest > 0 && optima_.best() > rules_.tuned.narrow * deepest;
 }
 
 }  // namespace sonde

@@ -30,6 +30,9 @@ class Evidence {
   /// The way out that was found is much longer than what overlaps: there may be a shorter one, too
   /// narrow for sketches to show. There must be sketches.
   bool may_be_narrow() const;
+  /// The same, whatever agrees: starts that agree show that a way out is wide, not that none is
+  /// shorter and narrow. False where there are no sketches, or no point of theirs lies deep.
+  bool may_be_deep() const;
   /// By which depths on sketches may be wrong, m. There must be sketches.
   double sketch_error() const { return rules_.tuned.sketch_error * sketched_[0].spacing(); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "engine/body/body.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
@@ -118,6 +119,24 @@ LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
 LocalOptimum Starts::pushed_within(double radius, Random& random, const Aim& aim,
                                    std::size_t lane) {
   return pushed(lanes_[lane].sample(random, radius, aim.method), aim, lane);
+}
+
+std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
+  const MassProperties &probe = probe_.mass, &fixed = fixed_.mass;
+  const Pose& device = chart_.device();
+  const auto axis_of = [&](const Mat3& axes) {
+    const Vec3 axis = axes.col(std::min(2, static_cast<int>(random.uniform(0, 3))));
+    return Vec3(random.uniform(0, 1) < 0.5 ? -axis : axis);
+  };
+  for (int tries = 0; tries < tuned_.tries_in_a_ball; ++tries) {
+    const Vec3 axis = axis_of(fixed.R_MP), own = device.q * axis_of(probe.R_MP);
+    const Quat spin(Eigen::AngleAxisd(random.uniform(-1, 1) * std::numbers::pi, axis));
+    const Quat q = (spin * Quat::FromTwoVectors(own, axis) * device.q).normalized();
+    const Vec3 centre = fixed.com + random.uniform(-1, 1) * fixed.radius * axis;
+    const Vec6 y = chart_.coordinates({q, centre - q * probe.com});
+    if (chart_.v(y).norm() < tuned_.largest_start_v && y.norm() < farthest) return y;
+  }
+  return std::nullopt;
 }
 
 LocalOptimum Starts::far(double width, Random random, const Aim& aim, std::size_t lane) {

@@ -48,6 +48,10 @@ class Starts {
   LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
   /// From a random overlap within `radius`, m.
   LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
+  /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
+  /// both centres of mass on one line along it; the spin about it and the place on it are random.
+  /// No further than `farthest`, m; none where few are.
+  std::optional<Vec6> along_axes(Random& random, double farthest) const;
   /// From a random free pose of a ball of `width` times the best depth, or of a larger one.
   LocalOptimum far(double width, Random random, const Aim& aim, std::size_t lane);
   /// From a random free pose about an end: where there are many ends, the better ones lie together.

@@ -56,7 +56,10 @@ class Search {
     if (!rotates() && !evidence_.settles()) starts_outside(per_round);
     if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
     if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
-    random_rounds();
+    if (rotates() && evidence_.may_be_deep())
+      pushed_rounds();
+    else
+      random_rounds();
     if (rotates() && !std::isfinite(translated_.depth) && !budget_.search_is_over())
       translation_on_the_way();
     return finish();
@@ -314,6 +317,28 @@ class Search {
     int start = 0;
     for (; start < most && goes_on(); start += int{per_round}) random_starts(start);
     if (start >= most && goes_on()) ++limited_;
+  }
+  /// Where the way out is long beside the overlap, next to no pose about the best optima is free:
+  /// random free poses do not come near them, and how many starts agree says nothing. Overlaps that
+  /// are pushed apart do, every other one with axes of both bodies on one line, as parts that are
+  /// made to fit have; as many again as it took to find the best, since there may be another.
+  void pushed_rounds() {
+    int most = std::min(tuned_.most_after_sketches, options_.starts), start = 0;
+    for (; start < most && !budget_.search_is_over(); start += int{per_round}) {
+      const double before = optima_.best();
+      round([&](std::size_t k, std::size_t lane) {
+        Random random = stream(3000 + static_cast<std::uint64_t>(start) + k);
+        const double radius =
+            random.uniform(tuned_.nearest_overlap, tuned_.farthest_overlap) * optima_.best();
+        if (k % 2 == 0)
+          if (const auto y = starts_.along_axes(random, tuned_.farthest_overlap * optima_.best()))
+            return starts_.pushed(*y, aim(options_.method), lane);
+        return starts_.pushed_within(radius, random, aim(options_.method), lane);
+      });
+      if (optima_.best() < (1 - tuned_.same) * before)
+        most = std::max(most, std::min(2 * (start + int{per_round}), options_.starts));
+    }
+    if (start >= most) ++limited_;
   }
   bool goes_on() { return !budget_.search_is_over() && !evidence_.settles(); }
 
