@@ -31,7 +31,8 @@ class DoubtfulPatches {
     if (doubtful_.empty()) return;
     // What is shared comes first: its other owners are taken for bodies until they turn out not to
     // be.
-    std::ranges::stable_partition(doubtful_, [&](std::uint32_t k) { return all[k].shared; });
+    std::stable_partition(doubtful_.begin(), doubtful_.end(),
+                          [&](std::uint32_t k) { return all[k].shared; });
     for (const SameTriangles& same : all) {
       if (is_doubtful(same)) continue;
       for (const std::uint64_t edge : edge_keys(same.corners))
