@@ -41,8 +41,9 @@ struct Case {
 
 /// Those of depths.csv.
 const std::vector<PairSpec>& pair_specs();
-/// Those of deep_tuning.csv and deep_reporting.csv: families of deep concave pairs, on the first of
-/// which the search was tuned, and on the second of which nothing was.
+/// Those of deep_tuning.csv and deep_reporting.csv: families of deep concave pairs. The search was
+/// tuned with shapes like the first ones in sight, and nothing was changed since it was measured on
+/// the second ones.
 const std::vector<PairSpec>& deep_tuning_specs();
 const std::vector<PairSpec>& deep_reporting_specs();
 /// All of them.

@@ -59,7 +59,7 @@ TEST(Depths, every_case_has_its_row) {
   EXPECT_EQ(known_rows().size(), count) << "rows of a pair that is not there";
   EXPECT_GE(rows().size(), 200U);
   EXPECT_GE(pair_specs().size(), 12U);
-  EXPECT_EQ(deep_tuning_specs().size() + deep_reporting_specs().size(), 8U);
+  EXPECT_EQ(deep_tuning_specs().size() + deep_reporting_specs().size(), 12U);
 }
 
 void check(const Row& row, const Case& at, const Body& probe, const Body& fixed,
@@ -217,10 +217,11 @@ TEST(Depths, the_static_search_finds_nine_tenths_of_a_sample) {
 TEST(Depths, the_translational_search_finds_nine_tenths_of_a_sample) {
   check_search(rows(), Method::pdt, 9, 0.9);
 }
-// Measured on all of them, three seeds: 188 of 192 within 5 % on the half of the families that the
-// search was tuned on, 187 on the other; without overlaps that are pushed apart 170 and 159.
+// Measured on all of them, three seeds: 375 of 384 within 5 % on the families that were in sight
+// when the search was tuned, 188 of 192 on the others; where no overlaps are pushed apart 329 and
+// 179.
 TEST(Depths, the_static_search_finds_nine_tenths_of_deep_concave_poses) {
-  check_search(rows_in("deep_tuning.csv"), Method::pdg, 3, 0.9);
+  check_search(rows_in("deep_tuning.csv"), Method::pdg, 6, 0.9);
   check_search(rows_in("deep_reporting.csv"), Method::pdg, 3, 0.9);
 }
 

@@ -119,9 +119,7 @@ int run(int argc, char** argv) {
            if (which == "deep-tuning") options.pairs = &deep_tuning_specs();
            if (which == "deep-reporting") options.pairs = &deep_reporting_specs();
          },
-         "those of depths.csv, or deep concave ones: of the half of the families that the search "
-         "was "
-         "tuned on, or of the other")
+         "those of depths.csv, of deep_tuning.csv or of deep_reporting.csv")
       ->check(CLI::IsMember({"all", "deep-tuning", "deep-reporting"}));
   app.add_option("--only", options.only, "one pair of meshes");
   app.add_option("--first", options.first, "the first case, counted over all pairs");

@@ -108,10 +108,9 @@ struct SearchTuning {
   /// search with a best depth no larger needs no pushes, since no way out is much shorter than that
   /// point's. Of the 244 poses 241 are within 1 % with 1.5 and 2.5, as with pushes everywhere, in
   /// 15.3 and 13.9 ms in the median instead of 18.3 (beside other work). Beyond it the random
-  /// starts are overlaps too: on 99 poses of five families of deep concave pairs (cups, combs,
-  /// trefoils, a U in a keyed tube, a comb in a cup), none of the 30 with a smaller ratio ended
-  /// over 1 % too deep, and 13 of the 69 others. Larger: a way out through a narrow gap may be
-  /// missed.
+  /// starts of PD_g are overlaps too (with 1e9 none are: on the 128 poses of deep_tuning.csv, three
+  /// seeds, 310 of 384 are then within 1 % instead of 359). Larger: a way out through a narrow gap
+  /// may be missed.
   double narrow = 2.5;
   double nearest_push = 0.1;   ///< of the best depth, or of R where that is less
   double farthest_push = 0.8;  ///< the same
@@ -123,9 +122,9 @@ struct SearchTuning {
   // Random starts
   /// After sketches have said what they can. On depths.csv, 16, 32, 64 and 160 of them leave the
   /// same poses of three seeds over 1 % too deep; with the bodies moved, 32 lose two poses more
-  /// than 64, one by 22 %. StaticOptions::starts is the limit where there are no sketches. Overlaps
-  /// pushed apart in their place (those five families, two seeds): with 64, 128 and 256 of them 8,
-  /// 5 and 4 of 198 end over 1 % too deep instead of 21, in 1.4, 2.4 and 3.9 times the time.
+  /// than 64, one by 22 %. StaticOptions::starts is the limit where there are no sketches.
+  /// Where overlaps are pushed apart in their place: with 32, 64 and 128 of them 348, 359 and 368
+  /// of those 384 are within 1 %, in 52 to 65, 62 to 79 and 88 to 100 ms in the median.
   int most_after_sketches = 64;
   /// Grid cells: where sketches lie deeper in each other, a random pose is no free one, and the
   /// bodies are not asked. Lower: poses are lost that sketches are wrong about.

@@ -209,13 +209,8 @@ class Sweeper {
     const Placed& now = placed_before(p);
     set_lane(lanes_, waiting_, place(now.moment.X, corners(surface(a_), i)),
              corners(surface(b_), j));
-    queue_[static_cast<std::size_t>(waiting_++)] = {i,
-                                                    j,
-                                                    static_cast<double>(p.bound),
-                                                    static_cast<double>(now.number) / moments,
-                                                    now.moment,
-                                                    Vec3::Zero(),
-                                                    false};
+    queue_[static_cast<std::size_t>(waiting_++)] = {
+        i, j, static_cast<double>(p.bound), static_cast<double>(now.number) / moments, now.moment};
     if (waiting_ == static_cast<int>(queue_.size())) look_at_waiting();
   }
 
