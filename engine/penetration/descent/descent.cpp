@@ -87,8 +87,8 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
 
 /// What the steps so far say about the next.
 struct Descent::Pace {
-  double scale;    ///< m: about how long a step is
-  double bending;  ///< κ, 1/m: how much contacts have been met to bend into the path
+  double scale = 0;    ///< m: about how long a step is
+  double bending = 0;  ///< κ, 1/m: how much contacts have been met to bend into the path
   /// m: no longer step, and no longer path of any point of the probe, is looked at, since these
   /// cost much to sweep. (Where the device is half a turn ahead the second is far longer.)
   double longest = std::numeric_limits<double>::max();
@@ -216,122 +216,175 @@ void Descent::approach_contact(const Chart& chart, double margin, Effort& effort
   report(out, near, rows_.solve(margin, ContactRows::SmallGaps::keep));
 }
 
+/// One run: what its steps share.
+class Descent::Run {
+ public:
+  Run(Descent& descent, const Chart& chart, const Vec6& start, const DescentGoal& goal,
+      double expected_step, const Deadline& deadline, Effort& effort) noexcept
+      : descent_(descent),
+        rows_(descent.rows_),
+        chart_(chart),
+        goal_(goal),
+        deadline_(deadline),
+        effort_(effort),
+        y_(start) {
+    const double radius = chart.mass().radius;
+    pace_.scale = expected_step > 0 ? expected_step : descent_tuning.first_scale * radius;
+    pace_.bending = descent_tuning.first_bending / radius;
+    pace_.ceiling = start.norm() + descent_tuning.most_lift * descent.margin(chart, start.norm());
+    if (expected_step > 0)
+      pace_.longest = std::max(descent_tuning.longest_per_expected * expected_step,
+                               descent_tuning.first_longest * radius);
+  }
+
+  Outcome descend() noexcept {
+    // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
+    bool known = rows_.reuse_rows(chart_, y_);
+    while (look_around(known) && !is_at_end() && advance()) known = false;
+    return out_;
+  }
+
+ private:
+  double flat() const { return descent_tuning.flat_within * margin_; }
+
+  /// m: how far rows are looked for.
+  double reach() const {
+    const double nearest = descent_tuning.least_reach * margin_;
+    const double widest = std::max(descent_tuning.widest_reach * chart_.mass().radius, nearest);
+    const double wanted =
+        out_.iterations == 0 ? descent_tuning.reach_at_first : descent_tuning.reach_later;
+    return std::clamp(wanted * pace_.scale, nearest, widest);
+  }
+
+  void solve() noexcept {
+    nearest_ = rows_.solve(margin_, ContactRows::SmallGaps::keep);
+    descent_.report(out_, y_, nearest_);
+  }
+
+  /// Finds the rows here, unless they are known, and what is nearest by them. False where the
+  /// effort did not suffice.
+  bool look_around(bool known) noexcept {
+    margin_ = descent_.margin(chart_, y_.norm());
+    out_.move_to(y_);
+    const bool found = known || rows_.gather(chart_, y_, reach(), flat(), effort_);
+    if (!found && out_.iterations > 0) return false;
+    if (!found) {
+      rows_.halve_next_reach(flat());
+      rows_.move_rows_with_probe(chart_, y_);
+    }
+    solve();
+    wanted_ = (nearest_.y - y_).norm();
+    return found;
+  }
+
+  bool is_settled() const {
+    // Not what the rim of the chart holds: there the descent only ends.
+    const double off = (out_.held - y_).norm();
+    const double enough =
+        std::max(goal_.residual * y_.norm(), descent_tuning.off_in_margins * margin_);
+    // Where no row holds it the probe can come all the way back, however little that is.
+    const bool held = out_.contacts.size > 0 && off <= enough &&
+                      rows_.smallest_gap() <= descent_tuning.settled_gap * margin_;
+    return held || !(off > 0);
+  }
+
+  bool is_at_end() noexcept {
+    // Optimal by rows that are none here is not optimal.
+    for (out_.converged = is_settled();
+         out_.converged && rows_.replace_far_rows(chart_, y_, nearest_, margin_);
+         out_.converged = is_settled())
+      solve();
+    // One step at least, however late: a tick that never moves would never catch up.
+    const bool late = out_.iterations > 0 && deadline_.passed();
+    if (out_.converged) return true;
+    const bool stalled = pace_.stalled >= descent_tuning.most_stalled;
+    if (!late && !stalled && out_.iterations < goal_.steps) return false;
+    out_.limited += stalled || at_rim(chart_, y_);
+    if (rows_.smallest_gap() > descent_tuning.touching_gap * margin_)
+      descent_.approach_contact(chart_, margin_, effort_, out_);
+    return true;
+  }
+
+  /// The step from here, made again as long as its end shows what is in its way. Zero where the
+  /// rows found by that say that this is the end.
+  Vec6 step_round_obstacles() noexcept {
+    double rise = 0;
+    Vec6 step = descent_.next_step(chart_, y_, nearest_, margin_, rise, pace_);
+    for (int round = 0; round < descent_tuning.most_cuts; ++round) {
+      const ContactRows::PathCheck look =
+          rows_.cut(chart_, y_, Motion(chart_, y_, y_ + step), margin_, effort_);
+      if (look.clear || effort_.is_spent()) return step;
+      if (look.news) {
+        solve();
+        out_.converged = is_settled() && !rows_.replace_far_rows(chart_, y_, nearest_, margin_);
+        if (out_.converged) return Vec6::Zero();
+      }
+      out_.limited += !look.news && rows_.is_full();
+      // Contacts that the rows know bend into the path by so much.
+      rise = look.news ? 0 : rise + descent_tuning.rise_per_loss * look.lost;
+      const Vec6 before = step;
+      step = descent_.next_step(chart_, y_, nearest_, margin_, rise, pace_);
+      // Nothing is new: the sweep says how far it is free.
+      if (!look.news && step == before) return step;
+    }
+    ++out_.limited;
+    return step;
+  }
+
+  /// Moves on by a step, as far as its path is free. False where there is none.
+  bool advance() noexcept {
+    ++out_.iterations;
+    effort_.spend(work_of_step);
+    pace_.longest *= descent_tuning.longest_growth;
+    const Vec6 wanted = step_round_obstacles();
+    if (out_.converged) return false;
+    if (!(wanted.squaredNorm() > 0)) {
+      out_.limited += at_rim(chart_, y_);
+      return false;
+    }
+    const Vec6 step = pace_.damped(wanted);
+    const Vec6 target = y_ + step;
+    const Sweep swept = descent_.sweep_to(chart_, y_, target, effort_);
+    learn_longest_path(swept, target);
+    out_.fallen += fallen(y_, swept.free_until * step, goal_.held_slope);
+    y_ = swept.hit ? Vec6(y_ + swept.free_until * step) : target;
+    pace_.learn(step, swept, descent_tuning.nowhere * std::max(margin_, 1e-3 * wanted_),
+                chart_.mass().radius);
+    return true;
+  }
+
+  void learn_longest_path(const Sweep& swept, const Vec6& target) noexcept {
+    double& longest = descent_.longest_path_;
+    if (!swept.given_up)
+      longest *= 2;
+    else if (out_.iterations == 1)
+      longest = descent_tuning.longest_after_giving_up *
+                Motion(chart_, y_, target).farthest(chart_.mass().radius);
+  }
+
+  Descent& descent_;
+  ContactRows& rows_;
+  const Chart& chart_;
+  const DescentGoal& goal_;
+  const Deadline& deadline_;
+  Effort& effort_;
+  Vec6 y_;  // here: free
+  Pace pace_{};
+  double margin_ = 0;      // m: the gap aimed at, here
+  LeastDistance nearest_;  // by the rows found here
+  double wanted_ = 0;      // m: how far that was at first
+  Outcome out_;
+};
+
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
                               double expected_step, const Deadline& deadline) noexcept {
   Effort unlimited;
-  return run(chart, start, goal, expected_step, deadline, unlimited);
+  return Run(*this, chart, start, goal, expected_step, deadline, unlimited).descend();
 }
 
 Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
                               double expected_step, Effort& effort) noexcept {
-  return run(chart, start, goal, expected_step, {}, effort);
-}
-
-Descent::Outcome Descent::run(const Chart& chart, const Vec6& start, const DescentGoal& goal,
-                              double expected_step, const Deadline& deadline,
-                              Effort& effort) noexcept {
-  const double radius = chart.mass().radius;
-  Outcome out;
-  Vec6 y = start;
-  Pace pace{.scale = expected_step > 0 ? expected_step : descent_tuning.first_scale * radius,
-            .bending = descent_tuning.first_bending / radius,
-            .ceiling = start.norm() + descent_tuning.most_lift * margin(chart, start.norm())};
-  if (expected_step > 0)
-    pace.longest = std::max(descent_tuning.longest_per_expected * expected_step,
-                            descent_tuning.first_longest * radius);
-  // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
-  bool known = rows_.reuse_rows(chart, y);
-  for (;;) {
-    const double length = y.norm();
-    const double margin = this->margin(chart, length);
-    const double nearest_reach = descent_tuning.least_reach * margin;
-    const double widest = std::max(descent_tuning.widest_reach * radius, nearest_reach);
-    out.move_to(y);
-    const double reach = std::clamp(
-        (out.iterations == 0 ? descent_tuning.reach_at_first : descent_tuning.reach_later) *
-            pace.scale,
-        nearest_reach, widest);
-    if (!known && !rows_.gather(chart, y, reach, descent_tuning.flat_within * margin, effort)) {
-      if (out.iterations > 0) return out;
-      rows_.halve_next_reach(descent_tuning.flat_within * margin);
-      rows_.move_rows_with_probe(chart, y);
-      report(out, y, rows_.solve(margin, ContactRows::SmallGaps::keep));
-      return out;
-    }
-    known = false;
-    LeastDistance nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
-    report(out, y, nearest);
-    const double size = (nearest.y - y).norm();
-    const auto settled = [&] {
-      // Not what the rim of the chart holds: there the descent only ends.
-      const double off = (out.held - y).norm();
-      // Where no row holds it the probe can come all the way back, however little that is.
-      const bool held = out.contacts.size > 0;
-      return (held &&
-              off <= std::max(goal.residual * length, descent_tuning.off_in_margins * margin) &&
-              rows_.smallest_gap() <= descent_tuning.settled_gap * margin) ||
-             !(off > 0);
-    };
-    // Optimal by rows that are none here is not optimal.
-    for (out.converged = settled();
-         out.converged && rows_.replace_far_rows(chart, y, nearest, margin);
-         out.converged = settled()) {
-      nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
-      report(out, y, nearest);
-    }
-    // One step at least, however late: a tick that never moves would never catch up.
-    const bool late = out.iterations > 0 && deadline.passed();
-    if (out.converged) return out;
-    const bool stalled = pace.stalled >= descent_tuning.most_stalled;
-    if (late || stalled || out.iterations >= goal.steps) {
-      out.limited += stalled || at_rim(chart, y);
-      if (rows_.smallest_gap() > descent_tuning.touching_gap * margin)
-        approach_contact(chart, margin, effort, out);
-      return out;
-    }
-    ++out.iterations;
-    effort.spend(work_of_step);
-    pace.longest *= descent_tuning.longest_growth;
-    double rise = 0;
-    Vec6 step = next_step(chart, y, nearest, margin, rise, pace);
-    for (int round = 0;; ++round) {
-      if (round == descent_tuning.most_cuts) {
-        ++out.limited;
-        break;
-      }
-      const ContactRows::PathCheck look =
-          rows_.cut(chart, y, Motion(chart, y, y + step), margin, effort);
-      if (look.clear || effort.is_spent()) break;
-      if (look.news) {
-        nearest = rows_.solve(margin, ContactRows::SmallGaps::keep);
-        report(out, y, nearest);
-        out.converged = settled() && !rows_.replace_far_rows(chart, y, nearest, margin);
-        if (out.converged) return out;
-      }
-      out.limited += !look.news && rows_.is_full();
-      // Contacts that the rows know bend into the path by so much.
-      rise = look.news ? 0 : rise + descent_tuning.rise_per_loss * look.lost;
-      const Vec6 before = step;
-      step = next_step(chart, y, nearest, margin, rise, pace);
-      // Nothing is new: the sweep says how far it is free.
-      if (!look.news && step == before) break;
-    }
-    if (!(step.squaredNorm() > 0)) {
-      out.limited += at_rim(chart, y);
-      return out;
-    }
-    step = pace.damped(step);
-    const Vec6 target = y + step;
-    const Sweep swept = sweep_to(chart, y, target, effort);
-    if (!swept.given_up)
-      longest_path_ *= 2;
-    else if (out.iterations == 1)
-      longest_path_ =
-          descent_tuning.longest_after_giving_up * Motion(chart, y, target).farthest(radius);
-    out.fallen += fallen(y, swept.free_until * step, goal.held_slope);
-    y = swept.hit ? Vec6(y + swept.free_until * step) : target;
-    pace.learn(step, swept, descent_tuning.nowhere * std::max(margin, 1e-3 * size), radius);
-  }
+  return Run(*this, chart, start, goal, expected_step, {}, effort).descend();
 }
 
 }  // namespace sonde

@@ -83,6 +83,7 @@ class Descent {
 
  private:
   struct Pace;
+  class Run;
   /// m: the gap at which the descent aims. It always exceeds the rounding of coordinates, which
   /// grows with the distance from the origin.
   double margin(const Chart& chart, double depth) const noexcept;
@@ -93,8 +94,6 @@ class Descent {
   /// Moves a probe that stopped away from any contact straight towards the device pose, up to the
   /// first contact. So the returned pose touches.
   void approach_contact(const Chart& chart, double margin, Effort& effort, Outcome& out) noexcept;
-  Outcome run(const Chart& chart, const Vec6& y, const DescentGoal& goal, double expected_step,
-              const Deadline& deadline, Effort& effort) noexcept;
   void report(Outcome& out, const Vec6& y, const LeastDistance& nearest) const noexcept;
 
   ContactRows rows_;
