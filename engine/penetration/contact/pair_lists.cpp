@@ -52,13 +52,13 @@ NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wa
   if (course.size().of(radius_) < wanted.path.course.size().of(radius_))
     course = wanted.path.course;
   const double size = course.size().of(radius_);
-  const double linear = size > 0 ? course.size().linear / size : 0.5;
   const double around = size > 0 ? contact_tuning.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
   const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
-  return {{std::max(linear * around,
+  // What is off the course is as much sliding as turning, whatever the course is.
+  return {{std::max(0.5 * around,
                     contact_tuning.room_for_path * (wanted.reach_on_path + off.linear)),
-           std::max((1 - linear) * around / radius_, contact_tuning.room_for_path * off.turn)},
+           std::max(0.5 * around / radius_, contact_tuning.room_for_path * off.turn)},
           ahead};
 }
 

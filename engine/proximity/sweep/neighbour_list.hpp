@@ -30,7 +30,10 @@ namespace sonde {
 /// from the fixed body too. Only the constructor allocates.
 class NeighbourList {
  public:
-  static constexpr std::size_t enough = 8192;
+  /// Pairs. Where surfaces fit into each other every triangle has some ten of the other body near
+  /// it, so that all that faces each other of two bodies of 2000 triangles is some 15 000. A list
+  /// for ten times the reach then holds hardly more pairs, and serves ten times as long.
+  static constexpr std::size_t enough = 32768;
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
   /// What a list covers: every pair whose distance falls to around.of(arm) or less somewhere on the
