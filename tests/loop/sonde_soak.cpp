@@ -58,6 +58,10 @@ struct Seen {
   std::uint64_t ticks = 0, contact = 0, held_back = 0, failed = 0;
   std::array<std::uint64_t, static_cast<std::size_t>(Withheld::shut_down) + 1>
       withheld{};  // by reason
+  /// Of the ticks whose answer is not settled: how many had lost all of the force, and the least
+  /// share of it that others had, which fades while they last.
+  std::uint64_t faded = 0;
+  double least_share = 1;
   double largest_force = 0;
   void take(const Snapshot& s) {
     ++ticks;
@@ -65,6 +69,10 @@ struct Seen {
     failed += s.separation.status == Status::failed;
     held_back += s.hand.rows.held_back;
     ++withheld[static_cast<std::size_t>(s.hand.withheld)];
+    if (s.hand.withheld == Withheld::unsettled) {
+      faded += s.hand.share <= 0;
+      if (s.hand.share > 0) least_share = std::min(least_share, s.hand.share);
+    }
     largest_force = std::max(largest_force, s.wrench.force.norm());
   }
 };
@@ -128,9 +136,12 @@ bool run(const Options& o) {
               share(timing.in_step), share(seen.contact));
   for (std::size_t i = 1; i < seen.withheld.size(); ++i)
     if (seen.withheld[i] > 0)
-      std::printf("no force for %llu ticks: %s\n",
+      std::printf("%s for %llu ticks: %s\n",
+                  static_cast<Withheld>(i) == Withheld::unsettled ? "fading force" : "no force",
                   static_cast<unsigned long long>(seen.withheld[i]),
                   words(static_cast<Withheld>(i)));
+  std::printf("faded to nothing for %llu ticks, else to %.0f %%\n",
+              static_cast<unsigned long long>(seen.faded), 100 * seen.least_share);
   std::printf("held back %llu, failed %llu, dropped by the reader %llu; largest force %.2f N\n",
               static_cast<unsigned long long>(seen.held_back),
               static_cast<unsigned long long>(seen.failed),
