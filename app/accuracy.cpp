@@ -20,6 +20,11 @@ void add_flags(CLI::App& parser, AccuracyOptions& options) {
                   "accuracy that nine in ten poses should reach, 1% or 0.01: the time follows")
       ->group(group);
   parser
+      .add_option("--sure", options.sure,
+                  "share of the poses that keep to their claim, 50%, 90% (as without it), 99% or "
+                  "0.99: where the way out is long, more starts are searched from")
+      ->group(group);
+  parser
       .add_option("--calibration", options.calibration,
                   "file that relates the two (sonde calibrate); without it the program's own")
       ->group(group);
@@ -37,7 +42,8 @@ Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
     throw UsageError("--time and --accuracy are budgets: give no other");
   if (options.time) knob_.time = time_in(*options.time, "--time");
   if (options.accuracy) knob_.accuracy = share_in(*options.accuracy, "--accuracy");
-  options_.claim |= options.turned();
+  if (options.sure) sure_ = share_in(*options.sure, "--sure");
+  options_.claim |= options.turned() || options.sure;
   if (!options.calibration.empty())  // a bad file is told of whether it is needed or not
     calibration_ = read_calibration(options.calibration);
   else if (options_.claim)
@@ -46,11 +52,12 @@ Accuracy::Accuracy(const AccuracyOptions& options, const SolverOptions& solver)
 
 SolverOptions Accuracy::applied(const SolverOptions& solver, const Pair& pair) {
   SolverOptions out = solver;
+  out.sure = sure_;
   if (!options_.claim) return out;
   // What was measured is measured in time: of a budget of steps it says nothing.
   const Calibration& known = out.budget.steps > 0 ? Calibration{} : calibration_;
   curve_ = {AccuracyCurve(known, solver.coherent() ? Answers::tick : Answers::search,
-                          solver.chosen_method(), bool(pair.sketches()))};
+                          solver.chosen_method(), bool(pair.sketches()), sure_)};
   if (options_.turned()) {
     out.budget.microseconds = budget_us(knob_, curve_[0]);
     out.bound = solver.bound.value_or(false);

@@ -15,6 +15,7 @@ namespace sonde::app {
 /// The one knob on the command line: a time or an accuracy, and the calibration that relates them.
 struct AccuracyOptions {
   std::optional<std::string> time, accuracy;  ///< as given
+  std::optional<std::string> sure;            ///< the share of poses that are to reach it, as given
   std::string calibration;                    ///< a file; empty: the program's own
   bool claim = false;                         ///< results state their claim even without the knob
 
@@ -38,13 +39,16 @@ class Accuracy {
   /// The columns of the results, and, where wanted, the two with the claims.
   std::vector<Column> with_claims(std::span<const Column> columns) const;
   void append_claim(Row& row, const Separation& answer) const;
+  /// µs for each answer, as `applied` found it; 0: without a limit.
+  double time_us() const { return time_us_; }
 
  private:
   AccuracyOptions options_;
   Knob knob_;
+  double sure_ = usually_sure;
   Calibration calibration_;
   std::vector<AccuracyCurve> curve_;  // one, once it is known of which pair
-  double time_us_ = 0;                // of each answer; 0: without a limit
+  double time_us_ = 0;
 };
 
 }  // namespace sonde::app

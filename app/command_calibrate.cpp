@@ -57,19 +57,6 @@ void check_name(const Scene& scene) {
   }
 }
 
-/// Those of another calibration that were not measured now.
-void add_series(Calibration& measured, Calibration other) {
-  const auto same = [](const CalibrationSeries& a, const CalibrationSeries& b) {
-    return a.pair == b.pair && a.answers == b.answers && a.method == b.method;
-  };
-  std::erase_if(other.series, [&](const CalibrationSeries& old) {
-    return std::ranges::any_of(measured.series,
-                               [&](const CalibrationSeries& now) { return same(old, now); });
-  });
-  measured.series.insert(measured.series.begin(), std::make_move_iterator(other.series.begin()),
-                         std::make_move_iterator(other.series.end()));
-}
-
 void run(const CalibrateOptions& options) {
   std::vector<Scene> scenes;
   std::vector<std::filesystem::path> inputs;
@@ -91,8 +78,7 @@ void run(const CalibrateOptions& options) {
       all.series.push_back(std::move(series));
   }
   progress.clear();
-  add_series(all, std::move(other));
-  write_result(options.output, to_json(all));
+  write_result(options.output, to_json(joined(std::move(all), other)));
 }
 
 }  // namespace

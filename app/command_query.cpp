@@ -2,6 +2,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
@@ -12,6 +13,7 @@
 #include "app/timed.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/text/number_text.hpp"
 
 namespace sonde::app {
 namespace {
@@ -89,6 +91,34 @@ void note_unfinished(const std::vector<TimedSeparation>& results) {
               << " poses did not converge: their depths are upper bounds\n";
 }
 
+/// Whether a limited time was kept, for each row; nothing where there is no limit.
+class Lateness {
+ public:
+  explicit Lateness(double limit_us) : limit_us_(limit_us) {}
+
+  std::vector<Column> with_column(std::vector<Column> columns) const {
+    if (limit_us_ > 0) columns.push_back({"late", ""});
+    return columns;
+  }
+  void append(Row& row, double time_us) {
+    if (!(limit_us_ > 0)) return;
+    const bool late = time_us > not_late * limit_us_;
+    row.push_back(std::int64_t{late});
+    late_ += late;
+    ++all_;
+  }
+  void note() const {
+    if (late_ > 0)
+      std::cerr << "sonde: " << late_ << " of " << all_ << " poses took over "
+                << number_text(not_late, 2) << " times the time for each, "
+                << number_text(1e-3 * limit_us_, 3) << " ms (late)\n";
+  }
+
+ private:
+  double limit_us_;
+  std::size_t late_ = 0, all_ = 0;
+};
+
 void run(const QueryOptions& options) {
   const Scene scene = scene_of(options.bodies);
   Accuracy accuracy(options.accuracy, options.solver);
@@ -104,19 +134,22 @@ void run(const QueryOptions& options) {
   solver.time_phases = options.phases.timed();
   const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
                                          : search_all(pair, poses, solver, progress);
+  Lateness lateness(accuracy.time_us());
   const std::vector<Column> all_columns =
-      with_phases(options.phases, accuracy.with_claims(query_columns));
+      with_phases(options.phases, lateness.with_column(accuracy.with_claims(query_columns)));
   ResultTable table{all_columns, {}, pair.probe().offset.by, remarks_on(pair)};
   PhasePicture picture;
   for (std::size_t i = 0; i < results.size(); ++i) {
     report_failure(results[i].separation, i);
     table.rows.push_back(row_of(results[i], i));
     accuracy.append_claim(table.rows.back(), results[i].separation);
+    lateness.append(table.rows.back(), results[i].time_us);
     append_phases(options.phases, table.rows.back(), results[i].separation);
     picture.add(results[i].separation, results[i].time_us);
   }
   if (!options.output.quiet) {
     accuracy.note_unreached();
+    lateness.note();
     note_unfinished(results);
   }
   picture.write_with(options.phases, "searches", options.output,

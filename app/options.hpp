@@ -38,6 +38,7 @@ struct SolverOptions {
   /// Wanted whole, or not at all. By default about as much work goes into it as into the search, in
   /// what that leaves of a limited time.
   std::optional<bool> bound;
+  double sure = 0.9;         ///< the share of answers that should keep to what they claim
   bool time_phases = false;  ///< say where the time of an answer went
   unsigned threads = 0;      ///< 0: as many as the machine runs at once
 
@@ -47,6 +48,7 @@ struct SolverOptions {
     return {.method = chosen_method(),
             .budget = budget,
             .seed = seed,
+            .sure = sure,
             .want_lower_bound = bound.value_or(true),
             .whole_bound = bound.value_or(false),
             .share_for_bound = bound.value_or(false) ? 0.3 : 0,

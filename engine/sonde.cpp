@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/effort.hpp"
 #include "engine/body/body.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
@@ -46,6 +47,8 @@ void check(const Knob& knob) {
     throw InputError::in("the knob", "a time must be positive and finite");
   if (!(knob.accuracy >= 0 && knob.accuracy < 1))
     throw InputError::in("the knob", "an accuracy must be above 0 and below 1");
+  if (!(knob.sure > 0 && knob.sure < 1))
+    throw InputError::in("the knob", "how sure must be above 0 and below 1");
 }
 
 }  // namespace
@@ -88,14 +91,18 @@ Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& opt
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method,
                 std::uint64_t seed) {
   check(knob);
-  const AccuracyCurve curve(default_calibration(), Answers::search, method, bool(pair.sketches()));
+  const AccuracyCurve curve(default_calibration(), Answers::search, method, bool(pair.sketches()),
+                            knob.sure);
   StaticOptions options;
   options.method = method;
   options.seed = seed;
+  options.sure = knob.sure;
   options.budget.microseconds = budget_us(knob, curve);
   options.want_lower_bound = false;
+  const double limit = options.budget.microseconds, begin = now_us();
   const Separation found = separate_static(pair, X_FM, options);
-  return {found, claim_of(found, options.budget.microseconds, curve)};
+  const bool late = limit > 0 && now_us() - begin > not_late * limit;
+  return {found, claim_of(found, limit, curve), late};
 }
 
 struct Follower::State {

@@ -115,14 +115,15 @@ Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& opt
 struct Answer {
   Separation separation;  ///< the answer, as of a search with options
   Claim claim;            ///< the claimed accuracy of the depth
+  bool late = false;      ///< it took over 1.1 times the time that the knob gave it
 };
 
 /// The same search with one knob, a time or an accuracy. Given a time, the accuracy follows; given
 /// an accuracy, the time follows, both from the calibration that comes with Sonde. Given neither,
 /// it searches until it has converged. Computes no lower bound. Times are wall-clock times, so two
 /// runs need not give the same bits.
-/// @throws InputError where both are given, the time is negative or not finite, or the accuracy is
-/// negative, not finite, or 1 and more.
+/// @throws InputError where both are given, the time is negative or not finite, the accuracy is
+/// negative, not finite, or 1 and more, or how sure it should be is not above 0 and below 1.
 /// @throws std::bad_alloc.
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method = Method::pdg,
                 std::uint64_t seed = 1);
@@ -175,5 +176,28 @@ Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling)
 /// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;
+
+// Where members lie is the same for every program, whatever flags it is compiled with: none of
+// these types is aligned by what the processor of the program has. A program for which one of these
+// fails would read other members than the library wrote.
+static_assert(sizeof(void*) != 8 || (sizeof(Pose) == 56 && alignof(Pose) == 8));
+static_assert(sizeof(void*) != 8 || (sizeof(Contact) == 88 && sizeof(ContactCluster) == 112));
+static_assert(sizeof(void*) != 8 || (sizeof(Separation) == 1904 && alignof(Separation) == 8));
+static_assert(offsetof(Pose, q) == 0 && offsetof(Pose, p) == 32);
+static_assert(sizeof(void*) != 8 ||
+              (offsetof(Separation, device) == 16 && offsetof(Separation, separated) == 72 &&
+               offsetof(Separation, depth) == 136 && offsetof(Separation, contacts) == 160 &&
+               offsetof(Separation, clusters) == 872 && offsetof(Separation, residual) == 1776 &&
+               offsetof(Separation, released) == 1800 && offsetof(Separation, far_out) == 1808 &&
+               offsetof(Separation, lower_bound) == 1816 && offsetof(Separation, pdt) == 1832 &&
+               offsetof(Separation, phases) == 1848));
+static_assert(sizeof(void*) != 8 ||
+              (sizeof(StaticOptions) == 80 && offsetof(StaticOptions, seed) == 32 &&
+               offsetof(StaticOptions, sure) == 48));
+static_assert(sizeof(void*) != 8 ||
+              (sizeof(MassProperties) == 144 && alignof(MassProperties) == 8));
+static_assert(sizeof(Budget) == 24 && sizeof(Knob) == 24 && sizeof(Claim) == 16);
+static_assert(sizeof(Coupling) == 64 && sizeof(Wrench) == 56);
+static_assert(sizeof(void*) != 8 || (sizeof(Answer) == 1928 && offsetof(Answer, claim) == 1904));
 
 }  // namespace sonde

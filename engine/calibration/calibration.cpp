@@ -12,8 +12,6 @@
 namespace sonde {
 namespace {
 
-/// Of the answers: how many keep to what is expected.
-constexpr double sure = 0.9;
 /// Shares below this are one to the interpolation; it is what the reference is worth.
 constexpr double least_within = 1e-6;
 
@@ -24,20 +22,32 @@ constexpr std::size_t enough_pairs = 10;
 /// The errors of each pair with one limit of time, by that.
 using ErrorsByTime = std::map<double, std::vector<std::vector<double>>>;
 
-ErrorsByTime of_kind(const Calibration& calibration, Answers answers, Method method,
-                     const bool* sketched) {
+struct KindOfAnswer {
+  Answers answers;
+  Method method;
+  std::optional<bool> sketched;  ///< none: either
+  bool far_out;
+
+  bool holds(const CalibrationSeries& series) const {
+    return series.answers == answers && series.method == method &&
+           series.sketched == sketched.value_or(series.sketched);
+  }
+};
+
+ErrorsByTime of_kind(const Calibration& calibration, const KindOfAnswer& kind) {
   ErrorsByTime out;
   for (const CalibrationSeries& series : calibration.series) {
-    if (series.answers != answers || series.method != method) continue;
-    if (sketched && series.sketched != *sketched) continue;
+    if (!kind.holds(series)) continue;
     for (const CalibrationPoint& point : series.points)
-      if (!point.errors.empty()) out[point.time_us].push_back(point.errors);
+      if (const auto& errors = kind.far_out ? point.far_out.value_or(point.errors) : point.errors;
+          !errors.empty())
+        out[point.time_us].push_back(errors);
   }
   return out;
 }
 
-/// What nine in ten answers keep to.
-double kept_to(const std::vector<std::vector<double>>& of_pairs) {
+/// What so many answers keep to.
+double kept_to(const std::vector<std::vector<double>>& of_pairs, double sure) {
   if (of_pairs.size() < enough_pairs) {
     double worst = 0;
     for (const std::vector<double>& errors : of_pairs)
@@ -67,37 +77,57 @@ Calibration of_pair(const Calibration& calibration, const std::string& pair) {
   return out;
 }
 
-AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
-                             bool sketched)
-    : without_limit_(infinity) {
-  auto errors = of_kind(calibration, answers, method, &sketched);
-  if (errors.empty()) errors = of_kind(calibration, answers, method, nullptr);
-  double best = infinity;
-  for (const auto& [time_us, of_pairs] : errors) {
-    if (time_us <= 0) continue;
-    best = std::min(best, kept_to(of_pairs));
-    points_.push_back({time_us, best});
-  }
-  // Ticks without a limit are what other ticks were compared with.
-  const auto unlimited = errors.find(0);
-  if (answers == Answers::search && unlimited != errors.end())
-    without_limit_ = std::min(best, kept_to(unlimited->second));
+Calibration joined(Calibration measured, const Calibration& other) {
+  const auto same = [](const CalibrationSeries& a, const CalibrationSeries& b) {
+    return a.pair == b.pair && a.answers == b.answers && a.method == b.method;
+  };
+  Calibration out;
+  std::ranges::copy_if(
+      other.series, std::back_inserter(out.series), [&](const CalibrationSeries& old) {
+        return std::ranges::none_of(measured.series,
+                                    [&](const CalibrationSeries& now) { return same(old, now); });
+      });
+  std::ranges::move(measured.series, std::back_inserter(out.series));
+  return out;
 }
 
-double AccuracyCurve::within(double time_us) const {
-  if (!(time_us > 0)) return without_limit_;
-  const auto later = std::ranges::upper_bound(points_, time_us, {}, &Point::time_us);
-  if (later == points_.begin()) return infinity;
+AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Method method,
+                             bool sketched, double sure) {
+  const auto line = [&](bool far_out) {
+    auto errors = of_kind(calibration, {answers, method, sketched, far_out});
+    if (errors.empty()) errors = of_kind(calibration, {answers, method, std::nullopt, far_out});
+    Line out{.without_limit = infinity};
+    double best = infinity;
+    for (const auto& [time_us, of_pairs] : errors) {
+      if (time_us <= 0) continue;
+      best = std::min(best, kept_to(of_pairs, sure));
+      out.points.push_back({time_us, best});
+    }
+    // Ticks without a limit are what other ticks were compared with.
+    const auto unlimited = errors.find(0);
+    if (answers == Answers::search && unlimited != errors.end())
+      out.without_limit = std::min(best, kept_to(unlimited->second, sure));
+    return out;
+  };
+  near_ = line(false);
+  far_ = line(true);
+}
+
+double AccuracyCurve::Line::within(double time_us) const {
+  if (!(time_us > 0)) return without_limit;
+  const auto later = std::ranges::upper_bound(points, time_us, {}, &Point::time_us);
+  if (later == points.begin()) return infinity;
   const Point& before = *(later - 1);
-  if (later == points_.end() || !std::isfinite(before.within)) return before.within;
+  if (later == points.end() || !std::isfinite(before.within)) return before.within;
   return between(time_us, before.time_us, before.within, later->time_us, later->within);
 }
 
 double AccuracyCurve::time_for(double accuracy) const {
+  const std::vector<Point>& points = near_.points;
   const auto first =
-      std::ranges::find_if(points_, [&](const Point& point) { return point.within <= accuracy; });
-  if (first == points_.end()) return 0;
-  if (first == points_.begin()) return first->time_us;
+      std::ranges::find_if(points, [&](const Point& point) { return point.within <= accuracy; });
+  if (first == points.end()) return 0;
+  if (first == points.begin()) return first->time_us;
   const Point& before = *(first - 1);
   if (!std::isfinite(before.within)) return first->time_us;
   const double high = std::log(before.within),
@@ -115,7 +145,7 @@ Claim claim_of(const Separation& answer, double time_us, const AccuracyCurve& cu
   if (answer.status == Status::separated) return {Claim::By::certified, 0};
   const double bound = answer.lower_bound.value_or(0);
   const double certified = bound > 0 ? answer.depth / bound - 1 : infinity;
-  const double expected = curve.within(time_us);
+  const double expected = curve.within(time_us, answer.far_out);
   if (std::isfinite(certified) && certified <= expected) return {Claim::By::certified, certified};
   if (std::isfinite(expected)) return {Claim::By::expected, expected};
   return {};

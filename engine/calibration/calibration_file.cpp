@@ -54,24 +54,32 @@ struct Reader {
   }
 
   CalibrationPoint point(const JsonNode& node) const {
-    expect_keys(file, node, std::array<std::string_view, 2>{"time_us", "errors"});
+    expect_keys(file, node, std::array<std::string_view, 3>{"time_us", "errors", "far_out"});
     CalibrationPoint out;
     const JsonNode& time = need(node, "time_us", Kind::number);
     out.time_us = time.number;
     if (!(out.time_us >= 0))
       fail_at(file, time.line,
               "\"time_us\" is " + number_text(out.time_us) + "; it must be 0 or more");
+    out.errors = errors(need(node, "errors", Kind::array));
+    if (node.find("far_out")) out.far_out = errors(need(node, "far_out", Kind::array));
+    return out;
+  }
+
+  std::vector<double> errors(const JsonNode& node) const {
+    std::vector<double> out;
     double before = 0;
-    for (const JsonNode& each : need(node, "errors", Kind::array).children)
-      out.errors.push_back(before = error(each, before));
+    for (const JsonNode& each : node.children) out.push_back(before = error(each, before));
     return out;
   }
 
   CalibrationSeries series(const JsonNode& node) const {
     expect_keys(file, node,
-                std::array<std::string_view, 5>{"pair", "answers", "method", "sketched", "points"});
+                std::array<std::string_view, 6>{"pair", "family", "answers", "method", "sketched",
+                                                "points"});
     CalibrationSeries out;
     out.pair = need(node, "pair", Kind::string).text;
+    if (node.find("family")) out.family = need(node, "family", Kind::string).text;
     out.answers = choice<Answers>(node, "answers", answers_names);
     out.method = choice<Method>(node, "method", method_names);
     out.sketched = need(node, "sketched", Kind::boolean).boolean;
@@ -97,13 +105,17 @@ std::string to_json(const Calibration& calibration) {
   Json all = Json::array();
   for (const CalibrationSeries& series : calibration.series) {
     Json points = Json::array();
-    for (const CalibrationPoint& point : series.points)  // what is infinite becomes null
+    for (const CalibrationPoint& point : series.points) {  // what is infinite becomes null
       points.push_back({{"time_us", point.time_us}, {"errors", point.errors}});
-    all.push_back({{"pair", series.pair},
-                   {"answers", answers_names[static_cast<std::size_t>(series.answers)]},
-                   {"method", method_names[static_cast<std::size_t>(series.method)]},
-                   {"sketched", series.sketched},
-                   {"points", points}});
+      if (point.far_out) points.back()["far_out"] = *point.far_out;
+    }
+    Json one{{"pair", series.pair}};
+    if (!series.family.empty()) one["family"] = series.family;
+    one["answers"] = answers_names[static_cast<std::size_t>(series.answers)];
+    one["method"] = method_names[static_cast<std::size_t>(series.method)];
+    one["sketched"] = series.sketched;
+    one["points"] = std::move(points);
+    all.push_back(std::move(one));
   }
   // A series a line: files that are looked at, and compared.
   std::string out = "{\"calibration\": " + std::to_string(format_version) + ",\n \"series\": [";

@@ -28,7 +28,7 @@ Quat lying_down() { return Quat(std::sqrt(0.5), -std::sqrt(0.5), 0, 0); }
 
 Quat base_in_fixed(DeviceSettings::Frame frame, const Quat& q_FV) {
   if (frame == DeviceSettings::Frame::scene) return Quat::Identity();
-  return frame == DeviceSettings::Frame::y_up ? lying_down() : q_FV * lying_down();
+  return frame == DeviceSettings::Frame::y_up ? lying_down() : Quat(q_FV * lying_down());
 }
 
 /// A device does not say how much virtual damping it bears: the least of the profiles.

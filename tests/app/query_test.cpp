@@ -196,10 +196,17 @@ TEST_F(Query, an_inside_out_mesh_is_turned_and_reported) {
 }
 
 // Reference: the depth of the first pose by hand, 0.01.
-TEST_F(Query, one_knob_gives_two_columns_more) {
-  for (const char* knob : {"--time 5ms ", "--accuracy 5% ", "--claim "}) {
+TEST_F(Query, one_knob_gives_two_columns_more_and_a_limited_time_a_third) {
+  for (const char* knob : {"--time 5ms ", "--accuracy 5% ", "--claim ", "--sure 99% "}) {
     const Csv csv = query(knob + scene);
-    EXPECT_EQ(csv.header, std::string(query_header) + ",within,claim") << knob;
+    EXPECT_TRUE(csv.header.starts_with(std::string(query_header) + ",within,claim")) << knob;
+    // A search to an accuracy has a limit where a measured time reaches it.
+    const std::string_view flag(knob);
+    if (flag.starts_with("--time")) {
+      EXPECT_TRUE(csv.header.ends_with(",late")) << knob;
+    } else if (!flag.starts_with("--accuracy")) {
+      EXPECT_TRUE(csv.header.ends_with(",claim")) << knob << "has no limit";
+    }
     EXPECT_NEAR(csv.number(0, "depth"), 0.01, 5e-4);
     EXPECT_EQ(csv.text(1, "within"), "0") << "a free probe is free";
     EXPECT_EQ(csv.text(1, "claim"), "certified");
@@ -227,6 +234,31 @@ TEST_F(Query, phases_are_columns_of_their_own_and_change_no_answer) {
   for (const char* column : {"sketch_us", "look_us", "solve_us", "verify_us", "bound_us"})
     EXPECT_GT(phases.number(0, column), 0) << column;
   EXPECT_EQ(phases.text(1, "limited"), "0") << "a free probe is not searched for";
+}
+
+// Reference: the clock: no search takes a nanosecond, and none of these takes ten seconds.
+TEST_F(Query, a_time_that_was_not_had_is_said) {
+  const Outcome hasty = sonde("query " + scene + "--time 0.001us");
+  EXPECT_EQ(Csv(hasty.out).text(0, "late"), "1");
+  EXPECT_THAT(hasty.err, HasSubstr("poses took over 1.1 times the time for each"));
+  EXPECT_EQ(query("--time 10s " + scene).text(0, "late"), "0");
+  EXPECT_FALSE(query("--claim " + scene).header.ends_with("late")) << "there is no limit";
+}
+
+// Reference: of the same errors, fewer keep to a narrower claim.
+TEST_F(Query, the_surer_the_wider_the_claim) {
+  double before = 0;
+  for (const char* sure : {"50%", "0.9", "99%"}) {
+    const Csv csv = query("--time 50ms --sure " + std::string(sure) + " " + scene);
+    EXPECT_EQ(csv.text(0, "claim"), "expected");
+    EXPECT_GE(csv.number(0, "within"), before) << sure;
+    before = csv.number(0, "within");
+  }
+  for (const char* sure : {"0", "100%", "often"}) {
+    const Outcome refused = sonde("query " + scene + "--sure " + sure);
+    EXPECT_EQ(refused.exit_code, 3) << sure;
+    EXPECT_THAT(refused.err, HasSubstr("--sure")) << sure;
+  }
 }
 
 TEST_F(Query, a_calibration_of_its_own_is_measured_and_used) {

@@ -321,10 +321,34 @@ TEST(Face, one_knob_is_a_time_or_an_accuracy) {
   }
   EXPECT_EQ(separate(pair, {Quat::Identity(), Vec3(1, 0, 0)}, Knob{.time = 1e-3}).claim.by,
             Claim::By::certified);
-  for (const Knob& knob : {Knob{.time = -1}, Knob{.time = nan}, Knob{.time = inf},
-                           Knob{.accuracy = -0.1}, Knob{.accuracy = 1}, Knob{.accuracy = 10},
-                           Knob{.accuracy = nan}, Knob{.time = 1, .accuracy = 0.1}})
+  for (const Knob& knob :
+       {Knob{.time = -1}, Knob{.time = nan}, Knob{.time = inf}, Knob{.accuracy = -0.1},
+        Knob{.accuracy = 1}, Knob{.accuracy = 10}, Knob{.accuracy = nan},
+        Knob{.time = 1, .accuracy = 0.1}, Knob{.sure = 0}, Knob{.sure = 1}, Knob{.sure = nan}})
     EXPECT_THROW(separate(pair, pose, knob), InputError) << knob.time << ", " << knob.accuracy;
+}
+
+// Reference: of the same answers, fewer keep to a narrower claim: none is wider where less is
+// asked.
+TEST(Face, the_surer_the_wider_the_claim) {
+  const Pair pair(brick.body(), block.body());
+  const Pose pose{Quat::Identity(), Vec3(0.01, 0.02, 0.07)};
+  double before = 0;
+  for (const double sure : {0.5, 0.9, 0.99}) {
+    const Answer answer = separate(pair, pose, {.time = 0.05, .sure = sure});
+    ASSERT_EQ(answer.claim.by, Claim::By::expected);
+    EXPECT_GE(answer.claim.within, before) << sure;
+    before = answer.claim.within;
+  }
+  EXPECT_GT(before, 0);
+}
+
+// Reference: the clock: no search of two bodies takes a nanosecond.
+TEST(Face, a_time_that_was_not_had_is_said) {
+  const Pair pair(brick.body(), block.body());
+  const Pose pose{Quat::Identity(), Vec3(0.01, 0.02, 0.07)};
+  EXPECT_TRUE(separate(pair, pose, Knob{.time = 1e-9}).late);
+  EXPECT_FALSE(separate(pair, pose, Knob{}).late) << "there is no limit";
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ sonde::Follower::operator=
 sonde::Follower::start
 sonde::Follower::~Follower
 sonde::Pair::Pair
+sonde::Pair::exchanged
 sonde::facts
 sonde::make_body
 sonde::offset_body
@@ -27,4 +28,4 @@ sonde::wrench
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 20 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 21 sh -c "nm -D --defined-only '$library' | wc -l"

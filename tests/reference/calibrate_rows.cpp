@@ -2,6 +2,7 @@
 #include "tests/reference/calibrate_rows.hpp"
 
 #include "engine/study/trade/calibrate.hpp"
+#include "tests/reference/cases.hpp"
 
 namespace sonde::reference {
 
@@ -15,8 +16,10 @@ Calibration calibrate_rows(const Pair& pair, const std::string& name, std::span<
     pdg.push_back(row.best);
     pdt.push_back(row.pdt);
   }
-  return {{calibrate_searches(pair, name, Method::pdg, poses, pdg, 1, never),
-           calibrate_searches(pair, name, Method::pdt, poses, pdt, 1, never)}};
+  Calibration out{{calibrate_searches(pair, name, Method::pdg, poses, pdg, 1, never),
+                   calibrate_searches(pair, name, Method::pdt, poses, pdt, 1, never)}};
+  for (CalibrationSeries& series : out.series) series.family = family_of(name);
+  return out;
 }
 
 }  // namespace sonde::reference

@@ -32,6 +32,9 @@ struct PairSpec {
   double turn = 0.35;
   double shift = 0.15;
 };
+/// The family of a pair, of shapes that are alike: scanned, engineered, tangled, nested, fits,
+/// soups, thin. Claims are held against families that they were not fitted to.
+std::string family_of(const std::string& pair);
 
 struct Case {
   int index = 0;  ///< within the pair

@@ -148,6 +148,37 @@ void check_search(const std::vector<Row>& of, Method method, std::size_t every,
   EXPECT_GE(static_cast<double>(within_5), share_within_5 * static_cast<double>(searched));
 }
 
+/// Of every n-th row, as often as PD_t of the exchanged bodies, at the inverse pose and with
+/// another seed, is the same to a thousandth.
+void check_exchanged(const std::vector<Row>& of, std::size_t every, double share) {
+  const auto specs = reference::specs();
+  std::size_t searched = 0, same = 0;
+  StaticOptions there{.method = Method::pdt, .seed = 1, .want_lower_bound = false}, back = there;
+  back.seed = 2;
+  for (std::size_t i = 0; i < of.size(); i += every) {
+    const Row& row = of[i];
+    const PairSpec& spec = *specs.at(row.pair);
+    const auto probe = spec.probe(), fixed = spec.fixed();
+    const double one = separate_static({probe, fixed}, row.pose, there).depth;
+    const double other = separate_static({fixed, probe}, inverse(row.pose), back).depth;
+    ++searched, same += std::abs(one - other) <= 1e-3 * std::min(one, other);
+    if (std::abs(one - other) > 1e-3 * std::min(one, other))
+      std::printf("  %s: %g and %g\n", name(row).c_str(), one, other);
+  }
+  std::printf("  %zu of %zu the same\n", same, searched);
+  EXPECT_GE(static_cast<double>(same), share * static_cast<double>(searched));
+}
+
+// Reference: the same two bodies, exchanged: a way out of one is a way out of the other.
+TEST(Depths, pdt_of_exchanged_bodies_is_the_same) {
+  check_exchanged(sample(30), 1, 0.96);
+  check_exchanged(rows_in("deep_reporting.csv"), 8, 0.85);
+}
+TEST(Depths, Full_pdt_of_exchanged_bodies_is_the_same) {
+  check_exchanged(rows(), 1, 0.98);
+  check_exchanged(rows_in("deep_reporting.csv"), 1, 0.9);
+}
+
 // Reference: PD_t of the committed depths, which no free pose that is only shifted beats.
 TEST(Depths, one_projection_ends_free_and_no_nearer_than_the_reference) {
   const auto specs = reference::specs();

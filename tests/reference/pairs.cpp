@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pairs of meshes: generated ones, real ones, and models of the example scenes.
+#include <map>
 #include <numbers>
 
 #include "tests/reference/cases.hpp"
@@ -145,6 +146,31 @@ const std::vector<PairSpec>& pair_specs() {
     return out;
   }();
   return all;
+}
+
+std::string family_of(const std::string& pair) {
+  static const std::map<std::string, std::string> families{
+      {"egg-egg", "engineered"},      {"rod-egg", "engineered"},
+      {"comb-comb", "engineered"},    {"joint-eight", "engineered"},
+      {"anchor-rotor", "engineered"}, {"pinion-pinion", "engineered"},
+      {"eight-eight", "engineered"},  {"ring-ring", "tangled"},
+      {"trefoil-trefoil", "tangled"}, {"rod-trefoil", "tangled"},
+      {"hook-hook", "tangled"},       {"ring-dumbbell", "tangled"},
+      {"joint-knot", "tangled"},      {"coil-coil", "tangled"},
+      {"ring-pulley", "tangled"},     {"hook-knot", "tangled"},
+      {"soup-soup", "soups"},         {"soup-ring", "soups"},
+      {"star-crumpled", "soups"},     {"boulder-ground", "thin"},
+      {"spoon-cup", "thin"},          {"nefertiti-mask", "scanned"},
+      {"part-nefertiti", "scanned"},  {"elephant-elephant", "scanned"},
+      {"cow-triceratops", "scanned"}, {"joint-camel", "scanned"},
+      {"hand-bunny", "scanned"},      {"camel-armadillo", "scanned"},
+      {"nut-bolt", "fits"},           {"peg-block", "fits"},
+      {"cup-cup", "nested"},          {"dumbbell-vase", "nested"},
+      {"comb-cup", "nested"},         {"hook-keyway", "fits"},
+      {"comb-combs", "tangled"},      {"spline-sleeve", "fits"},
+      {"key-channel", "fits"},        {"hexagon-blind", "fits"},
+      {"dovetail-slide", "fits"}};
+  return families.at(pair);
 }
 
 }  // namespace sonde::reference

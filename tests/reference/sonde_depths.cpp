@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "engine/calibration/calibration_file.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct Options {
   std::string in = "tests/reference/depths.csv";
-  std::string only, csv, json, calibration;
+  std::string only, csv, json, calibration, add;
   StaticOptions search;
   SearchTuning tuning;
   int every = 1;
@@ -48,6 +49,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--json", o.json, "write the table to this file");
   app.add_option("--calibrate", o.calibration,
                  "measure what limits of time cost instead, and write that to this file");
+  app.add_option("--add", o.add,
+                 "with --calibrate: another calibration; what it holds of other pairs is kept")
+      ->needs("--calibrate");
   app.add_option_function<std::vector<std::string>>(
       "--vary",
       [&o](const std::vector<std::string>& all) {
@@ -157,15 +161,18 @@ void print_phases(const std::vector<Measured>& all) {
 int calibrate_all(const Options& options) {
   check_writable(options.calibration);
   const std::vector<Row> rows = read_rows(options.in);
+  const Calibration other = options.add.empty() ? Calibration{} : read_calibration(options.add);
+  std::set<std::string> pairs;
+  for (const Row& row : rows)
+    if (options.only.empty() || options.only == row.pair) pairs.insert(row.pair);
   Calibration all;
   Bodies bodies;
-  for (const PairSpec& spec : pair_specs()) {
-    if (!options.only.empty() && options.only != spec.name) continue;
-    if (!bodies.load(spec.name)) continue;
-    for (CalibrationSeries& series : calibrate_rows(*bodies.bodies, spec.name, rows).series)
+  for (const std::string& pair : pairs) {
+    if (!bodies.load(pair)) continue;
+    for (CalibrationSeries& series : calibrate_rows(*bodies.bodies, pair, rows).series)
       all.series.push_back(std::move(series));
   }
-  write_whole(options.calibration, to_json(all));
+  write_whole(options.calibration, to_json(joined(std::move(all), other)));
   return 0;
 }
 

@@ -96,7 +96,7 @@ std::optional<HardMotion> attempt(Kind kind, const BodyPair& pair, std::mt19937_
     gap = size * power_of_ten(random, -12, -2);
   else if (random() % 3 == 0)
     gap = size * uniform(random, -1, 1) * power_of_ten(random, -10, -1);  // grazing
-  const Quat q = random() % 3 ? random_rotation(random) : Quat::Identity();
+  const Quat q = random() % 3 ? random_rotation(random) : Quat(Quat::Identity());
   const Contact at = contact(pair, q, gap, random);
   // The device pose is turned away from the contact by v, which is then where the path passes.
   const Vec3 v = random() % 3 == 0 ? Vec3(Vec3::Zero())

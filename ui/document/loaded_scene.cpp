@@ -231,7 +231,7 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
   const auto moved = [&](const Pose& pose, UpAxis before, UpAxis after) {
     if (before == after && grown == 1) return pose;
     const Quat turn = turned_up(before).conjugate() * turned_up(after);
-    const Pose placed{before == after ? pose.q : pose.q * turn, pose.p * grown};
+    const Pose placed{before == after ? pose.q : Quat(pose.q * turn), pose.p * grown};
     return storable(placed, changed.unit);
   };
   changed.probe.pose = moved(scene.probe.pose, old.probe.up, now.probe.up);

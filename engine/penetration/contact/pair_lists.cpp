@@ -55,10 +55,12 @@ NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wa
   const double around = size > 0 ? contact_tuning.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
   const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
-  // What is off the course is as much sliding as turning, whatever the course is.
-  return {{std::max(0.5 * around,
+  // What is off the course is both sliding and turning, whatever the course is.
+  const double least = contact_tuning.least_share_of_turn;
+  const double linear = std::clamp(size > 0 ? course.size().linear / size : 0.5, least, 1 - least);
+  return {{std::max(linear * around,
                     contact_tuning.room_for_path * (wanted.reach_on_path + off.linear)),
-           std::max(0.5 * around / radius_, contact_tuning.room_for_path * off.turn)},
+           std::max((1 - linear) * around / radius_, contact_tuning.room_for_path * off.turn)},
           ahead};
 }
 

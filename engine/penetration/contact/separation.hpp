@@ -134,6 +134,11 @@ struct Separation {
   /// m², coherent only: what of σ was neither stored nor given back to the hand in a tick that
   /// jumped; the energy that it let go is ½ k of that. 0 in any other.
   double released = 0;
+  /// Static only: the way out is long beside what overlaps: the depth is over 2.5 times what the
+  /// deepest point of a sketch lies in (SearchTuning::narrow). A shorter way may be so narrow that
+  /// few starts come near it: what is claimed of such an answer is wider (AccuracyCurve). False
+  /// where there are no sketches.
+  bool far_out = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
   /// Static only: the translational depth that the search found on the way, m: PD_t where nothing
   /// limits the search, and an upper bound of it else. None if the time ran out before that.

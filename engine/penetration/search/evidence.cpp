@@ -31,10 +31,10 @@ bool Evidence::sketches_see() const {
 
 bool Evidence::may_be_narrow() const { return !settles() || may_be_deep(); }
 
-bool Evidence::may_be_deep() const {
-  if (sketched_.empty() || optima_.empty()) return false;
+bool Evidence::is_far_out(double depth) const {
+  if (sketched_.empty()) return false;
   const double deepest = sketched_[0].depth_of_points(chart_, Vec6::Zero());
-  return deepest > 0 && optima_.best() > rules_.tuned.narrow * deepest;
+  return deepest > 0 && depth > rules_.tuned.narrow * deepest;
 }
 
 }  // namespace sonde

@@ -32,7 +32,9 @@ class Evidence {
   bool may_be_narrow() const;
   /// The same, whatever agrees: starts that agree show that a way out is wide, not that none is
   /// shorter and narrow. False where there are no sketches, or no point of theirs lies deep.
-  bool may_be_deep() const;
+  bool may_be_deep() const { return !optima_.empty() && is_far_out(optima_.best()); }
+  /// That of a way out of such a length, m (Separation::far_out).
+  bool is_far_out(double depth) const;
   /// By which depths on sketches may be wrong, m. There must be sketches.
   double sketch_error() const { return rules_.tuned.sketch_error * sketched_[0].spacing(); }
 

@@ -21,4 +21,13 @@ Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed)
       fixed_(given(std::move(fixed))),
       sketches_(std::make_shared<const Sketches>(make_sketches(*probe_, *fixed_))) {}
 
+Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+           std::shared_ptr<const Sketches> sketches) noexcept
+    : probe_(std::move(probe)), fixed_(std::move(fixed)), sketches_(std::move(sketches)) {}
+
+Pair Pair::exchanged() const {
+  return {fixed_, probe_,
+          std::make_shared<const Sketches>(Sketches{sketches_->fixed, sketches_->probe})};
+}
+
 }  // namespace sonde

@@ -29,7 +29,13 @@ class Pair {
   /// Empty where both bodies are surfaces, or where one is too small or too large for a sketch.
   const Sketches& sketches() const noexcept { return *sketches_; }
 
+  /// The same two with their roles exchanged: the fixed body as the probe. Shares all that costs.
+  Pair exchanged() const;
+
  private:
+  Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+       std::shared_ptr<const Sketches> sketches) noexcept;
+
   std::shared_ptr<const Body> probe_, fixed_;
   std::shared_ptr<const Sketches> sketches_;
 };

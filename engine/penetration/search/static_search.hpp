@@ -12,13 +12,17 @@ namespace sonde {
 struct StaticOptions {
   Method method = Method::pdg;  ///< the motions to search among
   /// `steps` and `microseconds` limit the search. With neither, the limits below alone end it.
-  Budget budget;
+  Budget budget = {};
   std::uint64_t seed = 1;  ///< seed of the random starts; any number
   /// The search descends from at most this many random starts. With evidence from sketches it makes
   /// fewer (SearchTuning::most_after_sketches).
   int starts = 384;
   /// The search ends when this many independent starts have ended at the best depth, to 2 %.
   int agreement = 12;
+  /// The share of answers, above 0 and below 1, that should be the best there is, to the accuracy
+  /// that is claimed: the more, the more starts a search makes from where the way out is long
+  /// (Separation::far_out), where agreement shows nothing.
+  double sure = 0.9;
   /// Also stop where the sketches of the bodies leave no doubt, or where the search has descended
   /// from all places that they show. False: only the two limits above end the search.
   bool by_evidence = true;

@@ -15,7 +15,7 @@ namespace {
 Pose moved(const MassProperties& mass, const Pose& X_FO, const Vec6& motion) {
   const Vec3 turn = motion.tail<3>();
   const double angle = turn.norm();
-  const Quat q = angle == 0 ? Quat::Identity() : Quat(Eigen::AngleAxisd(angle, turn / angle));
+  const Quat q = angle == 0 ? Quat(Quat::Identity()) : Quat(Eigen::AngleAxisd(angle, turn / angle));
   const Vec3 com = X_FO * mass.com + motion.head<3>();
   const Quat turned = (q * X_FO.q).normalized();
   return {turned, com - turned * mass.com};

@@ -47,14 +47,14 @@ double tick_error(double got, double wanted, double deepest) {
 }
 
 /// In their order, with as many digits as they are worth, and of thousands every so many.
-CalibrationPoint point(double time_us, std::vector<double> errors) {
+std::vector<double> kept(std::vector<double> errors) {
   for (double& error : errors)
     if (std::isfinite(error)) error = parse_number(number_text(std::max(error, 0.0), 3)).value();
   std::ranges::sort(errors);
   const std::size_t every = (errors.size() + most_kept - 1) / most_kept;
-  std::vector<double> kept;
-  for (std::size_t i = every / 2; i < errors.size(); i += every) kept.push_back(errors[i]);
-  return {time_us, std::move(kept)};
+  std::vector<double> out;
+  for (std::size_t i = every / 2; i < errors.size(); i += every) out.push_back(errors[i]);
+  return out;
 }
 
 std::vector<double> least_depths(const TradeSetup& setup, Method method, const Stop& stop) {
@@ -93,21 +93,27 @@ CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, 
                                      std::span<const Pose> poses, std::vector<double> references,
                                      std::uint64_t seed, const Stop& stop) {
   CalibrationSeries out{name, Answers::search, method, bool(pair.sketches()), {}};
-  std::vector<std::vector<double>> depths;
+  struct Found {
+    double depth;
+    bool far_out;
+  };
+  std::vector<std::vector<Found>> found;  // by time, then by pose
   for (const double time_us : search_times) {
-    depths.emplace_back();
+    found.emplace_back();
     for (std::size_t i = 0; i < poses.size(); ++i) {
       check(stop);
-      const double depth =
-          depth_or_infinity(separate_static(pair, poses[i], options(method, seed + i, time_us)));
-      depths.back().push_back(depth);
-      references[i] = std::min(references[i], depth);
+      const Separation one = separate_static(pair, poses[i], options(method, seed + i, time_us));
+      found.back().push_back({depth_or_infinity(one), one.far_out});
+      references[i] = std::min(references[i], found.back().back().depth);
     }
   }
-  for (std::size_t k = 0; k < depths.size(); ++k) {
-    for (std::size_t i = 0; i < poses.size(); ++i)
-      if (std::isfinite(depths[k][i])) depths[k][i] = excess(depths[k][i], references[i]);
-    out.points.push_back(point(search_times[k], std::move(depths[k])));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    std::vector<double> near, far;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const auto [depth, far_out] = found[k][i];
+      (far_out ? far : near).push_back(std::isfinite(depth) ? excess(depth, references[i]) : depth);
+    }
+    out.points.push_back({search_times[k], kept(std::move(near)), kept(std::move(far))});
   }
   return out;
 }
@@ -126,7 +132,7 @@ CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Met
     std::vector<double> errors;
     for (std::size_t i = 0; i < got.size(); ++i)
       if (got[i] > 0 || wanted[i] > 0) errors.push_back(tick_error(got[i], wanted[i], deepest));
-    out.points.push_back(point(time_us, std::move(errors)));
+    out.points.push_back({time_us, kept(std::move(errors))});
   }
   return out;
 }

@@ -12,7 +12,12 @@ namespace {
 
 Calibration made_up_pairs() {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return {{{"a on b", Answers::search, Method::pdg, true, {{500, {0, 0.1, infinite}}, {0, {}}}},
+  return {{{"a on b",
+            Answers::search,
+            Method::pdg,
+            true,
+            {{500, {0, 0.1, infinite}, {{0.2, 0.3}}}, {0, {}}},
+            "fits"},
            {"a on b", Answers::tick, Method::pdt, false, {{50, {1e-3}}}}}};
 }
 
@@ -31,6 +36,7 @@ TEST(CalibrationFile, reads_back_what_was_written) {
   ASSERT_EQ(got.series.size(), want.series.size());
   for (std::size_t i = 0; i < want.series.size(); ++i) {
     EXPECT_EQ(got.series[i].pair, want.series[i].pair);
+    EXPECT_EQ(got.series[i].family, want.series[i].family);
     EXPECT_EQ(got.series[i].answers, want.series[i].answers);
     EXPECT_EQ(got.series[i].method, want.series[i].method);
     EXPECT_EQ(got.series[i].sketched, want.series[i].sketched);
@@ -38,6 +44,7 @@ TEST(CalibrationFile, reads_back_what_was_written) {
     for (std::size_t k = 0; k < want.series[i].points.size(); ++k) {
       EXPECT_EQ(got.series[i].points[k].time_us, want.series[i].points[k].time_us);
       EXPECT_EQ(got.series[i].points[k].errors, want.series[i].points[k].errors);
+      EXPECT_EQ(got.series[i].points[k].far_out, want.series[i].points[k].far_out);
     }
   }
 }

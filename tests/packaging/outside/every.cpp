@@ -49,6 +49,10 @@ int main() {
   const sonde::Separation deep = sonde::separate(pair, pose);
   if (deep.status != sonde::Status::penetrating || deep.depth > 0.1 * 1.0001)
     return complain("the depth is above the way out along x");
+  pose.p.x() = -0.9;
+  const sonde::Separation back = sonde::separate(pair.exchanged(), pose);
+  if (std::abs(back.depth - deep.depth) > 1e-3 * deep.depth) return complain("exchanged bodies");
+  pose.p.x() = 0.9;
   const sonde::Answer quick = sonde::separate(pair, pose, sonde::Knob{.time = 1e-3});
   if (quick.separation.status != sonde::Status::penetrating) return complain("the knob");
   sonde::Follower first(pair), follower(std::move(first));
