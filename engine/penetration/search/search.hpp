@@ -173,7 +173,7 @@ class Search {
 
 /// A PD_t search without a limit, and how many descents on sketches it made. A way out of the probe
 /// is one of the fixed body, back: both are searched for, with starts of their own, and the shorter
-/// one counts. So exchanged bodies have the same PD_t.
+/// one counts. So exchanged bodies mostly have the same PD_t.
 struct Translated {
   Separation found;
   int sketches = 0;
