@@ -42,6 +42,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--method", o.search.method, "pdg or pdt")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
           {name_of(Method::pdg), Method::pdg}, {name_of(Method::pdt), Method::pdt}}));
+  app.add_option("--sure", o.search.sure, "share of answers that should keep to their claim")
+      ->check(CLI::Range(0.01, 0.9999))
+      ->capture_default_str();
   app.add_option("--only", o.only, "one pair of meshes");
   app.add_option("--every", o.every, "only every N-th row")->check(CLI::PositiveNumber);
   app.add_option("--worst", o.worst, "how many of the worst to name")->capture_default_str();

@@ -74,8 +74,8 @@ struct ContactTuning {
   double share_beside_course = 0.25;
   /// Of that: for turning, and for sliding, at least; the rest as the course has it. (With 80 000
   /// units a tick, ticks of the ball in its socket, nut-on-bolt and the nut jam that did not
-  /// converge: with 0 1100, 206 and 1802, with 0.2 293, 51 and 1766, with 0.3 269, 14 and 1589,
-  /// with 0.4 229, 14 and 1754. With 0.5 a rod that slides in its hole without a turn has no list.)
+  /// converge: with 0.2 293, 51 and 1766, with 0.3 269, 14 and 1589, with 0.4 229, 14 and 1754.
+  /// With 0.5 a rod that slides in its hole without a turn has no list.)
   double least_share_of_turn = 0.3;
   /// Of the effort that a tick leaves over: for the next list. It is to serve for so many ticks
   /// beyond those that it takes to make, which are reckoned from what was left of late, but for no

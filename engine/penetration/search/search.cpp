@@ -271,9 +271,9 @@ void Search::random_rounds() {
 }
 
 void Search::pushed_rounds() {
-  // Where there are twice as many, about half as many answers are not the best (deep_tuning.csv:
-  // SearchTuning::most_after_sketches).
-  const double more = (1 - 0.9) / (1 - std::clamp(options_.sure, 0.0, 1 - 1e-4));
+  // In inverse proportion to the answers that may not be the best. (It takes more: twice as many
+  // starts leave two thirds to nine tenths of them, measurements.md, "Deep concave pairs".)
+  const double more = (1 - StaticOptions{}.sure) / (1 - std::clamp(options_.sure, 0.0, 1 - 1e-4));
   const auto scaled = [&](int starts) {
     return std::max(static_cast<int>(more * starts), int{per_round});
   };

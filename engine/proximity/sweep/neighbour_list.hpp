@@ -32,7 +32,7 @@ class NeighbourList {
  public:
   /// Pairs. Where surfaces fit into each other every triangle has some ten of the other body near
   /// it, so that all that faces each other of two bodies of 2000 triangles is some 15 000. A list
-  /// for ten times the reach then holds hardly more pairs, and serves ten times as long.
+  /// for eight times the reach then holds less than three times the pairs (a ball in its socket).
   static constexpr std::size_t enough = 32768;
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
