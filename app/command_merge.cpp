@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/merge_results.hpp"
 #include "app/study_run.hpp"
 #include "app/trade_folder.hpp"
 #include "engine/base/error.hpp"
@@ -43,7 +44,15 @@ void merge(const std::vector<std::string>& given, const std::string& out) {
   join_study(out, join);
 }
 
+/// Results of sonde query, which are files where studies are folders.
+void merge_queries(const MergeOptions& options) {
+  const OutputOptions output{.out = options.study.out};
+  check_output(output, {options.folders.begin(), options.folders.end()});
+  write_result(output, merge_results(options.folders));
+}
+
 void run(const MergeOptions& options) {
+  if (std::filesystem::is_regular_file(options.folders.front())) return merge_queries(options);
   check_output(options.study);
   if (holds_studies(options.folders.front()))
     merge_fronts(options.folders, options.study.out, merge);
@@ -56,9 +65,15 @@ void run(const MergeOptions& options) {
 Command add_merge_command(CLI::App& program) {
   const auto options = std::make_shared<MergeOptions>();
   CLI::App* parser = program.add_subcommand(
-      "merge", "Joins the shards of a study into what one run of all of it would have written");
-  parser->add_option("folders", options->folders, "folders of the shards")->required();
-  parser->add_option("--out", options->study.out, "folder to write; may be one of the others")
+      "merge",
+      "Joins the shards of a study or a query into what one run of all of it would have written");
+  parser
+      ->add_option("folders", options->folders,
+                   "folders of the shards; or, of sonde query --shard, its results")
+      ->required();
+  parser
+      ->add_option("--out", options->study.out,
+                   "folder to write, which may be one of the others; or, of results, the file")
       ->required();
   return {parser, [options] { run(*options); }};
 }

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <iostream>
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/accuracy.hpp"
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
+#include "app/part_file.hpp"
 #include "app/phases.hpp"
-#include "app/result_table.hpp"
+#include "app/query_rows.hpp"
 #include "app/static_searches.hpp"
+#include "app/study_run.hpp"
 #include "app/timed.hpp"
+#include "engine/base/threads.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/poses.hpp"
-#include "engine/text/number_text.hpp"
+#include "engine/study/parts/study_parts.hpp"
+#include "engine/text/output_file.hpp"
 
 namespace sonde::app {
 namespace {
@@ -24,136 +32,249 @@ struct QueryOptions {
   AccuracyOptions accuracy;
   PhaseOptions phases;
   OutputOptions output;
+  QueryQuestion question;
   std::string poses;
+  std::string shard;  ///< "2/8"; empty: all poses
+  bool resume = false;
 };
 
-constexpr std::array<Column, 16> query_columns{{{"index", ""},
-                                                {"status", ""},
-                                                {"depth", "m"},
-                                                {"sigma", "m^2"},
-                                                {"px", "m"},
-                                                {"py", "m"},
-                                                {"pz", "m"},
-                                                {"qw", ""},
-                                                {"qx", ""},
-                                                {"qy", ""},
-                                                {"qz", ""},
-                                                {"lower_bound", "m"},
-                                                {"contacts", ""},
-                                                {"residual", ""},
-                                                {"iterations", ""},
-                                                {"time_us", "us"}}};
-
-Row row_of(const TimedSeparation& result, std::size_t index) {
-  const Separation& s = result.separation;
-  const bool failed = s.status == Status::failed;
-  Row row{static_cast<std::int64_t>(index), name_of(s.status)};
-  if (failed) {
-    append_nothing(row, 10);  // from depth to lower_bound
-  } else {
-    row.insert(row.end(), {s.depth, s.sigma});
-    append(row, s.separated);
-    row.push_back(s.lower_bound ? Cell(*s.lower_bound) : Cell());
-  }
-  row.push_back(std::int64_t{failed ? 0 : s.clusters.size});
-  row.push_back(failed ? Cell() : Cell(s.residual));
-  row.push_back(std::int64_t{s.iterations});
-  row.push_back(result.time_us);
-  return row;
+void check(const QueryOptions& options) {
+  const bool coherent = options.solver.coherent();
+  if (options.question.touch &&
+      (coherent || options.accuracy.turned() || options.accuracy.claim || options.phases.timed() ||
+       !options.question.contacts.empty() || options.question.seeds > 1))
+    throw UsageError(
+        "--touch does no search: leave out what is for one (--mode coherent, --time, "
+        "--accuracy, --claim, --phases, --contacts, --seeds)");
+  if (coherent && (!options.shard.empty() || options.resume || options.question.seeds > 1))
+    throw UsageError(
+        "--mode coherent follows the poses one after the other: leave out --shard, "
+        "--resume and --seeds");
+  if (options.resume && !options.output.to_file())
+    throw UsageError("--resume goes on from the part beside a result: it needs --out");
+  if (options.resume && options.phases.timed())
+    throw UsageError(
+        "--resume knows no phases of the poses that are done: leave out --phases and "
+        "--phases-picture");
 }
 
-std::vector<TimedSeparation> follow_all(const Pair& pair, std::span<const Pose> poses,
-                                        const SolverOptions& options, ProgressLine& progress) {
-  std::vector<TimedSeparation> results(poses.size());
-  CoherentSolver solver(pair, options.chosen_method());
-  solver.time_phases(options.time_phases);
-  bool started = false;  // a search that failed leaves nothing to follow: search again
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    Separation& separation = results[i].separation;
-    results[i].time_us = timed_us([&] {
-      separation = started ? solver.tick(poses[i], options.budget)
-                           : solver.reset(poses[i], options.static_options());
-    });
-    started = started || separation.status != Status::failed;
-    progress.show("following", i + 1, poses.size());
-  }
-  progress.clear();
-  return results;
+/// What a part or a share must have in common with others of the same run.
+std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& pair,
+                   const SolverOptions& solver, const std::vector<Pose>& poses,
+                   const std::vector<Column>& columns) {
+  std::string numbers;
+  for (const Pose& X : poses)
+    for (const double x : {X.p.x(), X.p.y(), X.p.z(), X.q.w(), X.q.x(), X.q.y(), X.q.z()})
+      numbers.append(reinterpret_cast<const char*>(&x), sizeof x);
+  nlohmann::ordered_json about{{"inputs", study_inputs(scene, pair)},
+                               {"poses", fingerprint(numbers)},
+                               {"method", solver.method},
+                               {"steps", solver.budget.steps},
+                               {"us", solver.budget.microseconds},
+                               {"seed", solver.seed},
+                               {"seeds", options.question.seeds},
+                               {"sure", solver.sure},
+                               {"json", options.output.json}};
+  about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
+  for (const Column& column : columns) about["columns"].push_back(column.name);
+  return fingerprint(about.dump());
 }
 
-void note_unfinished(const std::vector<TimedSeparation>& results) {
-  std::size_t unfinished = 0;
-  for (const TimedSeparation& result : results)
-    if (result.separation.status == Status::penetrating && !result.separation.converged)
-      ++unfinished;
-  if (unfinished > 0)
-    std::cerr << "sonde: " << unfinished << " of " << results.size()
-              << " poses did not converge: their depths are upper bounds\n";
-}
-
-/// Whether a limited time was kept, for each row; nothing where there is no limit.
-class Lateness {
+/// Answers the poses one by one: a search for each, or following them in their order.
+class Answers {
  public:
-  explicit Lateness(double limit_us) : limit_us_(limit_us) {}
+  Answers(const Pair& pair, const QueryQuestion& question, const SolverOptions& solver,
+          SearchThreads threads)
+      : pair_(pair), question_(question), solver_(solver), threads_(threads) {
+    if (!solver.coherent()) return;
+    follower_.emplace(pair, solver.chosen_method());
+    follower_->time_phases(solver.time_phases);
+  }
 
-  std::vector<Column> with_column(std::vector<Column> columns) const {
-    if (limit_us_ > 0) columns.push_back({"late", ""});
-    return columns;
-  }
-  void append(Row& row, double time_us) {
-    if (!(limit_us_ > 0)) return;
-    const bool late = time_us > not_late * limit_us_;
-    row.push_back(std::int64_t{late});
-    late_ += late;
-    ++all_;
-  }
-  void note() const {
-    if (late_ > 0)
-      std::cerr << "sonde: " << late_ << " of " << all_ << " poses took over "
-                << number_text(not_late, 2) << " times the time for each, "
-                << number_text(1e-3 * limit_us_, 3) << " ms (late)\n";
+  QueryAnswer answer(const Pose& pose) {
+    QueryAnswer out;
+    Separation& found = out.separation;
+    out.time_us = timed_us([&] {
+      found = question_.touch ? touched(pose) : follower_ ? followed(pose) : searched(pose);
+      if (question_.clearance && found.status == Status::separated && !found.clearance)
+        found.clearance = distance(pair_, pose);
+    });
+    return out;
   }
 
  private:
-  double limit_us_;
-  std::size_t late_ = 0, all_ = 0;
+  Separation touched(const Pose& pose) const {
+    Separation out;
+    try {
+      out.status = touch(pair_, pose) ? Status::penetrating : Status::separated;
+    } catch (const InputError&) {
+      out.reason = "not finite, or too far from the origin for the size of the probe";
+    }
+    return out;
+  }
+  Separation followed(const Pose& pose) {
+    // A search that failed leaves nothing to follow: search again.
+    const Separation found = started_ ? follower_->tick(pose, solver_.budget)
+                                      : follower_->reset(pose, solver_.static_options());
+    started_ = started_ || found.status != Status::failed;
+    return found;
+  }
+  Separation searched(const Pose& pose) const {
+    StaticOptions own = solver_.static_options();
+    own.two_threads = threads_.two_for_each;
+    Separation best;
+    for (std::size_t k = 0; k < question_.seeds; ++k) {
+      own.seed = seed_of_pose(solver_.seed + k, pose);
+      const Separation found = separate(pair_, pose, own);
+      best = k == 0 ? found : better(best, found);
+      if (found.status == Status::separated) break;
+    }
+    return best;
+  }
+  /// The nearer way out, with the work and the bounds of both.
+  static Separation better(const Separation& a, const Separation& b) {
+    const bool second =
+        a.status == Status::failed || (b.status == Status::penetrating && b.depth < a.depth);
+    Separation out = second ? b : a;
+    out.iterations = a.iterations + b.iterations;
+    out.limited = a.limited + b.limited;
+    if (a.lower_bound && b.lower_bound) out.lower_bound = std::max(*a.lower_bound, *b.lower_bound);
+    return out;
+  }
+
+  const Pair& pair_;
+  const QueryQuestion& question_;
+  const SolverOptions& solver_;
+  SearchThreads threads_;
+  std::optional<CoherentSolver> follower_;
+  bool started_ = false;
 };
 
-void run(const QueryOptions& options) {
-  const Scene scene = scene_of(options.bodies);
-  Accuracy accuracy(options.accuracy, options.solver);
+/// The poses of a share, and which of them are still to be answered.
+struct Share {
+  std::vector<std::size_t> indices;
+  std::size_t done = 0;  ///< of them, the first
+};
+Share share_of(const std::string& shard, std::size_t poses) {
+  const Shard part = shard.empty() ? Shard{} : shard_of(shard).value();
+  Share out;
+  for (std::size_t i = part.index; i < poses; i += part.count) out.indices.push_back(i);
+  return out;
+}
+
+/// The lines of a query's results, with the parts on the disk while it runs.
+class QueryLines {
+ public:
+  QueryLines(const QueryOptions& options, const std::string& run)
+      : json_(options.output.json),
+        wants_contacts_(!options.question.contacts.empty()),
+        main_(options.solver.coherent() || !options.output.to_file() ? "" : options.output.out, run,
+              options.resume),
+        contacts_(
+            options.solver.coherent() || !options.output.to_file() ? "" : options.question.contacts,
+            run, options.resume) {}
+
+  /// How many of the poses are answered in the parts that were there.
+  std::size_t taken_over(const Share& share) {
+    const std::size_t count = std::min(main_.lines().size(), share.indices.size());
+    main_.cut(count);
+    // A contact of a pose that is not done has been written before the pose itself.
+    const std::size_t next = count < share.indices.size() ? share.indices[count] : no_index;
+    std::size_t kept = 0;
+    while (kept < contacts_.lines().size() && index_of(contacts_.lines()[kept]) < next) ++kept;
+    contacts_.cut(kept);
+    return count;
+  }
+  void add(const std::vector<Column>& columns, const Row& row) {
+    main_.add(json_ ? json_line(columns, row) : csv_line(row));
+  }
+  void add_contacts(const std::vector<Row>& rows) {
+    if (!wants_contacts_) return;
+    for (const Row& row : rows) contacts_.add(csv_line(row));
+  }
+  /// To the disk, once a second.
+  void flush_now_and_then() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - flushed_ < std::chrono::seconds(1)) return;
+    flushed_ = now;
+    contacts_.flush();
+    main_.flush();
+  }
+  std::span<const std::string> lines() const { return main_.lines(); }
+  std::span<const std::string> contacts() const { return contacts_.lines(); }
+  void done() { main_.done(), contacts_.done(); }
+
+ private:
+  static constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
+  static std::size_t index_of(const std::string& line) {
+    return static_cast<std::size_t>(std::strtoull(line.c_str(), nullptr, 10));
+  }
+  bool json_, wants_contacts_;
+  PartFile main_, contacts_;
+  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
+};
+
+void check_files(const QueryOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> inputs = inputs_of(scene);
   inputs.emplace_back(options.poses);
   check_output(options.output, inputs);
   check_picture(options.phases, options.output, inputs);
-  const std::vector<Pose> poses = read_poses(options.poses);
+  check_beside(options.output, "--contacts", options.question.contacts, inputs);
+}
+
+void run(const QueryOptions& options) {
+  check(options);
+  const Scene scene = scene_of(options.bodies);
+  Accuracy accuracy(options.accuracy, options.solver);
+  check_files(options, scene);
+  const std::vector<Pose> poses = read_poses(options.poses == "-" ? "/dev/stdin" : options.poses);
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);
   SolverOptions solver = accuracy.applied(options.solver, pair);
   solver.time_phases = options.phases.timed();
-  const auto results = solver.coherent() ? follow_all(pair, poses, solver, progress)
-                                         : search_all(pair, poses, solver, progress);
-  Lateness lateness(accuracy.time_us());
-  const std::vector<Column> all_columns =
-      with_phases(options.phases, lateness.with_column(accuracy.with_claims(query_columns)));
-  ResultTable table{all_columns, {}, pair.probe().offset.by, remarks_on(pair)};
+  const QueryRows unshared(options.question, accuracy, options.phases, nullptr);
+  const std::string shard =
+      options.shard + "@" + run_of(options, scene, pair, solver, poses, unshared.columns());
+  const char* shown_shard = options.shard.empty() ? nullptr : shard.c_str();
+  QueryRows rows(options.question, accuracy, options.phases, shown_shard);
+
+  Share share = share_of(options.shard, poses.size());
+  QueryLines lines(options, "sonde query " + shard);
+  share.done = lines.taken_over(share);
+  const std::size_t left = share.indices.size() - share.done;
+  const SearchThreads threads = threads_for(left, solver);
+  Answers answers(pair, options.question, solver, threads);
   PhasePicture picture;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    report_failure(results[i].separation, i);
-    table.rows.push_back(row_of(results[i], i));
-    accuracy.append_claim(table.rows.back(), results[i].separation);
-    lateness.append(table.rows.back(), results[i].time_us);
-    append_phases(options.phases, table.rows.back(), results[i].separation);
-    picture.add(results[i].separation, results[i].time_us);
-  }
+  const std::string part = csv_word(pair.fixed().name);
+  run_in_order(
+      left, solver.coherent() ? 1 : threads.at_once,
+      [&](std::size_t k) { return answers.answer(poses[share.indices[share.done + k]]); },
+      [&](std::size_t k, const QueryAnswer& answer) {
+        const std::size_t index = share.indices[share.done + k];
+        report_failure(answer.separation, index);
+        lines.add_contacts(contact_rows(index, answer.separation, part.c_str(), shown_shard));
+        lines.add(rows.columns(), rows.row(index, answer));
+        if (options.phases.timed()) picture.add(answer.separation, answer.time_us);
+        lines.flush_now_and_then();
+        progress.show(solver.coherent() ? "following" : "searching", share.done + k + 1,
+                      share.indices.size());
+      });
+  progress.clear();
   if (!options.output.quiet) {
     accuracy.note_unreached();
-    lateness.note();
-    note_unfinished(results);
+    rows.note();
   }
-  picture.write_with(options.phases, "searches", options.output,
-                     options.output.json ? to_json(table) : to_csv(table));
+  const ResultHead head{rows.columns(), pair.probe().offset.by, remarks_on(pair)};
+  const std::string text =
+      options.output.json ? json_of(head, lines.lines()) : csv_of(head, lines.lines());
+  std::optional<PendingFile> contacts;
+  if (!options.question.contacts.empty())
+    contacts.emplace(options.question.contacts,
+                     csv_of({contact_columns(shown_shard)}, lines.contacts()));
+  picture.write_with(options.phases, "searches", options.output, text);
+  if (contacts) contacts->commit();
+  lines.done();
 }
 
 }  // namespace
@@ -164,12 +285,22 @@ Command add_query_command(CLI::App& program) {
       "query", "Computes penetration depth and separated pose for each pose of a file");
   add_scene_or_meshes(*parser, options->bodies);
   parser
-      ->add_option("--poses", options->poses,
-                   "CSV px,py,pz,qw,qx,qy,qz: the probe's mesh frame in the fixed body's, metres")
+      ->add_option(
+          "--poses", options->poses,
+          "CSV px,py,pz,qw,qx,qy,qz: the probe's mesh frame in the fixed body's, metres; a "
+          "path, with t before them, is taken too; -: standard input")
       ->required();
+  add_flags(*parser, options->question);
   add_flags(*parser, options->solver, "static");
   add_flags(*parser, options->accuracy);
   add_flags(*parser, options->phases);
+  parser
+      ->add_option("--shard", options->shard,
+                   "I/N: only the I-th of N shares of the poses, each with its index in the whole "
+                   "file; sonde merge joins the results")
+      ->check(check_shard);
+  parser->add_flag("--resume", options->resume,
+                   "go on from OUT.part, which a run that was interrupted has left");
   add_flags(*parser, options->output);
   return {parser, [options] { run(*options); }};
 }

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/phases.hpp"
+#include "app/recordings.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
 #include "engine/recording/loop_run.hpp"
@@ -66,10 +67,10 @@ Row row_of(const Snapshot& tick, double rate_hz, Released released) {
   row.push_back(std::int64_t{failed ? 0 : s.clusters.size});
   row.push_back(std::int64_t{s.iterations});
   row.push_back(tick.tick_us);
-  row.push_back(std::int64_t{tick.wrench.saturated});
-  row.push_back(std::int64_t{tick.tick_us > 1e6 / rate_hz});
-  row.push_back(std::int64_t{s.jumped});
-  row.push_back(std::int64_t{s.converged});
+  row.push_back(tick.wrench.saturated);
+  row.push_back(tick.tick_us > 1e6 / rate_hz);
+  row.push_back(s.jumped);
+  row.push_back(s.converged);
   if (released == Released::known && tick.coupling.mode == Coupling::Mode::object)
     row.push_back(0.5 * tick.coupling.k * s.released);
   else
@@ -100,7 +101,7 @@ class Results {
         scene_(scene),
         accuracy_(accuracy),
         columns_(with_phases(options.phases, accuracy.with_claims(replay_columns))),
-        table_{columns_, {}, scene.probe.offset},
+        table_{{columns_, scene.probe.offset}, {}},
         header_(std::move(header)),
         log_(header_.probe_radius, header_.rate_hz) {
     // A header that cannot be written is told of before the work.
@@ -108,7 +109,7 @@ class Results {
   }
 
   /// What is said of the bodies.
-  void remark(std::vector<std::string> remarks) { table_.remarks = std::move(remarks); }
+  void remark(std::vector<std::string> remarks) { table_.head.remarks = std::move(remarks); }
 
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
@@ -205,7 +206,7 @@ void write_as_recorded(const ReplayOptions& options) {
   check_output(options.output, {options.bodies.scene});
   const std::unique_ptr<Recording> recording = read(options);
   const TickLog& ticks = recording->ticks;
-  ResultTable table{replay_columns, {}, recording->header.scene.probe.offset};
+  ResultTable table{{replay_columns, recording->header.scene.probe.offset}, {}};
   for (std::uint64_t i = ticks.begin(); i < ticks.end(); ++i)
     table.rows.push_back(row_of(ticks.at(i), recording->header.rate_hz, Released::unknown));
   write_result(options.output, options.output.json ? to_json(table) : to_csv(table));

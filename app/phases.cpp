@@ -56,7 +56,7 @@ void append_phases(const PhaseOptions& options, Row& row, const Separation& answ
     append_nothing(row, options.with_converged ? 3 : 2);
   } else {
     row.push_back(answer.pdt ? Cell(*answer.pdt) : Cell());
-    if (options.with_converged) row.push_back(std::int64_t{answer.converged});
+    if (options.with_converged) row.push_back(answer.converged);
     row.push_back(std::int64_t{answer.limited});
   }
   // To the nanosecond: the clock knows no more.

@@ -19,7 +19,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// "what: done of total"; drawn ten times a second at most.
+  /// "what: done of total", and after a second the time that is left, by what was done since the
+  /// first call; drawn ten times a second at most.
   void show(const std::string& what, std::size_t done, std::size_t total);
   /// A callback that shows "what: n %" and never cancels.
   Progress percent(const std::string& what);
@@ -27,9 +28,14 @@ class ProgressLine {
 
  private:
   void draw(const std::string& text);
+  /// ", 12 s left"; empty where that is not known yet.
+  std::string time_left(const std::string& what, std::size_t done, std::size_t total);
   bool on_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_;
+  std::string what_;  // of the last call of show()
+  std::chrono::steady_clock::time_point since_;
+  std::size_t done_then_ = 0;
   std::mutex mutex_;
 };
 

@@ -14,6 +14,7 @@ struct ToText {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(double value) const { return number_text(value, digits); }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(bool value) const { return value ? "1" : "0"; }
   std::string operator()(const char* value) const { return value; }
 };
 
@@ -35,49 +36,75 @@ void append_nothing(Row& row, int count) {
   row.insert(row.end(), static_cast<std::size_t>(count), std::monostate{});
 }
 
-std::string to_csv(const ResultTable& table) {
+std::string csv_word(const std::string& word) {
+  if (word.find_first_of(",\"\r\n") == std::string::npos) return word;
+  std::string out = "\"";
+  for (const char c : word) out.append(c == '"' ? 2 : 1, c);
+  return out + "\"";
+}
+
+std::string csv_line(const Row& row) {
+  std::string line;
+  const char* separator = "";
+  for (const Cell& cell : row) {
+    line.append(separator).append(std::visit(ToText{}, cell));
+    separator = ",";
+  }
+  return line;
+}
+
+std::string json_line(std::span<const Column> columns, const Row& row) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < row.size(); ++i)
+    object[columns[i].name] = std::visit(ToJson{}, row[i]);
+  return object.dump();
+}
+
+std::string csv_of(const ResultHead& head, std::span<const std::string> lines) {
   std::string text;
   const char* separator = "";
-  for (const Column& column : table.columns) {
+  for (const Column& column : head.columns) {
     text.append(separator).append(column.name);
     separator = ",";
   }
   text += '\n';
-  for (const Row& row : table.rows) {
-    separator = "";
-    for (const Cell& cell : row) {
-      text.append(separator).append(std::visit(ToText{}, cell));
-      separator = ",";
-    }
-    text += '\n';
-  }
+  for (const std::string& line : lines) text.append(line).append("\n");
   return text;
 }
 
-std::string to_json(const ResultTable& table) {
+std::string json_of(const ResultHead& head, std::span<const std::string> lines) {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
-  for (const Column& column : table.columns)
+  for (const Column& column : head.columns)
     if (*column.unit != 0) units[column.name] = column.unit;
-  if (table.probe_offset != 0) units["probe_offset"] = "m";
+  if (head.probe_offset != 0) units["probe_offset"] = "m";
   // Row by row: one line each, and never the whole table as a tree in memory.
-  std::string text = "{\"units\": " + units.dump() + ",\n";
-  if (table.probe_offset != 0)
-    text += "\"probe_offset\": " + nlohmann::json(table.probe_offset).dump() + ",\n";
-  if (!table.remarks.empty())
+  std::string text = "{\"format\": 1,\n\"units\": " + units.dump() + ",\n";
+  if (head.probe_offset != 0)
+    text += "\"probe_offset\": " + nlohmann::json(head.probe_offset).dump() + ",\n";
+  if (!head.remarks.empty())
     text += "\"remarks\": " +
-            nlohmann::ordered_json(table.remarks)
+            nlohmann::ordered_json(head.remarks)
                 .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
             ",\n";
   text += "\"results\": [";
   const char* separator = "\n";
-  for (const Row& row : table.rows) {
-    nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < row.size(); ++i)
-      object[table.columns[i].name] = std::visit(ToJson{}, row[i]);
-    text.append(separator).append(object.dump());
+  for (const std::string& line : lines) {
+    text.append(separator).append(line);
     separator = ",\n";
   }
   return text + "\n]}\n";
+}
+
+std::string to_csv(const ResultTable& table) {
+  std::vector<std::string> lines;
+  for (const Row& row : table.rows) lines.push_back(csv_line(row));
+  return csv_of(table.head, lines);
+}
+
+std::string to_json(const ResultTable& table) {
+  std::vector<std::string> lines;
+  for (const Row& row : table.rows) lines.push_back(json_line(table.head.columns, row));
+  return json_of(table.head, lines);
 }
 
 }  // namespace sonde::app

@@ -17,6 +17,15 @@ struct TimedSeparation {
   double time_us = 0;
 };
 
+/// How so many searches are shared out over the threads that were asked for.
+struct SearchThreads {
+  std::size_t at_once = 1;    ///< searches
+  bool two_for_each = false;  ///< threads for one; the same bits
+};
+/// Two threads for each search, where there are few: each is then answered sooner. One for each
+/// where there are many or the time for one is short: all are then answered sooner.
+SearchThreads threads_for(std::size_t searches, const SolverOptions& options);
+
 /// A static search for each pose, on the requested threads. Every pose has its own seed, made from
 /// the seed and its index, so the results do not depend on the number of threads.
 std::vector<TimedSeparation> search_all(const Pair& pair, std::span<const Pose> poses,

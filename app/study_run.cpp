@@ -15,13 +15,10 @@
 #include "engine/text/text_file.hpp"
 
 namespace sonde::app {
-namespace {
 
 std::string check_shard(const std::string& text) {
   return shard_of(text) ? "" : "\"" + text + "\" must be I/N, with I from 1 to N";
 }
-
-}  // namespace
 
 void check_output(const StudyOptions& options) {
   std::error_code error;

@@ -24,6 +24,9 @@ struct StudyOptions {
 };
 void add_flags(CLI::App& parser, StudyOptions& options);
 
+/// A validator for CLI11 of --shard.
+std::string check_shard(const std::string& text);
+
 /// Refuses, before any work, an --out that is a file.
 void check_output(const StudyOptions& options);
 

@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "engine/base/effort.hpp"
+#include "engine/base/numbers.hpp"
 #include "engine/body/body.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
@@ -51,6 +53,17 @@ void check(const Knob& knob) {
     throw InputError::in("the knob", "how sure must be above 0 and below 1");
 }
 
+void check(const std::string& name, const MassProperties& mass) {
+  if (!(mass.measure > 0) || !std::isfinite(mass.measure))
+    throw InputError::in(name, "the measure must be positive and finite");
+  if (!mass.com.allFinite()) throw InputError::in(name, "the centre of mass is not finite");
+  if (!mass.inertia.allFinite() || !(mass.inertia.minCoeff() >= 0))
+    throw InputError::in(name, "the moments of inertia must be finite, and none negative");
+  const Mat3 off = mass.R_MP.transpose() * mass.R_MP - Mat3::Identity();
+  if (!(off.cwiseAbs().maxCoeff() < 1e-9) || !(mass.R_MP.determinant() > 0))
+    throw InputError::in(name, "the axes R_MP are no rotation");
+}
+
 }  // namespace
 
 std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model model, double scale,
@@ -62,12 +75,18 @@ std::shared_ptr<const Body> read_body(const std::filesystem::path& file, Model m
 
 std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
-                                      Model model, const std::string& name, Repair repair) {
-  return make_body(checked(vertices, triangles, name), model, name, {}, repair);
+                                      Model model, const std::string& name, Repair repair,
+                                      const Progress& progress) {
+  return make_body(checked(vertices, triangles, name), model, name, progress, repair);
 }
 
 std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress) {
   return offset_faces(body, by, progress);
+}
+
+std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass) {
+  check(body.name, mass);
+  return with_other_mass(body, mass);
 }
 
 BodyFacts facts(const Body& body) {
@@ -84,8 +103,30 @@ BodyFacts facts(const Body& body) {
           .offset = body.offset};
 }
 
-Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
-  return separate_static(pair, X_FM, options);
+std::span<const Vec3> vertices(const Body& body) { return body.soup.vertices; }
+std::span<const std::array<std::uint32_t, 3>> triangles(const Body& body) {
+  return body.soup.triangles;
+}
+
+Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
+                    const Progress& progress) {
+  return separate_static(pair, X_FM, options, progress);
+}
+
+SignedDistance signed_distance(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
+                               const Progress& progress) {
+  SignedDistance out;
+  out.clearance = distance(pair, X_FM);
+  StaticOptions own = options;
+  own.want_clearance = false;
+  out.separation = separate(pair, X_FM, own, progress);
+  if (!out.clearance.overlapping)
+    out.distance = out.clearance.distance;
+  else if (out.separation.status != Status::failed)
+    out.distance = -out.separation.depth;
+  else
+    out.distance = no_number;
+  return out;
 }
 
 Answer separate(const Pair& pair, const Pose& X_FM, const Knob& knob, Method method,
@@ -115,8 +156,15 @@ Follower::~Follower() = default;
 Follower::Follower(Follower&&) noexcept = default;
 Follower& Follower::operator=(Follower&&) noexcept = default;
 
-const Separation& Follower::start(const Pose& X_FM, const StaticOptions& options) {
-  return state_->solver.reset(X_FM, options);
+Follower::Follower(const Follower& other) : state_(std::make_unique<State>(*other.state_)) {}
+Follower& Follower::operator=(const Follower& other) {
+  if (this != &other) *this = Follower(other);
+  return *this;
+}
+
+const Separation& Follower::start(const Pose& X_FM, const StaticOptions& options,
+                                  const Progress& progress) {
+  return state_->solver.reset(X_FM, options, progress);
 }
 
 const Separation& Follower::follow(const Pose& X_FM, const Budget& budget) noexcept {

@@ -19,19 +19,21 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"                        // InputError, Cancelled, Progress
-#include "engine/base/phase_times.hpp"                  // Phase, PhaseTimes
-#include "engine/calibration/knob.hpp"                  // Knob, Claim
-#include "engine/geometry/face_offset.hpp"              // FaceOffset
-#include "engine/geometry/mass.hpp"                     // MassProperties
-#include "engine/geometry/model.hpp"                    // Model, Repair
-#include "engine/geometry/pose.hpp"                     // Vec3, Mat3, Quat, Pose
-#include "engine/haptics/coupling/coupling.hpp"         // Coupling, Wrench
-#include "engine/mending/repairs.hpp"                   // Repairs
-#include "engine/penetration/contact/separation.hpp"    // Method, Status, Budget, Separation
-#include "engine/penetration/search/pair.hpp"           // Pair
-#include "engine/penetration/search/pose_seed.hpp"      // seed_of_pose
-#include "engine/penetration/search/static_search.hpp"  // StaticOptions
+#include "engine/base/error.hpp"                         // InputError, Cancelled, Progress
+#include "engine/base/phase_times.hpp"                   // Phase, PhaseTimes
+#include "engine/calibration/knob.hpp"                   // Knob, Claim
+#include "engine/geometry/face_offset.hpp"               // FaceOffset
+#include "engine/geometry/mass.hpp"                      // MassProperties
+#include "engine/geometry/model.hpp"                     // Model, Repair
+#include "engine/geometry/pose.hpp"                      // Vec3, Mat3, Quat, Pose
+#include "engine/haptics/coupling/coupling.hpp"          // Coupling, Wrench
+#include "engine/mending/repairs.hpp"                    // Repairs
+#include "engine/penetration/contact/separation.hpp"     // Method, Status, Budget, Separation
+#include "engine/penetration/search/pair.hpp"            // Pair
+#include "engine/penetration/search/pose_seed.hpp"       // seed_of_pose
+#include "engine/penetration/search/static_options.hpp"  // StaticOptions
+#include "engine/queries/body_queries.hpp"               // inside, nearest_point, ray
+#include "engine/queries/pair_queries.hpp"               // touch, distance, sweep
 
 namespace sonde {
 
@@ -59,11 +61,13 @@ std::shared_ptr<const Body> read_body(const std::filesystem::path& file,
 /// @throws InputError, naming `name` and the triangle or vertex, where there are no triangles, an
 /// index is out of range, a coordinate of any vertex is not finite or one in use is beyond 1e30 m,
 /// no triangle has an area, or `model` is solid and the mesh bounds no inside.
+/// @throws Cancelled where `progress` returns false.
 std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
                                       Model model = Model::automatic,
                                       const std::string& name = "body",
-                                      Repair repair = Repair::automatic);
+                                      Repair repair = Repair::automatic,
+                                      const Progress& progress = {});
 
 /// A body with each face moved by `by` (m) along its normal: inwards where negative, an allowance,
 /// with which a peg as large as its hole fits; outwards where positive, a safety. Planes move by
@@ -76,6 +80,14 @@ std::shared_ptr<const Body> make_body(std::span<const Vec3> vertices,
 /// thinnest place found.
 /// @throws Cancelled where `progress` returns false.
 std::shared_ptr<const Body> offset_body(const Body& body, double by, const Progress& progress = {});
+
+/// The same body with other mass properties, by which the object norm measures its motions: those
+/// of another density (facts() has the body's own, to begin with), or a point and moments that
+/// weigh turns against displacements, as where four times the inertia doubles what a turn costs.
+/// `radius` is computed. Forces and torques are about `mass.com`. Takes memory as the body does.
+/// @throws InputError, naming the body, where the measure is not positive, a moment is negative, a
+/// number is not finite, or the axes R_MP are no rotation (to 1e-9).
+std::shared_ptr<const Body> with_mass(const Body& body, const MassProperties& mass);
 
 /// Facts about a body.
 struct BodyFacts {
@@ -97,6 +109,11 @@ struct BodyFacts {
 /// What was found out about a body when it was made.
 BodyFacts facts(const Body& body);
 
+/// The mesh of a body as it counts, with what was mended: vertices in its mesh frame, m, and three
+/// indices into them for each triangle. They are the body's and live as long as it does.
+std::span<const Vec3> vertices(const Body& body);
+std::span<const std::array<std::uint32_t, 3>> triangles(const Body& body);  ///< As above.
+
 // Pair (penetration/search/pair.hpp) holds the probe and the fixed body, and what is computed once
 // for both.
 
@@ -108,8 +125,30 @@ BodyFacts facts(const Body& body);
 /// Never throws on geometry: a pose that is not finite, or too far away to compute with, has
 /// Status::failed and a reason. The same pair, pose, seed and counted budget give the same bits, on
 /// one thread or two. Any number of threads may call it on one pair at once. Allocates.
+///
+/// `progress` is asked on the calling thread between starts, which take milliseconds. It is told
+/// which share was made of the starts that the search may make; most searches end long before.
+/// @throws Cancelled where `progress` returns false.
 /// @throws std::bad_alloc.
-Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {});
+Separation separate(const Pair& pair, const Pose& X_FM, const StaticOptions& options = {},
+                    const Progress& progress = {});
+
+/// How far apart or how deep in each other the bodies are: one number.
+struct SignedDistance {
+  /// m: the least distance where the bodies are apart, −depth where they are not; not a number
+  /// where the search failed.
+  double distance = 0;
+  Clearance clearance;    ///< where they are apart: the distance with its points
+  Separation separation;  ///< the way out where they are not
+};
+
+/// distance() where the bodies are apart, and separate() where they are not, in one call. Takes and
+/// promises what these do. Both parts are 0 where the bodies just touch; there, the distance is
+/// continuous in the pose.
+/// @throws InputError as touch().
+/// @throws Cancelled where `progress` returns false.
+SignedDistance signed_distance(const Pair& pair, const Pose& X_FM,
+                               const StaticOptions& options = {}, const Progress& progress = {});
 
 /// A separation with the accuracy that it claims.
 struct Answer {
@@ -141,13 +180,20 @@ class Follower {
   ~Follower();
   Follower(Follower&&) noexcept;  ///< A moved-from follower may only be assigned to or destroyed.
   Follower& operator=(Follower&&) noexcept;  ///< As the move above.
+  /// A second follower that goes on from the same state, to the same bits, for a simulator that
+  /// rolls back. Takes some 0.1 to 1 ms, and allocates.
+  /// @throws std::bad_alloc.
+  Follower(const Follower&);
+  Follower& operator=(const Follower&);  ///< As the copy above.
 
   /// Starts at X_FM. If the probe is free there, that is the separated pose. Otherwise a static
   /// search finds one, which may take seconds, and the result is `jumped`. The method and the wish
   /// for a bound in the options have no effect. After a failure the follower has not started.
   /// Allocates.
+  /// @throws Cancelled where `progress` returns false (as of separate()); then it is as before.
   /// @throws std::bad_alloc.
-  const Separation& start(const Pose& X_FM, const StaticOptions& options = {});
+  const Separation& start(const Pose& X_FM, const StaticOptions& options = {},
+                          const Progress& progress = {});
 
   /// Follows to the next device pose. Fails before a start, and at a pose that is not finite or is
   /// further away than 1e9 times the bodies' size. A failure changes nothing: the next call
@@ -182,7 +228,7 @@ Wrench wrench(const Pair& pair, const Separation& now, const Separation& before,
 // fails would read other members than the library wrote.
 static_assert(sizeof(void*) != 8 || (sizeof(Pose) == 56 && alignof(Pose) == 8));
 static_assert(sizeof(void*) != 8 || (sizeof(Contact) == 88 && sizeof(ContactCluster) == 112));
-static_assert(sizeof(void*) != 8 || (sizeof(Separation) == 1904 && alignof(Separation) == 8));
+static_assert(sizeof(void*) != 8 || (sizeof(Separation) == 1976 && alignof(Separation) == 8));
 static_assert(offsetof(Pose, q) == 0 && offsetof(Pose, p) == 32);
 static_assert(sizeof(void*) != 8 ||
               (offsetof(Separation, device) == 16 && offsetof(Separation, separated) == 72 &&
@@ -190,14 +236,23 @@ static_assert(sizeof(void*) != 8 ||
                offsetof(Separation, clusters) == 872 && offsetof(Separation, residual) == 1776 &&
                offsetof(Separation, released) == 1800 && offsetof(Separation, far_out) == 1808 &&
                offsetof(Separation, lower_bound) == 1816 && offsetof(Separation, pdt) == 1832 &&
-               offsetof(Separation, phases) == 1848));
+               offsetof(Separation, clearance) == 1848 && offsetof(Separation, phases) == 1920));
+static_assert(sizeof(void*) != 8 ||
+              (sizeof(Clearance) == 64 && offsetof(Clearance, overlapping) == 56));
+static_assert(sizeof(void*) != 8 || (sizeof(SweptPath) == 160 && offsetof(SweptPath, X_FM) == 16 &&
+                                     offsetof(SweptPath, contact) == 72));
+static_assert(sizeof(void*) != 8 ||
+              (sizeof(SignedDistance) == 2048 && offsetof(SignedDistance, clearance) == 8 &&
+               offsetof(SignedDistance, separation) == 72));
+static_assert(sizeof(SurfacePoint) == 56 && offsetof(SurfacePoint, distance) == 48);
 static_assert(sizeof(void*) != 8 ||
               (sizeof(StaticOptions) == 80 && offsetof(StaticOptions, seed) == 32 &&
-               offsetof(StaticOptions, sure) == 48));
+               offsetof(StaticOptions, sure) == 48 &&
+               offsetof(StaticOptions, want_clearance) == 72));
 static_assert(sizeof(void*) != 8 ||
               (sizeof(MassProperties) == 144 && alignof(MassProperties) == 8));
 static_assert(sizeof(Budget) == 24 && sizeof(Knob) == 24 && sizeof(Claim) == 16);
 static_assert(sizeof(Coupling) == 64 && sizeof(Wrench) == 56);
-static_assert(sizeof(void*) != 8 || (sizeof(Answer) == 1928 && offsetof(Answer, claim) == 1904));
+static_assert(sizeof(void*) != 8 || (sizeof(Answer) == 2000 && offsetof(Answer, claim) == 1976));
 
 }  // namespace sonde

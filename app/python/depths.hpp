@@ -4,26 +4,29 @@
 #include <pybind11/numpy.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/sonde.hpp"
 
 namespace sonde::python {
 
-using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
-
-/// The results of many poses as arrays, one row each: the columns of `sonde query`.
+/// The results of many poses as arrays, one row each: the columns of `sonde query`; and one row for
+/// each contact that holds a separated pose.
 struct Depths {
   pybind11::array status;  ///< "separated", "penetrating" or "failed"
-  std::vector<const char*> reason;
-  pybind11::array_t<double> depth, sigma, pose, lower_bound, residual;
+  std::vector<std::string> reason;
+  pybind11::array_t<double> depth, sigma, pose, device, lower_bound, residual, clearance, within;
   pybind11::array_t<std::int64_t> contacts, iterations;
-  pybind11::array_t<bool> converged, jumped;
+  pybind11::array_t<bool> converged, jumped, late;
+  pybind11::array_t<std::int64_t> contact_row;
+  pybind11::array_t<double> contact_point, contact_normal, contact_multiplier;
 };
 Depths depths_of(std::span<const Separation> separations);
+/// With what each claims, and whether it was late.
+Depths depths_of(std::span<const Answer> answers);
 
-/// Poses px,py,pz,qw,qx,qy,qz, one (7,) or many (n, 7), with quaternions made unit as in a file of
-/// poses. Throws std::invalid_argument.
-std::vector<Pose> poses_of(const Numbers& numbers);
+/// Declares Depths, and Separation, the result of one pose.
+void declare_depths(pybind11::module_& module);
 
 }  // namespace sonde::python

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -40,6 +43,52 @@ void run_parallel(std::size_t n, std::size_t threads, const Task& task) {
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
       next = n;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(threads, n); ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Calls done(i, compute(i)) for every i below n in this order, one at a time, compute on that many
+/// threads, including this one. A result waits for those before it: no thread begins one that is
+/// further ahead than `ahead`. The first exception ends it and is thrown here.
+template <class Compute, class Done>
+void run_in_order(std::size_t n, std::size_t threads, const Compute& compute, const Done& done,
+                  std::size_t ahead = 4096) {
+  using Result = decltype(compute(std::size_t{}));
+  std::mutex mutex;
+  std::condition_variable moved_on;
+  std::map<std::size_t, Result> waiting;
+  std::size_t next = 0, first = 0;  // to be begun, to be done
+  std::exception_ptr failure;
+  const auto work = [&] {
+    std::unique_lock lock(mutex);
+    try {
+      for (;;) {
+        moved_on.wait(lock, [&] { return next >= n || next < first + ahead; });
+        if (next >= n) return;
+        const std::size_t i = next++;
+        lock.unlock();
+        Result result = compute(i);
+        lock.lock();
+        waiting.emplace(i, std::move(result));
+        for (auto at = waiting.begin(); at != waiting.end() && at->first == first && !failure;
+             at = waiting.begin()) {
+          done(first, std::move(at->second));
+          waiting.erase(at);
+          ++first;
+        }
+        moved_on.notify_all();
+      }
+    } catch (...) {
+      if (!lock.owns_lock()) lock.lock();
+      if (!failure) failure = std::current_exception();
+      next = n;
+      moved_on.notify_all();
     }
   };
   {

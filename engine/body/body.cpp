@@ -169,6 +169,19 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup ca
   return body;
 }
 
+std::shared_ptr<const Body> with_other_mass(const Body& body, const MassProperties& mass) {
+  auto out = std::make_shared<Body>(body);
+  out->mass = mass;
+  out->mass.by_volume = body.mass.by_volume;
+  out->mass.radius = radius_about(surface(body), mass.com);
+  if (body.outline) {
+    auto outline = std::make_shared<Body>(*body.outline);
+    outline->mass = out->mass;
+    out->outline = std::move(outline);
+  }
+  return out;
+}
+
 std::size_t bytes(const Body& body) {
   return sizeof(Body) + body.name.capacity() + body.why.capacity() +
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +

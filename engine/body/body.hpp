@@ -90,6 +90,9 @@ std::shared_ptr<const Body> make_body(const PolygonSoup& polygons, Model asked,
 std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup caps,
                                          const FaceOffset& offset, const Progress& progress = {});
 
+/// The same body with other mass properties, but for R, which is that of its surface.
+std::shared_ptr<const Body> with_other_mass(const Body& body, const MassProperties& mass);
+
 /// The memory that a body takes, in bytes: itself and all that it owns.
 std::size_t bytes(const Body& body);
 

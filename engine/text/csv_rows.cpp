@@ -78,13 +78,23 @@ std::string header_of(std::span<const std::string_view> columns) {
 void read_csv_rows(const std::filesystem::path& file, std::span<const std::string_view> columns,
                    std::size_t most_bytes,
                    const std::function<void(std::span<const double>)>& take) {
+  read_csv_rows(file, columns, columns, most_bytes, take);
+}
+
+bool read_csv_rows(const std::filesystem::path& file, std::span<const std::string_view> first,
+                   std::span<const std::string_view> second, std::size_t most_bytes,
+                   const std::function<void(std::span<const double>)>& take) {
   const std::string text = read_text(file, most_bytes);
   Lines lines(text);
   std::string_view line;
-  const std::string header = header_of(columns);
-  if (lines.next(line) && line != header)
+  const std::string header = header_of(first), other = header_of(second);
+  lines.next(line);
+  if (line != header && line != other)
     throw InputError::at_line(file.string(), 1,
-                              "the header is \"" + shown(line) + "\"; expected \"" + header + "\"");
+                              "the header is \"" + shown(line) + "\"; expected \"" + header + "\"" +
+                                  (other == header ? "" : " or \"" + other + "\""));
+  const bool is_second = line != header;
+  const std::span<const std::string_view> columns = is_second ? second : first;
   while (!lines.only_blank_left() && lines.next(line)) {
     try {
       if (line.empty()) throw std::invalid_argument("a blank line between rows");
@@ -93,6 +103,7 @@ void read_csv_rows(const std::filesystem::path& file, std::span<const std::strin
       throw InputError::at_line(file.string(), lines.number(), error.what());
     }
   }
+  return is_second;
 }
 
 void expect_later(double t, double before) {

@@ -17,6 +17,11 @@ void read_csv_rows(const std::filesystem::path& file, std::span<const std::strin
                    std::size_t most_bytes,
                    const std::function<void(std::span<const double>)>& take);
 
+/// The same where the header may name either of two lists of columns. Returns which it was.
+bool read_csv_rows(const std::filesystem::path& file, std::span<const std::string_view> first,
+                   std::span<const std::string_view> second, std::size_t most_bytes,
+                   const std::function<void(std::span<const double>)>& take);
+
 /// For `take`: throws std::invalid_argument where a time does not come after the one before.
 void expect_later(double t, double before);
 

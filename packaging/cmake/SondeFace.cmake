@@ -48,10 +48,10 @@ target_include_directories(${sonde_engine_target}
                            INTERFACE "$<BUILD_INTERFACE:${SONDE_FACE_FOLDER}>")
 target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 
-# The sources that define the names of the face are compiled again, to be seen; the rest comes from
-# the engine, whose names are hidden.
+# sonde.cpp is compiled again, to be seen, and so that its names are in the library at all; the rest
+# comes from the engine: what else the face declares (engine/CMakeLists.txt) by that it is needed.
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
-                                "${PROJECT_SOURCE_DIR}/engine/penetration/search/pair.cpp")
+                                $<TARGET_OBJECTS:sonde_engine_queries>)
 # Below 1.0 each minor version may change the face, from then on each major one.
 set(SONDE_SOVERSION ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)

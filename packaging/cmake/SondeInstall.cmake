@@ -114,6 +114,7 @@ if(SONDE_BUILD_PYTHON)
   install(TARGETS sonde_python LIBRARY DESTINATION "${SONDE_PYTHON_PACKAGES}" COMPONENT python)
   install(FILES "${PROJECT_SOURCE_DIR}/app/python/package/__init__.py"
                 "${PROJECT_SOURCE_DIR}/app/python/package/__init__.pyi"
+                "${PROJECT_SOURCE_DIR}/app/python/package/poses.py"
                 "${PROJECT_SOURCE_DIR}/app/python/package/py.typed"
           DESTINATION "${SONDE_PYTHON_PACKAGES}" COMPONENT python)
   install(FILES "${PROJECT_SOURCE_DIR}/app/python/depth_along_path.py"

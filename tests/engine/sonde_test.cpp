@@ -11,6 +11,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/extremes/press.hpp"
 #include "tests/reference/brute_search.hpp"
 #include "tests/reference/depths_file.hpp"

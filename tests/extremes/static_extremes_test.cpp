@@ -12,6 +12,7 @@
 #endif
 
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/text/number_text.hpp"
 #include "tests/extremes/press.hpp"
 

@@ -19,13 +19,23 @@ sonde::Follower::start
 sonde::Follower::~Follower
 sonde::Pair::Pair
 sonde::Pair::exchanged
+sonde::distance
 sonde::facts
+sonde::inside
 sonde::make_body
+sonde::nearest_point
 sonde::offset_body
+sonde::ray
 sonde::read_body
 sonde::separate
+sonde::signed_distance
+sonde::sweep
+sonde::touch
+sonde::triangles
+sonde::vertices
+sonde::with_mass
 sonde::wrench
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 21 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 34 sh -c "nm -D --defined-only '$library' | wc -l"

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "engine/penetration/bound/lower_bound.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/reference/brute_search.hpp"
 #include "tests/reference/cases.hpp"

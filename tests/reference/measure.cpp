@@ -7,6 +7,7 @@
 #include "engine/base/processor_time.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/descent/descent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 
 namespace sonde::reference {

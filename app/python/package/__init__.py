@@ -2,9 +2,40 @@
 """Generalized penetration depth of two polygon soups, over NumPy arrays.
 
 >>> probe, fixed = sonde.Body.read("spoon.ply"), sonde.Body.read("cup.ply")
->>> sonde.depth(probe, fixed, [0, 0, 0.03, 1, 0, 0, 0]).depth
+>>> pair = sonde.Pair(probe, fixed)
+>>> pair.touch([0, 0, 0.03, 1, 0, 0, 0])
+>>> pair.depth([0, 0, 0.03, 1, 0, 0, 0]).depth
 """
 
-from ._sonde import Body, Depths, Follower, InputError, __version__, depth
+from ._sonde import (
+    Body,
+    Cancelled,
+    Depths,
+    Follower,
+    InputError,
+    Pair,
+    Separation,
+    __version__,
+    depth,
+    distance,
+    sweep,
+    touch,
+    wrench,
+)
+from .poses import poses
 
-__all__ = ["Body", "Depths", "Follower", "InputError", "depth"]
+__all__ = [
+    "Body",
+    "Cancelled",
+    "Depths",
+    "Follower",
+    "InputError",
+    "Pair",
+    "Separation",
+    "depth",
+    "distance",
+    "poses",
+    "sweep",
+    "touch",
+    "wrench",
+]

@@ -57,10 +57,10 @@ CommonDepth::CommonDepth(const Body& probe, const Body& fixed, const Pose& X_FM)
 }
 
 CommonDepth::Side CommonDepth::side(const Body& body, const Vec3& x, double known) const {
-  const NearestPoint near = nearest_point(body, x);
+  const NearestPoint near = nearest_point(body, x, 0);
   // So near a triangle that it does not matter on which side; and a ray from there asks much.
   const bool clear = body.solid && near.distance > guard_;
-  const bool in = clear && (known != 0 ? known > 0 : inside(body, x));
+  const bool in = clear && (known != 0 ? known > 0 : winds_around(body, x));
   const Vec3 away = near.distance > 0 ? Vec3((x - near.point) / near.distance) : Vec3::Zero();
   return in ? Side{near.distance - guard_, away} : Side{-near.distance - guard_, -away};
 }

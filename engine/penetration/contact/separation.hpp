@@ -9,6 +9,7 @@
 
 #include "engine/base/phase_times.hpp"
 #include "engine/geometry/pose.hpp"
+#include "engine/penetration/contact/clearance.hpp"
 
 namespace sonde {
 
@@ -143,6 +144,8 @@ struct Separation {
   /// Static only: the translational depth that the search found on the way, m: PD_t where nothing
   /// limits the search, and an upper bound of it else. None if the time ran out before that.
   std::optional<double> pdt;
+  /// Static only: how far the bodies are apart, where that was asked for and the pose is free.
+  std::optional<Clearance> clearance;
   PhaseTimes phases;  ///< where the time went, if it was asked for
 };
 

@@ -12,6 +12,7 @@
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -173,6 +174,16 @@ CoherentSolver::~CoherentSolver() = default;
 CoherentSolver::CoherentSolver(CoherentSolver&&) noexcept = default;
 CoherentSolver& CoherentSolver::operator=(CoherentSolver&&) noexcept = default;
 
+CoherentSolver::CoherentSolver(const CoherentSolver& other)
+    : state_(std::make_unique<State>(*other.state_)) {
+  // The descent adds the times of phases to those of its own state.
+  if (state_->timed) state_->descent.time_into(&state_->times);
+}
+CoherentSolver& CoherentSolver::operator=(const CoherentSolver& other) {
+  if (this != &other) *this = CoherentSolver(other);
+  return *this;
+}
+
 const Separation& CoherentSolver::last() const { return state_->last; }
 
 void CoherentSolver::time_phases(bool on) noexcept {
@@ -181,12 +192,13 @@ void CoherentSolver::time_phases(bool on) noexcept {
   state_->descent.time_into(on ? &state_->times : nullptr);
 }
 
-const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& options) {
+const Separation& CoherentSolver::reset(const Pose& X_FM, const StaticOptions& options,
+                                        const Progress& progress) {
   State& s = *state_;
   StaticOptions search = options;
   search.method = s.method;
   search.want_lower_bound = false;
-  s.last = separate_static(s.pair, X_FM, search);
+  s.last = separate_static(s.pair, X_FM, search, progress);
   s.last.jumped = s.last.status == Status::penetrating;
   s.started = s.last.status != Status::failed;
   s.behind = false;

@@ -5,7 +5,7 @@
 
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/search/pair.hpp"
-#include "engine/penetration/search/static_search.hpp"
+#include "engine/penetration/search/static_options.hpp"
 
 namespace sonde {
 
@@ -19,10 +19,15 @@ class CoherentSolver {
   ~CoherentSolver();
   CoherentSolver(CoherentSolver&&) noexcept;
   CoherentSolver& operator=(CoherentSolver&&) noexcept;
+  /// Goes on from the same state, to the same bits. Allocates.
+  CoherentSolver(const CoherentSolver&);
+  CoherentSolver& operator=(const CoherentSolver&);
 
   /// Starts at X_FM: there if the probe is free, otherwise where a static search ends; then the
-  /// result is marked as jumped. Allocates; not for the servo thread.
-  const Separation& reset(const Pose& X_FM, const StaticOptions& options = {});
+  /// result is marked as jumped. Allocates; not for the servo thread. Throws Cancelled where the
+  /// progress says so; then it stands as before.
+  const Separation& reset(const Pose& X_FM, const StaticOptions& options = {},
+                          const Progress& progress = {});
 
   /// Follows to the next device pose. Never allocates, locks, logs or throws. Before the first
   /// reset the result is failed. A pose that is not finite is refused (failed) and changes nothing.

@@ -16,10 +16,11 @@ std::shared_ptr<const Body> given(std::shared_ptr<const Body> body) {
 
 }  // namespace
 
-Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed)
+Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+           const Progress& progress)
     : probe_(given(std::move(probe))),
       fixed_(given(std::move(fixed))),
-      sketches_(std::make_shared<const Sketches>(make_sketches(*probe_, *fixed_))) {}
+      sketches_(std::make_shared<const Sketches>(make_sketches(*probe_, *fixed_, progress))) {}
 
 Pair::Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
            std::shared_ptr<const Sketches> sketches) noexcept

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "engine/base/error.hpp"
+
 namespace sonde {
 
 struct Body;
@@ -14,9 +16,11 @@ struct Sketches;
 class Pair {
  public:
   /// Makes the sketches, on two threads: 10 to 50 ms on meshes of up to 30 k triangles, 0.2 s on
-  /// two of 4 M. So make a pair where you load the bodies. Throws std::invalid_argument where a
-  /// body is missing.
-  Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed);
+  /// two of 4 M. So make a pair where you load the bodies.
+  /// @throws std::invalid_argument where a body is missing.
+  /// @throws Cancelled where `progress` returns false.
+  Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
+       const Progress& progress = {});
   // There is no move: a moved-from pair would have no bodies.
   Pair(const Pair&) noexcept = default;             ///< Shares bodies and sketches.
   Pair& operator=(const Pair&) noexcept = default;  ///< Shares bodies and sketches.

@@ -16,7 +16,7 @@ constexpr int most_known = 1'000'000;
 }  // namespace
 
 Search::Search(const Pair& pair, const Pose& device, const StaticOptions& options,
-               const SearchTuning& tuning, const Deadline& deadline)
+               const SearchTuning& tuning, const Deadline& deadline, const Progress& progress)
     : pair_(pair),
       probe_(pair.probe()),
       fixed_(pair.fixed()),
@@ -24,6 +24,7 @@ Search::Search(const Pair& pair, const Pose& device, const StaticOptions& option
       options_(options),
       tuned_(tuning),
       budget_(options.budget, deadline, tuning),
+      progress_(progress),
       starts_(pair, chart_, budget_.searching(), tuning),
       verified_(pair, chart_, options.time_phases ? &times_ : nullptr),
       threads_(options.two_threads && !budget_.is_short()),
@@ -39,7 +40,7 @@ Separation Search::run() {
   first_starts();
   if (optima_.empty()) beyond_ends();
   more_sketches();
-  if (sketched() && !budget_.search_is_over() && evidence_.may_be_narrow()) pushed_starts();
+  if (sketched() && !is_over() && evidence_.may_be_narrow()) pushed_starts();
   if (!rotates() && !evidence_.settles()) starts_outside(per_round);
   if (rotates() && (optima_.empty() || budget_.counts_steps())) translation_on_the_way();
   if (optima_.empty()) return failed(chart_.device(), "no free pose was found");
@@ -47,8 +48,7 @@ Separation Search::run() {
     pushed_rounds();
   else
     random_rounds();
-  if (rotates() && !std::isfinite(translated_.depth) && !budget_.search_is_over())
-    translation_on_the_way();
+  if (rotates() && !std::isfinite(translated_.depth) && !is_over()) translation_on_the_way();
   return finish();
 }
 
@@ -76,6 +76,7 @@ Aim Search::aim(Method method) const {
 }
 
 void Search::accept(const LocalOptimum& place) {
+  ++made_;
   if (place.iterations >= budget_.steps_left() && !optima_.empty()) {
     budget_.spend_all();
     return;
@@ -167,8 +168,7 @@ void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) 
     if (end.came_to < 0) next.push_back(&end);
   next.resize(std::min(most, next.size()));
   const std::size_t count_at_once = budget_.is_short() ? 1 : 2;  // the nearest has all there is
-  for (std::size_t first = 0; first < next.size() && !budget_.search_is_over();
-       first += count_at_once) {
+  for (std::size_t first = 0; first < next.size() && !is_over(); first += count_at_once) {
     const Aim at = aim(method);
     if (next[first]->depth - evidence_.sketch_error() > (1 + tuned_.same) * at.beat) break;
     round(
@@ -216,7 +216,7 @@ void Search::translation_on_the_way() {
 }
 
 void Search::turn_from_translation() {
-  if (budget_.search_is_over() || !std::isfinite(translated_.depth)) return;
+  if (is_over() || !std::isfinite(translated_.depth)) return;
   share_ = budget_.steps_left();
   accept(starts_.lane(0).descend(chart_, translated_.y, Method::pdg,
                                  {share_, optima_.best(), budget_.searching()}));
@@ -234,7 +234,8 @@ void Search::first_translations() {
 void Search::finish_translation() {
   StaticOptions options = options_;
   options.method = Method::pdt;
-  const auto [found, sketches] = translated_both_ways(pair_, chart_.device(), options, tuned_);
+  const auto [found, sketches] =
+      translated_both_ways(pair_, chart_.device(), options, tuned_, progress_);
   budget_.spend(found.iterations);
   other_sketches_ += sketches;
   limited_ += found.limited;
@@ -279,7 +280,7 @@ void Search::pushed_rounds() {
   };
   const int limit = scaled(options_.starts);
   int most = std::min(scaled(tuned_.most_after_sketches), limit), start = 0;
-  for (; start < most && !budget_.search_is_over(); start += int{per_round}) {
+  for (; start < most && !is_over(); start += int{per_round}) {
     const double before = optima_.best();
     round([&](std::size_t k, std::size_t lane) {
       Random random = stream(3000 + static_cast<std::uint64_t>(start) + k);
@@ -351,12 +352,12 @@ std::optional<double> Search::add_translation() {
 }
 
 Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
-                                const SearchTuning& tuning) {
-  Search there(pair, device, options, tuning, {});
+                                const SearchTuning& tuning, const Progress& progress) {
+  Search there(pair, device, options, tuning, {}, progress);
   Separation found = there.run();
   if (found.status != Status::penetrating) return {found, there.sketches_made()};
   const Pair exchanged = pair.exchanged();
-  Search back(exchanged, inverse(device), options, tuning, {});
+  Search back(exchanged, inverse(device), options, tuning, {}, progress);
   back.know(inverse(found.separated));
   const Separation other = back.run();
   if (other.status == Status::penetrating && other.depth < (1 - 1e-9) * found.depth) {

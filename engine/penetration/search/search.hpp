@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/base/progress.hpp"
 #include "engine/base/thread_pair.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
@@ -34,8 +35,10 @@ class Search {
   static constexpr std::size_t per_round = Starts::per_round;
 
   Search(const Pair& pair, const Pose& device, const StaticOptions& options,
-         const SearchTuning& tuning, const Deadline& deadline);
+         const SearchTuning& tuning, const Deadline& deadline, const Progress& progress = {});
 
+  /// @throws Cancelled where the progress says so, which is told the share of the starts that it
+  /// may make at most.
   Separation run();
 
   /// A place that is known from another search, free as far as is known there: a start of this
@@ -62,7 +65,7 @@ class Search {
   void round(const Start& start, std::size_t most = per_round) {
     const std::size_t count_at_once = budget_.counts_steps() ? 2 : most;
     for (std::size_t first = 0; first < most; first += count_at_once) {
-      if (budget_.search_is_over() && !optima_.empty()) return;
+      if (is_over() && !optima_.empty()) return;
       Round found;
       const std::size_t count = std::min(count_at_once, most - first);
       share_ = std::clamp(budget_.steps_left(), 1, most_steps_);
@@ -132,7 +135,12 @@ class Search {
   /// are pushed apart do, every other one with axes of both bodies on one line, as parts that are
   /// made to fit have; as many again as it took to find the best, since there may be another.
   void pushed_rounds();
-  bool goes_on() { return !budget_.search_is_over() && !evidence_.settles(); }
+  bool goes_on() const { return !is_over() && !evidence_.settles(); }
+  /// No more starts. Asked on the calling thread alone, before each of them.
+  bool is_over() const {
+    report(progress_, std::min(1.0, made_ / std::max(1.0, static_cast<double>(options_.starts))));
+    return budget_.search_is_over();
+  }
 
   void random_starts(int first);
 
@@ -155,6 +163,7 @@ class Search {
   StaticOptions options_;
   const SearchTuning& tuned_;
   SearchBudget budget_;
+  const Progress& progress_;
   Starts starts_;
   PhaseTimes times_;  // of what is done outside of starts
   Verified verified_;
@@ -167,6 +176,7 @@ class Search {
   double settled_ = std::numeric_limits<double>::infinity();  // m: what has come into contact
   int most_steps_ = std::numeric_limits<int>::max();          // of a start
   int share_ = 0;                                             // steps that a start may take
+  int made_ = 0;                                              // starts
   int limited_ = 0;
   int other_sketches_ = 0;  // starts on sketches, by searches for translations
 };
@@ -179,6 +189,6 @@ struct Translated {
   int sketches = 0;
 };
 Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,
-                                const SearchTuning& tuning);
+                                const SearchTuning& tuning, const Progress& progress);
 
 }  // namespace sonde

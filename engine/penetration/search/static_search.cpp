@@ -8,6 +8,7 @@
 #include "engine/body/body.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/clearance_of.hpp"
 #include "engine/penetration/search/search.hpp"
 #include "engine/penetration/search/search_tuning.hpp"
 #include "engine/penetration/search/touching.hpp"
@@ -23,17 +24,17 @@ struct Searched {
   std::int64_t work;
 };
 Searched searched(const Pair& pair, const Pose& device, const StaticOptions& options,
-                  const SearchTuning& tuning, const Deadline& deadline) {
+                  const SearchTuning& tuning, const Deadline& deadline, const Progress& progress) {
   const auto with_work = [&](const Separation& found, int sketches) {
     return Searched{found, std::int64_t{tuning.bound_for_a_sketch} * sketches +
                                std::int64_t{tuning.bound_for_a_step} * found.iterations};
   };
   const bool limited = options.budget.microseconds > 0 || options.budget.steps > 0;
   if (options.method == Method::pdt && !limited) {
-    const Translated both = translated_both_ways(pair, device, options, tuning);
+    const Translated both = translated_both_ways(pair, device, options, tuning, progress);
     return with_work(both.found, both.sketches);
   }
-  Search search(pair, device, options, tuning, deadline);
+  Search search(pair, device, options, tuning, deadline, progress);
   const Separation found = search.run();
   return with_work(found, search.sketches_made());
 }
@@ -41,17 +42,21 @@ Searched searched(const Pair& pair, const Pose& device, const StaticOptions& opt
 }  // namespace
 
 Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
-                           const SearchTuning& tuning) {
+                           const SearchTuning& tuning, const Progress& progress) {
   const Deadline deadline{options.budget.microseconds, now_us()};
   const Pose device = is_finite(X_FM) ? Pose{X_FM.q.normalized(), X_FM.p} : X_FM;
-  if (const auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) return *settled;
+  if (auto settled = trivial_separation(pair.probe(), pair.fixed(), device)) {
+    if (options.want_clearance && settled->status == Status::separated)
+      settled->clearance = clearance_of(pair.probe(), pair.fixed(), device, false);
+    return *settled;
+  }
   if (auto touching = touching_separation(pair.probe(), pair.fixed(), device, options.method)) {
     if (options.want_lower_bound && (pair.probe().solid || pair.fixed().solid))
       touching->lower_bound = 0;
     return *touching;
   }
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
-  auto [out, work] = searched(pair, device, options, tuning, deadline.part(1 - kept));
+  auto [out, work] = searched(pair, device, options, tuning, deadline.part(1 - kept), progress);
   const bool in_time = options.whole_bound || options.share_for_bound > 0 ||
                        !deadline.passed(tuning.least_us_for_bound);
   if (options.want_lower_bound && in_time && out.status == Status::penetrating) {
@@ -64,8 +69,9 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
   return out;
 }
 
-Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options) {
-  return separate_static(pair, X_FM, options, search_tuning);
+Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
+                           const Progress& progress) {
+  return separate_static(pair, X_FM, options, search_tuning, progress);
 }
 
 }  // namespace sonde

@@ -111,7 +111,7 @@ bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X
     const std::uint32_t slot = stack.pop();
     const std::uint32_t child = body.tree.child(slot);
     if (child & Tree::triangle_bit) {
-      if (inside(solid, corner(body, child & ~Tree::triangle_bit, X))) return true;
+      if (winds_around(solid, corner(body, child & ~Tree::triangle_bit, X))) return true;
       continue;
     }
     const Vec3 center = X * body.tree.center(slot);
@@ -124,7 +124,7 @@ bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X
     const Tree::Node& node = body.tree.nodes[child];
     const bool many = (node.child[0] & Tree::triangle_bit) == 0;
     if (many && point_distance(solid, center, radius + guard) > radius + guard) {
-      if (inside(solid, center)) return true;
+      if (winds_around(solid, center)) return true;
       continue;
     }
     for (std::uint32_t k = 0; k < Tree::width; ++k)
@@ -137,7 +137,7 @@ bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X
 bool any_component_inside(const Body& body, const Body& solid, const Transform& X) {
   if (body.component_triangle.size() > few_components) return any_triangle_inside(body, solid, X);
   return std::ranges::any_of(body.component_triangle, [&](std::uint32_t triangle) {
-    return inside(solid, corner(body, triangle, X));
+    return winds_around(solid, corner(body, triangle, X));
   });
 }
 
@@ -149,7 +149,7 @@ int winding_number(const Body& body, const Vec3& x) {
   return winding_by_solid_angles(body, x);
 }
 
-bool inside(const Body& solid, const Vec3& x) {
+bool winds_around(const Body& solid, const Vec3& x) {
   const Tree& tree = solid.tree;
   for (int i = 0; i < 3; ++i)
     if (x[i] < tree.low[i] || x[i] > tree.high[i]) return false;

@@ -11,8 +11,8 @@ namespace sonde {
 /// doubt, it sums solid angles instead, and rounds.
 int winding_number(const Body& body, const Vec3& x);
 
-/// Winding number ≠ 0.
-bool inside(const Body& solid, const Vec3& x);
+/// Winding number ≠ 0: the point is in the inside of a solid.
+bool winds_around(const Body& solid, const Vec3& x);
 
 /// Given that no triangles meet, returns whether a connected component of A (placed at X_BA) lies
 /// inside solid B, or one of B inside solid A. One corner of each component decides.

@@ -81,7 +81,8 @@ NearestPoint nearest_point(const Body& body, const Vec3& x, double enough) {
     if (e.child & Tree::triangle_bit) {
       const Corners t = corners(surface(body), e.child & ~Tree::triangle_bit);
       const NearestPoint found = nearest_of(t, x);
-      if (found.distance < best.distance) best = found;
+      if (found.distance < best.distance)
+        best = {found.distance, found.point, e.child & ~Tree::triangle_bit};
       if (best.distance < enough) break;
       limit = static_cast<float>(best.distance * frame.per_unit) * (1 + 0x1p-22f);
       continue;

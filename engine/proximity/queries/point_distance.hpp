@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "engine/body/body.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
 
@@ -21,9 +23,10 @@ double point_distance(const Body& body, const Vec3& x, double enough = 0);
 
 /// The same, with the nearest point of the triangles.
 struct NearestPoint {
-  double distance;  ///< m
-  Vec3 point;       ///< mesh frame
+  double distance;             ///< m
+  Vec3 point;                  ///< mesh frame
+  std::uint32_t triangle = 0;  ///< of surface(body)
 };
-NearestPoint nearest_point(const Body& body, const Vec3& x, double enough = 0);
+NearestPoint nearest_point(const Body& body, const Vec3& x, double enough);
 
 }  // namespace sonde

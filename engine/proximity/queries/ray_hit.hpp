@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "engine/body/body.hpp"
 #include "engine/geometry/soup.hpp"
 
 namespace sonde {
@@ -19,5 +20,8 @@ struct RayHit {
 /// unit vector. It tests every triangle, so it is for a user's click, not for a tick.
 std::optional<RayHit> ray_hit(const Soup& soup, const Vec3& from, const Vec3& direction,
                               const std::function<bool(const Vec3&)>& counts = {});
+
+/// The same of a body's surface (triangles of surface(body)), by its tree. Never allocates.
+std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& direction);
 
 }  // namespace sonde

@@ -45,10 +45,10 @@ void DistanceField::fill(const Body& solid) {
       for (int i = 0; i < count_[0]; ++i) {
         const Vec3 local = vec3(low_) + static_cast<double>(spacing_) * Vec3(i, j, k);
         const Vec3 x = solid.mass.R_MP * local + solid.mass.com;
-        const NearestPoint near = nearest_point(solid, x);
+        const NearestPoint near = nearest_point(solid, x, 0);
         // No surface lies between two nodes that are nearer to each other than one is to it.
         const bool same = i > 0 && near.distance > 1.001 * spacing();
-        const double sign = (same ? nodes_.back()[3] < 0 : inside(solid, x)) ? -1 : 1;
+        const double sign = (same ? nodes_.back()[3] < 0 : winds_around(solid, x)) ? -1 : 1;
         const Vec3 way = solid.mass.R_MP.transpose() * (x - near.point);
         nodes_.push_back(quad(sign / std::max(near.distance, 1e-300) * way,
                               static_cast<float>(sign * near.distance)));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
@@ -88,7 +89,7 @@ std::vector<Vec3> spread_points(const Body& body, std::size_t count) {
       if (c->away > furthest->away) furthest = c;
     }
     last = furthest->x;
-    out.push_back(nearest_point(body, last).point);  // an outline is a little off
+    out.push_back(nearest_point(body, last, 0).point);  // an outline is a little off
     if (out.size() == 1)
       for (Candidate& c : all) c.away = std::numeric_limits<double>::infinity();
   }
@@ -107,14 +108,19 @@ std::shared_ptr<const Sketch> make_sketch(const Body& body) {
   return out;
 }
 
-Sketches make_sketches(const Body& probe, const Body& fixed) {
+Sketches make_sketches(const Body& probe, const Body& fixed, const Progress& progress) {
   Sketches out;
   const auto in_range = [](const Body& body) {
     return body.mass.radius > smallest_radius && body.mass.radius < largest_radius;
   };
   if (!(probe.solid || fixed.solid) || !in_range(probe) || !in_range(fixed)) return out;
   run_both(
-      true, {}, [&](const Progress&) { out.probe = make_sketch(probe); },
+      true, progress,
+      [&](const Progress& part) {
+        report(part, 0);
+        out.probe = make_sketch(probe);
+        report(part, 1);
+      },
       [&](const Progress&) { out.fixed = make_sketch(fixed); });
   return out;
 }

@@ -33,7 +33,7 @@ struct Sketches {
 };
 /// Makes the sketches of a pair, on two threads. Empty where both bodies are surfaces, or where the
 /// size of one is not between 1e-12 m and 1e12 m.
-Sketches make_sketches(const Body& probe, const Body& fixed);
+Sketches make_sketches(const Body& probe, const Body& fixed, const Progress& progress = {});
 
 /// `count` points spread over the surface of a body, in its mesh frame, corners first. The first
 /// few are spread as well as all of them.

@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace sonde {
+namespace {
+
+/// x ↦ x × (any).
+Mat3 times(const Vec3& x) {
+  Mat3 m;
+  m << 0, -x.z(), x.y(), x.z(), 0, -x.x(), -x.y(), x.x(), 0;
+  return m;
+}
+
+}  // namespace
 
 Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
     : q_FP_(chart.principal()),
@@ -28,18 +38,39 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
   const Vec3 half = v_from_ + 0.5 * v_step_;
   const double w = std::sqrt(std::max(least_w2, 1 - half.squaredNorm()));
   const double w1 = -half.dot(v_step_) / w, w11 = -(step2 + w1 * w1) / w;
-  const auto times = [](const Vec3& x) {
-    Mat3 m;
-    m << 0, -x.z(), x.y(), x.z(), 0, -x.x(), -x.y(), x.x(), 0;
-    return m;
-  };
   const Mat3 in_probe =
       2 * w11 * times(half) + 4 * w1 * times(v_step_) + 4 * times(v_step_) * times(v_step_);
   bend_ = q_FP_.toRotationMatrix() * in_probe * q_PM_.toRotationMatrix();
   bend_error_ = 3 * step2 * std::sqrt(step2) / (w2 * w2 * std::sqrt(w2)) + 1e-12 * acceleration_;
 }
 
+Motion::Motion(const MassProperties& mass, const Pose& from, const Pose& to)
+    : q_FP_((from.q * Quat(mass.R_MP)).normalized()),
+      q_PM_(Quat(mass.R_MP).conjugate()),
+      com_M_(mass.com),
+      com_from_(from * mass.com),
+      com_step_(to * mass.com - com_from_),
+      v_from_(Vec3::Zero()),
+      v_step_(Vec3::Zero()) {
+  Quat turn = q_FP_.conjugate() * to.q * Quat(mass.R_MP);
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  const double half_sine = turn.vec().norm();
+  steady_ = 2 * std::atan2(half_sine, turn.w());
+  if (half_sine > 0) axis_ = turn.vec() / half_sine;
+  turn_ = steady_ * (1 + 1e-12);
+  // An arm turns as R″ = ω² [axis]² R, and |R‴| = ω³: half of the path is half of that away.
+  const double squared = steady_ * steady_;
+  acceleration_ = squared * (1 + 1e-12);
+  bend_ = q_FP_.toRotationMatrix() * (squared * times(axis_) * times(axis_)) *
+          relative(0.5).toRotationMatrix() * q_PM_.toRotationMatrix();
+  bend_error_ = 0.5 * squared * steady_ + 1e-12 * acceleration_;
+}
+
 Quat Motion::relative(double s) const {
+  if (steady_ > 0) {
+    const Vec3 u = std::sin(0.5 * s * steady_) * axis_;
+    return {std::cos(0.5 * s * steady_), u.x(), u.y(), u.z()};
+  }
   const Vec3 u = v_from_ + s * v_step_;
   return {std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z()};
 }
@@ -50,7 +81,13 @@ Transform Motion::at(double s) const {
   return {R, com_from_ + s * com_step_ - R * com_M_};
 }
 
+Pose Motion::pose_at(double s) const {
+  const Quat q = (q_FP_ * relative(s) * q_PM_).normalized();
+  return {q, com_from_ + s * com_step_ - q.toRotationMatrix() * com_M_};
+}
+
 Motion::Velocity Motion::velocity(double s) const {
+  if (steady_ > 0) return {com_step_, q_FP_ * (steady_ * axis_)};
   const Quat turn = relative(s);
   const double w = std::max(1e-6, turn.w());
   const Vec3 u = turn.vec();

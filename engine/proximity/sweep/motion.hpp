@@ -5,16 +5,20 @@
 
 namespace sonde {
 
-/// The straight path y(s) = from + s (to − from), 0 ≤ s ≤ 1, as a rigid motion of the probe: what
-/// the sweep needs of it. 1 − |v|² must stay above least_w2: its bounds hold no nearer to a half
-/// turn.
+/// A rigid motion of the probe, 0 ≤ s ≤ 1, as the sweep needs it.
 class Motion {
  public:
   static constexpr double least_w2 = 1e-12;
 
+  /// The straight path y(s) = from + s (to − from) of a chart. 1 − |v|² must stay above least_w2:
+  /// its bounds hold no nearer to a half turn.
   Motion(const Chart& chart, const Vec6& from, const Vec6& to);
+  /// From one pose X_FM to another: the centre of mass on a straight line and the turn, half a one
+  /// at most, about one axis, both steadily. (The shorter way round.)
+  Motion(const MassProperties& mass, const Pose& from, const Pose& to);
 
   Transform at(double s) const;  ///< X_FM
+  Pose pose_at(double s) const;  ///< the same as a pose
   struct Velocity {
     Vec3 linear;   ///< of the centre of mass, per unit of s, fixed frame
     Vec3 angular;  ///< fixed frame
@@ -45,6 +49,8 @@ class Motion {
   double turn_;
   Mat3 bend_;
   double bend_error_;
+  double steady_ = 0;         // rad per unit of s about one axis; 0: by v(s)
+  Vec3 axis_ = Vec3::Zero();  // of a steady turn, unit, in principal axes at the start
 };
 
 }  // namespace sonde

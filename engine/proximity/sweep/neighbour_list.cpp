@@ -30,7 +30,7 @@ NeighbourList::NeighbourList(const Body& a, const Body& b, std::size_t capacity)
       unproven_(capacity),
       capacity_(capacity),
       centre_(a.mass.com),
-      to_visit_(capacity > 0 ? std::make_unique<PairStack<SlotPair>>() : nullptr) {
+      to_visit_(capacity > 0 ? 1 : 0) {
   clear();
 }
 

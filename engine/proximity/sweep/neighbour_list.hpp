@@ -188,7 +188,7 @@ class NeighbourList {
   Coverage planned_;            // of the list that is being made
   BuildPlan plan_;              // for it
   bool fallback_only_ = false;  // nothing is planned but the least
-  std::unique_ptr<PairStack<SlotPair>> to_visit_;  // for it; large; none for no pairs
+  std::vector<PairStack<SlotPair>> to_visit_;  // for it: one, large; none for no pairs
   bool unfinished_ = false;
   Transform X_;        // of the list
   Transform last_;     // the pose last looked at

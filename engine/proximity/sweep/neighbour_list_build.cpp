@@ -102,9 +102,9 @@ bool NeighbourList::build_by(const BuildPlan& plan, const Transform& X, const Ve
     return room.around.of(longest_arm_) + room.ahead.size().of(longest_arm_);
   };
   fallback_only_ = length(planned_) <= length(plan.fallback);
-  if (!to_visit_) return false;
-  to_visit_->clear();
-  to_visit_->push(roots(a_.tree, b_.tree));
+  if (to_visit_.empty()) return false;
+  to_visit_.front().clear();
+  to_visit_.front().push(roots(a_.tree, b_.tree));
   return go_on(effort);
 }
 
@@ -116,7 +116,7 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
   // What is found below a pair goes by the arm of its box of A, which is the longer one.
   const auto sort_out = [&](const SlotPair& p, const Way& way) {
-    if (!at.is_leaf(p)) return to_visit_->push(p);
+    if (!at.is_leaf(p)) return to_visit_.front().push(p);
     spend(work_to_take);
     const auto lane = static_cast<std::size_t>(candidates.batch.size());
     candidates.way[lane] = way;
@@ -125,8 +125,8 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
     if (candidates.batch.full()) take(candidates);
   };
   unfinished_ = false;
-  while (candidates.fit && !unfinished_ && !to_visit_->empty()) {
-    const SlotPair p = to_visit_->pop();
+  while (candidates.fit && !unfinished_ && !to_visit_.front().empty()) {
+    const SlotPair p = to_visit_.front().pop();
     const Way way = ways.at(p.a, [&](std::uint32_t slot) { return way_of(slot); });
     const float limit = at.to_unit_rounded_up(planned_.around.of(way.arm)),
                 spread = at.to_unit_rounded_up(way.spread);

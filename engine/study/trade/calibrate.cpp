@@ -8,6 +8,7 @@
 #include "engine/base/numbers.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 #include "engine/study/trade/trade_results.hpp"
 #include "engine/text/number_text.hpp"

@@ -11,6 +11,7 @@
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/study/trade/trade_extremes.hpp"
 #include "engine/study/trade/trade_results.hpp"
 

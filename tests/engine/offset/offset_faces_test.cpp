@@ -170,7 +170,7 @@ void expect_deeper(const Body& nominal, double by, const std::string& what) {
     for (const Vec3& weights : {Vec3(1, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.2, 0.3, 0.5)}) {
       const Vec3 point = weights[0] * x[t[0]] + weights[1] * x[t[1]] + weights[2] * x[t[2]];
       too_near += point_distance(nominal, point) < by * (1 - 1e-4);
-      outside += !inside(nominal, point);
+      outside += !winds_around(nominal, point);
     }
   }
   EXPECT_EQ(too_near, 0U) << what << ", of " << 3 * body->soup.triangles.size();

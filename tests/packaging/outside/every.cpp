@@ -43,6 +43,8 @@ int main() {
   if (!known.solid || std::abs(known.mass.measure - 1) > 1e-12) return complain("facts");
   if (sonde::facts(*sonde::offset_body(*body, -0.01)).offset.by != -0.01)
     return complain("an allowance");
+  if (sonde::vertices(*body).size() != 8 || sonde::triangles(*body).size() != 12)
+    return complain("the mesh of a body");
   const sonde::Pair pair(body, body);
   sonde::Pose pose;
   pose.p.x() = 0.9;
@@ -58,8 +60,23 @@ int main() {
   sonde::Follower first(pair), follower(std::move(first));
   first = std::move(follower);
   follower = std::move(first);
+  if (!sonde::touch(pair, pose)) return complain("they touch");
+  const sonde::SignedDistance depth = sonde::signed_distance(pair, pose);
+  if (depth.distance != -depth.separation.depth) return complain("a distance less than 0");
   pose.p.x() = 1.1;
+  if (std::abs(sonde::distance(pair, pose).distance - 0.1) > 1e-12) return complain("a clearance");
+  const sonde::SweptPath path = sonde::sweep(pair, pose, {pose.q, sonde::Vec3(0.6, 0, 0)});
+  if (!path.hit || std::abs(path.free - 0.2) > 1e-6) return complain("a path");
+  if (!sonde::inside(*body, {0.4, 0, 0})) return complain("inside");
+  if (sonde::nearest_point(*body, {0.7, 0, 0}).point.x() != 0.5) return complain("nearest");
+  if (!sonde::ray(*body, {2, 0.1, 0.2}, {-1, 0, 0})) return complain("a ray");
+  sonde::MassProperties heavy = known.mass;
+  heavy.inertia *= 4;
+  if (sonde::facts(*sonde::with_mass(*body, heavy)).mass.inertia != heavy.inertia)
+    return complain("another norm");
   follower.start(pose);
+  sonde::Follower other(follower);
+  other = follower;
   pose.p.x() = 1.05;
   const sonde::Separation now = follower.follow(pose);
   if (now.status != sonde::Status::separated || follower.last().depth != 0) return complain("free");

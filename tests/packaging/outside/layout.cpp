@@ -33,12 +33,12 @@ int main() {
   sonde::StaticOptions options;
   SAY(options, method), SAY(options, budget), SAY(options, seed), SAY(options, starts);
   SAY(options, sure), SAY(options, by_evidence), SAY(options, share_for_bound);
-  SAY(options, two_threads);
+  SAY(options, want_clearance), SAY(options, two_threads);
   const sonde::Separation found = sonde::separate(pair, pose, options);
   SAY(found, status), SAY(found, device), SAY(found, separated), SAY(found, depth);
   SAY(found, contacts), SAY(found, clusters), SAY(found, residual), SAY(found, limited);
   SAY(found, released), SAY(found, far_out), SAY(found, lower_bound), SAY(found, pdt);
-  SAY(found, phases);
+  SAY(found, clearance), SAY(found, phases);
   const sonde::Contact& contact = found.contacts.items[0];
   SAY(contact, on_fixed), SAY(contact, normal), SAY(contact, multiplier);
   const sonde::ContactCluster& cluster = found.clusters.items[0];
@@ -52,6 +52,16 @@ int main() {
   SAY(coupling, k), SAY(coupling, max_torque);
   const sonde::Wrench wrench = sonde::wrench(pair, found, coupling);
   SAY(wrench, force), SAY(wrench, torque), SAY(wrench, saturated);
+
+  const sonde::Clearance apart = sonde::distance(pair, {pose.q, sonde::Vec3(0.3, 0.2, 0.1)});
+  SAY(apart, on_probe), SAY(apart, on_fixed), SAY(apart, overlapping);
+  const sonde::SweptPath path = sonde::sweep(pair, {pose.q, sonde::Vec3(0.3, 0, 0)}, pose);
+  SAY(path, hit), SAY(path, X_FM), SAY(path, contact);
+  const sonde::SurfacePoint near = sonde::nearest_point(*box, sonde::Vec3(0.3, 0.05, 0.04));
+  SAY(near, normal), SAY(near, distance);
+  std::printf("apart %.17g, free %.17g, near %.17g\n", apart.distance, path.free, near.distance);
+  const sonde::SignedDistance distance = sonde::signed_distance(pair, pose);
+  SAY(distance, clearance), SAY(distance, separation);
 
   // What the library wrote is read where it wrote it.
   std::printf("depth %.17g, contacts %d, turn %.17g %.17g %.17g %.17g\n", found.depth,

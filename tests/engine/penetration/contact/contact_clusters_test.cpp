@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/pairs.hpp"

@@ -12,6 +12,7 @@
 
 #include "engine/penetration/bound/witness.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/reference/cases.hpp"

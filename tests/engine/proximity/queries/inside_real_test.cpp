@@ -40,7 +40,7 @@ void expect_inside_is_right(const Body& body, int points, std::uint64_t seed) {
   for (int k = 0; k < points; ++k) {
     Vec3 x;
     for (Eigen::Index i = 0; i < 3; ++i) x[i] = test::uniform(random, box.min()[i], box.max()[i]);
-    EXPECT_EQ(inside(body, x), std::abs(winding(triangles, x)) >= 0.5)
+    EXPECT_EQ(winds_around(body, x), std::abs(winding(triangles, x)) >= 0.5)
         << body.name << " at " << x.transpose();
   }
 }
@@ -118,10 +118,10 @@ TEST(InsideReal, what_is_loose_does_not_wind) {
   const auto body =
       test::body(test::joined(test::icosphere(1, 3), test::placed(sheet, {0, 0, -2})));
   ASSERT_EQ(std::count(body->loose.begin(), body->loose.end(), true), 2);
-  EXPECT_TRUE(inside(*body, {0, 0.1, 0.2}));
-  EXPECT_FALSE(inside(*body, {3, 0.1, -2.2}));
-  EXPECT_FALSE(inside(*body, {3, 0.1, -2.6}));
-  EXPECT_FALSE(inside(*body, {0, 0.1, -2}));
+  EXPECT_TRUE(winds_around(*body, {0, 0.1, 0.2}));
+  EXPECT_FALSE(winds_around(*body, {3, 0.1, -2.2}));
+  EXPECT_FALSE(winds_around(*body, {3, 0.1, -2.6}));
+  EXPECT_FALSE(winds_around(*body, {0, 0.1, -2}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Inside, winding_number_is_the_sum_of_solid_angles) {
       ASSERT_LT(std::abs(angles - std::round(angles)), 0.01) << name;
       const auto expected = static_cast<int>(std::lround(angles));
       EXPECT_EQ(winding_number(*body, x), expected) << name << i;
-      EXPECT_EQ(inside(*body, x), expected != 0) << name << i;
+      EXPECT_EQ(winds_around(*body, x), expected != 0) << name << i;
       inside_points += expected != 0;
       many_times += std::abs(expected) > 1;
     }
@@ -57,7 +57,7 @@ TEST(Inside, points_in_line_with_corners_and_edges) {
       for (int k = -3; k <= 3; ++k) {
         if (std::abs(i) == 2 || std::abs(j) == 2 || std::abs(k) == 2) continue;
         const bool expected = std::abs(i) < 2 && std::abs(j) < 2 && std::abs(k) < 2;
-        EXPECT_EQ(inside(*cube, 0.25 * Vec3(i, j, k)), expected) << i << j << k;
+        EXPECT_EQ(winds_around(*cube, 0.25 * Vec3(i, j, k)), expected) << i << j << k;
       }
 }
 
@@ -103,7 +103,7 @@ TEST(Inside, one_of_many_loose_triangles) {
     const Transform at(test::random_pose(random, *soup, *ring, 1.0));
     bool expected = false;
     for (const Triangle& t : soup->soup.triangles)
-      expected = expected || inside(*ring, at * soup->soup.vertices[t[0]]);
+      expected = expected || winds_around(*ring, at * soup->soup.vertices[t[0]]);
     EXPECT_EQ(component_inside(*soup, *ring, at), expected) << i;
     (expected ? in : out) += 1;
   }

@@ -82,7 +82,7 @@ TEST(Placement, small_features_far_from_the_middle_lose_nothing) {
       ASSERT_TRUE(body->solid);
       for (int k = 0; k < 10; ++k) {
         const Vec3 x = at + test::random_in_ball(random, 0.45 * size);
-        EXPECT_TRUE(inside(*body, x)) << size;
+        EXPECT_TRUE(winds_around(*body, x)) << size;
         double least = std::numeric_limits<double>::infinity();
         for (std::uint32_t t = 0; t < body->soup.triangles.size(); ++t)
           least = std::min(least, closest_points({x, x, x}, corners(body->soup, t)).distance);

@@ -25,7 +25,7 @@ std::vector<std::pair<const char*, std::shared_ptr<const Body>>> solids() {
 Vec3 in_mesh_frame(const Body& body, const Vec3& x) { return body.mass.R_MP * x + body.mass.com; }
 double signed_distance(const Body& body, const Vec3& x) {
   const Vec3 in_mesh = in_mesh_frame(body, x);
-  return (inside(body, in_mesh) ? -1 : 1) * point_distance(body, in_mesh);
+  return (winds_around(body, in_mesh) ? -1 : 1) * point_distance(body, in_mesh);
 }
 
 // Reference: the distance of the point from the triangles, and the winding number. Distance and

@@ -24,7 +24,7 @@ TEST(Sketch, points_lie_on_the_surface_and_leave_no_part_of_it_out) {
     for (const Vec3& x : points) EXPECT_LT(point_distance(*body, x), 1e-12);
     for (int i = 0; i < 500; ++i) {
       const Vec3 near = body->mass.com + test::random_in_ball(random, body->mass.radius);
-      const Vec3 x = nearest_point(*body, near).point;
+      const Vec3 x = nearest_point(*body, near, 0).point;
       const double away =
           (*std::ranges::min_element(points, {}, [&](const Vec3& p) { return (p - x).norm(); }) - x)
               .norm();

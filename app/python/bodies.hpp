@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <string>
+
+#include "engine/sonde.hpp"
+
+namespace sonde::python {
+
+/// A body with what it was made of, from which another process makes the same. (pybind11 keeps no
+/// pointer to const.)
+struct SharedBody {
+  std::shared_ptr<const sonde::Body> body;
+  BodyFacts facts;
+  pybind11::tuple recipe;  ///< the name of what made it, and its arguments
+};
+
+void declare_body(pybind11::module_& module);
+
+}  // namespace sonde::python

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/poses.hpp"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "engine/scene/pose_numbers.hpp"
+
+namespace sonde::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr double unit_to = 1e-3;  // as of the quaternions of files
+
+/// An array of doubles, whatever real numbers it was made of.
+Numbers numbers_in(const py::object& given, const char* what) {
+  if (py::isinstance<Numbers>(given)) return py::reinterpret_borrow<Numbers>(given);
+  const py::array array(given);
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw std::invalid_argument(std::string(what) + " must be real numbers, not of type " +
+                                py::str(array.dtype()).cast<std::string>());
+  return Numbers(array);
+}
+
+Pose pose_of_matrix(const double* m) {
+  Mat3 R;
+  Vec3 p;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) R(i, j) = m[4 * i + j];
+    p[i] = m[4 * i + 3];
+  }
+  if (!R.allFinite() || !p.allFinite()) throw std::invalid_argument("a number is not finite");
+  if (std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]) + std::abs(m[15] - 1) > 1e-9)
+    throw std::invalid_argument("the last row of the matrix is not 0, 0, 0, 1");
+  const double off = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
+  if (!(off <= unit_to) || !(R.determinant() > 0))
+    throw std::invalid_argument(
+        "the upper left of the matrix is no rotation: its columns must be "
+        "square to each other, of length 1 and right-handed");
+  return {Quat(R).normalized(), p};
+}
+
+}  // namespace
+
+Poses poses_of(const py::object& given, const char* what) {
+  const Numbers numbers = numbers_in(given, what);
+  const auto shape = [&](py::ssize_t i) { return i < numbers.ndim() ? numbers.shape(i) : 0; };
+  const py::ssize_t dims = numbers.ndim();
+  const bool matrices = (dims == 2 && shape(0) == 4 && shape(1) == 4) ||
+                        (dims == 3 && shape(1) == 4 && shape(2) == 4);
+  const bool rows = (dims == 1 && shape(0) == 7) || (dims == 2 && shape(1) == 7);
+  if (!matrices && !rows)
+    throw std::invalid_argument(std::string(what) +
+                                " must be of shape (7,) or (n, 7): px,py,pz,qw,qx,qy,qz, or of "
+                                "matrices, (4, 4) or (n, 4, 4)");
+  Poses out;
+  out.one = dims == (matrices ? 2 : 1);
+  const auto count = static_cast<std::size_t>(out.one ? 1 : shape(0));
+  const std::size_t step = matrices ? 16 : 7;
+  out.rows.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* row = numbers.data() + step * i;
+    try {
+      out.rows.push_back(matrices ? pose_of_matrix(row)
+                                  : pose_of_numbers(std::span<const double, 7>(row, 7)));
+    } catch (const std::invalid_argument& error) {
+      const std::string name = std::string(what) == "poses" ? "pose" : what;
+      throw std::invalid_argument(name + " " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  return out;
+}
+
+Points points_of(const py::object& given, const char* what) {
+  const Numbers numbers = numbers_in(given, what);
+  Points out;
+  out.one = numbers.ndim() == 1;
+  if ((!out.one && numbers.ndim() != 2) || numbers.shape(out.one ? 0 : 1) != 3)
+    throw std::invalid_argument(std::string(what) + " must be of shape (3,) or (n, 3)");
+  const auto count = static_cast<std::size_t>(out.one ? 1 : numbers.shape(0));
+  for (std::size_t i = 0; i < count; ++i)
+    out.rows.push_back(Eigen::Map<const Vec3>(numbers.data() + 3 * i));
+  return out;
+}
+
+std::array<double, 7> numbers_of(const Pose& pose) {
+  const auto& [q, p] = pose;
+  return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+}
+
+}  // namespace sonde::python

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/accuracy.hpp"
+#include "app/phases.hpp"
+#include "app/result_table.hpp"
+#include "engine/sonde.hpp"
+
+namespace sonde::app {
+
+/// What is asked about each pose of a query.
+struct QueryQuestion {
+  bool touch = false;         ///< whether the bodies touch, and no more: no search
+  bool clearance = false;     ///< how far apart they are where they are
+  std::string contacts = {};  ///< a file for the contacts; empty: none
+  std::size_t seeds = 1;      ///< searches of a pose, of which the nearest way out counts
+};
+void add_flags(CLI::App& parser, QueryQuestion& question);
+
+/// The answer to one pose.
+struct QueryAnswer {
+  Separation separation;
+  double time_us = 0;
+};
+
+/// The row of an answer: `index,status` and what follows it.
+class QueryRows {
+ public:
+  /// `limit_us`: the time for each pose, 0: none. It and the others must outlive the rows.
+  QueryRows(const QueryQuestion& question, const Accuracy& accuracy, const PhaseOptions& phases,
+            const char* shard);
+
+  const std::vector<Column>& columns() const { return columns_; }
+  Row row(std::size_t index, const QueryAnswer& answer);
+  /// On stderr: how many poses took too long, and how many did not converge.
+  void note() const;
+
+ private:
+  const QueryQuestion& question_;
+  const Accuracy& accuracy_;
+  const PhaseOptions& phases_;
+  const char* shard_;  // in a column of its own; null: none
+  double limit_us_;
+  std::vector<Column> columns_;
+  std::size_t all_ = 0, late_ = 0, unfinished_ = 0;
+};
+
+/// The columns of contacts, and the rows of those that hold one separated pose. `part`: the name of
+/// the fixed body. `shard`: in a column of its own; null: none.
+std::span<const Column> contact_columns(const char* shard);
+std::vector<Row> contact_rows(std::size_t index, const Separation& answer, const char* part,
+                              const char* shard);
+
+}  // namespace sonde::app

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/contact/clearance.hpp"
+
+namespace sonde {
+
+/// The clearance of the probe at X_FM (q of length 1), of which is known whether it meets the fixed
+/// body.
+Clearance clearance_of(const Body& probe, const Body& fixed, const Pose& X_FM, bool overlapping);
+
+}  // namespace sonde

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/queries/body_queries.hpp"
+
+#include "engine/body/body.hpp"
+#include "engine/proximity/queries/inside.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/queries/point_distance.hpp"
+#include "engine/proximity/queries/ray_hit.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double farthest = 1e30;  // as for the coordinates of a body
+
+void check(const Vec3& x, const char* what) {
+  if (!x.allFinite()) throw InputError(std::string(what) + " is not finite");
+  if (x.cwiseAbs().maxCoeff() > farthest) throw InputError(std::string(what) + " is beyond 1e30");
+}
+
+Vec3 normal_of(const Body& body, std::uint32_t triangle) {
+  const Corners c = corners(surface(body), triangle);
+  return (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
+}
+
+}  // namespace
+
+bool inside(const Body& body, const Vec3& x) {
+  if (!x.allFinite()) throw InputError("the point is not finite");
+  return body.solid && winds_around(body, x);
+}
+
+SurfacePoint nearest_point(const Body& body, const Vec3& x) {
+  check(x, "the point");
+  const NearestPoint found = nearest_point(body, x, 0);
+  return {found.point, normal_of(body, found.triangle), found.distance};
+}
+
+std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction) {
+  check(from, "the start of the ray");
+  check(direction, "the direction of the ray");
+  const Vec3 unit = direction.stableNormalized();
+  if (!(unit.squaredNorm() > 0.5)) throw InputError("the direction of the ray has no length");
+  const std::optional<RayHit> hit = first_hit(body, from, unit);
+  if (!hit) return std::nullopt;
+  return SurfacePoint{from + hit->distance * unit, normal_of(body, hit->triangle), hit->distance};
+}
+
+}  // namespace sonde

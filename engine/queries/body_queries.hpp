@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "engine/base/error.hpp"
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+struct Body;
+
+/// A place on a body's surface, in its mesh frame.
+struct SurfacePoint {
+  Vec3 point = Vec3::Zero();    ///< m
+  Vec3 normal = Vec3::UnitZ();  ///< unit, of the triangle; outwards where that bounds an inside
+  double distance = 0;          ///< from what was asked about, m
+};
+
+/// Is the point x (mesh frame, m) inside the body? By the winding number of the surface that bounds
+/// its inside (repaired as facts() says); never in a body that is a surface. Within rounding of the
+/// surface it may be either. Some 0.1 to 10 µs. Does not allocate, and any number of threads may
+/// call it.
+/// @throws InputError where x is not finite.
+bool inside(const Body& body, const Vec3& x);
+
+/// The nearest point of the body's triangles to x (mesh frame, m), at a distance that is exact to
+/// about 1e-15 of the largest coordinate. Some µs. Does not allocate, and any number of threads may
+/// call it.
+/// @throws InputError where x is not finite, or beyond 1e30 m.
+SurfacePoint nearest_point(const Body& body, const Vec3& x);
+
+/// Where a ray from a point along a direction (mesh frame; of any length but 0) first meets the
+/// body's triangles, from either side; no value where it meets none. A ray does not slip through
+/// between triangles that share an edge; one that runs in a triangle's plane misses that triangle.
+/// Some µs. Does not allocate, and any number of threads may call it.
+/// @throws InputError where a number is not finite or beyond 1e30, or the direction has no length.
+std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction);
+
+}  // namespace sonde

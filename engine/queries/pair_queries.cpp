@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/queries/pair_queries.hpp"
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/descent/result.hpp"
+#include "engine/penetration/search/clearance_of.hpp"
+#include "engine/penetration/search/trivial_separation.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/proximity/sweep/sweep.hpp"
+#include "engine/proximity/triangles/triangle_pair.hpp"
+
+namespace sonde {
+namespace {
+
+/// R: the gap that a swept path ends with; more than what poses of the probe's size are rounded to.
+constexpr double kept_gap = 1e-9;
+
+Pose checked(const Pose& X) {
+  if (!is_finite(X)) throw InputError("the pose is not finite");
+  if (!(X.q.squaredNorm() > 0)) throw InputError("the pose's quaternion has no length");
+  return {X.q.normalized(), X.p};
+}
+
+/// @pre The pose is checked.
+bool meet(const Pair& pair, const Pose& X) {
+  const auto apart = trivial_separation(pair.probe(), pair.fixed(), X);
+  if (apart && apart->status == Status::failed) throw InputError(apart->reason);
+  return !apart;
+}
+
+/// The points of the two triangles that are nearest to each other.
+Contact contact_of(const Body& probe, const Body& fixed, const Pose& X_FM, const Sweep& stop) {
+  const ClosestPoints points =
+      closest_points(place(Transform(X_FM), corners(surface(probe), stop.triangle_a)),
+                     corners(surface(fixed), stop.triangle_b));
+  Contact out;
+  out.on_probe = points.a;
+  out.on_fixed = points.b;
+  if (points.distance > 0) out.normal = points.normal;
+  out.gap = points.gap;
+  return out;
+}
+
+}  // namespace
+
+bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)); }
+
+Clearance distance(const Pair& pair, const Pose& X_FM) {
+  const Pose X = checked(X_FM);
+  return clearance_of(pair.probe(), pair.fixed(), X, meet(pair, X));
+}
+
+SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
+  const Pose from = checked(X0_FM), to = checked(X1_FM);
+  SweptPath out;
+  out.X_FM = from;
+  if (meet(pair, from)) {
+    out.hit = out.overlapping = true;
+    return out;
+  }
+  const Body &probe = pair.probe(), &fixed = pair.fixed();
+  const Motion motion(probe.mass, from, to);
+  const Sweep swept = sweep(probe, fixed, motion, kept_gap * probe.mass.radius);
+  out.free = swept.free_until;
+  out.hit = swept.hit;
+  out.X_FM = out.free >= 1 ? to : motion.pose_at(out.free);
+  if (out.hit) out.contact = contact_of(probe, fixed, out.X_FM, swept);
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a query answers beside depths, and how it is split, interrupted, continued and joined.
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class QueryScale : public AppTest {
+ protected:
+  QueryScale() {
+    std::string many = "px,py,pz,qw,qx,qy,qz\n";
+    for (int i = 0; i < 41; ++i)
+      many += std::to_string(0.1 + 0.003 * i) + ",0.01," + std::to_string(0.002 * i) +
+              ",0.96,0,0.28,0\n";
+    folder.write("many.csv", many);
+  }
+  Csv query(const std::string& arguments) const {
+    return Csv(expect_done("query boxes.sonde.json " + arguments).out);
+  }
+  static std::vector<std::vector<std::string>> untimed(const std::string& text) {
+    return Csv(text).without({"time_us"});
+  }
+};
+
+// Reference: what a search says of the same poses.
+TEST_F(QueryScale, touch_says_whether_and_no_more) {
+  const Csv all = query("--poses many.csv"), touched = query("--poses many.csv --touch");
+  EXPECT_EQ(touched.header, "index,status");
+  ASSERT_EQ(touched.rows.size(), all.rows.size());
+  int separated = 0;
+  for (std::size_t i = 0; i < all.rows.size(); ++i) {
+    EXPECT_EQ(touched.text(i, "status"), all.text(i, "status")) << i;
+    separated += touched.text(i, "status") == "separated";
+  }
+  EXPECT_GT(separated, 5);
+  EXPECT_LT(separated, 36);
+}
+
+// Reference: boxes that face each other, their halves 0.05 and 0.1.
+TEST_F(QueryScale, clearance_is_the_gap_with_its_points) {
+  folder.write("faces.csv",
+               "px,py,pz,qw,qx,qy,qz\n0.18,0,0,1,0,0,0\n0.14,0,0,1,0,0,0\n0,-0.4,0,1,0,0,0\n");
+  for (const std::string more : {"", " --touch", " --mode coherent"}) {
+    const Csv csv = query("--poses faces.csv --clearance" + more);
+    EXPECT_NEAR(csv.number(0, "clearance"), 0.03, 1e-15);
+    EXPECT_NEAR(csv.number(0, "ax"), 0.13, 1e-15);
+    EXPECT_NEAR(csv.number(0, "bx"), 0.1, 1e-15);
+    EXPECT_EQ(csv.text(0, "ay"), csv.text(0, "by"));
+    EXPECT_EQ(csv.text(1, "clearance"), "");
+    EXPECT_EQ(csv.text(1, "bz"), "");
+    if (more != " --mode coherent") EXPECT_NEAR(csv.number(2, "clearance"), 0.25, 1e-15);
+  }
+  EXPECT_THAT(query("--poses faces.csv --clearance --claim").header,
+              HasSubstr("time_us,clearance,ax,ay,az,bx,by,bz,within,claim"));
+}
+
+// Reference: the force of the contacts, Σ λ n, is along the separation for a face on a face.
+TEST_F(QueryScale, contacts_are_rows_of_their_own) {
+  folder.write("deep.csv", "px,py,pz,qw,qx,qy,qz\n0.3,0,0,1,0,0,0\n0.14,0.01,0.02,1,0,0,0\n");
+  const Csv csv = query("--poses deep.csv --contacts c.csv");
+  const Csv contacts(text_of(folder / "c.csv"));
+  EXPECT_EQ(contacts.header, "index,x,y,z,nx,ny,nz,multiplier,part");
+  ASSERT_GE(contacts.rows.size(), 3u) << "a face on a face";
+  double sum = 0;
+  for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+    EXPECT_EQ(contacts.text(i, "index"), "1");
+    EXPECT_NEAR(contacts.number(i, "x"), 0.1, 1e-9);
+    EXPECT_NEAR(contacts.number(i, "nx"), 1, 1e-6);
+    EXPECT_EQ(contacts.text(i, "part"), "large.off");
+    sum += contacts.number(i, "multiplier") * contacts.number(i, "nx");
+  }
+  EXPECT_NEAR(sum, csv.number(1, "depth"), 1e-6);
+}
+
+TEST_F(QueryScale, poses_come_from_standard_input_and_from_paths) {
+  const auto all = query("--poses many.csv").without({"time_us"});
+  EXPECT_EQ(
+      Csv(expect_done("query boxes.sonde.json --poses - < many.csv").out).without({"time_us"}),
+      all);
+  const Csv path = query("--poses path.csv --touch");
+  EXPECT_EQ(path.rows.size(), 40u);
+  EXPECT_EQ(path.text(0, "status"), "separated");
+  EXPECT_EQ(path.text(39, "status"), "penetrating");
+  folder.write("odd.csv", "t,px\n1,2\n");
+  expect_refused("query boxes.sonde.json --poses odd.csv", 3, "odd.csv:1: the header is");
+}
+
+// Reference: one run of all poses.
+TEST_F(QueryScale, shares_are_joined_to_what_one_run_writes) {
+  for (const std::string json : {"", " --json"}) {
+    const std::string rest = json + " --poses many.csv --no-bound --clearance --quiet --contacts ";
+    const std::string whole = "query boxes.sonde.json --out whole" + rest + "whole.contacts";
+    expect_done(whole);
+    for (const std::string i : {"1", "2", "3"})
+      expect_done("query boxes.sonde.json --shard " + i + "/3 --out part" + i + rest + "contacts" +
+                  i);
+    expect_done("merge part3 part1 part2 --out joined");
+    const std::string joined = text_of(folder / "joined"), all = text_of(folder / "whole");
+    if (json.empty()) {
+      EXPECT_EQ(Csv(joined).header, Csv(all).header);
+      EXPECT_EQ(untimed(joined), untimed(all));
+      expect_done("merge contacts1 contacts2 contacts3 --out joined.contacts");
+      EXPECT_EQ(text_of(folder / "joined.contacts"), text_of(folder / "whole.contacts"));
+    } else {
+      const auto untimed_json = [](const std::string& text) {
+        nlohmann::json whole = nlohmann::json::parse(text);
+        for (auto& row : whole["results"]) row.erase("time_us");
+        return whole;
+      };
+      EXPECT_EQ(untimed_json(joined), untimed_json(all));
+      EXPECT_EQ(joined.substr(0, joined.find("results")), all.substr(0, all.find("results")));
+    }
+    EXPECT_EQ(Csv(text_of(folder / "contacts2")).text(0, "index"),
+              Csv(text_of(folder / "contacts2")).text(0, "index"));
+  }
+  const Csv part(text_of(folder / "contacts2"));
+  EXPECT_EQ(std::stoi(part.text(0, "index")) % 3, 1) << "the index in the whole file";
+}
+
+TEST_F(QueryScale, shares_that_do_not_belong_together_are_refused) {
+  const std::string rest = " --poses many.csv --no-bound --quiet ";
+  const auto share = [&](const std::string& name, const std::string& arguments) {
+    expect_done("query boxes.sonde.json --out " + name + rest + arguments);
+  };
+  share("a", "--shard 1/2");
+  share("b", "--shard 2/2");
+  share("other", "--shard 2/2 --seed 9");
+  share("third", "--shard 2/3");
+  share("all", "");
+  expect_refused("merge a --out m", 3, "a: of 2 shares these are missing: 2");
+  expect_refused("merge a a b --out m", 3, "a: share 1 is there twice");
+  expect_refused("merge a other --out m", 3, "other: is of another run");
+  expect_refused("merge a third --out m", 3, "third: is of another run");
+  expect_refused("merge a all --out m", 3, "all:1: is no result of sonde query --shard");
+  expect_refused("merge a poses.csv --out m", 3, "poses.csv:1: is no result");
+  folder.write("cut", text_of(folder / "b").substr(0, 300));
+  expect_refused("merge a cut --out m", 3, "cut:");
+  expect_refused("merge a b --out a", 2, "is one of the inputs");
+}
+
+TEST_F(QueryScale, more_seeds_never_lead_further) {
+  folder.write("turned.csv",
+               "px,py,pz,qw,qx,qy,qz\n0.02,0.03,0.01,0.8,0.6,0,0\n0.05,0,0.02,0.5,0.5,0.5,0.5\n");
+  const Csv one = query("--poses turned.csv --budget-steps 10"),
+            five = query("--poses turned.csv --budget-steps 10 --seeds 5");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LE(five.number(i, "depth"), one.number(i, "depth"));
+    EXPECT_GT(five.number(i, "iterations"), one.number(i, "iterations"));
+    EXPECT_GE(five.number(i, "lower_bound"), one.number(i, "lower_bound"));
+    EXPECT_LE(five.number(i, "lower_bound"), five.number(i, "depth"));
+  }
+}
+
+TEST_F(QueryScale, json_states_its_format_and_says_yes_and_no) {
+  const json result =
+      json::parse(expect_done("query boxes.sonde.json --poses many.csv --time 2ms --json").out);
+  EXPECT_EQ(result.at("format"), 1);
+  EXPECT_TRUE(result.at("results")[0].at("late").is_boolean());
+  const json replayed = json::parse(expect_done("replay boxes.sonde.json --json").out);
+  EXPECT_EQ(replayed.at("format"), 1);
+  EXPECT_TRUE(replayed.at("results")[0].at("jumped").is_boolean());
+}
+
+TEST_F(QueryScale, flags_that_contradict_each_other_are_refused) {
+  const std::string query = "query boxes.sonde.json --poses many.csv ";
+  for (const std::string flag :
+       {"--mode coherent", "--time 1ms", "--claim", "--contacts c.csv", "--seeds 2", "--phases"})
+    expect_refused(query + "--touch " + flag, 2, "--touch does no search");
+  for (const std::string flag : {"--shard 1/2", "--resume --out r", "--seeds 2"})
+    expect_refused(query + "--mode coherent " + flag, 2, "--mode coherent follows");
+  expect_refused(query + "--resume", 2, "it needs --out");
+  expect_refused(query + "--contacts many.csv", 2, "one of the inputs");
+  expect_refused(query + "--contacts r --out r", 2, "name the same file");
+}
+
+/// A run that is told to end, once some rows are in its part.
+class Resumed : public QueryScale {
+ protected:
+  Resumed() {
+    std::string poses = "px,py,pz,qw,qx,qy,qz\n";
+    for (int i = 0; i < 400; ++i)
+      poses += std::to_string(0.02 + 1e-4 * i) + ",0.01,0.02,0.8,0.36,0.48,0\n";
+    folder.write("long.csv", poses);
+  }
+  /// The exit code of a run that is interrupted once a part is there.
+  int interrupted(const std::string& arguments) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::setpgid(0, 0);
+      const std::string line = "cd '" + folder.path().string() + "' && exec '" SONDE_PROGRAM "' " +
+                               arguments + " 2>/dev/null";
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
+      ::_exit(99);
+    }
+    for (int i = 0; i < 600 && !std::filesystem::exists(folder / "r.part"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ::kill(child, SIGTERM);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  const std::string run =
+      "query boxes.sonde.json --poses long.csv --bound --seeds 20 "
+      "--budget-steps 60 --contacts c --out r ";
+};
+
+// Reference: a run that is not interrupted.
+TEST_F(Resumed, a_part_is_kept_and_the_run_goes_on_from_it_to_the_same_bytes) {
+  ASSERT_EQ(interrupted(run), 130);
+  EXPECT_FALSE(std::filesystem::exists(folder / "r"));
+  ASSERT_TRUE(std::filesystem::exists(folder / "r.part")) << "400 poses took less than a second";
+  const std::string part = text_of(folder / "r.part");
+  const std::size_t rows = split(part, '\n').size() - 2;
+  ASSERT_GT(rows, 0u);
+  // A line that was cut off does not count, nor do contacts of poses that are not done.
+  folder.write("r.part", part.substr(0, part.size() - 20));
+  expect_done(run + "--resume");
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.part"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "c.part"));
+  const std::string resumed = text_of(folder / "r"), contacts = text_of(folder / "c");
+  expect_done(run);
+  EXPECT_EQ(untimed(resumed), untimed(text_of(folder / "r")));
+  EXPECT_EQ(contacts, text_of(folder / "c"));
+  // The rows that were there were not computed again: their times are the same.
+  const Csv there(resumed);
+  const std::vector<std::string> lines = split(part, '\n');
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    EXPECT_EQ(there.text(i, "time_us"), split(lines[i + 1], ',').at(15));
+}
+
+TEST_F(Resumed, a_part_of_another_run_is_refused_and_stays) {
+  folder.write("r.part", "sonde query @0123456789abcdef\n0,separated\n");
+  expect_refused(run + "--resume", 3, "r.part: is of another run");
+  folder.write("r.part", "nothing");
+  expect_refused(run + "--resume", 3, "r.part: is no part of a result");
+  EXPECT_EQ(text_of(folder / "r.part"), "nothing");
+}
+
+}  // namespace
+}  // namespace sonde::test
