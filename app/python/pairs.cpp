@@ -378,6 +378,7 @@ constexpr const char* depth_words =
 }  // namespace
 
 void declare_pair(py::module_& module) {
+  declare_follower(module);
   py::class_<SharedPair>(
       module, "Pair",
       "The probe and the fixed body, with what is computed once for both (10 to\n"
@@ -424,7 +425,6 @@ void declare_pair(py::module_& module) {
                         return pair_of(state[0].cast<const SharedBody&>(),
                                        state[1].cast<const SharedBody&>());
                       }));
-  declare_follower(module);
   module.def("depth", &depth, "probe"_a, "fixed"_a, "poses"_a, py::kw_only(), "method"_a = "pdg",
              "seed"_a = 1, "threads"_a = 0, "budget_steps"_a = 0, "budget_us"_a = 0.0,
              "whole_bound"_a = false, "clearance"_a = false, "time"_a = py::none(),
