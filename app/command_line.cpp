@@ -11,10 +11,10 @@ std::vector<Command> declare_command_line(CLI::App& program) {
   program.footer(
       "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 a fault of ours, 130 interrupted.");
   return {
-      add_info_command(program),     add_query_command(program),  add_replay_command(program),
-      add_trade_command(program),    add_traces_command(program), add_tune_command(program),
-      add_compare_command(program),  add_merge_command(program),  add_calibrate_command(program),
-      add_identify_command(program), add_devices_command(program)};
+      add_info_command(program),     add_query_command(program),   add_replay_command(program),
+      add_trade_command(program),    add_traces_command(program),  add_tune_command(program),
+      add_compare_command(program),  add_merge_command(program),   add_calibrate_command(program),
+      add_identify_command(program), add_devices_command(program), add_clash_command(program)};
 }
 
 }  // namespace sonde::app

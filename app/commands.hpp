@@ -7,6 +7,7 @@ namespace sonde::app {
 
 /// Each adds its subcommand to the program's parser.
 Command add_calibrate_command(CLI::App& program);
+Command add_clash_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_devices_command(CLI::App& program);
 Command add_identify_command(CLI::App& program);

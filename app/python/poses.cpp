@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 
 namespace sonde::python {
 namespace {

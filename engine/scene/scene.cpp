@@ -10,7 +10,7 @@
 #include "engine/base/progress.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/offset/offset_faces.hpp"
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/json_settings.hpp"
 #include "engine/settings/settings.hpp"

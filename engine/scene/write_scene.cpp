@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/number_text.hpp"

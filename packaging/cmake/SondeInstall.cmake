@@ -118,5 +118,6 @@ if(SONDE_BUILD_PYTHON)
                 "${PROJECT_SOURCE_DIR}/app/python/package/py.typed"
           DESTINATION "${SONDE_PYTHON_PACKAGES}" COMPONENT python)
   install(FILES "${PROJECT_SOURCE_DIR}/app/python/depth_along_path.py"
+                "${PROJECT_SOURCE_DIR}/app/python/gripper_clearance.py"
           DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-sonde/examples" COMPONENT python)
 endif()

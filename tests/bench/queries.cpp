@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
+#include "engine/queries/pair_queries.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/result.hpp"
 #include "tests/bench/sweeps.hpp"
@@ -20,6 +22,13 @@ namespace {
 constexpr double reach = 0.02 * mesh_radius;
 constexpr std::size_t most_rows = std::size_t{1} << 20;
 constexpr const char* ours_cold = "Sonde cold";
+/// As a program outside asks it: engine/sonde.hpp.
+constexpr const char* ours_by_the_face = "Sonde by its face";
+
+/// The pair of a stage, made before what is timed.
+std::shared_ptr<const Pair> pair_of(const Stage& stage) {
+  return std::make_shared<const Pair>(stage.a, stage.b);
+}
 
 std::vector<Contender> touch(const Stage& stage, Place place) {
   const Stage* s = &stage;
@@ -28,6 +37,11 @@ std::vector<Contender> touch(const Stage& stage, Place place) {
                    Answer answer;
                    answer.touch =
                        triangles_meet(*s->a, *s->b, Transform(s->pose(place, i)), Doubt::exact);
+                   return answer;
+                 }});
+  out.push_back({ours_by_the_face, [s, place, pair = pair_of(stage)](std::size_t i) {
+                   Answer answer;
+                   answer.touch = sonde::touch(*pair, s->pose(place, i));
                    return answer;
                  }});
   for (const Peer& peer : stage.peers)
@@ -66,6 +80,11 @@ void add_peer_distances(const Stage& stage, Place place, std::vector<Contender>&
 
 std::vector<Contender> distance_cold(const Stage& stage, Place place) {
   std::vector<Contender> out = {cold_distance(stage, place, ours)};
+  out.push_back({ours_by_the_face, [s = &stage, place, pair = pair_of(stage)](std::size_t i) {
+                   Answer answer;
+                   answer.distance = sonde::distance(*pair, s->pose(place, i)).distance;
+                   return answer;
+                 }});
   add_peer_distances(stage, place, out);
   return out;
 }

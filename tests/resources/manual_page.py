@@ -15,8 +15,9 @@ struct Device {
   sonde::Pose pose() const;
   void render(const sonde::Wrench& wrench) const;
 };
-void statements(const sonde::Pair& pair, const Device& device);
-void statements(const sonde::Pair& pair, const Device& device) {
+void statements(const sonde::Pair& pair, const sonde::Pose& X, const Device& device);
+void statements(const sonde::Pair& pair, const sonde::Pose& X, const Device& device) {
+  (void)pair, (void)X, (void)device;
 %s
 }
 """
@@ -76,7 +77,8 @@ class Page:
         eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True,
                                check=True).stdout.split()
         yield from self.run([self.tree.cached("CMAKE_CXX_COMPILER"), "-std=c++20", "-fsyntax-only",
-                             "-Wall", "-Wextra", "-Werror", f"-I{self.tree.build}/include", *eigen,
+                             "-Wall", "-Wextra", "-Wno-unused", "-Werror",
+                             f"-I{self.tree.build}/include", *eigen,
                              source])
 
     def compare(self, block):

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde::ui {

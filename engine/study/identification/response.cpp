@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/identification/response.hpp"
 
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 #include "engine/text/csv_rows.hpp"
 #include "engine/text/number_text.hpp"
 

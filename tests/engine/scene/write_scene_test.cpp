@@ -13,7 +13,7 @@
 #include <random>
 
 #include "engine/base/error.hpp"
-#include "engine/scene/pose_numbers.hpp"
+#include "engine/queries/pose_numbers.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/settings.hpp"
 #include "tests/support/temp_folder.hpp"

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <deque>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/result_table.hpp"
+#include "engine/study/assembly/clash.hpp"
+#include "engine/text/printable.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct ClashFlags {
+  std::vector<std::string> files;
+  std::string model = "auto", repair = "auto", unit = "m", within_folder;
+  double scale = 1;
+  ClashOptions options;
+  unsigned threads = 0;
+  OutputOptions output;
+};
+
+constexpr std::array<Column, 18> clash_columns{{{"a", ""},
+                                                {"b", ""},
+                                                {"kind", ""},
+                                                {"depth", "m"},
+                                                {"lower_bound", "m"},
+                                                {"clearance", "m"},
+                                                {"x", "m"},
+                                                {"y", "m"},
+                                                {"z", "m"},
+                                                {"moved", ""},
+                                                {"px", "m"},
+                                                {"py", "m"},
+                                                {"pz", "m"},
+                                                {"qw", ""},
+                                                {"qx", ""},
+                                                {"qy", ""},
+                                                {"qz", ""},
+                                                {"reason", ""}}};
+
+bool is_scene(const std::string& file) { return file.ends_with(".json"); }
+
+/// A name of its own for each part.
+std::string new_name(std::set<std::string>& names, const std::string& wanted) {
+  std::string name = wanted;
+  for (int k = 2; !names.insert(name).second; ++k) name = wanted + " (" + std::to_string(k) + ")";
+  return name;
+}
+
+/// The bodies of all scenes, at their poses, and the meshes as they lie in their files.
+std::vector<Part> parts_of(const ClashFlags& flags) {
+  std::vector<SceneBody> bodies;
+  std::vector<double> units;
+  for (const std::string& file : flags.files) {
+    if (is_scene(file)) {
+      const Scene scene = scene_at(file, flags.within_folder);
+      for (const SceneBody& body : {scene.probe, scene.fixed})
+        bodies.push_back(body), units.push_back(scene.unit);
+      continue;
+    }
+    SceneBody body;
+    body.mesh = file;
+    body.model = model_named(flags.model).value();
+    body.repair = repair_named(flags.repair).value();
+    body.scale = flags.scale;
+    bodies.push_back(body), units.push_back(unit_in_metres(flags.unit).value());
+  }
+  ProgressLine progress(flags.output.quiet);
+  std::vector<Part> parts;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string file = bodies[i].mesh.filename().string();
+    parts.push_back({new_name(names, file), load(bodies[i], units[i]), bodies[i].pose});
+    progress.show("reading parts", i + 1, bodies.size());
+    if (flags.output.quiet) continue;
+    for (const std::string& remark : remarks_on(*parts.back().body)) {
+      progress.clear();
+      std::cerr << "sonde: " << printable(parts.back().name) << ": " << remark << '\n';
+    }
+  }
+  return parts;
+}
+
+Row row_of(const Clash& clash, const std::deque<std::string>& names) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Cell(*value) : Cell();
+  };
+  Row row{names[clash.parts[0]].c_str(), names[clash.parts[1]].c_str(), name_of(clash.kind),
+          number(clash.depth),           number(clash.lower_bound),     number(clash.clearance)};
+  clash.place ? append(row, *clash.place) : append_nothing(row, 3);
+  if (clash.separated) {
+    row.push_back(names[clash.moved].c_str());
+    append(row, *clash.separated);
+  } else {
+    append_nothing(row, 8);
+  }
+  row.push_back(clash.reason);
+  return row;
+}
+
+void note(const std::vector<Clash>& found, std::size_t parts) {
+  const auto count = [&](Clash::Kind kind) {
+    return std::ranges::count(found, kind, &Clash::kind);
+  };
+  std::cerr << "sonde: " << parts << " parts: " << count(Clash::Kind::overlapping)
+            << " pairs overlap, " << count(Clash::Kind::touching) << " touch";
+  if (const auto failed = count(Clash::Kind::failed)) std::cerr << ", " << failed << " failed";
+  std::cerr << '\n';
+}
+
+void run(const ClashFlags& flags) {
+  check_output(flags.output, {flags.files.begin(), flags.files.end()});
+  const std::vector<Part> parts = parts_of(flags);
+  if (parts.size() < 2) throw UsageError("give at least two parts: a scene, or two meshes");
+  ClashOptions options = flags.options;
+  options.threads =
+      flags.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : flags.threads;
+  ProgressLine progress(flags.output.quiet);
+  const std::vector<Clash> found = clashes(parts, options, progress.percent("pairs of parts"));
+  progress.clear();
+  std::deque<std::string> names;
+  for (const Part& part : parts)
+    names.push_back(flags.output.json ? part.name : csv_word(part.name));
+  ResultTable table{{clash_columns}, {}};
+  for (const Clash& clash : found) table.rows.push_back(row_of(clash, names));
+  write_result(flags.output, flags.output.json ? to_json(table) : to_csv(table));
+  if (!flags.output.quiet) note(found, parts.size());
+}
+
+}  // namespace
+
+Command add_clash_command(CLI::App& program) {
+  const auto flags = std::make_shared<ClashFlags>();
+  CLI::App* parser = program.add_subcommand(
+      "clash", "Finds which parts of an assembly overlap, touch or are near, and the way out");
+  parser
+      ->add_option("PART", flags->files,
+                   "scenes (NAME.sonde.json), whose bodies stand at their poses, and meshes, which "
+                   "stand as they lie in their files")
+      ->required();
+  parser
+      ->add_option("--within", flags->options.within,
+                   "also list pairs that are clear by at most this, m")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  parser
+      ->add_option("--allowance", flags->options.allowance,
+                   "overlaps no deeper than this count as touching, and so do gaps, m")
+      ->check(check_not_negative)
+      ->capture_default_str();
+  parser
+      ->add_option("--model", flags->model,
+                   "of meshes: solid (the interior counts), surface (only the triangles) or auto")
+      ->check(CLI::IsMember({"auto", "solid", "surface"}))
+      ->capture_default_str();
+  add_repair(*parser, flags->repair);
+  parser->get_option("--repair")->capture_default_str();
+  parser->add_option("--unit", flags->unit, "unit of the mesh files")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um", "in", "ft"}))
+      ->capture_default_str();
+  parser
+      ->add_option("--scale", flags->scale, "factor for their coordinates, in addition to the unit")
+      ->check(check_positive)
+      ->capture_default_str();
+  add_within(*parser, flags->within_folder);
+  parser->add_option("--seed", flags->options.search.seed, "seed of the searches' random starts")
+      ->check(check_whole)
+      ->capture_default_str();
+  parser->add_option("--threads", flags->threads, "threads to compute on; 0: all of the machine's")
+      ->check(check_whole)
+      ->check(CLI::Range(0U, most_threads))
+      ->capture_default_str();
+  add_flags(*parser, flags->output);
+  return {parser, [flags] { run(*flags); }};
+}
+
+}  // namespace sonde::app

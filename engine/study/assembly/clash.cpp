@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/assembly/clash.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <tuple>
+
+#include "engine/base/threads.hpp"
+#include "engine/penetration/search/clearance_of.hpp"
+#include "engine/penetration/search/pose_seed.hpp"
+#include "engine/penetration/search/static_search.hpp"
+#include "engine/penetration/search/trivial_separation.hpp"
+#include "engine/proximity/queries/placement.hpp"
+#include "engine/study/assembly/box_pairs.hpp"
+
+namespace sonde {
+namespace {
+
+/// The box of a part in the world, larger on every side by a margin.
+AxisBox box_of(const Part& part, double margin) {
+  const Transform X(part.X_WM);
+  AxisBox out{Vec3::Constant(std::numeric_limits<double>::infinity()),
+              Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  for (const Vec3& x : surface(*part.body).vertices) {
+    out.low = out.low.cwiseMin(X * x);
+    out.high = out.high.cwiseMax(X * x);
+  }
+  // What placing rounds, so that no pair is lost to it.
+  const double more = margin + rounding_guard(extent(*part.body), 0, part.X_WM.p);
+  return {out.low - Vec3::Constant(more), out.high + Vec3::Constant(more)};
+}
+
+/// The middle of the contacts, by what each carries, in the fixed frame.
+std::optional<Vec3> middle_of(const ContactSet& contacts) {
+  Vec3 sum = Vec3::Zero();
+  double weight = 0;
+  for (const Contact& c : contacts) {
+    sum += c.multiplier * c.on_fixed;
+    weight += c.multiplier;
+  }
+  if (!(weight > 0)) return std::nullopt;
+  return sum / weight;
+}
+
+/// Of two parts the smaller one is the probe: it is the one that a person would move.
+Clash clash_of(const std::vector<Part>& parts, std::array<std::size_t, 2> pair,
+               const ClashOptions& options) {
+  Clash out;
+  out.parts = pair;
+  const bool second = parts[pair[1]].body->mass.radius < parts[pair[0]].body->mass.radius;
+  out.moved = pair[second ? 1 : 0];
+  const Part &probe = parts[out.moved], &fixed = parts[pair[second ? 0 : 1]];
+  const Pose X_FM = inverse(fixed.X_WM) * probe.X_WM;
+  const double rounding = rounding_guard(extent(*probe.body), extent(*fixed.body), X_FM.p);
+  const double touching = std::max(options.allowance, 4 * rounding);
+
+  const auto apart = trivial_separation(*probe.body, *fixed.body, X_FM);
+  if (apart && apart->status == Status::failed) {
+    out.reason = apart->reason;
+    return out;
+  }
+  if (apart) {
+    const Clearance clearance = clearance_of(*probe.body, *fixed.body, X_FM, false);
+    out.clearance = clearance.distance;
+    out.place = fixed.X_WM * Vec3(0.5 * (clearance.on_probe + clearance.on_fixed));
+    out.kind = clearance.distance <= touching ? Clash::Kind::touching : Clash::Kind::clear;
+    return out;
+  }
+  StaticOptions search = options.search;
+  search.seed = seed_of_pose(options.search.seed, X_FM);
+  const Separation found = separate_static(Pair(probe.body, fixed.body), X_FM, search);
+  if (found.status == Status::failed) {
+    out.reason = found.reason;
+    return out;
+  }
+  out.depth = found.depth;
+  out.lower_bound = found.lower_bound;
+  out.separated = fixed.X_WM * found.separated;
+  if (const auto middle = middle_of(found.contacts)) out.place = fixed.X_WM * *middle;
+  out.kind = found.depth <= touching ? Clash::Kind::touching : Clash::Kind::overlapping;
+  return out;
+}
+
+}  // namespace
+
+const char* name_of(Clash::Kind kind) {
+  switch (kind) {
+    case Clash::Kind::overlapping:
+      return "overlapping";
+    case Clash::Kind::touching:
+      return "touching";
+    case Clash::Kind::clear:
+      return "clear";
+    case Clash::Kind::failed:
+      break;
+  }
+  return "failed";
+}
+
+std::vector<Clash> clashes(const std::vector<Part>& parts, const ClashOptions& options,
+                           const Progress& progress) {
+  std::vector<AxisBox> boxes;
+  const double margin = 0.5 * std::max(options.within, options.allowance);
+  for (const Part& part : parts) boxes.push_back(box_of(part, margin));
+  const auto pairs = pairs_that_meet(boxes);
+  report(progress, 0);
+
+  std::vector<Clash> all;
+  all.reserve(pairs.size());
+  std::size_t done = 0;
+  run_in_order(
+      pairs.size(), options.threads,
+      [&](std::size_t i) { return clash_of(parts, pairs[i], options); },
+      [&](std::size_t, const Clash& clash) {
+        all.push_back(clash);
+        report(progress, static_cast<double>(++done) / static_cast<double>(pairs.size()));
+      });
+  std::erase_if(all, [&](const Clash& clash) {
+    return clash.kind == Clash::Kind::clear && *clash.clearance > options.within;
+  });
+  std::ranges::stable_sort(all, {}, [](const Clash& clash) {
+    return std::tuple(clash.kind == Clash::Kind::failed ? -1 : static_cast<int>(clash.kind),
+                      -clash.depth.value_or(0), clash.clearance.value_or(0));
+  });
+  return all;
+}
+
+}  // namespace sonde
