@@ -54,7 +54,7 @@ std::string new_name(std::set<std::string>& names, const std::string& wanted) {
 }
 
 /// The bodies of all scenes, at their poses, and the meshes as they lie in their files.
-std::vector<Part> parts_of(const ClashFlags& flags) {
+std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
   std::vector<SceneBody> bodies;
   std::vector<double> units;
   for (const std::string& file : flags.files) {
@@ -72,7 +72,7 @@ std::vector<Part> parts_of(const ClashFlags& flags) {
     bodies.push_back(body), units.push_back(unit_in_metres(flags.unit).value());
   }
   ProgressLine progress(flags.output.quiet);
-  std::vector<Part> parts;
+  std::vector<AssemblyPart> parts;
   std::set<std::string> names;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string file = bodies[i].mesh.filename().string();
@@ -116,7 +116,7 @@ void note(const std::vector<Clash>& found, std::size_t parts) {
 
 void run(const ClashFlags& flags) {
   check_output(flags.output, {flags.files.begin(), flags.files.end()});
-  const std::vector<Part> parts = parts_of(flags);
+  const std::vector<AssemblyPart> parts = parts_of(flags);
   if (parts.size() < 2) throw UsageError("give at least two parts: a scene, or two meshes");
   ClashOptions options = flags.options;
   options.threads =
@@ -125,7 +125,7 @@ void run(const ClashFlags& flags) {
   const std::vector<Clash> found = clashes(parts, options, progress.percent("pairs of parts"));
   progress.clear();
   std::deque<std::string> names;
-  for (const Part& part : parts)
+  for (const AssemblyPart& part : parts)
     names.push_back(flags.output.json ? part.name : csv_word(part.name));
   ResultTable table{{clash_columns}, {}};
   for (const Clash& clash : found) table.rows.push_back(row_of(clash, names));

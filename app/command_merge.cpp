@@ -7,6 +7,7 @@
 #include "app/study_run.hpp"
 #include "app/trade_folder.hpp"
 #include "engine/base/error.hpp"
+#include "engine/study/assembly/insertion_report.hpp"
 #include "engine/study/comparison/compare_report.hpp"
 #include "engine/study/parts/merge_study.hpp"
 #include "engine/study/trade/trade_report.hpp"
@@ -26,6 +27,7 @@ StudyFiles files_of(const StudyFolder& study, const std::string& folder) {
   if (study.kind == "tune") return tuning_files;
   if (study.kind == "trade") return trade_files;
   if (study.kind == "traces") return traces_files;
+  if (study.kind == "insert") return insertion_files;
   throw InputError::in(folder, "holds a study of an unknown kind: " + study.kind);
 }
 

@@ -81,10 +81,10 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
 }
 
 /// Answers the poses one by one: a search for each, or following them in their order.
-class Answers {
+class QueryAnswers {
  public:
-  Answers(const Pair& pair, const QueryQuestion& question, const SolverOptions& solver,
-          SearchThreads threads)
+  QueryAnswers(const Pair& pair, const QueryQuestion& question, const SolverOptions& solver,
+               SearchThreads threads)
       : pair_(pair), question_(question), solver_(solver), threads_(threads) {
     if (!solver.coherent()) return;
     follower_.emplace(pair, solver.chosen_method());
@@ -244,7 +244,7 @@ void run(const QueryOptions& options) {
   share.done = lines.taken_over(share);
   const std::size_t left = share.indices.size() - share.done;
   const SearchThreads threads = threads_for(left, solver);
-  Answers answers(pair, options.question, solver, threads);
+  QueryAnswers answers(pair, options.question, solver, threads);
   PhasePicture picture;
   const std::string part = csv_word(pair.fixed().name);
   run_in_order(

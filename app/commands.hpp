@@ -12,6 +12,7 @@ Command add_compare_command(CLI::App& program);
 Command add_devices_command(CLI::App& program);
 Command add_identify_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
+Command add_insert_command(CLI::App& program);
 Command add_merge_command(CLI::App& program);
 Command add_query_command(CLI::App& program);
 Command add_replay_command(CLI::App& program);

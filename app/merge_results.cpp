@@ -25,14 +25,14 @@ struct IndexedLine {
   std::string line;
 };
 /// One share as its file has it.
-struct Share {
+struct ShareFile {
   std::string file;
   std::string head;                  ///< all before the rows, without the share
   std::optional<std::string> share;  ///< "1/2@run", where there is a row to tell it
   std::vector<IndexedLine> lines;    ///< without the share
 };
 
-void take_share(Share& share, const std::string& name) {
+void take_share(ShareFile& share, const std::string& name) {
   if (!share.share) share.share = name;
   if (*share.share != name) throw InputError::in(share.file, "holds rows of more than one share");
 }
@@ -43,8 +43,8 @@ std::string_view last_field(std::string_view line) {
   return comma == std::string_view::npos ? std::string_view() : line.substr(comma + 1);
 }
 
-Share csv_share(const std::string& file, std::string_view text) {
-  Share out{file, {}, {}, {}};
+ShareFile csv_share(const std::string& file, std::string_view text) {
+  ShareFile out{file, {}, {}, {}};
   std::size_t number = 0;
   for (std::size_t end; (end = text.find('\n')) != std::string_view::npos;
        text.remove_prefix(end + 1)) {
@@ -69,8 +69,8 @@ Share csv_share(const std::string& file, std::string_view text) {
   return out;
 }
 
-Share json_share(const std::string& file, const std::string& text) {
-  Share out{file, {}, {}, {}};
+ShareFile json_share(const std::string& file, const std::string& text) {
+  ShareFile out{file, {}, {}, {}};
   try {
     ordered_json whole = ordered_json::parse(text);
     for (ordered_json& row : whole.at("results")) {
@@ -87,17 +87,17 @@ Share json_share(const std::string& file, const std::string& text) {
   return out;
 }
 
-Share share_in(const std::string& file) {
+ShareFile share_in(const std::string& file) {
   const std::string text = read_text(file, std::numeric_limits<std::size_t>::max());
   return text.starts_with('{') ? json_share(file, text) : csv_share(file, text);
 }
 
 /// That all shares of one run are there, each once. One without rows cannot say which it is.
-void check_complete(const std::vector<Share>& shares) {
+void check_complete(const std::vector<ShareFile>& shares) {
   std::set<std::size_t> there;
   std::string run;
   std::size_t count = 0, silent = 0;
-  for (const Share& share : shares) {
+  for (const ShareFile& share : shares) {
     if (share.head != shares.front().head)
       throw InputError::in(share.file, "has other columns than " + shares.front().file);
     if (!share.share) {
@@ -129,11 +129,11 @@ void check_complete(const std::vector<Share>& shares) {
 }  // namespace
 
 std::string merge_results(const std::vector<std::string>& files) {
-  std::vector<Share> shares;
+  std::vector<ShareFile> shares;
   for (const std::string& file : files) shares.push_back(share_in(file));
   check_complete(shares);
   std::vector<IndexedLine> lines;
-  for (Share& share : shares)
+  for (ShareFile& share : shares)
     std::move(share.lines.begin(), share.lines.end(), std::back_inserter(lines));
   std::ranges::stable_sort(lines, {}, &IndexedLine::index);
   const std::string& head = shares.front().head;

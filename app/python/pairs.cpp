@@ -37,7 +37,7 @@ SharedPair pair_of(const SharedBody& probe, const SharedBody& fixed) {
 }
 
 /// What is asked of a search, by the words of Python's arguments.
-struct Search {
+struct SearchWish {
   StaticOptions options;
   std::optional<Knob> knob;
   unsigned threads = 0;
@@ -67,7 +67,7 @@ std::vector<Result> all_of(const std::vector<Pose>& poses, unsigned threads, con
   return rows;
 }
 
-Depths searched(const Pair& pair, const std::vector<Pose>& poses, const Search& search,
+Depths searched(const Pair& pair, const std::vector<Pose>& poses, const SearchWish& search,
                 const py::object& told) {
   if (search.knob)
     return depths_of(
@@ -84,10 +84,10 @@ Depths searched(const Pair& pair, const std::vector<Pose>& poses, const Search& 
                                       }));
 }
 
-Search search_of(const std::string& method, std::uint64_t seed, unsigned threads, int budget_steps,
-                 double budget_us, bool whole_bound, bool clearance, std::optional<double> time,
-                 std::optional<double> accuracy, double sure) {
-  Search out;
+SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned threads,
+                     int budget_steps, double budget_us, bool whole_bound, bool clearance,
+                     std::optional<double> time, std::optional<double> accuracy, double sure) {
+  SearchWish out;
   out.options.method = method_of(method);
   out.options.budget = budget_of(budget_steps, budget_us);
   out.options.seed = seed;
@@ -119,8 +119,8 @@ Depths depth(const SharedBody& probe, const SharedBody& fixed, const py::object&
              double budget_us, bool whole_bound, bool clearance, std::optional<double> time,
              std::optional<double> accuracy, double sure, const py::object& progress) {
   const Poses given = poses_of(poses);
-  const Search search = search_of(method, seed, threads, budget_steps, budget_us, whole_bound,
-                                  clearance, time, accuracy, sure);
+  const SearchWish search = search_of(method, seed, threads, budget_steps, budget_us, whole_bound,
+                                      clearance, time, accuracy, sure);
   return searched(pair_of(probe, fixed).pair, given.rows, search, progress);
 }
 

@@ -61,7 +61,9 @@ TEST_F(QueryScale, clearance_is_the_gap_with_its_points) {
     EXPECT_EQ(csv.text(0, "ay"), csv.text(0, "by"));
     EXPECT_EQ(csv.text(1, "clearance"), "");
     EXPECT_EQ(csv.text(1, "bz"), "");
-    if (more != " --mode coherent") EXPECT_NEAR(csv.number(2, "clearance"), 0.25, 1e-15);
+    if (more != " --mode coherent") {
+      EXPECT_NEAR(csv.number(2, "clearance"), 0.25, 1e-15);
+    }
   }
   EXPECT_THAT(query("--poses faces.csv --clearance --claim").header,
               HasSubstr("time_us,clearance,ax,ay,az,bx,by,bz,within,claim"));

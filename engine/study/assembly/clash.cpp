@@ -18,7 +18,7 @@ namespace sonde {
 namespace {
 
 /// The box of a part in the world, larger on every side by a margin.
-AxisBox box_of(const Part& part, double margin) {
+AxisBox box_of(const AssemblyPart& part, double margin) {
   const Transform X(part.X_WM);
   AxisBox out{Vec3::Constant(std::numeric_limits<double>::infinity()),
               Vec3::Constant(-std::numeric_limits<double>::infinity())};
@@ -44,13 +44,13 @@ std::optional<Vec3> middle_of(const ContactSet& contacts) {
 }
 
 /// Of two parts the smaller one is the probe: it is the one that a person would move.
-Clash clash_of(const std::vector<Part>& parts, std::array<std::size_t, 2> pair,
+Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2> pair,
                const ClashOptions& options) {
   Clash out;
   out.parts = pair;
   const bool second = parts[pair[1]].body->mass.radius < parts[pair[0]].body->mass.radius;
   out.moved = pair[second ? 1 : 0];
-  const Part &probe = parts[out.moved], &fixed = parts[pair[second ? 0 : 1]];
+  const AssemblyPart &probe = parts[out.moved], &fixed = parts[pair[second ? 0 : 1]];
   const Pose X_FM = inverse(fixed.X_WM) * probe.X_WM;
   const double rounding = rounding_guard(extent(*probe.body), extent(*fixed.body), X_FM.p);
   const double touching = std::max(options.allowance, 4 * rounding);
@@ -98,11 +98,11 @@ const char* name_of(Clash::Kind kind) {
   return "failed";
 }
 
-std::vector<Clash> clashes(const std::vector<Part>& parts, const ClashOptions& options,
+std::vector<Clash> clashes(const std::vector<AssemblyPart>& parts, const ClashOptions& options,
                            const Progress& progress) {
   std::vector<AxisBox> boxes;
   const double margin = 0.5 * std::max(options.within, options.allowance);
-  for (const Part& part : parts) boxes.push_back(box_of(part, margin));
+  for (const AssemblyPart& part : parts) boxes.push_back(box_of(part, margin));
   const auto pairs = pairs_that_meet(boxes);
   report(progress, 0);
 

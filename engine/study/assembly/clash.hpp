@@ -15,7 +15,7 @@
 namespace sonde {
 
 /// A part of an assembly, at its place in the world.
-struct Part {
+struct AssemblyPart {
   std::string name;
   std::shared_ptr<const Body> body;
   Pose X_WM;
@@ -53,7 +53,7 @@ struct ClashOptions {
 /// All pairs of parts that are nearer than asked, the deepest first, then those that touch, then
 /// those that are clear, the nearest first. The same bits on any number of threads. Throws
 /// Cancelled.
-std::vector<Clash> clashes(const std::vector<Part>& parts, const ClashOptions& options,
+std::vector<Clash> clashes(const std::vector<AssemblyPart>& parts, const ClashOptions& options,
                            const Progress& progress = {});
 
 }  // namespace sonde

@@ -14,8 +14,8 @@
 namespace sonde {
 namespace {
 
-Part part(const std::string& name, const PolygonSoup& soup, const Vec3& at,
-          const Quat& q = Quat::Identity()) {
+AssemblyPart part(const std::string& name, const PolygonSoup& soup, const Vec3& at,
+                  const Quat& q = Quat::Identity()) {
   return {name, test::body(soup), {q, at}};
 }
 
@@ -40,7 +40,7 @@ TEST(BoxPairs, are_all_boxes_that_meet_or_touch) {
 
 // Reference: plates on a plate, in it by a known length, touching it, and above it.
 TEST(Clash, plates_are_as_deep_as_they_were_put) {
-  std::vector<Part> parts{part("ground", test::box({1, 1, 0.1}), Vec3::Zero())};
+  std::vector<AssemblyPart> parts{part("ground", test::box({1, 1, 0.1}), Vec3::Zero())};
   const std::vector<double> depths{2e-3, 1e-5, 1e-6};
   for (std::size_t i = 0; i < depths.size(); ++i)
     parts.push_back(part("in", test::box({0.1, 0.1, 0.04}),
@@ -75,7 +75,7 @@ TEST(Clash, plates_are_as_deep_as_they_were_put) {
 // Reference: the exact test of every pair.
 TEST(Clash, no_pair_that_overlaps_is_missed_wherever_the_parts_are) {
   std::mt19937_64 random(2);
-  std::vector<Part> parts;
+  std::vector<AssemblyPart> parts;
   for (int i = 0; i < 40; ++i)
     parts.push_back(part("ring", test::torus(0.1, 0.04, 12, 8),
                          test::random_in_ball(random, 0.4) + Vec3(300, -200, 100),
@@ -107,8 +107,8 @@ TEST(Clash, no_pair_that_overlaps_is_missed_wherever_the_parts_are) {
 }
 
 TEST(Clash, is_cancelled) {
-  std::vector<Part> parts{part("a", test::box({1, 1, 1}), Vec3::Zero()),
-                          part("b", test::box({1, 1, 1}), Vec3(0.5, 0, 0))};
+  std::vector<AssemblyPart> parts{part("a", test::box({1, 1, 1}), Vec3::Zero()),
+                                  part("b", test::box({1, 1, 1}), Vec3(0.5, 0, 0))};
   EXPECT_THROW(clashes(parts, {}, [](double) { return false; }), Cancelled);
 }
 

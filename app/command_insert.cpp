@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "app/bodies.hpp"
+#include "app/commands.hpp"
+#include "app/study_run.hpp"
+#include "engine/study/assembly/insertion_report.hpp"
+
+namespace sonde::app {
+namespace {
+
+struct InsertOptions {
+  BodyOptions bodies;
+  StudyOptions study;
+  std::vector<double> axis, lateral;
+  std::optional<double> travel, wanted;
+  double twist = 0;  ///< degrees
+  std::string trajectory;
+  std::size_t steps = 200;
+  std::size_t offsets = 0, tilts = 1;
+  double largest_offset = 0, largest_tilt = 0;  ///< m, degrees
+};
+
+constexpr double per_degree = std::numbers::pi / 180;
+
+Vec3 vector_of(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+void check(const InsertOptions& options) {
+  const bool along = !options.axis.empty();
+  if (along == !options.trajectory.empty())
+    throw UsageError("give either --axis with --travel, or --trajectory");
+  if (along && !options.travel) throw UsageError("--axis needs --travel");
+  if (!along && (options.travel || options.twist != 0))
+    throw UsageError("--travel and --twist are of a way along an --axis");
+  if (options.offsets > 0 && !along) throw UsageError("--offsets are about an --axis");
+}
+
+/// Square to the axis: as asked for, or along the coordinate that the axis has least of.
+Vec3 lateral_of(const InsertOptions& options, const Vec3& axis) {
+  Vec3 wanted = Vec3::Zero();
+  if (options.lateral.empty()) {
+    Eigen::Index least = 0;
+    axis.cwiseAbs().minCoeff(&least);
+    wanted[least] = 1;
+  } else {
+    wanted = vector_of(options.lateral).stableNormalized();
+  }
+  const Vec3 square = wanted - axis.dot(wanted) * axis;
+  if (!(square.norm() > 1e-6)) throw UsageError("--lateral must not lie along the --axis");
+  return square.normalized();
+}
+
+std::vector<Pose> poses_of(const std::vector<TimedPose>& path) {
+  std::vector<Pose> out;
+  for (const TimedPose& at : path) out.push_back(at.pose);
+  return out;
+}
+
+void run(const InsertOptions& options) {
+  check(options);
+  check_output(options.study);
+  refuse_other_things(options.study.out);
+  Scene scene = scene_of(options.bodies);
+  scene.trajectory.reset();
+  if (!options.trajectory.empty()) scene.trajectory = options.trajectory;
+  std::vector<Pose> path;
+  if (scene.trajectory) path = poses_of(path_to_study(*scene.trajectory));
+  const Pair pair = load_bodies(scene, options.study.quiet);
+
+  InsertionRequest request{
+      .pair = pair, .way = {}, .coupling = scene.coupling, .map = {}, .about = {}};
+  request.steps = options.steps;
+  const Pose start = relative_pose(scene);
+  request.way = options.axis.empty() ? way_through(pair, path)
+                                     : way_along(pair, start, vector_of(options.axis),
+                                                 *options.travel, per_degree * options.twist);
+  first_contact(pair, request.way);  // a way that begins in an overlap is refused before any part
+  request.wanted = options.wanted.value_or(request.way.travel.back());
+  nlohmann::ordered_json about{
+      {"inputs", study_inputs(scene, pair)},
+      {"start",
+       {start.p.x(), start.p.y(), start.p.z(), start.q.w(), start.q.x(), start.q.y(), start.q.z()}},
+      {"axis", options.axis},
+      {"travel", request.way.travel.back()},
+      {"twist", per_degree * options.twist},
+      {"steps", options.steps},
+      {"wanted", request.wanted},
+      {"k", scene.coupling.k},
+      {"k_t", scene.coupling.k_t},
+      {"k_r", scene.coupling.k_r}};
+  if (options.offsets > 0) {
+    InsertionMap map;
+    map.axis = vector_of(options.axis).stableNormalized();
+    map.lateral = lateral_of(options, map.axis);
+    map.offsets = options.offsets;
+    map.tilts = options.tilts;
+    map.largest_offset = options.largest_offset;
+    map.largest_tilt = per_degree * options.largest_tilt;
+    request.map = map;
+    about["lateral"] = {map.lateral.x(), map.lateral.y(), map.lateral.z()};
+    about["offsets"] = map.offsets;
+    about["tilts"] = map.tilts;
+    about["largest_offset"] = map.largest_offset;
+    about["largest_tilt"] = map.largest_tilt;
+  }
+  request.about = about.dump();
+  run_study(plan_insertion(request), options.study, insertion_files);
+  print_summary(options.study, false);
+}
+
+}  // namespace
+
+Command add_insert_command(CLI::App& program) {
+  const auto options = std::make_shared<InsertOptions>();
+  CLI::App* parser = program.add_subcommand(
+      "insert", "How a part goes in along an axis, a screw or a path: room, force, where it binds");
+  add_scene_or_meshes(*parser, options->bodies);
+  parser
+      ->add_option("--axis", options->axis,
+                   "X,Y,Z: the direction, in the fixed body's frame, from the scene's pose on")
+      ->delimiter(',')
+      ->expected(3);
+  parser->add_option("--travel", options->travel, "how far along the axis, m")
+      ->check(check_positive);
+  parser
+      ->add_option(
+          "--twist", options->twist,
+          "degrees by which it turns on the way, about the axis through its centre of mass")
+      ->capture_default_str();
+  parser->add_option("--trajectory", options->trajectory, "a path to go along instead of an axis");
+  parser->add_option("--steps", options->steps, "rows along the way, more about the first contact")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  parser
+      ->add_option("--wanted", options->wanted, "travel that counts as in, m; without it all of it")
+      ->check(check_positive);
+  const char* group = "The map of offsets and tilts";
+  const auto number = [] { return CLI::Range(std::size_t{1}, std::size_t{10'001}); };
+  parser->add_option("--offsets", options->offsets, "how many offsets; without it there is no map")
+      ->check(number())
+      ->group(group);
+  parser
+      ->add_option("--offset-range", options->largest_offset,
+                   "the largest offset to either side, m")
+      ->check(check_not_negative)
+      ->group(group);
+  parser->add_option("--tilts", options->tilts, "how many tilts")
+      ->check(number())
+      ->capture_default_str()
+      ->group(group);
+  parser
+      ->add_option("--tilt-range", options->largest_tilt,
+                   "the largest tilt to either side, degrees, in the plane of axis and offset")
+      ->check(check_not_negative)
+      ->group(group);
+  parser
+      ->add_option("--lateral", options->lateral,
+                   "X,Y,Z: the direction of the offsets; without it the coordinate that the axis "
+                   "has least of")
+      ->delimiter(',')
+      ->expected(3)
+      ->group(group);
+  add_flags(*parser, options->study);
+  return {parser, [options] { run(*options); }};
+}
+
+}  // namespace sonde::app

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/assembly/insertion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
+#include "engine/haptics/coupling/coupler.hpp"
+#include "engine/penetration/search/coherent.hpp"
+#include "engine/proximity/sweep/motion.hpp"
+
+namespace sonde {
+namespace {
+
+/// A turn between two poses of a way is well below half a one, so that it is the shorter way round.
+constexpr double largest_turn = 0.5 * std::numbers::pi;
+constexpr double most_twist = 1e6;
+/// Of a step: so near the first contact the next row of a table lies.
+constexpr double finest = 1e-3;
+
+InputError refused(const std::string& reason) { return InputError::in("the way", reason); }
+
+Vec3 com_at(const Pair& pair, const Pose& X) { return X * pair.probe().mass.com; }
+
+/// Where in the way's list a travel lies: the number of the pose before it, and the part of the way
+/// to the next.
+struct Place {
+  std::size_t pose;
+  double part;
+};
+Place place_of(const InsertionWay& way, double travel) {
+  const auto after = std::ranges::upper_bound(way.travel, travel);
+  const auto last = std::ssize(way.travel) - 1;
+  const auto i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - way.travel.begin() - 1, 0, last - 1));
+  const double length = way.travel[i + 1] - way.travel[i];
+  return {i, length > 0 ? std::clamp((travel - way.travel[i]) / length, 0.0, 1.0) : 0};
+}
+
+/// Where rows of the table are: even steps, and about the first contact ever closer ones.
+std::vector<double> rows_of(const InsertionWay& way, std::size_t steps,
+                            const std::optional<FirstContact>& first) {
+  const double all = way.travel.back(), step = all / static_cast<double>(steps);
+  std::vector<double> out;
+  for (std::size_t i = 0; i <= steps; ++i) out.push_back(step * static_cast<double>(i));
+  out.back() = all;
+  if (!first) return out;
+  out.push_back(first->travel);
+  for (double off = 0.5 * step; off >= finest * step; off *= 0.5)
+    for (const double at : {first->travel - off, first->travel + off})
+      if (at > 0 && at < all) out.push_back(at);
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+}  // namespace
+
+InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
+                       double twist) {
+  if (!axis.allFinite() || !std::isfinite(travel) || !std::isfinite(twist))
+    throw refused("a number is not finite");
+  const Vec3 unit = axis.stableNormalized();
+  if (!(unit.squaredNorm() > 0.5)) throw refused("the axis has no length");
+  if (!(travel > 0)) throw refused("the travel must be positive");
+  if (std::abs(twist) > most_twist) throw refused("the twist is beyond a million radians");
+  const auto pieces =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(twist) / largest_turn)));
+  InsertionWay out;
+  for (std::size_t i = 0; i <= pieces; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(pieces);
+    const Quat q = (Quat(Eigen::AngleAxisd(part * twist, unit)) * start.q).normalized();
+    const Vec3 com = com_at(pair, start) + part * travel * unit;
+    out.poses.push_back({q, com - q * pair.probe().mass.com});
+    out.travel.push_back(part * travel);
+  }
+  return out;
+}
+
+InsertionWay way_through(const Pair& pair, const std::vector<Pose>& poses) {
+  if (poses.size() < 2) throw refused("holds less than two poses");
+  InsertionWay out{poses, {0}};
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    out.travel.push_back(out.travel.back() +
+                         (com_at(pair, poses[i]) - com_at(pair, poses[i - 1])).norm());
+  if (!(out.travel.back() > 0)) throw refused("has no length");
+  return out;
+}
+
+Pose pose_at(const InsertionWay& way, const Pair& pair, double travel) {
+  const auto [i, part] = place_of(way, travel);
+  if (part <= 0) return way.poses[i];
+  if (part >= 1) return way.poses[i + 1];
+  return Motion(pair.probe().mass, way.poses[i], way.poses[i + 1]).pose_at(part);
+}
+
+std::optional<FirstContact> first_contact(const Pair& pair, const InsertionWay& way) {
+  for (std::size_t i = 0; i + 1 < way.poses.size(); ++i) {
+    const SweptPath path = sweep(pair, way.poses[i], way.poses[i + 1]);
+    if (path.overlapping && i == 0)
+      throw refused("begins where the bodies touch or overlap: begin it outside");
+    if (!path.hit) continue;
+    const double length = way.travel[i + 1] - way.travel[i];
+    return FirstContact{way.travel[i] + path.free * length, path.X_FM, path.contact};
+  }
+  return std::nullopt;
+}
+
+Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps,
+                    const Coupling& coupling, const Progress& progress) {
+  Insertion out;
+  out.first = first_contact(pair, way);
+  Coupling unlimited = coupling;
+  unlimited.max_force = unlimited.max_torque = std::numeric_limits<double>::max();
+  unlimited.b_t = unlimited.b_r = 0;
+  Coupler coupler(pair.probe().mass, unlimited);
+  CoherentSolver follower(pair);
+  follower.reset(way.poses.front());
+  const std::vector<double> rows = rows_of(way, std::max<std::size_t>(steps, 1), out.first);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    report(progress, static_cast<double>(i) / static_cast<double>(rows.size()));
+    InsertionStep step;
+    step.travel = rows[i];
+    step.X_FM = pose_at(way, pair, rows[i]);
+    step.clearance = distance(pair, step.X_FM);
+    step.held = follower.tick(step.X_FM);
+    step.wrench = coupler.wrench(step.held, 0);
+    out.steps.push_back(step);
+  }
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/assembly/insertion_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "engine/base/error.hpp"
+#include "engine/body/body.hpp"
+#include "engine/study/charts/svg_chart.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double to_mm = 1e3, to_degrees = 180 / std::numbers::pi;
+constexpr const char* kind_of_study = "insert";
+constexpr const char* columns =
+    "travel,px,py,pz,qw,qx,qy,qz,clearance,depth,fx,fy,fz,tx,ty,tz,x,y,z,nx,ny,nz,multiplier,"
+    "contacts";
+
+/// The contact that carries most; where the probe is free, the nearest points.
+Contact binding(const InsertionStep& step) {
+  Contact out;
+  if (step.held.contacts.size > 0)
+    return *std::max_element(
+        step.held.contacts.begin(), step.held.contacts.end(),
+        [](const Contact& a, const Contact& b) { return a.multiplier < b.multiplier; });
+  const Clearance& c = step.clearance;
+  out.on_fixed = c.on_fixed;
+  out.on_probe = c.on_probe;
+  const Vec3 gap = c.on_probe - c.on_fixed;
+  out.normal = gap.squaredNorm() > 0 ? Vec3(gap.stableNormalized()) : Vec3(Vec3::Zero());
+  return out;
+}
+
+Json row_of(const InsertionStep& step) {
+  const auto& [q, p] = step.X_FM;
+  const Contact c = binding(step);
+  Json row{step.travel, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+  row.push_back(step.clearance.overlapping ? Json() : Json(step.clearance.distance));
+  row.push_back(step.held.status == Status::failed ? Json() : Json(step.held.depth));
+  for (const Vec3& v : {step.wrench.force, step.wrench.torque, c.on_fixed, c.normal})
+    for (const double x : {v.x(), v.y(), v.z()}) row.push_back(x);
+  row.push_back(c.multiplier);
+  row.push_back(step.held.contacts.size);
+  return row;
+}
+
+Json first_of(const std::optional<FirstContact>& first) {
+  if (!first) return nullptr;
+  const auto& [q, p] = first->X_FM;
+  const Vec3 &at = first->contact.on_fixed, &n = first->contact.normal;
+  return {{"travel", first->travel},
+          {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}},
+          {"point", {at.x(), at.y(), at.z()}},
+          {"normal", {n.x(), n.y(), n.z()}}};
+}
+
+/// From less than zero to the largest in so many steps; 0 where there is one.
+double value_of(std::size_t i, std::size_t count, double largest) {
+  if (count < 2) return 0;
+  return largest * (2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1);
+}
+
+/// The way moved aside and tilted about the centre of mass where it begins.
+InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
+                   double offset, double tilt) {
+  InsertionWay out = way;
+  const Quat turn(Eigen::AngleAxisd(tilt, map.axis.cross(map.lateral)));
+  const Vec3& com = pair.probe().mass.com;
+  for (Pose& X : out.poses) {
+    const Vec3 at = X * com + offset * map.lateral;
+    X.q = (turn * X.q).normalized();
+    X.p = at - X.q * com;
+  }
+  return out;
+}
+
+/// m of travel that are free; less than 0 where the way begins in an overlap.
+double free_travel(const Pair& pair, const InsertionWay& way) {
+  if (touch(pair, way.poses.front())) return -1;
+  const auto first = first_contact(pair, way);
+  return first ? first->travel : way.travel.back();
+}
+
+std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& stop) {
+  const InsertionMap& map = *request.map;
+  Json row{{"offset", value_of(i, map.offsets, map.largest_offset)}, {"travel", Json::array()}};
+  for (std::size_t j = 0; j < map.tilts; ++j) {
+    if (stop && stop()) throw Cancelled();
+    const double tilt = value_of(j, map.tilts, map.largest_tilt);
+    row["travel"].push_back(free_travel(
+        request.pair, moved(request.way, request.pair, map, row["offset"].get<double>(), tilt)));
+  }
+  return row.dump();
+}
+
+/// The parts as read: the way, and the rows of the map.
+struct InsertionParts {
+  Json way;
+  std::vector<Json> map;
+};
+InsertionParts parts_in(const std::string& folder, const StudyFolder& study) {
+  InsertionParts out;
+  for (std::size_t i = 0; i < study.names.size(); ++i) {
+    if (!study.results[i])
+      throw InputError::in(folder, "the part " + study.names[i] + " is missing");
+    try {
+      Json part = Json::parse(*study.results[i]);
+      if (study.names[i] == "way") {
+        part.at("steps").get<std::vector<Json>>();
+        part.at("first");
+        out.way = std::move(part);
+      } else {
+        part.at("offset").get<double>();
+        part.at("travel").get<std::vector<double>>();
+        out.map.push_back(std::move(part));
+      }
+    } catch (const Json::exception&) {
+      throw InputError::in(folder, "the part " + study.names[i] + " was not written by a study");
+    }
+  }
+  if (out.way.is_null()) throw InputError::in(folder, "the part way is missing");
+  return out;
+}
+
+std::string csv_number(const Json& value) {
+  return value.is_null() ? "" : number_text(value.get<double>(), 17);
+}
+
+std::string way_table(const Json& way) {
+  std::string out = std::string(columns) + "\n";
+  for (const Json& row : way.at("steps")) {
+    const char* separator = "";
+    for (const Json& cell : row) {
+      out.append(separator).append(csv_number(cell));
+      separator = ",";
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+std::string way_picture(const Json& way) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> travel, clearance, depth, force;
+  for (const Json& row : way.at("steps")) {
+    const auto number = [&](std::size_t i) {
+      return row[i].is_null() ? none : row[i].get<double>();
+    };
+    travel.push_back(to_mm * number(0));
+    clearance.push_back(to_mm * number(8));
+    depth.push_back(to_mm * number(9));
+    force.push_back(std::hypot(number(10), number(11), number(12)));
+  }
+  SvgChart chart{"Along the way", {}};
+  const ChartAxis x{"travel, mm"};
+  ChartPanel room{"Room, and how far the probe is held back", x, {"mm"}, {}, {}, {}};
+  room.series = {{"clearance", travel, clearance}, {"depth held", travel, depth}};
+  ChartPanel felt{"Force on the hand", x, {"force, N"}, {}, {}, {}};
+  felt.series = {{"force", travel, force}};
+  if (const Json& first = way.at("first"); !first.is_null()) {
+    const double at = to_mm * first.at("travel").get<double>();
+    double most = 0;
+    for (const double y : force) most = std::max(most, y);
+    felt.series.push_back({"first contact", {at, at}, {0, most}, ChartSeries::Form::dashed});
+  }
+  chart.panels = {room, felt};
+  return to_svg(chart);
+}
+
+std::string map_table(const std::vector<Json>& map, const Json& about) {
+  std::string out = "offset,tilt,free_travel,goes_in\n";
+  const double largest = about.at("largest_tilt").get<double>(),
+               wanted = about.at("wanted").get<double>();
+  for (const Json& row : map) {
+    const auto travels = row.at("travel").get<std::vector<double>>();
+    for (std::size_t j = 0; j < travels.size(); ++j)
+      out += csv_number(row.at("offset")) + "," +
+             number_text(value_of(j, travels.size(), largest), 17) + "," +
+             (travels[j] < 0 ? "" : number_text(travels[j], 17)) + "," +
+             (travels[j] >= wanted ? "1" : "0") + "\n";
+  }
+  return out;
+}
+
+std::string map_picture(const std::vector<Json>& map, const Json& about) {
+  const double tilt = to_degrees * about.at("largest_tilt").get<double>(),
+               offset = to_mm * about.at("largest_offset").get<double>(),
+               wanted = about.at("wanted").get<double>();
+  ChartPanel panel{"Offsets and tilts at the mouth that go in",
+                   {"offset, mm"},
+                   {"tilt, degrees"},
+                   {},
+                   {},
+                   {},
+                   380};
+  panel.kinds = {{"goes in", "#1b7837"},
+                 {"binds on the way", "#fdae61"},
+                 {"overlaps where it begins", "#bababa"}};
+  // Each value is the middle of its cell; a single one has a cell about 0.
+  const auto edge = [](std::size_t i, std::size_t count, double largest) {
+    if (count < 2) return i == 0 ? -1.0 : 1.0;
+    return largest * ((2 * static_cast<double>(i) - 1) / static_cast<double>(count - 1) - 1);
+  };
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const auto travels = map[i].at("travel").get<std::vector<double>>();
+    for (std::size_t j = 0; j < travels.size(); ++j)
+      panel.cells.push_back({edge(i, map.size(), offset), edge(i + 1, map.size(), offset),
+                             edge(j, travels.size(), tilt), edge(j + 1, travels.size(), tilt),
+                             travels[j] >= wanted ? 0u
+                             : travels[j] >= 0    ? 1u
+                                                  : 2u});
+  }
+  return to_svg(SvgChart{"How it may be off and still go in", {panel}});
+}
+
+/// The numbers that a reader looks for first.
+Json summary_of(const InsertionParts& parts, const Json& about) {
+  double least = std::numeric_limits<double>::infinity(), deepest = 0, largest = 0;
+  for (const Json& row : parts.way.at("steps")) {
+    if (!row[8].is_null()) least = std::min(least, row[8].get<double>());
+    if (!row[9].is_null()) deepest = std::max(deepest, row[9].get<double>());
+    largest = std::max(
+        largest, std::hypot(row[10].get<double>(), row[11].get<double>(), row[12].get<double>()));
+  }
+  Json out{{"format", 1},
+           {"travel", parts.way.at("steps").back()[0]},
+           {"first_contact", parts.way.at("first")},
+           {"goes_in",
+            parts.way.at("first").is_null() || parts.way.at("first").at("travel").get<double>() >=
+                                                   about.at("wanted").get<double>()},
+           {"least_clearance", std::isfinite(least) ? Json(least) : Json()},
+           {"largest_depth", deepest},
+           {"largest_force", largest}};
+  if (!parts.map.empty()) {
+    std::size_t in = 0, all = 0;
+    for (const Json& row : parts.map)
+      for (const double travel : row.at("travel").get<std::vector<double>>())
+        in += travel >= about.at("wanted").get<double>(), ++all;
+    out["map"] = {{"goes_in", in}, {"all", all}};
+  }
+  out["about"] = about;
+  return out;
+}
+
+std::string words_for(const Json& summary) {
+  const auto mm = [](const Json& x) { return number_text(to_mm * x.get<double>(), 6) + " mm"; };
+  std::string out = "# Insertion\n\n";
+  const Json& first = summary.at("first_contact");
+  if (first.is_null()) {
+    out += "It goes in: all of the " + mm(summary.at("travel")) + " are free.\n";
+  } else {
+    const Json& at = first.at("point");
+    out += "It binds after " + mm(first.at("travel")) + " of " + mm(summary.at("travel")) +
+           ", at (" + mm(at[0]) + ", " + mm(at[1]) + ", " + mm(at[2]) + ").\n";
+    out += "Pushed on to the end it is held back by " + mm(summary.at("largest_depth")) +
+           " at most, with " + number_text(summary.at("largest_force").get<double>(), 4) +
+           " N at the scene's gains.\n";
+  }
+  if (!summary.at("least_clearance").is_null())
+    out += "The least room where it is free is " + mm(summary.at("least_clearance")) + ".\n";
+  if (summary.contains("map"))
+    out += summary.at("map").at("goes_in").dump() + " of " + summary.at("map").at("all").dump() +
+           " offsets and tilts go in (map.svg).\n";
+  return out;
+}
+
+}  // namespace
+
+Study plan_insertion(const InsertionRequest& request) {
+  Study study{kind_of_study, request.about, {}};
+  study.parts.push_back({"way", [request](const Stop& stop) {
+                           const Insertion found =
+                               insertion(request.pair, request.way, request.steps, request.coupling,
+                                         [&](double) { return !(stop && stop()); });
+                           Json out{{"steps", Json::array()}, {"first", first_of(found.first)}};
+                           for (const InsertionStep& step : found.steps)
+                             out["steps"].push_back(row_of(step));
+                           return out.dump();
+                         }});
+  const std::size_t rows = request.map ? request.map->offsets : 0;
+  for (std::size_t i = 0; i < rows; ++i)
+    study.parts.push_back({"offset-" + std::to_string(i),
+                           [request, i](const Stop& stop) { return map_row(request, i, stop); }});
+  return study;
+}
+
+std::vector<StudyFile> insertion_files(const std::string& folder, const StudyFolder& study) {
+  const InsertionParts parts = parts_in(folder, study);
+  const Json about = Json::parse(study.about);
+  const Json summary = summary_of(parts, about);
+  std::vector<StudyFile> files{{"insert.csv", way_table(parts.way)},
+                               {"insert.svg", way_picture(parts.way)}};
+  if (!parts.map.empty()) {
+    files.push_back({"map.csv", map_table(parts.map, about)});
+    files.push_back({"map.svg", map_picture(parts.map, about)});
+  }
+  files.push_back({"summary.json", summary.dump(1) + "\n"});
+  files.push_back({"summary.md", words_for(summary)});
+  return files;
+}
+
+}  // namespace sonde

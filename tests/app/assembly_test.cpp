@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "tests/app/app_test.hpp"
+
+namespace sonde::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class Assembly : public AppTest {
+ protected:
+  /// A scene whose small box stands over the large one by a gap.
+  void stand_over(const std::string& name, double gap) const {
+    folder.write(name, R"({"probe": {"mesh": "small.off", "pose": [0, 0, )" +
+                           std::to_string(0.15 + gap) +
+                           R"(, 1, 0, 0, 0]}, "fixed": {"mesh": "large.off"}})");
+  }
+};
+
+// Reference: boxes put into each other by a known length.
+TEST_F(Assembly, clash_lists_what_overlaps_touches_and_is_near) {
+  stand_over("in.sonde.json", -0.002);
+  stand_over("over.sonde.json", 0.003);
+  const Csv in(expect_done("clash in.sonde.json").out);
+  EXPECT_EQ(in.header,
+            "a,b,kind,depth,lower_bound,clearance,x,y,z,moved,px,py,pz,qw,qx,qy,qz,reason");
+  ASSERT_EQ(in.rows.size(), 1u);
+  EXPECT_EQ(in.text(0, "kind"), "overlapping");
+  EXPECT_NEAR(in.number(0, "depth"), 0.002, 2e-9);
+  EXPECT_EQ(in.text(0, "moved"), "small.off");
+  EXPECT_NEAR(in.number(0, "pz"), 0.15, 1e-8);
+  EXPECT_EQ(in.text(0, "clearance"), "") << "no number where there is none";
+  EXPECT_EQ(Csv(expect_done("clash over.sonde.json").out).rows.size(), 0u);
+  const Csv near(expect_done("clash over.sonde.json --within 0.01").out);
+  EXPECT_EQ(near.text(0, "kind"), "clear");
+  EXPECT_NEAR(near.number(0, "clearance"), 0.003, 1e-15);
+  const Outcome all = expect_done("clash in.sonde.json over.sonde.json large.off --json");
+  EXPECT_THAT(all.err, HasSubstr("5 parts: "));
+  for (const json& row : json::parse(all.out).at("results"))
+    EXPECT_EQ(row.at("kind"), "overlapping") << "all stand in one place";
+  EXPECT_THAT(all.out, HasSubstr("large.off (3)")) << "a name of its own for each";
+}
+
+TEST_F(Assembly, clash_refuses_what_it_cannot_use) {
+  expect_refused("clash small.off", 2, "at least two parts");
+  expect_refused("clash small.off missing.off", 3, "missing.off: ");
+  expect_refused("clash small.off large.off --within -1", 2, "--within");
+  expect_refused("clash small.off large.off --out large.off", 2, "one of the inputs");
+}
+
+// Reference: a box that comes down by its gap.
+TEST_F(Assembly, insert_says_where_it_binds) {
+  stand_over("s.sonde.json", 0.03);
+  const std::string run = "insert s.sonde.json --axis 0,0,-1 --travel 0.05 --steps 20 --out r";
+  const Outcome done = expect_done(run);
+  EXPECT_THAT(done.out, HasSubstr("It binds after 30 mm of 50 mm"));
+  const json summary = json::parse(text_of(folder / "r" / "summary.json"));
+  EXPECT_NEAR(summary.at("first_contact").at("travel").get<double>(), 0.03, 5e-8);
+  EXPECT_NEAR(summary.at("largest_depth").get<double>(), 0.02, 2e-6);
+  const std::string table = text_of(folder / "r" / "insert.csv");
+  expect_done(run);  // all parts are there
+  EXPECT_EQ(text_of(folder / "r" / "insert.csv"), table);
+}
+
+// Reference: one run of all.
+TEST_F(Assembly, a_map_is_made_in_shares_and_joined) {
+  stand_over("s.sonde.json", 0.03);
+  const std::string run =
+      "insert s.sonde.json --axis 0,0,-1 --travel 0.02 --steps 5 --offsets 7 "
+      "--offset-range 0.2 --tilts 3 --tilt-range 20 --quiet --out ";
+  expect_done(run + "whole");
+  expect_done(run + "a --shard 1/2");
+  expect_done(run + "b --shard 2/2");
+  expect_done("merge a b --out joined");
+  for (const char* file : {"insert.csv", "insert.svg", "map.csv", "map.svg", "summary.json"})
+    EXPECT_EQ(text_of(folder / "joined" / file), text_of(folder / "whole" / file)) << file;
+  EXPECT_EQ(Csv(text_of(folder / "whole" / "map.csv")).rows.size(), 21u);
+}
+
+TEST_F(Assembly, insert_goes_along_a_path_too_and_refuses_what_is_no_way) {
+  const Outcome done = expect_done("insert boxes.sonde.json --trajectory path.csv --out p");
+  EXPECT_THAT(done.out, HasSubstr("It binds after 20 mm of 39 mm"));
+  stand_over("s.sonde.json", 0.03);
+  stand_over("in.sonde.json", -0.01);
+  expect_refused("insert s.sonde.json --axis 0,0,0 --travel 1 --out x", 3, "axis has no length");
+  expect_refused("insert s.sonde.json --axis 0,0,1 --travel 0 --out x", 2, "above zero");
+  expect_refused("insert s.sonde.json --axis 0,0,1 --out x", 2, "--travel");
+  expect_refused("insert s.sonde.json --out x", 2, "give either");
+  expect_refused("insert in.sonde.json --axis 0,0,1 --travel 1 --out x", 3, "begins where");
+  expect_refused("insert s.sonde.json --axis 0,0,1 --travel 1 --offsets 3 --lateral 0,0,2 --out x",
+                 2, "--lateral must not");
+}
+
+}  // namespace
+}  // namespace sonde::test

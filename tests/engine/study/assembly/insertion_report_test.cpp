@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/assembly/insertion_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/error.hpp"
+#include "tests/support/csv.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// A peg 19 mm wide over a slot 20 mm wide and 60 mm deep between two walls.
+InsertionRequest peg_over_slot() {
+  PolygonSoup walls;
+  for (const double side : {-1.0, 1.0}) {
+    const std::size_t first = walls.points.size();
+    const PolygonSoup wall = test::box({0.02, 0.2, 0.06});
+    for (const Vec3& x : wall.points) walls.points.push_back(x + Vec3(0.02 * side, 0, -0.03));
+    for (Polygon p : wall.polygons) {
+      for (std::size_t& corner : p) corner += first;
+      walls.polygons.push_back(p);
+    }
+  }
+  const Pair pair(test::body(test::box({0.019, 0.05, 0.1})), test::body(walls));
+  InsertionRequest out{
+      .pair = pair,
+      .way = way_along(pair, {Quat::Identity(), Vec3(0, 0, 0.06)}, -Vec3::UnitZ(), 0.05, 0),
+      .coupling = {},
+      .map = {},
+      .about = {}};
+  out.steps = 20;
+  out.wanted = 0.05;
+  out.map = InsertionMap{.axis = -Vec3::UnitZ(),
+                         .lateral = Vec3::UnitX(),
+                         .largest_offset = 1e-3,
+                         .largest_tilt = 0.05,
+                         .offsets = 11,
+                         .tilts = 9};
+  out.about = R"({"wanted": 0.05, "largest_tilt": 0.05, "largest_offset": 0.001})";
+  return out;
+}
+
+std::string text_of(const std::vector<StudyFile>& files, const std::string& name) {
+  for (const StudyFile& file : files)
+    if (file.name == name) return file.text;
+  return "no " + name;
+}
+
+// Reference: by hand. The peg hangs by its middle, 40 mm of it in at the end. Tilted by θ, its
+// lower corners are ±d/2 cos θ + 50 mm sin θ aside of the middle, and where it crosses the mouth at
+// the end its sides are d/2 / cos θ and 10 mm tan θ aside.
+TEST(InsertionReport, a_point_of_the_map_is_as_reckoned_by_hand) {
+  const InsertionRequest request = peg_over_slot();
+  const auto files = insertion_files("", compute_at_once(plan_insertion(request), 2, {}));
+  const test::Csv map(text_of(files, "map.csv"));
+  EXPECT_EQ(map.header, "offset,tilt,free_travel,goes_in");
+  ASSERT_EQ(map.rows.size(), 99u);
+  const double d = 0.019, D = 0.02;
+  int in = 0, out = 0;
+  for (std::size_t i = 0; i < map.rows.size(); ++i) {
+    const double offset = map.number(i, "offset"), tilt = map.number(i, "tilt");
+    const double at_foot = 0.05 * std::sin(tilt), half = 0.5 * d * std::cos(tilt);
+    // The foot swings one way; the other side of the peg is widest at the mouth, 10 mm under the
+    // middle at the end.
+    const double at_mouth = 0.01 * std::tan(tilt), side = 0.5 * d / std::cos(tilt);
+    const auto room_of = [&](double sign) {
+      const double foot = 0.5 * D - std::abs(offset - sign * at_foot) - half;
+      const double mouth = 0.5 * D - std::abs(offset - sign * at_mouth) - side;
+      return std::min(foot, mouth);
+    };
+    // Tilts are about axis × lateral = −z × x = −y: a positive one swings the foot towards +x.
+    const double room = room_of(-1);
+    if (std::abs(room) < 2e-6) continue;
+    EXPECT_EQ(map.text(i, "goes_in"), room > 0 ? "1" : "0") << offset << ", " << tilt;
+    (room > 0 ? in : out) += 1;
+  }
+  EXPECT_GT(in, 10);
+  EXPECT_GT(out, 10);
+}
+
+TEST(InsertionReport, tables_and_pictures_say_the_same) {
+  InsertionRequest request = peg_over_slot();
+  request.way =
+      way_along(request.pair, {Quat::Identity(), Vec3(0.8e-3, 0, 0.06)}, -Vec3::UnitZ(), 0.05, 0);
+  const auto files = insertion_files("", compute_at_once(plan_insertion(request), 1, {}));
+  const Json summary = Json::parse(text_of(files, "summary.json"));
+  EXPECT_EQ(summary.at("format"), 1);
+  EXPECT_FALSE(summary.at("goes_in").get<bool>());
+  EXPECT_NEAR(summary.at("first_contact").at("travel").get<double>(), 0.01, 1e-7);
+  EXPECT_THAT(text_of(files, "summary.md"), HasSubstr("It binds after 10 mm of 50 mm"));
+  const test::Csv way(text_of(files, "insert.csv"));
+  EXPECT_GT(way.rows.size(), 21u) << "more about the first contact";
+  double travel = -1;
+  for (std::size_t i = 0; i < way.rows.size(); ++i) {
+    EXPECT_GT(way.number(i, "travel"), travel);
+    travel = way.number(i, "travel");
+    EXPECT_EQ(way.text(i, "clearance").empty(), travel > 0.01) << travel;
+    EXPECT_NEAR(way.number(i, "fz"), 500 * way.number(i, "depth"), 0.02);
+  }
+  for (const char* name : {"insert.svg", "map.svg"})
+    EXPECT_THAT(text_of(files, name), HasSubstr("</svg>")) << name;
+  EXPECT_THAT(text_of(files, "map.svg"), HasSubstr("goes in"));
+}
+
+TEST(InsertionReport, a_folder_that_is_not_whole_is_refused) {
+  StudyFolder study = compute_at_once(plan_insertion(peg_over_slot()), 2, {});
+  study.results[0].reset();
+  EXPECT_THROW(insertion_files("f", study), InputError);
+  study.results[0] = "{}";
+  EXPECT_THROW(insertion_files("f", study), InputError);
+}
+
+}  // namespace
+}  // namespace sonde
