@@ -16,7 +16,7 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
     return way ? way->depth : no_number;
   };
   return {s.status == Status::failed ? no_number : s.depth,
-          searched ? depth(searched->nearest) : no_number,
+          searched ? depth(with_followed(*searched, s).nearest) : no_number,
           searched ? depth(searched->pdt) : no_number,
           searched ? searched->lower_bound.value_or(no_number) : no_number,
           tick.wrench.force.norm(),

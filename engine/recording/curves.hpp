@@ -16,7 +16,7 @@ namespace sonde {
 /// The quantities that are drawn over time.
 enum class Curve {
   held,      ///< m, depth of the separated pose that holds the probe
-  nearest,   ///< m, √PD_g as last searched
+  nearest,   ///< m, √PD_g as last searched, or followed to (with_followed)
   straight,  ///< m, PD_t as last searched
   bound,     ///< m, lower bound as last searched
   force,     ///< N, |F| on the hand

@@ -267,6 +267,13 @@ void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>
                   .arg(opened_->name, QString::fromStdString(cut)));
 }
 
+void HistoryControl::show_kept(std::shared_ptr<KeptTicks> ticks, double time) {
+  leave();
+  plots_->forget();
+  opened_ = std::move(ticks);
+  look_at(time);
+}
+
 std::optional<TickBlocks> HistoryControl::ticks_on_show() {
   recorder_.seal();
   const TickLog* log = looking_back() ? playback_.ticks() : kept();
@@ -326,6 +333,16 @@ void HistoryControl::show_runs(std::shared_ptr<KeptTicks> first,
   if (replayed) replayed();
 }
 
+/// That of the tick on show, as the view says it: while it plays slowly, the place on the way to
+/// the next one is another. A file that no longer holds the tick is told of elsewhere.
+double HistoryControl::shown_time(const TickLog& log) const {
+  try {
+    return log.at(playback_.index()).time;
+  } catch (const InputError&) {
+    return playback_.time();
+  }
+}
+
 void HistoryControl::show_state() {
   TimelineState state;
   const TickLog* log = kept();
@@ -340,7 +357,7 @@ void HistoryControl::show_state() {
     state.any = true;
     state.from = log->first_time();
     state.to = log->last_time();
-    state.time = state.looking ? playback_.time() : state.to;
+    state.time = state.looking ? shown_time(*log) : state.to;
     state.tick = state.looking ? playback_.index() - log->begin() : 0;
   }
   timeline_->show_state(state);

@@ -8,10 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include "engine/recording/curves.hpp"
-#include "engine/recording/recording.hpp"
 #include "ui/actions/prompts.hpp"
 #include "ui/base/job.hpp"
+#include "ui/document/kept_ticks.hpp"
 #include "ui/document/playback.hpp"
 #include "ui/document/recorder.hpp"
 #include "ui/document/tick_blocks.hpp"
@@ -31,15 +30,6 @@ struct HistoryView {
   std::function<void(DrawnSession)> show;
   std::function<void(bool)> pause;
   std::function<void(const QString&)> say;  ///< in passing
-};
-
-/// Ticks with their curves, to look back on.
-struct KeptTicks {
-  QString name;
-  std::unique_ptr<Recording> recording;  ///< of a file
-  std::unique_ptr<TickLog> ticks;        ///< of a run in memory
-  Curves curves;
-  const TickLog& log() const { return recording ? recording->ticks : *ticks; }
 };
 
 /// Everything about time: keeps the last minutes of the session, records them, opens recordings,
@@ -81,6 +71,9 @@ class HistoryControl : public QObject {
   /// With its scene, which becomes the document.
   void open_recording(const QString& file);
 
+  /// Looks at other ticks of the session that is open, at that time, as at an opened recording.
+  void show_kept(std::shared_ptr<KeptTicks> ticks, double time);
+
   /// The path of what is kept or was opened, with these gains; the method is Method::pdt for a run
   /// by translation alone. In a worker; ends in replayed().
   void run_again(Method method, const std::optional<Coupling>& gains);
@@ -104,6 +97,7 @@ class HistoryControl : public QObject {
   bool may_run_again() const;
   void start_runs(Method method, const std::vector<std::optional<Coupling>>& gains);
   void show_runs(std::shared_ptr<KeptTicks> first, std::shared_ptr<KeptTicks> second);
+  double shown_time(const TickLog& log) const;
   void show_state();
   void opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording);
 

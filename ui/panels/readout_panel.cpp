@@ -16,6 +16,7 @@
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/wrench_view.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -26,13 +27,6 @@ QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStr
 
 QString large(const QString& text) {
   return QStringLiteral("<span style='font-size:20pt; font-weight:bold'>%1</span>").arg(text);
-}
-
-/// What was followed to is a way out too, and may be nearer than what a short search finds.
-double nearest_known(const Separation& followed, const BackgroundResult& search) {
-  const double found = search.nearest ? search.nearest->depth : 0;
-  const bool both = same(search.device, followed.device) && followed.status == Status::penetrating;
-  return both ? std::min(found, followed.depth) : found;
 }
 
 QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
@@ -171,12 +165,23 @@ void ReadoutPanel::sample(const Instant& now) {
   force_plot_->add(snapshot.time, snapshot.wrench.force.norm());
 }
 
+void ReadoutPanel::show_course(const TickLog& ticks, double until) {
+  depth_plot_->clear();
+  force_plot_->clear();
+  if (ticks.empty()) return;
+  for (std::uint64_t i = ticks.begin(), end = ticks.find(until); i <= end; ++i) {
+    const Snapshot tick = ticks.at(i);
+    depth_plot_->add(tick.time, tick.separation.depth);
+    force_plot_->add(tick.time, tick.wrench.force.norm());
+  }
+}
+
 void ReadoutPanel::show_numbers(const Instant& now) {
   const Snapshot& snapshot = now.snapshot;
   coupling_ = snapshot.coupling;
   show_held(snapshot);
   show_ways(snapshot.separation, now.searched);
-  show_wrench(snapshot.wrench);
+  show_wrench(snapshot);
   show_loop(snapshot);
   depth_plot_->update();
   force_plot_->update();
@@ -237,7 +242,7 @@ void ReadoutPanel::show_ways(const Separation& separation,
     bound_->setText(QStringLiteral("–"));
     return;
   }
-  const double nearest = nearest_known(separation, *searched);
+  const double nearest = searched->nearest ? searched->nearest->depth : 0;
   const auto beside = [&](double length) {
     return in_shade(
         nearest > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(length / nearest))
@@ -250,23 +255,29 @@ void ReadoutPanel::show_ways(const Separation& separation,
                                         : QStringLiteral("none: two surfaces"));
 }
 
-void ReadoutPanel::show_wrench(const Wrench& wrench) {
+void ReadoutPanel::show_wrench(const Snapshot& snapshot) {
+  const Wrench& wrench = snapshot.wrench;
+  const HandState& hand = snapshot.hand;
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
-  const QString limit = wrench.saturated ? QStringLiteral(" at the limit") : QString();
-  const auto limited = [&](double value, double most) {
-    return value >= most * (1 - 1e-9) ? limit : QString();
+  const auto with_reason = [&](const QString& value, Lessened by) {
+    const QString why = lessened_text(by, hand.share);
+    return why.isEmpty() ? value : QStringLiteral("%1 (%2)").arg(value, why);
   };
-  force_->setText(number(force) + QStringLiteral(" N") + limited(force, coupling_.max_force));
-  torque_->setText(number(torque) + QStringLiteral(" N·m") + limited(torque, coupling_.max_torque));
+  force_->setText(with_reason(number(force) + QStringLiteral(" N"),
+                              force_lessened(wrench, hand, snapshot.coupling)));
+  torque_->setText(with_reason(number(torque) + QStringLiteral(" N·m"),
+                               torque_lessened(wrench, hand, snapshot.coupling)));
   force_bar_->set({{force / coupling_.max_force, colour::force}});
   torque_bar_->set({{torque / coupling_.max_torque, colour::torque}});
 }
 
 void ReadoutPanel::show_loop(const Snapshot& snapshot) {
-  tick_->setText(number(snapshot.tick_us) + QStringLiteral(" µs"));
-  rate_->setText(snapshot.paused
-                     ? QStringLiteral("paused")
-                     : QString::number(snapshot.rate_hz, 'f', 0) + QStringLiteral(" Hz"));
+  const QString none = QStringLiteral("–");  // of a run with no clock
+  tick_->setText(snapshot.tick_us > 0 ? number(snapshot.tick_us) + QStringLiteral(" µs") : none);
+  rate_->setText(snapshot.paused ? QStringLiteral("paused")
+                 : snapshot.rate_hz > 0
+                     ? QString::number(snapshot.rate_hz, 'f', 0) + QStringLiteral(" Hz")
+                     : none);
   steps_->setText(QString::number(snapshot.separation.iterations));
   late_->setText(QStringLiteral("%1 of %2").arg(snapshot.late).arg(snapshot.tick));
 }

@@ -9,6 +9,7 @@
 #include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
+#include "ui/views/force_note.hpp"
 
 namespace sonde::ui {
 
@@ -32,7 +33,7 @@ struct Label {
   QString text;
   QColor colour;
   std::vector<Vec3> stroke{};
-  std::vector<double> course{};  ///< a small curve below the text, from 0 up; empty: none
+  ForceNote note{};  ///< below the text
 };
 
 /// Draws something from a snapshot. It makes its actors once and hides them while there is nothing
@@ -59,8 +60,8 @@ class Overlay {
   virtual void draw(const Frame& frame) = 0;
   virtual void hide() = 0;
   void label(const Vec3& at, const QString& text, const QColor& colour,
-             std::vector<Vec3> stroke = {}, std::vector<double> course = {}) {
-    labels_.push_back({at, text, colour, std::move(stroke), std::move(course)});
+             std::vector<Vec3> stroke = {}, ForceNote note = {}) {
+    labels_.push_back({at, text, colour, std::move(stroke), std::move(note)});
   }
 
  private:

@@ -274,7 +274,7 @@ void Viewport::update_text(const Instant& now) {
   for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
       labels.push_back({on_screen(label.at), label.text, label.colour,
-                        polygon_on_screen(label.stroke), label.course});
+                        polygon_on_screen(label.stroke), label.note});
   s.hints->set_banner(banner_of(now, s.picture_size.has_value()));
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);
