@@ -175,6 +175,7 @@ void ExportControl::animate(std::unique_ptr<Animation> animation) {
     animation_.reset();
     finish({});
   });
+  animation_->since.start();
   timer_.start(0);
 }
 
@@ -192,7 +193,7 @@ void ExportControl::draw_next() {
   }
   ++a.next;
   if (a.next > patient_pictures && !progress_->isVisible()) progress_->show();
-  progress_->set_fraction(double(a.next) / a.count);
+  progress_->show_progress(double(a.next) / a.count, 1e-3 * double(a.since.elapsed()));
   if (a.next < a.count) return;
   timer_.stop();
   if (a.wanted.film) return make_film();

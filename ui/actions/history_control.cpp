@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <QFileInfo>
+#include <QTime>
 #include <utility>
 #include <vector>
 
@@ -208,6 +209,10 @@ void HistoryControl::record(const QString& file) {
     check_not_in_use(absolute_path(file));
     remember_folder_of(file);
     recorder_.record(absolute_path(file), view_.scene(), view_.session()->loaded().marks);
+    const TickLog& kept = *recorder_.ticks();
+    recording_since_ = QStringLiteral("%1, with the %2 s before")
+                           .arg(QTime::currentTime().toString(QStringLiteral("hh:mm:ss")))
+                           .arg(kept.last_time() - kept.first_time(), 0, 'f', 1);
     agree_to_paths_of(view_.scene(), absolute_path(file));  // the user's own
     view_.say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
@@ -347,6 +352,7 @@ void HistoryControl::show_state() {
   TimelineState state;
   const TickLog* log = kept();
   state.recording = recorder_.recording();
+  state.since = recording_since_;
   state.replayed = replay_ != nullptr;
   state.shows_replay = shows_replay_;
   state.looking = looking_back();

@@ -49,6 +49,7 @@ class HistoryControl : public QObject {
   void attach(Session* session);
   void add(const Snapshot& tick) { recorder_.add(tick); }
   void add(const BackgroundResult& search) { recorder_.add(search); }
+  void add(const Clearance& clearance) { recorder_.add(clearance); }
   /// With each frame, at so many ms.
   void frame(qint64 now);
 
@@ -113,6 +114,7 @@ class HistoryControl : public QObject {
   std::shared_ptr<KeptTicks> opened_;  ///< of a file; null: the session's own
   std::shared_ptr<KeptTicks> replay_, second_;
   bool shows_replay_ = false;
+  QString recording_since_;
   bool paused_before_ = false;
   qint64 last_frame_ = 0;
   qint64 state_due_ = 0;

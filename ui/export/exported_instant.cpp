@@ -12,6 +12,7 @@ ExportedInstant exported_instant_of(const Instant& instant) {
   ExportedInstant out{snapshot.time, snapshot.separation.device, snapshot.separation,
                       snapshot.wrench};
   if (const BackgroundResult* searched = searched_here(instant)) out.searched = *searched;
+  out.clearance = signed_clearance(snapshot.separation, clearance_here(instant));
   return out;
 }
 

@@ -17,6 +17,7 @@ struct ExportedInstant {
   Separation separation;
   Wrench wrench;
   std::optional<BackgroundResult> searched = {};  ///< from this device pose
+  std::optional<double> clearance = {};           ///< m at this device pose; see signed_clearance
 };
 
 ExportedInstant exported_instant_of(const Instant& instant);

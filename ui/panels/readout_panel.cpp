@@ -21,8 +21,6 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
 
 QString large(const QString& text) {
@@ -68,15 +66,16 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
 }
 
 void ReadoutPanel::build_held(QVBoxLayout& layout) {
-  auto* group = new QGroupBox(QStringLiteral("Probe held at"), this);
+  auto* group = new QGroupBox(QStringLiteral("Clearance, or depth"), this);
   auto* form = form_in(layout, group);
   depth_ = new QLabel(QStringLiteral("–"), group);
   depth_->setObjectName(QStringLiteral("depth_value"));
   depth_->setToolTip(QStringLiteral(
-      "How far the separated pose that holds the probe is from the pose of the hand: √σ, how far "
-      "the probe's points move in the mean. The force pulls there. The loop followed it along a "
-      "free "
-      "path from where the probe came, so it need not be the nearest way out."));
+      "Free: the least distance between the bodies, which the view shows with the two points where "
+      "it is taken; grey while it is measured anew. Held: how deep, that is how far the separated "
+      "pose that holds the probe is from the pose of the hand, √σ, how far the probe's points move "
+      "in the mean. The force pulls there. The loop followed it along a free path from where the "
+      "probe came, so it need not be the nearest way out."));
   form->addRow(depth_);
   split_ = new Bar(group);
   form->addRow(split_);
@@ -125,10 +124,15 @@ void ReadoutPanel::build_wrench(QVBoxLayout& layout) {
   auto* form = form_in(layout, group);
   force_ = value(*form, in_colour(colour::force, QStringLiteral("force |F|")), "force_value",
                  QStringLiteral("Against the force limit."));
+  force_parts_ = value(*form, QStringLiteral("x, y, z, N"), "force_parts_value",
+                       QStringLiteral("The force on the hand along the axes of the fixed body."));
   force_bar_ = new Bar(group);
   form->addRow(force_bar_);
   torque_ = value(*form, in_colour(colour::torque, QStringLiteral("torque |τ|")), "torque_value",
                   QStringLiteral("About the centre of mass, against the torque limit."));
+  torque_parts_ = value(*form, QStringLiteral("x, y, z, N·m"), "torque_parts_value",
+                        QStringLiteral("The torque on the hand about the axes of the fixed body, "
+                                       "through the probe's centre of mass."));
   torque_bar_ = new Bar(group);
   form->addRow(torque_bar_);
   force_plot_ = new HistoryPlot(QStringLiteral("force"), colour::force, group);
@@ -179,7 +183,7 @@ void ReadoutPanel::show_course(const TickLog& ticks, double until) {
 void ReadoutPanel::show_numbers(const Instant& now) {
   const Snapshot& snapshot = now.snapshot;
   coupling_ = snapshot.coupling;
-  show_held(snapshot);
+  show_held(now);
   show_ways(snapshot.separation, now.searched);
   show_wrench(snapshot);
   show_loop(snapshot);
@@ -187,8 +191,19 @@ void ReadoutPanel::show_numbers(const Instant& now) {
   force_plot_->update();
 }
 
-void ReadoutPanel::show_held(const Snapshot& snapshot) {
-  const Separation& separation = snapshot.separation;
+/// In large letters: how deep it is, or how much room there is.
+QString ReadoutPanel::room_text(const Instant& now) const {
+  const Separation& separation = now.snapshot.separation;
+  if (separation.status == Status::penetrating)
+    return large(unit_.text(separation.depth)) + QStringLiteral(" deep");
+  if (!now.clearance) return large(QStringLiteral("free"));
+  const QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
+  if (clearance_here(now)) return room;
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
+}
+
+void ReadoutPanel::show_held(const Instant& now) {
+  const Separation& separation = now.snapshot.separation;
   const bool held = separation.status == Status::penetrating;
   if (separation.status == Status::failed) {
     depth_->setText(large(QStringLiteral("not found")));
@@ -197,8 +212,7 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
       label->setText(QStringLiteral("–"));
     return;
   }
-  depth_->setText(held ? large(unit_.text(separation.depth)) + QStringLiteral(" from the hand")
-                       : large(QStringLiteral("free")));
+  depth_->setText(room_text(now));
   const double sigma = separation.sigma;
   const double turned =
       sigma > 0 ? separation.rotation * separation.rotation / sigma : 0;  // share of σ
@@ -210,7 +224,7 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
   };
   const SeparationMotion motion = separation_motion(mass_, separation.device, separation.separated);
   const Screw screw = screw_of(motion, separation.device * mass_.com);
-  const QString angle = number(motion.theta.norm() * degrees) + QStringLiteral("°");
+  const QString angle = angle_text(motion.theta.norm());
   translation_->setText(share(separation.translation, moved));
   rotation_->setText(QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)));
   screw_->setText(held
@@ -267,6 +281,8 @@ void ReadoutPanel::show_wrench(const Snapshot& snapshot) {
                               force_lessened(wrench, hand, snapshot.coupling)));
   torque_->setText(with_reason(number(torque) + QStringLiteral(" N·m"),
                                torque_lessened(wrench, hand, snapshot.coupling)));
+  force_parts_->setText(components_text(wrench.force));
+  torque_parts_->setText(components_text(wrench.torque));
   force_bar_->set({{force / coupling_.max_force, colour::force}});
   torque_bar_->set({{torque / coupling_.max_torque, colour::torque}});
 }

@@ -39,7 +39,8 @@ class ReadoutPanel : public QDockWidget {
   void build_ways(QVBoxLayout& layout);
   void build_wrench(QVBoxLayout& layout);
   void build_loop(QVBoxLayout& layout);
-  void show_held(const Snapshot& snapshot);
+  void show_held(const Instant& now);
+  QString room_text(const Instant& now) const;
   void show_ways(const Separation& separation, const std::optional<BackgroundResult>& searched);
   void show_wrench(const Snapshot& snapshot);
   void show_loop(const Snapshot& snapshot);
@@ -49,7 +50,7 @@ class ReadoutPanel : public QDockWidget {
   bool any_solid_ = false;
   Coupling coupling_;
   QLabel *depth_, *translation_, *rotation_, *screw_, *nearest_, *why_, *pdt_, *bound_, *force_,
-      *torque_, *contacts_, *tick_, *rate_, *late_, *steps_;
+      *torque_, *contacts_, *force_parts_, *torque_parts_, *tick_, *rate_, *late_, *steps_;
   Bar *split_, *force_bar_, *torque_bar_;
   HistoryPlot *depth_plot_, *force_plot_;
 };

@@ -117,7 +117,9 @@ void StiffnessPanel::build_sets(QVBoxLayout& layout) {
     sets_[i]->setCheckable(true);
     sets_[i]->setStyleSheet(
         QStringLiteral("QPushButton:checked { background: #26809a; color: white; font-weight: 600; "
-                       "border: 1px solid #57d3ff; padding: 4px; }"));
+                       "border: 1px solid #57d3ff; padding: 4px; }"
+                       "QPushButton:checked:hover { background: #2f98b8; }"
+                       "QPushButton:checked:pressed { background: #174f5f; }"));
     connect(sets_[i], &QPushButton::clicked, this, [this, i](bool on) {
       if (on && switch_asked) return switch_asked();
       sets_[i]->setChecked(true);  // pressed already

@@ -201,6 +201,7 @@ void MainWindow::show_holder() {
   const auto* connected = std::get_if<ConnectedSource>(&devices_->source());
   const bool feels = connected && (connected->kind == DeviceKind::force_device ||
                                    connected->kind == DeviceKind::arm);
+  set_felt(feels);
   stiffness_->set_holder({simulating ? std::optional(simulating->profile) : std::nullopt, name,
                           feels ? QString::fromStdString(connected->name) : QString()});
   show_device();
@@ -277,13 +278,27 @@ void MainWindow::show_kept(const std::shared_ptr<KeptTicks>& ticks, double time)
 
 /// What there is to show: of the servo, or of what was kept.
 std::optional<Instant> MainWindow::newest() {
-  if (history_->looking_back()) return history_->instant();
+  if (history_->looking_back()) {
+    std::optional<Instant> then = history_->instant();
+    if (then) measure_clearance(*then);
+    return then;
+  }
   const Snapshot* now = session()->latest();
   if (!now) return {};
   const auto& searched = search_.newest();
   Instant live = instant_of(*now, searched ? &*searched : nullptr, true);
   live.snapshot.paused = session()->paused();
+  measure_clearance(live);
+  if (live.clearance) history_->add(*live.clearance);
   return live;
+}
+
+/// Where it is shown, and the probe is free.
+void MainWindow::measure_clearance(Instant& now) {
+  const Separation& s = now.snapshot.separation;
+  const bool wanted =
+      viewport_->shown(Layer::clearance) || readout_->isVisible() || history_->plots().isVisible();
+  if (wanted && s.status == Status::separated) now.clearance = session()->clearance(s.device);
 }
 
 void MainWindow::draw_if_changed() {
@@ -327,7 +342,7 @@ void MainWindow::show_numbers() {
 
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
-  QString happens = happening(*instant_);
+  QString happens = happening(*instant_, LengthUnit(session()->probe().mass.radius));
   if (const auto& searched = search_.newest(); instant_->live && searched)
     log_->add(QString::fromUtf8(words(way_out(s.separation, *searched))));
   if (const QString fault = force_log_.recent(s.time); instant_->live && !fault.isEmpty())

@@ -76,8 +76,11 @@ class MainWindow : public QMainWindow {
   void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
   void set_paused(bool paused);
-  /// False immediately on Esc, from anywhere in the window; true lets the force come back.
+  /// False immediately on Esc where nothing is open in front of the window; true lets the force
+  /// come back.
   void set_force(bool on);
+  /// A hand at a device with motors feels the force: Esc stops it whatever is open.
+  void set_felt(bool felt) { felt_ = felt; }
   void reset();
   /// Closes the document and shows the start page.
   void show_start_page();
@@ -122,6 +125,7 @@ class MainWindow : public QMainWindow {
   void show_holder();
   void on_frame();
   std::optional<Instant> newest();
+  void measure_clearance(Instant& now);
   void draw_if_changed();
   void forget_shown() { shown_.reset(), instant_.reset(); }
   void pause(bool paused);
@@ -164,6 +168,7 @@ class MainWindow : public QMainWindow {
   std::optional<Instant> instant_;  ///< the same, with all that belongs to it
   SearchSchedule search_;
   bool force_ = true;
+  bool felt_ = false;
   bool swing_ = false;
   std::size_t frames_ = 0;
   FrameRate frame_rate_;

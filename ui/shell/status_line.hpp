@@ -7,8 +7,8 @@
 
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/elided_label.hpp"
-#include "ui/document/instant.hpp"
 #include "ui/devices/device_control.hpp"
+#include "ui/document/instant.hpp"
 #include "ui/document/session.hpp"
 
 namespace sonde::ui {

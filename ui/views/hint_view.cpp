@@ -289,6 +289,10 @@ void HintView::draw_ruler(QPainter& painter) const {
 
 QString HintView::pause_banner() { return QStringLiteral("Paused – Space goes on"); }
 
+QString HintView::stopped_banner() {
+  return QStringLiteral("Force stopped – Ctrl+Space: force again");
+}
+
 QRectF HintView::banner_box(const QString& text) const {
   if (text.isEmpty()) return {};
   const QFontMetricsF metrics(banner_font(*this));

@@ -63,6 +63,7 @@ class HintView : public QWidget {
   std::vector<QRectF> clear_areas() const;
 
   static QString pause_banner();
+  static QString stopped_banner();
 
   /// The keys that no menu lists, as "keys" and "what it does".
   static const std::vector<std::pair<QString, QString>>& keys();
