@@ -102,8 +102,50 @@ PolygonSoup read_binary_stl(const std::string& file, std::string_view bytes, con
   return soup;
 }
 
+/// The first bytes for a person: what a keyboard can type as it is, the others as \xNN.
+std::string first_bytes(std::string_view bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  constexpr std::size_t enough = 8;
+  std::string out;
+  for (const char c : bytes.substr(0, enough)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= ' ' && byte < 0x7f)
+      out += c;
+    else
+      out += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+  }
+  return '"' + out + (bytes.size() > enough ? "…\"" : "\"");
+}
+
+/// Not even by intention: it begins as files of another kind do, or the count would be a file of
+/// 13 GB at least, which four letters of a text make (then arithmetic on it says nothing).
+bool is_of_another_kind(std::string_view bytes) {
+  constexpr std::uint32_t too_many = 1U << 28;
+  const std::string_view kinds[] = {"PK\x03\x04",
+                                    "\x89PNG",
+                                    "%PDF",
+                                    "glTF",
+                                    "ISO-10303",
+                                    "\x1f\x8b",
+                                    "\xff\xd8",
+                                    "GIF8",
+                                    "\x7f"
+                                    "ELF",
+                                    "<?xml",
+                                    "ply\n",
+                                    "ply\r",
+                                    "OFF"};
+  return std::ranges::any_of(kinds,
+                             [&](std::string_view kind) { return bytes.starts_with(kind); }) ||
+         (bytes.size() >= stl_header && little_endian(bytes, 80) >= too_many);
+}
+
 [[noreturn]] void refuse_stl(const std::string& file, std::string_view bytes) {
-  if (bytes.size() < stl_header) throw InputError::in(file, "too short for an STL file");
+  if (is_of_another_kind(bytes))
+    throw InputError::in(file, "is not an STL file (it begins with " + first_bytes(bytes) + ")");
+  if (bytes.size() < stl_header)
+    throw InputError::in(file,
+                         "too short for an STL file (it begins with " + first_bytes(bytes) + ")");
   const std::uint64_t n = little_endian(bytes, 80);
   throw InputError::at_byte(file, 80,
                             "the header declares " + std::to_string(n) + " triangles, that is " +

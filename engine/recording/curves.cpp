@@ -10,13 +10,14 @@
 namespace sonde {
 namespace {
 
-std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched) {
+std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched,
+                                          const Clearance* clearance) {
   const Separation& s = tick.separation;
   const auto depth = [](const std::optional<FoundWay>& way) {
     return way ? way->depth : no_number;
   };
   return {s.status == Status::failed ? no_number : s.depth,
-          searched ? depth(searched->nearest) : no_number,
+          searched ? depth(with_followed(*searched, s).nearest) : no_number,
           searched ? depth(searched->pdt) : no_number,
           searched ? searched->lower_bound.value_or(no_number) : no_number,
           tick.wrench.force.norm(),
@@ -24,10 +25,14 @@ std::array<double, curve_count> values_of(const Snapshot& tick, const Background
           tick.wrench.force.y(),
           tick.wrench.force.z(),
           tick.wrench.torque.norm(),
+          tick.wrench.torque.x(),
+          tick.wrench.torque.y(),
+          tick.wrench.torque.z(),
           tick.tick_us,
           tick.hand.rows.refresh_us,
           tick.hand.rows.age,
-          tick.hand.energy.given};
+          tick.hand.energy.given,
+          signed_clearance(s, clearance).value_or(no_number)};
 }
 
 /// Gathers the lowest and the highest point of one part, in their order.
@@ -54,9 +59,10 @@ class GatheredTicks {
 
 }  // namespace
 
-void Curves::add(const Snapshot& tick, double time, const BackgroundResult* searched) {
+void Curves::add(const Snapshot& tick, double time, const BackgroundResult* searched,
+                 const Clearance* clearance) {
   times_.push_back(time);
-  const std::array<double, curve_count> values = values_of(tick, searched);
+  const std::array<double, curve_count> values = values_of(tick, searched, clearance);
   for (std::size_t i = 0; i < curve_count; ++i) values_[i].push_back(static_cast<float>(values[i]));
   if (most_ == 0 || times_.size() <= most_) return;
   times_.pop_front();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/haptics/loop/background_search.hpp"
+#include "engine/haptics/loop/clearance.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/recording/tick_log.hpp"
 
@@ -16,20 +17,24 @@ namespace sonde {
 /// The quantities that are drawn over time.
 enum class Curve {
   held,      ///< m, depth of the separated pose that holds the probe
-  nearest,   ///< m, √PD_g as last searched
+  nearest,   ///< m, √PD_g as last searched, or followed to (with_followed)
   straight,  ///< m, PD_t as last searched
   bound,     ///< m, lower bound as last searched
   force,     ///< N, |F| on the hand
   force_x,
   force_y,
   force_z,
-  torque,   ///< N·m, |τ|
-  tick_us,  ///< µs, time of the tick
-  rows_us,  ///< µs, time that the geometry took for the tick's contact rows
-  age,      ///< s, of the contact rows
-  energy,   ///< J, net work on the hand
+  torque,  ///< N·m, |τ|
+  torque_x,
+  torque_y,
+  torque_z,
+  tick_us,    ///< µs, time of the tick
+  rows_us,    ///< µs, time that the geometry took for the tick's contact rows
+  age,        ///< s, of the contact rows
+  energy,     ///< J, net work on the hand
+  clearance,  ///< m, the least distance as last measured; less than 0: the depth held
 };
-constexpr std::size_t curve_count = 13;
+constexpr std::size_t curve_count = 17;
 
 struct CurvePoint {
   double time = 0;  ///< s
@@ -43,8 +48,10 @@ class Curves {
   /// Drops the oldest ticks where there are more; 0: no limit.
   explicit Curves(std::uint64_t most = 0) : most_(most) {}
 
-  /// Adds the next tick, at a time that does not fall, with what a search has found until then.
-  void add(const Snapshot& tick, double time, const BackgroundResult* searched);
+  /// Adds the next tick, at a time that does not fall, with what a search has found until then, and
+  /// the clearance that was measured last.
+  void add(const Snapshot& tick, double time, const BackgroundResult* searched,
+           const Clearance* clearance = nullptr);
   void clear();
 
   std::size_t size() const { return times_.size(); }

@@ -27,6 +27,7 @@ using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
 constexpr std::size_t most_scene_bytes = 1 << 20;
+constexpr int newest_format = 1;  // of scenes
 
 struct Unit {
   std::string_view name;
@@ -37,8 +38,8 @@ constexpr std::array<Unit, 6> units{
 
 // The keys of each object of a scene; "$schema" is there for editors that complete and check.
 const Keys& scene_object_keys() {
-  static const Keys keys{"$schema",    "unit",     "probe",  "fixed", "allowance", "safety",
-                         "trajectory", "coupling", "device", "servo", "view"};
+  static const Keys keys{"$schema", "format",     "unit",     "probe",  "fixed", "allowance",
+                         "safety",  "trajectory", "coupling", "device", "servo", "view"};
   return keys;
 }
 const Keys& body_keys() {
@@ -70,6 +71,19 @@ struct Reader {
   void expect(const JsonNode& node, Kind kind) const { expect_kind(file, node, kind); }
   void expect_object(const JsonNode& node, const Keys& known) const {
     expect_keys(file, node, known);
+  }
+  void expect_format(const JsonNode& root) const {
+    expect(root, Kind::object);
+    const JsonNode* format = root.find("format");
+    if (!format) return;
+    expect(*format, Kind::number);
+    if (format->number > newest_format)
+      fail(format->line, "\"format\" is " + number_text(format->number) +
+                             ": the scene is of a newer format than this Sonde reads, which is " +
+                             std::to_string(newest_format));
+    if (format->number != newest_format)
+      fail(format->line, "\"format\" is " + number_text(format->number) + "; there is only " +
+                             std::to_string(newest_format));
   }
   const JsonNode& need(const JsonNode& object, std::string_view key) const {
     return need_key(file, object, key, "the scene");
@@ -209,6 +223,7 @@ struct Reader {
 
 Scene read(const Reader& reader, const std::string& text) {
   const JsonNode root = parse_json(reader.file.string(), text);
+  reader.expect_format(root);  // first: what is newer may have keys that are not known here
   reader.expect_object(root, scene_object_keys());
 
   Scene scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QProcess>
 #include <functional>
 #include <memory>
@@ -26,6 +27,7 @@ struct ExportControl::Animation {
   QString film_name;
   double film_rate = 25;  ///< pictures a second
   int next = 0;
+  QElapsedTimer since;
   std::unique_ptr<QProcess> film;
 };
 

@@ -58,16 +58,23 @@ void DocumentControl::ask_scene() {
   opener_.open_scene(file);
 }
 
-void DocumentControl::ask_meshes(const QString& first) {
+bool DocumentControl::ask_meshes(const QString& first) {
   const auto files = prompts_.ask_meshes(first);
-  if (files && may_leave()) opener_.open_meshes(files->first, files->second, std::nullopt);
+  if (!files || !may_leave()) return false;
+  opener_.open_meshes(files->first, files->second, std::nullopt);
+  return true;
+}
+
+bool DocumentControl::is_one_mesh(const QStringList& files) {
+  return files.size() == 1 && !files[0].endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
 }
 
 void DocumentControl::drop(const QStringList& files) {
-  const bool one_mesh =
-      files.size() == 1 && !files[0].endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
-  if (!one_mesh) return open(files, std::nullopt);
-  if (document_.empty()) return ask_meshes(files[0]);
+  if (!is_one_mesh(files)) return open(files, std::nullopt);
+  if (document_.empty()) {
+    ask_meshes(files[0]);
+    return;
+  }
   if (const auto role = prompts_.ask_role(QFileInfo(files[0]).fileName()))
     replace_body(*role, files[0]);
 }

@@ -44,9 +44,10 @@ class DocumentControl : public QObject {
   // What leaves the document that is open asks first, where there is anything to lose.
   void open(const QStringList& files, std::optional<double> unit);
   void ask_scene();
-  void ask_meshes(const QString& first = {});
+  bool ask_meshes(const QString& first = {});  ///< false: given up
   /// A scene, two meshes, or one mesh, which replaces a body.
   void drop(const QStringList& files);
+  static bool is_one_mesh(const QStringList& files);
   void start_anew();  ///< nothing is open: the start page
   bool may_leave();   ///< false: stay
 

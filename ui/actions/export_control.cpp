@@ -108,7 +108,7 @@ void ExportControl::export_tables() {
   const QString file = ask_file(QStringLiteral("Export numbers"), QStringLiteral("sonde.csv"),
                                 QStringLiteral("Tables (*.csv)"));
   if (file.isEmpty() || !may_write_contacts(file) || !drawn_ || !instant()) return;
-  const ExportedInstant shown = exported_instant_of(instant()->snapshot);
+  const ExportedInstant shown = exported_instant_of(*instant());
   write(file, [&] {
     write_tables(path_of(file), instants_csv({&shown, 1}), contacts_csv({&shown, 1}));
   });
@@ -121,8 +121,9 @@ void ExportControl::export_gltf() {
   if (file.isEmpty() || !drawn_ || !instant()) return;
   job_.start(
       QStringLiteral("Exporting glTF"),
-      [file, what = surfaces(), shown = exported_instant_of(instant()->snapshot)](
-          const Progress& progress) { write_gltf(path_of(file), what, shown, progress); },
+      [file, what = surfaces(), shown = exported_instant_of(*instant())](const Progress& progress) {
+        write_gltf(path_of(file), what, shown, progress);
+      },
       [this, file](const std::exception_ptr& error) { ended(file, error); });
 }
 
@@ -134,7 +135,7 @@ void ExportControl::export_vtk(bool series) {
                QStringLiteral("sonde-vtk"), QString());
   if (folder.isEmpty() || !drawn_ || !instant()) return;
   const Snapshot now = instant()->snapshot;
-  std::vector<ExportedInstant> instants{exported_instant_of(now)};
+  std::vector<ExportedInstant> instants{exported_instant_of(*instant())};
   if (series) instants = separation_in_steps(now, drawn_->session->probe().mass, steps_of_series);
   job_.start(
       QStringLiteral("Exporting for ParaView"),
@@ -174,6 +175,7 @@ void ExportControl::animate(std::unique_ptr<Animation> animation) {
     animation_.reset();
     finish({});
   });
+  animation_->since.start();
   timer_.start(0);
 }
 
@@ -191,7 +193,7 @@ void ExportControl::draw_next() {
   }
   ++a.next;
   if (a.next > patient_pictures && !progress_->isVisible()) progress_->show();
-  progress_->set_fraction(double(a.next) / a.count);
+  progress_->show_progress(double(a.next) / a.count, 1e-3 * double(a.since.elapsed()));
   if (a.next < a.count) return;
   timer_.stop();
   if (a.wanted.film) return make_film();

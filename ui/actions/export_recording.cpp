@@ -12,6 +12,7 @@
 #include "ui/actions/animation.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/base/progress_dialog.hpp"
+#include "ui/document/playback.hpp"
 #include "ui/export/tables.hpp"
 #include "ui/views/drawn_session.hpp"
 
@@ -35,7 +36,7 @@ void write_all_ticks(const std::filesystem::path& file, const TickBlocks& ticks,
   };
   const double all = double(log.end() - log.begin());
   for (std::uint64_t i = log.begin(); i < log.end(); ++i) {
-    some.push_back(exported_instant_of(log.at(i)));
+    some.push_back(exported_instant_of(recorded_instant(log, i)));
     if (some.size() < rows_at_once) continue;
     add();
     report(progress, double(i - log.begin()) / all);
@@ -47,10 +48,9 @@ void write_all_ticks(const std::filesystem::path& file, const TickBlocks& ticks,
 std::vector<ExportedInstant> instants_at(const TickLog& log, const std::vector<double>& times) {
   std::vector<ExportedInstant> instants;
   for (const double time : times) {
-    const Snapshot tick = log.at(log.find(time));
+    const ExportedInstant then = exported_instant_of(recorded_instant(log, log.find(time)));
     // Of a tick that stands for two times, one: readers of series want times that rise.
-    if (instants.empty() || tick.time > instants.back().time)
-      instants.push_back(exported_instant_of(tick));
+    if (instants.empty() || then.time > instants.back().time) instants.push_back(then);
   }
   return instants;
 }
@@ -99,12 +99,8 @@ void ExportControl::export_recording_pictures() {
     const std::vector<double> times = wanted->span.times();
     animation->count = static_cast<int>(times.size());
     animation->picture = [log = std::make_shared<const TickLog>(kept->log()), times](int i) {
-      Instant then{.snapshot = log->at(log->find(times[static_cast<std::size_t>(i)])),
-                   .searched = {},
-                   .live = false};
-      if (const RecordedSearch* search = log->searched(then.snapshot.time))
-        then.searched = search->result;
-      return Animation::Picture{std::move(then), 1};
+      const std::uint64_t index = log->find(times[static_cast<std::size_t>(i)]);
+      return Animation::Picture{recorded_instant(*log, index), 1};
     };
     animation->film_name = QStringLiteral("recording.mp4");
     animation->film_rate = wanted->span.rate;

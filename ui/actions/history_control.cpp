@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <QFileInfo>
+#include <QTime>
 #include <utility>
 #include <vector>
 
@@ -208,6 +209,10 @@ void HistoryControl::record(const QString& file) {
     check_not_in_use(absolute_path(file));
     remember_folder_of(file);
     recorder_.record(absolute_path(file), view_.scene(), view_.session()->loaded().marks);
+    const TickLog& kept = *recorder_.ticks();
+    recording_since_ = QStringLiteral("%1, with the %2 s before")
+                           .arg(QTime::currentTime().toString(QStringLiteral("hh:mm:ss")))
+                           .arg(kept.last_time() - kept.first_time(), 0, 'f', 1);
     agree_to_paths_of(view_.scene(), absolute_path(file));  // the user's own
     view_.say(QStringLiteral("Recording to %1").arg(file));
   } catch (const InputError& bad) {
@@ -265,6 +270,13 @@ void HistoryControl::opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>
   if (const std::string& cut = opened_->recording->cut; !cut.empty())
     view_.say(QStringLiteral("%1: %2. What is before it is shown.")
                   .arg(opened_->name, QString::fromStdString(cut)));
+}
+
+void HistoryControl::show_kept(std::shared_ptr<KeptTicks> ticks, double time) {
+  leave();
+  plots_->forget();
+  opened_ = std::move(ticks);
+  look_at(time);
 }
 
 std::optional<TickBlocks> HistoryControl::ticks_on_show() {
@@ -326,10 +338,21 @@ void HistoryControl::show_runs(std::shared_ptr<KeptTicks> first,
   if (replayed) replayed();
 }
 
+/// That of the tick on show, as the view says it: while it plays slowly, the place on the way to
+/// the next one is another. A file that no longer holds the tick is told of elsewhere.
+double HistoryControl::shown_time(const TickLog& log) const {
+  try {
+    return log.at(playback_.index()).time;
+  } catch (const InputError&) {
+    return playback_.time();
+  }
+}
+
 void HistoryControl::show_state() {
   TimelineState state;
   const TickLog* log = kept();
   state.recording = recorder_.recording();
+  state.since = recording_since_;
   state.replayed = replay_ != nullptr;
   state.shows_replay = shows_replay_;
   state.looking = looking_back();
@@ -340,7 +363,7 @@ void HistoryControl::show_state() {
     state.any = true;
     state.from = log->first_time();
     state.to = log->last_time();
-    state.time = state.looking ? playback_.time() : state.to;
+    state.time = state.looking ? shown_time(*log) : state.to;
     state.tick = state.looking ? playback_.index() - log->begin() : 0;
   }
   timeline_->show_state(state);

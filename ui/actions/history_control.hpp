@@ -8,10 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include "engine/recording/curves.hpp"
-#include "engine/recording/recording.hpp"
 #include "ui/actions/prompts.hpp"
 #include "ui/base/job.hpp"
+#include "ui/document/kept_ticks.hpp"
 #include "ui/document/playback.hpp"
 #include "ui/document/recorder.hpp"
 #include "ui/document/tick_blocks.hpp"
@@ -33,15 +32,6 @@ struct HistoryView {
   std::function<void(const QString&)> say;  ///< in passing
 };
 
-/// Ticks with their curves, to look back on.
-struct KeptTicks {
-  QString name;
-  std::unique_ptr<Recording> recording;  ///< of a file
-  std::unique_ptr<TickLog> ticks;        ///< of a run in memory
-  Curves curves;
-  const TickLog& log() const { return recording ? recording->ticks : *ticks; }
-};
-
 /// Everything about time: keeps the last minutes of the session, records them, opens recordings,
 /// shows any instant of them, and runs them again with other gains. While the user looks back the
 /// servo is paused, so that what the hand feels is always what is on the screen.
@@ -59,6 +49,7 @@ class HistoryControl : public QObject {
   void attach(Session* session);
   void add(const Snapshot& tick) { recorder_.add(tick); }
   void add(const BackgroundResult& search) { recorder_.add(search); }
+  void add(const Clearance& clearance) { recorder_.add(clearance); }
   /// With each frame, at so many ms.
   void frame(qint64 now);
 
@@ -80,6 +71,9 @@ class HistoryControl : public QObject {
   void ask_recording();
   /// With its scene, which becomes the document.
   void open_recording(const QString& file);
+
+  /// Looks at other ticks of the session that is open, at that time, as at an opened recording.
+  void show_kept(std::shared_ptr<KeptTicks> ticks, double time);
 
   /// The path of what is kept or was opened, with these gains; the method is Method::pdt for a run
   /// by translation alone. In a worker; ends in replayed().
@@ -104,6 +98,7 @@ class HistoryControl : public QObject {
   bool may_run_again() const;
   void start_runs(Method method, const std::vector<std::optional<Coupling>>& gains);
   void show_runs(std::shared_ptr<KeptTicks> first, std::shared_ptr<KeptTicks> second);
+  double shown_time(const TickLog& log) const;
   void show_state();
   void opened(DrawnSession drawn, const std::shared_ptr<KeptTicks>& recording);
 
@@ -119,6 +114,7 @@ class HistoryControl : public QObject {
   std::shared_ptr<KeptTicks> opened_;  ///< of a file; null: the session's own
   std::shared_ptr<KeptTicks> replay_, second_;
   bool shows_replay_ = false;
+  QString recording_since_;
   bool paused_before_ = false;
   qint64 last_frame_ = 0;
   qint64 state_due_ = 0;

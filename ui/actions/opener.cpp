@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
 #include "engine/scene/write_scene.hpp"
 #include "ui/base/absolute_path.hpp"
 #include "ui/document/paths_asked_for.hpp"
@@ -56,6 +57,20 @@ void Opener::open_meshes(const QString& probe, const QString& fixed, std::option
           fail(error);
         else
           ask_and_build(pair, unit);
+      });
+}
+
+void Opener::check_mesh(const QString& file, std::function<void()> done) {
+  give_up();
+  what_ = QStringLiteral("Reading %1").arg(QFileInfo(file).fileName());
+  job_.start(
+      what_,
+      [mesh = absolute_path(file)](const Progress& progress) { read_mesh(mesh, 1, progress); },
+      [this, done = std::move(done)](const std::exception_ptr& error) {
+        if (error)
+          fail(error);
+        else
+          done();
       });
 }
 

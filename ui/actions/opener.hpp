@@ -23,6 +23,8 @@ class Opener : public QObject {
   void open_scene(const QString& file);
   /// Without a unit, asks for it once both files are read.
   void open_meshes(const QString& probe, const QString& fixed, std::optional<double> unit);
+  /// Reads a mesh to see that it can be; `done` is told where it can.
+  void check_mesh(const QString& file, std::function<void()> done);
   /// Opens whatever `open` makes in the worker. `done` gets it; `given_up` reports that nothing was
   /// opened, also where something else is opened instead.
   void make(const QString& what, std::function<LoadedScene(const Progress&)> open,

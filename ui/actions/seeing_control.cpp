@@ -86,7 +86,7 @@ void SeeingControl::attach(Session* session) {
   contacts_->choose(0);
   if (!session) return;
   const MassProperties& mass = session->fixed().mass;
-  contacts_->set_unit(LengthUnit(session->probe().mass.radius));
+  contacts_->take(session->probe().mass);
   panel_->set_extent(mass.com, mass.radius);
   if (first || !seeing_.cut.on) seeing_.cut.point = mass.com;
   set_seeing(seeing_);
@@ -154,6 +154,7 @@ void SeeingControl::face_cut() {
 
 void SeeingControl::frame(const Snapshot& snapshot) {
   shown_ = snapshot.separation;
+  wrench_ = snapshot.wrench;
   gaps_.frame(shown_);
   if (follow_) follow(snapshot);
 }
@@ -168,7 +169,7 @@ void SeeingControl::follow(const Snapshot& snapshot) {
 }
 
 void SeeingControl::show_numbers(const Snapshot& snapshot) {
-  if (contacts_->isVisible()) contacts_->show_contacts(snapshot.separation);
+  if (contacts_->isVisible()) contacts_->show_contacts(snapshot.separation, snapshot.wrench);
 }
 
 void SeeingControl::measure(QPointF at) {
@@ -193,7 +194,7 @@ void SeeingControl::click(QPointF at) {
 }
 
 void SeeingControl::choose_contact(std::uint64_t id) {
-  contacts_->show_contacts(shown_);
+  contacts_->show_contacts(shown_, wrench_);
   contacts_->choose(id);
   viewport_.choose_contact(id);
 }

@@ -78,6 +78,7 @@ class SeeingControl : public QObject {
   CrossingFinder crossings_;
   Seeing seeing_;
   Separation shown_;
+  Wrench wrench_;
   std::vector<std::function<void()>> heard_;
   bool follow_ = false;
 };

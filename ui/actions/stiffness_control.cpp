@@ -204,12 +204,15 @@ ForceNote StiffnessControl::note_now() const {
     const GainAxis axis = axes_of(tuning_->results).front();
     const MapPoint gains = point_of(session_->coupling(), axis);
     const auto boundary = boundary_in(tuning_->results, axis, contact_, gains.damping);
-    const QString distance = boundary ? distance_text(gains.stiffness, *boundary) : QString();
+    const QString distance =
+        boundary ? distance_text(gains.stiffness, boundary->stiffness) : QString();
     if (!distance.isEmpty())
-      note.text = QStringLiteral("%1: %2").arg(QString::fromStdString(contact_), distance);
+      note.text =
+          QStringLiteral("by the study of %1 in %2:\n%3 in %4 contact")
+              .arg(text(tuning_->results.device_id), words_of(*boundary), distance, text(contact_));
   }
   if (!buzz_ || buzz_->chatter <= chatter_limit) return note;
-  note.text = QStringLiteral("buzzing") + (note.text.isEmpty() ? note.text : "\n" + note.text);
+  note.now = QStringLiteral("buzzing");
   note.course = last_second_.forces(course_seconds);
   return note;
 }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "ui/base/time_left.hpp"
+
 namespace sonde::ui {
 
 /// What crosses from the worker: the newest of it.
@@ -25,9 +27,7 @@ struct Tuner::Found {
 
 QString time_left_text(double seconds, std::size_t computed, std::size_t missing, double since) {
   if (computed == 0) return {};
-  const double left = std::max(0.0, seconds / double(computed) * double(missing) - since);
-  if (left < 100) return QStringLiteral("about %1 s left").arg(std::max(1.0, std::round(left)));
-  return QStringLiteral("about %1 min left").arg(std::round(left / 60));
+  return time_left_text(std::max(0.0, seconds / double(computed) * double(missing) - since));
 }
 
 Tuner::Tuner(QWidget& window, Prompts& prompts)
@@ -75,6 +75,8 @@ void Tuner::compute(const TuningOrder& order, const LoadedScene& opened) {
   const auto found = std::make_shared<Found>();
   found_ = found;
   rows_ = of_rows_ = first_ = 0;
+  done_before_ = 0;
+  since_start_.start();
   device_ = QString::fromStdString(order.device.id);
   computing_.start(
       {},
@@ -97,24 +99,29 @@ void Tuner::look(double fraction) {
     of_rows_ = so_far->of_rows;
     if (first_ == 0) {
       first_ = rows_;
+      if (fraction < 1) done_before_ = fraction;
       since_first_.start();
     }
     newest_at_ = 1e-3 * double(since_first_.elapsed());
     ready(std::move(*so_far));
   }
   if (!progressed) return;
+  // By the rows once there are any, before that by the part of the work.
+  const double elapsed = 1e-3 * double(since_start_.elapsed());
+  const QString by_part = time_left_text(elapsed, (fraction - done_before_) / (1 - done_before_));
+  const auto after_comma = [](const QString& left) { return left.isEmpty() ? left : ", " + left; };
   if (rows_ == 0)
     return progressed(StudyProgress{
-        fraction,
-        QStringLiteral("For %1: contacts and a first look, then the first row").arg(device_)});
+        fraction, QStringLiteral("For %1: contacts and a first look, then the first row%2")
+                      .arg(device_, after_comma(by_part))});
   const double now = 1e-3 * double(since_first_.elapsed());
-  const QString left =
+  const QString by_rows =
       time_left_text(newest_at_, rows_ - first_, of_rows_ - rows_, now - newest_at_);
   progressed(StudyProgress{fraction, QStringLiteral("For %1: %2 of %3 rows%4")
                                          .arg(device_)
                                          .arg(rows_)
                                          .arg(of_rows_)
-                                         .arg(left.isEmpty() ? left : ", " + left)});
+                                         .arg(after_comma(by_rows.isEmpty() ? by_part : by_rows))});
 }
 
 void Tuner::complain(const std::exception_ptr& error) {

@@ -45,6 +45,8 @@ class Tuner : public QObject {
   std::shared_ptr<Found> found_;
   QElapsedTimer since_first_;  ///< row that was found, be it one of before
   double newest_at_ = 0;       ///< s after that
+  QElapsedTimer since_start_;
+  double done_before_ = 0;  ///< part of the work that rows of before had done
   std::size_t first_ = 0, rows_ = 0, of_rows_ = 0;
   QString device_;
 };

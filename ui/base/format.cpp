@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/format.hpp"
 
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "engine/body/body.hpp"
 
@@ -28,6 +30,12 @@ QString LengthUnit::text(double metres) const {
   return QString::number(metres / metres_, 'f', decimals_) + ' ' + name_;
 }
 
+QString LengthUnit::text(const Vec3& x) const {
+  QStringList texts;
+  for (const double each : x) texts << QString::number(each / metres_, 'f', decimals_);
+  return texts.join(QStringLiteral(", ")) + ' ' + name_;
+}
+
 QString number(double value) {
   if (!std::isfinite(value)) return QStringLiteral("–");
   const double size = std::abs(value);
@@ -35,6 +43,24 @@ QString number(double value) {
   if (size < 1e-3 || size >= 1e6) return QString::number(value, 'g', 3);
   const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 5);
   return QString::number(value, 'f', decimals);
+}
+
+QString angle_text(double radians) {
+  constexpr double rounding = 1e-6;  // degrees
+  const double degrees = radians * 180 / std::numbers::pi;
+  return number(std::abs(degrees) < rounding ? 0 : degrees) + QStringLiteral("°");
+}
+
+QString components_text(const Vec3& x) {
+  const double size = x.norm();
+  const int decimals =
+      size > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 5) : 0;
+  QStringList texts;
+  for (const double each : x) {
+    const QString text = QString::number(each, 'f', decimals);
+    texts << (text.toDouble() == 0 ? QStringLiteral("0") : text);  // never "-0.00"
+  }
+  return texts.join(QStringLiteral(", "));
 }
 
 QString short_name(const Body& body) {

@@ -4,6 +4,8 @@
 #include <QString>
 #include <string>
 
+#include "engine/geometry/pose.hpp"
+
 namespace sonde {
 struct Body;
 }
@@ -20,6 +22,8 @@ class LengthUnit {
   double metres() const { return metres_; }
   /// "1.234 mm", with decimals that resolve about 1e-4 of the radius.
   QString text(double metres) const;
+  /// "1.234, -0.200, 0.000 mm".
+  QString text(const Vec3& x) const;
 
  private:
   QString name_;
@@ -33,6 +37,12 @@ inline QString text(const char* utf8) { return QString::fromUtf8(utf8); }
 /// Three significant digits (0 below 1e-12, which is rounding), '.' whatever the locale: "0.0123",
 /// "12.3", "1230".
 QString number(double value);
+
+/// An angle in degrees: "12.3°", and "0°" below a millionth, which is rounding.
+QString angle_text(double radians);
+
+/// Three components with as many decimals as their length needs for three digits: "1.20, -0.04, 0".
+QString components_text(const Vec3& x);
 
 /// A body's name for users: the file's name, without folder and extension.
 QString short_name(const Body& body);

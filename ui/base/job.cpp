@@ -100,7 +100,7 @@ void Job::poll() {
   if (watched) return watched(current_->fraction);
   if (current_->since.elapsed() < patience_ms) return;
   if (!dialog_->isVisible()) dialog_->show();
-  dialog_->set_fraction(current_->fraction);
+  dialog_->show_progress(current_->fraction, 1e-3 * double(current_->since.elapsed()));
 }
 
 void Job::cancel() {

@@ -6,6 +6,8 @@
 #include <QProgressBar>
 #include <QVBoxLayout>
 
+#include "ui/base/time_left.hpp"
+
 namespace sonde::ui {
 namespace {
 
@@ -14,9 +16,9 @@ constexpr int steps = 1000;
 }  // namespace
 
 ProgressDialog::ProgressDialog(const QString& what, QWidget* parent)
-    : QDialog(parent), bar_(new QProgressBar(this)) {
+    : QDialog(parent), bar_(new QProgressBar(this)), left_(new QLabel(this)) {
   setObjectName(QStringLiteral("progress_dialog"));
-  setWindowTitle(QStringLiteral("Sonde at work"));
+  setWindowTitle(what);
   setWindowModality(Qt::WindowModal);
   setMinimumWidth(360);
   auto* label = new QLabel(what, this);
@@ -26,12 +28,15 @@ ProgressDialog::ProgressDialog(const QString& what, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(label);
   layout->addWidget(bar_);
+  left_->setObjectName(QStringLiteral("time_left"));
+  layout->addWidget(left_);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-void ProgressDialog::set_fraction(double fraction) {
+void ProgressDialog::show_progress(double fraction, double elapsed) {
   bar_->setValue(static_cast<int>(fraction * steps));
+  left_->setText(time_left_text(elapsed, fraction));
 }
 
 }  // namespace sonde::ui

@@ -7,9 +7,10 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QString>
-#include <QStyleFactory>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/base/button_style.hpp"
 
 namespace sonde::ui {
 
@@ -134,7 +135,7 @@ bool system_is_dark() {
 void apply_theme(QApplication& application, Theme theme) {
   const bool is_dark = theme == Theme::system ? system_is_dark() : theme == Theme::dark;
   system_is_dark();  // asked while the palette is still the system's
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new ButtonStyle);
   QApplication::setPalette(palette_of(is_dark ? dark : light));
   application.setStyleSheet(style_of(is_dark ? dark : light));
   for (QWidget* widget : QApplication::allWidgets())

@@ -28,7 +28,8 @@ inline const QColor crossing{255, 120, 150};  ///< triangles that go through oth
 inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut at
 inline const QColor bound{170, 160, 255};     ///< what shows the lower bound
 inline const QColor measure{255, 255, 255};   ///< what was measured
-inline const QColor chosen{255, 255, 255};    ///< the contact that is marked
+inline const QColor clearance{255, 255, 255};  ///< the room between the bodies, measured too
+inline const QColor chosen{255, 255, 255};     ///< the contact that is marked
 inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};
 inline const QColor faint{150, 160, 172};

@@ -6,6 +6,12 @@
 
 namespace sonde::ui {
 
+Instant recorded_instant(const TickLog& ticks, std::uint64_t index) {
+  const Snapshot tick = ticks.at(index);
+  const RecordedSearch* search = ticks.searched(tick.time);
+  return instant_of(tick, search ? &search->result : nullptr, false);
+}
+
 void Playback::look_at(const TickLog* ticks) {
   ticks_ = ticks;
   playing_ = false;
@@ -49,11 +55,6 @@ bool Playback::advance(double seconds) {
   return true;
 }
 
-Instant Playback::instant() const {
-  Instant now{.snapshot = ticks_->at(index()), .searched = {}, .live = false};
-  if (const RecordedSearch* search = ticks_->searched(now.snapshot.time))
-    now.searched = search->result;
-  return now;
-}
+Instant Playback::instant() const { return recorded_instant(*ticks_, index()); }
 
 }  // namespace sonde::ui

@@ -10,6 +10,9 @@
 
 namespace sonde::ui {
 
+/// A tick of a log as it looked then. Throws InputError where the file no longer holds it.
+Instant recorded_instant(const TickLog& ticks, std::uint64_t index);
+
 /// The position of a user who looks back over kept ticks: at one of them, or playing.
 class Playback {
  public:

@@ -8,9 +8,9 @@
 namespace sonde::ui {
 namespace {
 
-/// Curves take 56 bytes a tick, so there are no more of them than for ten minutes at 1 kHz.
+/// Curves take 76 bytes a tick, so there are no more of them than for ten minutes at 1 kHz.
 constexpr double most_ticks = 600'000;
-constexpr std::size_t bytes_of_curves = 36'000'000;
+constexpr std::size_t bytes_of_curves = 46'000'000;
 
 }  // namespace
 
@@ -21,11 +21,13 @@ void Recorder::begin(double probe_radius, double rate_hz) {
       probe_radius, rate_hz, TickLog::Limits{.ticks = most, .bytes = most_bytes - bytes_of_curves});
   curves_ = Curves(most);
   searched_.reset();
+  clearance_.reset();
 }
 
 void Recorder::add(const Snapshot& tick) {
   if (!ticks_ || !ticks_->add(tick)) return;
-  curves_.add(tick, ticks_->last_time(), searched_ ? &*searched_ : nullptr);
+  curves_.add(tick, ticks_->last_time(), searched_ ? &*searched_ : nullptr,
+              clearance_ ? &*clearance_ : nullptr);
 }
 
 void Recorder::add(const BackgroundResult& search) {

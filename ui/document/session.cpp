@@ -64,6 +64,7 @@ Session::Session(LoadedScene loaded)
       target_(loaded_.here.value_or(loaded_.start)),
       coupling_(loaded_.coupling),
       searched_(loaded_.pair),
+      gauge_(loaded_.pair),
       holding_(std::make_shared<Holding>(std::in_place_type<DirectHand>, target_)),
       hands_(hand_of(holding_)),
       servo_(loaded_.pair, Method::pdg, coupling_, with_budget(loaded_.servo, loaded_.pair)) {
@@ -205,6 +206,13 @@ bool Session::placing() {
   }
   servo_.set_coupling(coupling_);
   return false;
+}
+
+std::optional<Clearance> Session::clearance(const Pose& X_FM) {
+  // A picture comes every 16 ms: most pairs have answered by then, and the picture is all of one
+  // instant. Others follow a picture later.
+  constexpr std::chrono::milliseconds patience(4);
+  return gauge_.at(X_FM, patience);
 }
 
 void Session::let_go() {

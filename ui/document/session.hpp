@@ -10,6 +10,7 @@
 #include "engine/haptics/hand/hand_switch.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/haptics/loop/background_search.hpp"
+#include "engine/haptics/loop/clearance.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/document/loaded_scene.hpp"
 
@@ -109,6 +110,8 @@ class Session {
   /// PD_t and the lower bound, in a thread of their own: computed only when asked for.
   void ask_search(const Pose& X_FM) { searched_.request(X_FM); }
   std::optional<BackgroundResult> searched() { return searched_.latest(); }
+  /// See ClearanceGauge::at: a few milliseconds at most, in a thread of its own.
+  std::optional<Clearance> clearance(const Pose& X_FM);
 
  private:
   struct Holding;
@@ -124,6 +127,7 @@ class Session {
   bool force_on_ = true;
   bool paused_ = false;
   BackgroundSearch searched_;
+  ClearanceGauge gauge_;
   std::shared_ptr<Holding> holding_;
   HandSwitch hands_;
   Servo servo_;

@@ -7,8 +7,13 @@
 
 namespace sonde::ui {
 
-ExportedInstant exported_instant_of(const Snapshot& snapshot) {
-  return {snapshot.time, snapshot.separation.device, snapshot.separation, snapshot.wrench};
+ExportedInstant exported_instant_of(const Instant& instant) {
+  const Snapshot& snapshot = instant.snapshot;
+  ExportedInstant out{snapshot.time, snapshot.separation.device, snapshot.separation,
+                      snapshot.wrench};
+  if (const BackgroundResult* searched = searched_here(instant)) out.searched = *searched;
+  out.clearance = signed_clearance(snapshot.separation, clearance_here(instant));
+  return out;
 }
 
 std::vector<ExportedInstant> separation_in_steps(const Snapshot& snapshot,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/geometry/mass.hpp"
-#include "engine/haptics/loop/servo.hpp"
+#include "ui/document/instant.hpp"
 
 namespace sonde::ui {
 
@@ -15,9 +16,11 @@ struct ExportedInstant {
   Pose probe;       ///< X_FM, the pose at which the probe is drawn
   Separation separation;
   Wrench wrench;
+  std::optional<BackgroundResult> searched = {};  ///< from this device pose
+  std::optional<double> clearance = {};           ///< m at this device pose; see signed_clearance
 };
 
-ExportedInstant exported_instant_of(const Snapshot& snapshot);
+ExportedInstant exported_instant_of(const Instant& instant);
 
 /// The motion of the probe from the device pose to the separated pose, in `steps` steps of equal
 /// time (at least one) that last one second together.

@@ -23,13 +23,29 @@ void add(std::string& line, const Pose& pose) {
   for (const double value : {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()}) add(line, value);
 }
 
+/// Empty where nothing was searched from that pose, or nothing found.
+void add_number(std::string& line, const std::optional<double>& value) {
+  line += ',';
+  if (value) line += number_text(*value);
+}
+
+void add_searched(std::string& line, const std::optional<BackgroundResult>& searched) {
+  const auto depth = [&](const std::optional<FoundWay> BackgroundResult::*way) {
+    return searched && (*searched).*way ? std::optional(((*searched).*way)->depth) : std::nullopt;
+  };
+  add_number(line, depth(&BackgroundResult::nearest));
+  add_number(line, depth(&BackgroundResult::pdt));
+  add_number(line, searched ? searched->lower_bound : std::nullopt);
+}
+
 }  // namespace
 
 std::string instants_csv(std::span<const ExportedInstant> instants) {
   std::string text =
       "t [s],px [m],py [m],pz [m],qw,qx,qy,qz,sx [m],sy [m],sz [m],sqw,sqx,sqy,sqz,"
       "depth [m],sigma [m^2],translation [m],rotation [m],fx [N],fy [N],fz [N],"
-      "tx [N m],ty [N m],tz [N m],contacts,status\n";
+      "tx [N m],ty [N m],tz [N m],contacts,status,nearest [m],pdt [m],lower bound [m],clearance "
+      "[m]\n";
   for (const ExportedInstant& m : instants) {
     std::string line;
     add(line, m.time);
@@ -41,7 +57,10 @@ std::string instants_csv(std::span<const ExportedInstant> instants) {
     add(line, m.wrench.force);
     add(line, m.wrench.torque);
     add(line, m.separation.clusters.size);
-    text += line + ',' + name_of(m.separation.status) + '\n';
+    line += std::string(",") + name_of(m.separation.status);
+    add_searched(line, m.searched);
+    add_number(line, m.clearance);
+    text += line + '\n';
   }
   return text;
 }

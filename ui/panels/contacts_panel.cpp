@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/haptics/coupling/contact_force.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
 
 namespace sonde::ui {
 namespace {
 
-enum Column { name, share, multiplier, gap, rows };
+enum Column { name, force, share, position, normal, gap, joined };
 
 std::uint64_t id_of(const QTreeWidgetItem& item) {
   return item.data(name, Qt::UserRole).toULongLong();
@@ -30,14 +31,18 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   rows_->setRootIsDecorated(false);
   rows_->setIndentation(0);
   rows_->setUniformRowHeights(true);
-  rows_->setHeaderLabels({QStringLiteral("Contact"), QStringLiteral("Share"),
-                          QStringLiteral("Multiplier"), QStringLiteral("Gap"),
-                          QStringLiteral("Rows")});
+  rows_->setHeaderLabels({QStringLiteral("Contact"), QStringLiteral("Force"),
+                          QStringLiteral("Share"), QStringLiteral("Position"),
+                          QStringLiteral("Normal"), QStringLiteral("Gap"),
+                          QStringLiteral("Joined")});
   const char* const tips[] = {"A cluster of contacts, the same number from tick to tick",
+                              "On the hand, along its normal: those of all contacts add up to F",
                               "The size of its force, of the sum of all",
-                              "λ: how far this contact alone pushes the probe, in the object norm",
+                              "Of the point on the fixed body, in that body's mesh frame: x, y, z",
+                              "Out of the fixed body, of length 1: x, y, z",
                               "Between the two points, at the separated pose",
-                              "Contacts that it is made of"};
+                              "How many places of contact it joins: near each other and facing the "
+                              "same way, or in one plane"};
   for (int i = 0; i < rows_->columnCount(); ++i)
     rows_->headerItem()->setToolTip(i, QString::fromUtf8(tips[i]));
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -52,15 +57,19 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] { on_selection(); });
 }
 
-void ContactsPanel::set_unit(const LengthUnit& unit) { unit_ = unit; }
+void ContactsPanel::take(const MassProperties& probe) {
+  com_ = probe.com;
+  unit_ = LengthUnit(probe.radius);
+}
 
-void ContactsPanel::show_contacts(const Separation& separation) {
+void ContactsPanel::show_contacts(const Separation& separation, const Wrench& wrench) {
   std::vector<ContactCluster> clusters;
   if (separation.status == Status::penetrating)
     clusters.assign(separation.clusters.begin(), separation.clusters.end());
   std::stable_sort(clusters.begin(), clusters.end(), [](const auto& a, const auto& b) {
     return a.contact.multiplier > b.contact.multiplier;
   });
+  const double newton = force_per_multiplier(wrench, separation.clusters, separation.device * com_);
   filling_ = true;
   while (rows_->topLevelItemCount() > static_cast<int>(clusters.size()))
     delete rows_->takeTopLevelItem(rows_->topLevelItemCount() - 1);
@@ -73,9 +82,11 @@ void ContactsPanel::show_contacts(const Separation& separation) {
     row.setText(name, QString::number(c.id));
     const double part = 100 * share_of_force(c.contact, separation.clusters);
     row.setText(share, part > 0 ? QStringLiteral("%1 %").arg(part, 0, 'f', 0) : QString());
-    row.setText(multiplier, unit_.text(c.contact.multiplier));
+    row.setText(force, number(newton * c.contact.multiplier) + QStringLiteral(" N"));
+    row.setText(position, unit_.text(c.contact.on_fixed));
+    row.setText(normal, components_text(c.contact.normal));
     row.setText(gap, unit_.text(c.contact.gap));
-    row.setText(rows, QString::number(c.rows));
+    row.setText(joined, QString::number(c.rows));
     row.setSelected(chosen_ != 0 && c.id == chosen_);
   }
   filling_ = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "ui/base/format.hpp"
 
@@ -19,8 +20,9 @@ class ContactsPanel : public QDockWidget {
  public:
   explicit ContactsPanel(QWidget* parent = nullptr);
 
-  void set_unit(const LengthUnit& unit);
-  void show_contacts(const Separation& separation);
+  /// Another probe.
+  void take(const MassProperties& probe);
+  void show_contacts(const Separation& separation, const Wrench& wrench);
   /// The row of that cluster; 0: none. It stays chosen while the cluster comes and goes.
   void choose(std::uint64_t id);
   std::uint64_t chosen() const { return chosen_; }
@@ -33,6 +35,7 @@ class ContactsPanel : public QDockWidget {
   QTreeWidget* rows_;
   QLabel* summary_;
   LengthUnit unit_;
+  Vec3 com_ = Vec3::Zero();  ///< of the probe, in its mesh frame
   std::uint64_t chosen_ = 0;
   bool filling_ = false;
 };

@@ -29,6 +29,7 @@ HistoryPlot::HistoryPlot(const QString& title, const QColor& colour, QWidget* pa
 }
 
 void HistoryPlot::add(double time, double value) {
+  if (!samples_.empty() && time == samples_.back().time) return;  // a moment that stays on show
   if (!samples_.empty() && time < samples_.back().time) samples_.clear();
   samples_.push_back({time, value});
   while (samples_.front().time < time - span) samples_.pop_front();

@@ -16,23 +16,15 @@
 #include "ui/panels/history_plot.hpp"
 #include "ui/panels/scrolled.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/wrench_view.hpp"
 
 namespace sonde::ui {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 QString percent(double part) { return QString::number(100 * part, 'f', 0) + QStringLiteral(" %"); }
 
 QString large(const QString& text) {
   return QStringLiteral("<span style='font-size:20pt; font-weight:bold'>%1</span>").arg(text);
-}
-
-/// What was followed to is a way out too, and may be nearer than what a short search finds.
-double nearest_known(const Separation& followed, const BackgroundResult& search) {
-  const double found = search.nearest ? search.nearest->depth : 0;
-  const bool both = same(search.device, followed.device) && followed.status == Status::penetrating;
-  return both ? std::min(found, followed.depth) : found;
 }
 
 QFormLayout* form_in(QVBoxLayout& layout, QWidget* group) {
@@ -74,15 +66,16 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
 }
 
 void ReadoutPanel::build_held(QVBoxLayout& layout) {
-  auto* group = new QGroupBox(QStringLiteral("Probe held at"), this);
+  auto* group = new QGroupBox(QStringLiteral("Clearance, or depth"), this);
   auto* form = form_in(layout, group);
   depth_ = new QLabel(QStringLiteral("–"), group);
   depth_->setObjectName(QStringLiteral("depth_value"));
   depth_->setToolTip(QStringLiteral(
-      "How far the separated pose that holds the probe is from the pose of the hand: √σ, how far "
-      "the probe's points move in the mean. The force pulls there. The loop followed it along a "
-      "free "
-      "path from where the probe came, so it need not be the nearest way out."));
+      "Free: the least distance between the bodies, which the view shows with the two points where "
+      "it is taken; grey while it is measured anew. Held: how deep, that is how far the separated "
+      "pose that holds the probe is from the pose of the hand, √σ, how far the probe's points move "
+      "in the mean. The force pulls there. The loop followed it along a free path from where the "
+      "probe came, so it need not be the nearest way out."));
   form->addRow(depth_);
   split_ = new Bar(group);
   form->addRow(split_);
@@ -131,10 +124,15 @@ void ReadoutPanel::build_wrench(QVBoxLayout& layout) {
   auto* form = form_in(layout, group);
   force_ = value(*form, in_colour(colour::force, QStringLiteral("force |F|")), "force_value",
                  QStringLiteral("Against the force limit."));
+  force_parts_ = value(*form, QStringLiteral("x, y, z, N"), "force_parts_value",
+                       QStringLiteral("The force on the hand along the axes of the fixed body."));
   force_bar_ = new Bar(group);
   form->addRow(force_bar_);
   torque_ = value(*form, in_colour(colour::torque, QStringLiteral("torque |τ|")), "torque_value",
                   QStringLiteral("About the centre of mass, against the torque limit."));
+  torque_parts_ = value(*form, QStringLiteral("x, y, z, N·m"), "torque_parts_value",
+                        QStringLiteral("The torque on the hand about the axes of the fixed body, "
+                                       "through the probe's centre of mass."));
   torque_bar_ = new Bar(group);
   form->addRow(torque_bar_);
   force_plot_ = new HistoryPlot(QStringLiteral("force"), colour::force, group);
@@ -171,19 +169,41 @@ void ReadoutPanel::sample(const Instant& now) {
   force_plot_->add(snapshot.time, snapshot.wrench.force.norm());
 }
 
+void ReadoutPanel::show_course(const TickLog& ticks, double until) {
+  depth_plot_->clear();
+  force_plot_->clear();
+  if (ticks.empty()) return;
+  for (std::uint64_t i = ticks.begin(), end = ticks.find(until); i <= end; ++i) {
+    const Snapshot tick = ticks.at(i);
+    depth_plot_->add(tick.time, tick.separation.depth);
+    force_plot_->add(tick.time, tick.wrench.force.norm());
+  }
+}
+
 void ReadoutPanel::show_numbers(const Instant& now) {
   const Snapshot& snapshot = now.snapshot;
   coupling_ = snapshot.coupling;
-  show_held(snapshot);
+  show_held(now);
   show_ways(snapshot.separation, now.searched);
-  show_wrench(snapshot.wrench);
+  show_wrench(snapshot);
   show_loop(snapshot);
   depth_plot_->update();
   force_plot_->update();
 }
 
-void ReadoutPanel::show_held(const Snapshot& snapshot) {
-  const Separation& separation = snapshot.separation;
+/// In large letters: how deep it is, or how much room there is.
+QString ReadoutPanel::room_text(const Instant& now) const {
+  const Separation& separation = now.snapshot.separation;
+  if (separation.status == Status::penetrating)
+    return large(unit_.text(separation.depth)) + QStringLiteral(" deep");
+  if (!now.clearance) return large(QStringLiteral("free"));
+  const QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
+  if (clearance_here(now)) return room;
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
+}
+
+void ReadoutPanel::show_held(const Instant& now) {
+  const Separation& separation = now.snapshot.separation;
   const bool held = separation.status == Status::penetrating;
   if (separation.status == Status::failed) {
     depth_->setText(large(QStringLiteral("not found")));
@@ -192,8 +212,7 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
       label->setText(QStringLiteral("–"));
     return;
   }
-  depth_->setText(held ? large(unit_.text(separation.depth)) + QStringLiteral(" from the hand")
-                       : large(QStringLiteral("free")));
+  depth_->setText(room_text(now));
   const double sigma = separation.sigma;
   const double turned =
       sigma > 0 ? separation.rotation * separation.rotation / sigma : 0;  // share of σ
@@ -205,7 +224,7 @@ void ReadoutPanel::show_held(const Snapshot& snapshot) {
   };
   const SeparationMotion motion = separation_motion(mass_, separation.device, separation.separated);
   const Screw screw = screw_of(motion, separation.device * mass_.com);
-  const QString angle = number(motion.theta.norm() * degrees) + QStringLiteral("°");
+  const QString angle = angle_text(motion.theta.norm());
   translation_->setText(share(separation.translation, moved));
   rotation_->setText(QStringLiteral("%1, %2").arg(angle, share(separation.rotation, turned)));
   screw_->setText(held
@@ -237,7 +256,7 @@ void ReadoutPanel::show_ways(const Separation& separation,
     bound_->setText(QStringLiteral("–"));
     return;
   }
-  const double nearest = nearest_known(separation, *searched);
+  const double nearest = searched->nearest ? searched->nearest->depth : 0;
   const auto beside = [&](double length) {
     return in_shade(
         nearest > 0 ? QStringLiteral("%1 (%2)").arg(unit_.text(length), percent(length / nearest))
@@ -250,23 +269,31 @@ void ReadoutPanel::show_ways(const Separation& separation,
                                         : QStringLiteral("none: two surfaces"));
 }
 
-void ReadoutPanel::show_wrench(const Wrench& wrench) {
+void ReadoutPanel::show_wrench(const Snapshot& snapshot) {
+  const Wrench& wrench = snapshot.wrench;
+  const HandState& hand = snapshot.hand;
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
-  const QString limit = wrench.saturated ? QStringLiteral(" at the limit") : QString();
-  const auto limited = [&](double value, double most) {
-    return value >= most * (1 - 1e-9) ? limit : QString();
+  const auto with_reason = [&](const QString& value, Lessened by) {
+    const QString why = lessened_text(by, hand.share);
+    return why.isEmpty() ? value : QStringLiteral("%1 (%2)").arg(value, why);
   };
-  force_->setText(number(force) + QStringLiteral(" N") + limited(force, coupling_.max_force));
-  torque_->setText(number(torque) + QStringLiteral(" N·m") + limited(torque, coupling_.max_torque));
+  force_->setText(with_reason(number(force) + QStringLiteral(" N"),
+                              force_lessened(wrench, hand, snapshot.coupling)));
+  torque_->setText(with_reason(number(torque) + QStringLiteral(" N·m"),
+                               torque_lessened(wrench, hand, snapshot.coupling)));
+  force_parts_->setText(components_text(wrench.force));
+  torque_parts_->setText(components_text(wrench.torque));
   force_bar_->set({{force / coupling_.max_force, colour::force}});
   torque_bar_->set({{torque / coupling_.max_torque, colour::torque}});
 }
 
 void ReadoutPanel::show_loop(const Snapshot& snapshot) {
-  tick_->setText(number(snapshot.tick_us) + QStringLiteral(" µs"));
-  rate_->setText(snapshot.paused
-                     ? QStringLiteral("paused")
-                     : QString::number(snapshot.rate_hz, 'f', 0) + QStringLiteral(" Hz"));
+  const QString none = QStringLiteral("–");  // of a run with no clock
+  tick_->setText(snapshot.tick_us > 0 ? number(snapshot.tick_us) + QStringLiteral(" µs") : none);
+  rate_->setText(snapshot.paused ? QStringLiteral("paused")
+                 : snapshot.rate_hz > 0
+                     ? QString::number(snapshot.rate_hz, 'f', 0) + QStringLiteral(" Hz")
+                     : none);
   steps_->setText(QString::number(snapshot.separation.iterations));
   late_->setText(QStringLiteral("%1 of %2").arg(snapshot.late).arg(snapshot.tick));
 }

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <optional>
 
+#include "engine/recording/tick_log.hpp"
 #include "ui/base/format.hpp"
 #include "ui/document/instant.hpp"
 
@@ -27,6 +28,8 @@ class ReadoutPanel : public QDockWidget {
   void take(const MassProperties& probe, bool any_solid);
   /// Adds to the curves: called with every frame.
   void sample(const Instant& now);
+  /// The curves as they were at that time, of ticks that are looked back on.
+  void show_course(const TickLog& ticks, double until);
   /// Writes the numbers: a few times a second, so that they are legible.
   void show_numbers(const Instant& now);
 
@@ -36,9 +39,10 @@ class ReadoutPanel : public QDockWidget {
   void build_ways(QVBoxLayout& layout);
   void build_wrench(QVBoxLayout& layout);
   void build_loop(QVBoxLayout& layout);
-  void show_held(const Snapshot& snapshot);
+  void show_held(const Instant& now);
+  QString room_text(const Instant& now) const;
   void show_ways(const Separation& separation, const std::optional<BackgroundResult>& searched);
-  void show_wrench(const Wrench& wrench);
+  void show_wrench(const Snapshot& snapshot);
   void show_loop(const Snapshot& snapshot);
 
   MassProperties mass_;
@@ -46,7 +50,7 @@ class ReadoutPanel : public QDockWidget {
   bool any_solid_ = false;
   Coupling coupling_;
   QLabel *depth_, *translation_, *rotation_, *screw_, *nearest_, *why_, *pdt_, *bound_, *force_,
-      *torque_, *contacts_, *tick_, *rate_, *late_, *steps_;
+      *torque_, *contacts_, *force_parts_, *torque_parts_, *tick_, *rate_, *late_, *steps_;
   Bar *split_, *force_bar_, *torque_bar_;
   HistoryPlot *depth_plot_, *force_plot_;
 };

@@ -117,7 +117,9 @@ void StiffnessPanel::build_sets(QVBoxLayout& layout) {
     sets_[i]->setCheckable(true);
     sets_[i]->setStyleSheet(
         QStringLiteral("QPushButton:checked { background: #26809a; color: white; font-weight: 600; "
-                       "border: 1px solid #57d3ff; padding: 4px; }"));
+                       "border: 1px solid #57d3ff; padding: 4px; }"
+                       "QPushButton:checked:hover { background: #2f98b8; }"
+                       "QPushButton:checked:pressed { background: #174f5f; }"));
     connect(sets_[i], &QPushButton::clicked, this, [this, i](bool on) {
       if (on && switch_asked) return switch_asked();
       sets_[i]->setChecked(true);  // pressed already
@@ -297,10 +299,14 @@ void StiffnessPanel::show_point() {
                                .arg(QLatin1String(name_of(tuning_->results.mode))));
   const auto gains = recommend(tuning_->results, axis());
   const auto found = plot_->map_class(point);
-  QString words = QStringLiteral("Now: %1 = %2 %3, %4")
-                      .arg(QLatin1String(stiffness_key(axis())), number(point.stiffness),
-                           stiffness_unit(axis()),
-                           found ? QLatin1String(name_of(*found)) : QStringLiteral("off the map"));
+  // What a study predicts for its own hands; what is measured in this one stands above.
+  QString words = QStringLiteral("By the study of %1, %2 = %3 %4 ")
+                      .arg(text(tuning_->results.device_id), QLatin1String(stiffness_key(axis())),
+                           number(point.stiffness), stiffness_unit(axis()));
+  words += found
+               ? QStringLiteral("is %1 in every contact and hand shown, with the device's friction")
+                     .arg(QLatin1String(name_of(*found)))
+               : QStringLiteral("is off the map");
   const QString margin = gains ? margin_text(tuning_->results, *gains, point.stiffness) : QString();
   if (!margin.isEmpty()) words += QStringLiteral("; ") + margin;
   const QString contact = contact_words(point);
@@ -312,10 +318,11 @@ QString StiffnessPanel::contact_words(const MapPoint& point) const {
   const QString name = QStringLiteral("Contact now: %1, ").arg(text(contact_));
   const auto boundary = boundary_in(tuning_->results, axis(), contact_, point.damping);
   if (!boundary) return name + QStringLiteral("which the study has not.");
-  if (!std::isfinite(*boundary)) return name + QStringLiteral("stable in the range studied.");
-  return name + QStringLiteral("boundary %1 %2: %3.")
-                    .arg(number(*boundary), stiffness_unit(axis()),
-                         distance_text(point.stiffness, *boundary));
+  if (!std::isfinite(boundary->stiffness))
+    return name + QStringLiteral("by the study stable in its range.");
+  return name + QStringLiteral("by the study's boundary of %1 %2 (%3): %4.")
+                    .arg(number(boundary->stiffness), stiffness_unit(axis()), words_of(*boundary),
+                         distance_text(point.stiffness, boundary->stiffness));
 }
 
 void StiffnessPanel::show_contact(const std::string& kind) {

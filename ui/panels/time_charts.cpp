@@ -153,11 +153,16 @@ std::vector<CurveStyle> curve_styles(const LengthUnit& unit) {
           {Curve::force_y, QStringLiteral("F_y"), newton, 1, y},
           {Curve::force_z, QStringLiteral("F_z"), newton, 1, z},
           {Curve::torque, QStringLiteral("|τ|"), QStringLiteral("N·m"), 1, colour::torque},
+          {Curve::torque_x, QStringLiteral("τ_x"), QStringLiteral("N·m"), 1, x},
+          {Curve::torque_y, QStringLiteral("τ_y"), QStringLiteral("N·m"), 1, y},
+          {Curve::torque_z, QStringLiteral("τ_z"), QStringLiteral("N·m"), 1, z},
           {Curve::tick_us, QStringLiteral("tick time"), QStringLiteral("µs"), 1, colour::turn},
           {Curve::rows_us, QStringLiteral("time of the rows"), QStringLiteral("µs"), 1,
            colour::contact},
           {Curve::age, QStringLiteral("age of rows"), QStringLiteral("ms"), 1e3, colour::contact},
-          {Curve::energy, QStringLiteral("energy"), QStringLiteral("mJ"), 1e3, colour::probe}};
+          {Curve::energy, QStringLiteral("energy"), QStringLiteral("mJ"), 1e3, colour::probe},
+          {Curve::clearance, QStringLiteral("clearance, or minus the depth"), length, scale,
+           colour::measure}};
 }
 
 struct TimeCharts::Scene {

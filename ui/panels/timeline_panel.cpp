@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "ui/document/playback.hpp"
+#include "ui/panels/jump_slider.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -23,7 +24,7 @@ QString text_of(const TimelineState& state) {
   if (!state.any) return QStringLiteral("nothing kept yet");
   const QString span = QStringLiteral("%1 s kept").arg(state.to - state.from, 0, 'f', 1);
   if (!state.looking)
-    return state.recording ? QStringLiteral("Live, recording. %1").arg(span)
+    return state.recording ? QStringLiteral("Live, recording since %1. %2").arg(state.since, span)
                            : QStringLiteral("Live. %1").arg(span);
   const QString where = QStringLiteral("%1 s, tick %2, %3 s before the end")
                             .arg(state.time, 0, 'f', 3)
@@ -40,7 +41,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(6, 2, 6, 4);
   layout->setSpacing(2);
-  track_ = new QSlider(Qt::Horizontal, content);
+  track_ = new JumpSlider(content);
   track_->setObjectName(QStringLiteral("timeline"));
   track_->setRange(0, places);
   track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers show that moment"));

@@ -23,6 +23,7 @@ struct TimelineState {
   bool looking = false;     ///< false: live
   bool playing = false;
   bool recording = false;
+  QString since;          ///< when the recording began, and with how much of what was kept
   QString of;             ///< the recording that was opened; empty: the last minutes of the session
   bool replayed = false;  ///< it was run again with other gains, beside it
   bool shows_replay = false;  ///< that run is on show

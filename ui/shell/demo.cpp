@@ -17,9 +17,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr int step_ms = 4;
-constexpr double back_seconds = 0.9;
-constexpr double numbers_seconds = 0.4;
-constexpr double rest_at_most = 6;  // for PD_t of the last pose
+constexpr double numbers_seconds = 0.4;  // for them to be written
 constexpr double least_lit = 0.01;
 
 /// With no trajectory: from the start straight towards the fixed body's centre, a third of the way
@@ -52,7 +50,7 @@ double lit_share(const QImage& picture) {
 }
 
 Demo::Demo(MainWindow& window, std::string picture)
-    : window_(window), picture_(std::move(picture)) {
+    : window_(window), picture_(std::move(picture)), job_(&window) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { step(); });
 }
@@ -76,55 +74,59 @@ Pose Demo::at(double place) const {
 
 void Demo::step() {
   const double seconds = double(clock_.elapsed()) / 1000;
-  switch (act_) {
-    case Act::forward:
-      return forward(seconds);
-    case Act::back:
-      return back(seconds);
-    case Act::rest:
-      return rest(seconds);
-  }
-}
-
-/// Remembers where along the path the depth was largest.
-void Demo::watch(double place) {
-  const Snapshot* now = window_.session()->latest();
-  if (!now || now->separation.status != Status::penetrating) return;
-  if (!(now->separation.depth > deepest_)) return;
-  deepest_ = now->separation.depth;
-  deepest_place_ = place;
+  return act_ == Act::forward ? forward(seconds) : rest(seconds);
 }
 
 void Demo::forward(double seconds) {
   const double place = std::min(seconds / forward_seconds_, 1.0);
   window_.set_device_pose(at(place));
-  watch(place);
   if (place < 1) return;
-  motion_seconds_ += seconds;
-  begin(Act::back);
+  timer_.stop();
+  frames_per_second_ = double(window_.frames() - frames_at_start_) / seconds;
+  live_ = window_.shown();
+  run_by_tick();
 }
 
-void Demo::back(double seconds) {
-  const double part = std::min(seconds / back_seconds, 1.0);
-  window_.set_device_pose(at(1 + part * (deepest_place_ - 1)));
-  if (part < 1) return;
-  motion_seconds_ += seconds;
-  window_.viewport().fit();  // the path may have begun far away
-  frames_per_second_ = double(window_.frames() - frames_at_start_) / motion_seconds_;
+void Demo::run_by_tick() {
+  run_ = std::make_shared<DemoRun>();
+  const LoadedScene& loaded = window_.session()->loaded();
+  job_.start(
+      QStringLiteral("Looking for the deepest pose of the path"),
+      [run = run_, pair = loaded.pair, path = path_, coupling = loaded.coupling,
+       seconds = forward_seconds_](const Progress& progress) {
+        *run = run_demo(pair, path, coupling, seconds, progress);
+      },
+      [this](const std::exception_ptr& error) { show_deepest(error); });
+}
+
+void Demo::show_deepest(const std::exception_ptr& error) {
+  if (error) {
+    const QString reason = reason_of(error);
+    tell_terminal(reason.isEmpty() ? "cancelled" : reason.toStdString());
+    return end(4);
+  }
+  window_.show_kept(run_->kept, run_->deepest);
   begin(Act::rest);
+  timer_.start(step_ms);
 }
 
 void Demo::rest(double seconds) {
-  const auto& searched = window_.searched();
-  const bool caught_up =
-      searched && window_.shown() && searched->device.p == window_.shown()->separation.device.p &&
-      searched->device.q.coeffs() == window_.shown()->separation.device.q.coeffs();
-  if (!caught_up) caught_up_at_ = seconds;
-  // Then a moment for the numbers to be written.
-  if (seconds < std::min(caught_up_at_ + numbers_seconds, rest_at_most)) return;
+  const auto& shown = window_.shown();
+  if (!fitted_) {
+    if (!shown || shown->time != run_->kept->log().at(run_->kept->log().find(run_->deepest)).time)
+      return;
+    window_.viewport().fit();  // the path may have begun far away
+    fitted_ = true;
+    begin(Act::rest);
+    return;
+  }
+  if (seconds < numbers_seconds) return;
   timer_.stop();
-  const int code = finish();
-  if (ended) ended(code);
+  end(finish());
+}
+
+void Demo::end(int exit_code) {
+  if (ended) ended(exit_code);
 }
 
 int Demo::finish() {
@@ -137,15 +139,17 @@ int Demo::finish() {
   std::printf("%s\n", printable(picture_).c_str());
   std::printf("depth held %.4g m (translation %.4g, rotation %.4g), ", s.separation.depth,
               s.separation.translation, s.separation.rotation);
-  if (const auto& c = window_.searched()) {
+  if (const auto c = window_.searched()) {
     if (c->nearest) std::printf("nearest way out %.4g m, ", c->nearest->depth);
     if (c->pdt) std::printf("PD_t %.4g m, ", c->pdt->depth);
     if (c->lower_bound) std::printf("lower bound %.4g m, ", *c->lower_bound);
   }
+  const Snapshot live = live_.value_or(Snapshot{});
   std::printf("|F| %.3g N, |tau| %.3g N·m, tick %.0f us, servo %.0f Hz, %.0f frames/s\n",
-              s.wrench.force.norm(), s.wrench.torque.norm(), s.tick_us, s.rate_hz,
+              s.wrench.force.norm(), s.wrench.torque.norm(), live.tick_us, live.rate_hz,
               frames_per_second_);
-  if (const auto& c = window_.searched())
+  if (!run_->touches) std::printf("The path never touches: its last pose is shown.\n");
+  if (const auto c = window_.searched())
     if (const char* way = words(way_out(s.separation, *c)); *way != 0) std::printf("%s\n", way);
   std::fflush(stdout);
   return 0;

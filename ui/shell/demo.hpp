@@ -4,18 +4,24 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <exception>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/scene/poses.hpp"
+#include "ui/base/job.hpp"
+#include "ui/shell/demo_run.hpp"
 
 namespace sonde::ui {
 
 class MainWindow;
 
-/// Moves the probe of an opened scene along the scene's trajectory, goes back to its deepest pose,
-/// waits until the view shows it, and saves a picture.
+/// Moves the probe of an opened scene along the scene's trajectory, then shows the deepest pose of
+/// that path and saves a picture. The deepest pose is found by a run of its own, tick by tick, so
+/// the picture is the same however fast the display is.
 class Demo : public QObject {
  public:
   Demo(MainWindow& window, std::string picture);
@@ -25,12 +31,13 @@ class Demo : public QObject {
   std::function<void(int exit_code)> ended;
 
  private:
-  enum class Act { forward, back, rest };
+  enum class Act { forward, rest };
   void step();
   void forward(double seconds);
-  void back(double seconds);
+  void run_by_tick();
+  void show_deepest(const std::exception_ptr& error);
   void rest(double seconds);
-  void watch(double place);
+  void end(int exit_code);
   Pose at(double place) const;  ///< 0 to 1 along the path
   void begin(Act act);
   int finish();
@@ -42,12 +49,12 @@ class Demo : public QObject {
   QElapsedTimer clock_;
   Act act_ = Act::forward;
   double forward_seconds_ = 2.6;  ///< however long the trajectory is
-  double deepest_ = -1;           ///< m
-  double deepest_place_ = 1;      ///< 0 to 1 along the path
   std::size_t frames_at_start_ = 0;
-  double motion_seconds_ = 0;
   double frames_per_second_ = 0;
-  double caught_up_at_ = 0;  ///< s into the rest
+  std::optional<Snapshot> live_;  ///< the servo's last tick on the path
+  bool fitted_ = false;
+  Job job_;
+  std::shared_ptr<DemoRun> run_;
 };
 
 /// Share of a picture's pixels that differ from those of the left edge in the same row, where there

@@ -2,13 +2,34 @@
 #include "ui/shell/escape_key.hpp"
 
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace sonde::ui {
+namespace {
 
-EscapeKey::EscapeKey(std::function<void()> pressed) : pressed_(std::move(pressed)) {
+/// What Esc closes: in front of the window, and the window itself is none.
+QWidget* open_in_front() {
+  if (QWidget* popup = QApplication::activePopupWidget()) return popup;
+  if (QWidget* modal = QApplication::activeModalWidget()) return modal;
+  return qobject_cast<QDialog*>(QApplication::activeWindow());
+}
+
+/// Qt drops a key for a window that a dialog blocks: then nobody would close that dialog. A list or
+/// a menu gets its keys wherever they go.
+void close_where_blocked(std::uint32_t key_of) {
+  QWidget* modal = QApplication::activeModalWidget();
+  if (!modal || QApplication::activePopupWidget() || modal->winId() == key_of) return;
+  QMetaObject::invokeMethod(modal, "close", Qt::QueuedConnection);
+}
+
+}  // namespace
+
+EscapeKey::EscapeKey(std::function<void()> pressed, std::function<bool()> first)
+    : pressed_(std::move(pressed)), first_(std::move(first)) {
   QApplication::instance()->installEventFilter(this);
   QApplication::instance()->installNativeEventFilter(this);
 }
@@ -18,21 +39,32 @@ EscapeKey::~EscapeKey() {
   if (QApplication::instance()) QApplication::instance()->removeNativeEventFilter(this);
 }
 
+void EscapeKey::act() const {
+  if (!open_in_front() || first_()) pressed_();
+}
+
 /// A shortcut takes the press away from everybody, so the question before, whether somebody else
 /// wants the key, counts as well.
 bool EscapeKey::eventFilter(QObject* /*watched*/, QEvent* event) {
   const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-  if (key && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) pressed_();
+  if (key && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) act();
   return false;
 }
 
-/// Qt drops a key for a window that a dialog blocks before any filter of events. With no window
-/// manager, or a focus that follows the mouse, that is where keys go while a dialog is open.
+/// With no window manager, or a focus that follows the mouse, keys go to the window below while a
+/// dialog is open, and Qt drops them before any filter of events.
 bool EscapeKey::nativeEventFilter(const QByteArray& type, void* message, long* /*result*/) {
-  // As the X protocol has it: the kind of event, with a bit for those that clients send; the key.
+  // As the X protocol has it: the kind of event, with a bit for those that clients send; the key;
+  // and, after a sequence number, a time and the root, the window that the key is for.
   constexpr std::uint8_t press = 2, kind = 0x7f, escape = 9;
+  constexpr std::size_t window_at = 12;
   const auto* bytes = static_cast<const std::uint8_t*>(message);
-  if (type == "xcb_generic_event_t" && (bytes[0] & kind) == press && bytes[1] == escape) pressed_();
+  if (type != "xcb_generic_event_t" || (bytes[0] & kind) != press || bytes[1] != escape)
+    return false;
+  act();
+  std::uint32_t window = 0;
+  std::memcpy(&window, bytes + window_at, sizeof window);
+  close_where_blocked(window);
   return false;
 }
 

@@ -7,17 +7,23 @@
 
 namespace sonde::ui {
 
-/// Reports Esc before any other part of the program gets it, whatever window is open and whatever
-/// has the focus. It does not consume the key: the key press still reaches its target.
-class EscapeKey : public QObject, private QAbstractNativeEventFilter {
+/// Calls a function on Esc, wherever in the application and whatever the key does there besides.
+/// Where something is open in front of the window (a dialog, a menu, a list), Esc closes that and
+/// nothing else, unless the function is wanted first.
+class EscapeKey : public QObject, public QAbstractNativeEventFilter {
  public:
-  explicit EscapeKey(std::function<void()> pressed);
+  /// `first` says whether `pressed` is called even where something is open: the hand at a device
+  /// with motors must not have to wait for a dialog.
+  EscapeKey(std::function<void()> pressed, std::function<bool()> first);
   ~EscapeKey() override;
-
- private:
   bool eventFilter(QObject* watched, QEvent* event) override;
   bool nativeEventFilter(const QByteArray& type, void* message, long* result) override;
+
+ private:
+  void act() const;
+
   std::function<void()> pressed_;
+  std::function<bool()> first_;
 };
 
 }  // namespace sonde::ui

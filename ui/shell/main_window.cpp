@@ -84,7 +84,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::open(const QStringList& files, std::optional<double> unit) {
   statusBar()->showMessage(QStringLiteral("Opening %1 …").arg(QFileInfo(files.value(0)).fileName()),
                            4000);
-  if (!open_recording(files)) documents_->open(files, unit);
+  if (open_recording(files)) return;
+  if (DocumentControl::is_one_mesh(files)) return open_one_mesh(files[0]);
+  documents_->open(files, unit);
+}
+
+/// The other one is asked for once it is known that this one can be read.
+void MainWindow::open_one_mesh(const QString& file) {
+  opener_->check_mesh(file, [this, file] {
+    if (!documents_->ask_meshes(file)) emit open_failed({});
+  });
 }
 
 /// False where it is none.
@@ -106,6 +115,17 @@ void MainWindow::ask_path() {
 }
 
 void MainWindow::show_start_page() { start_page_->present(); }
+
+void MainWindow::show_start_page(const QString& reason, const QStringList& files) {
+  start_page_->present();
+  start_page_->complain(reason, [this, files] {
+    const QString first = files.value(0);
+    if (files.size() == 2 || DocumentControl::is_one_mesh(files))
+      documents_->ask_meshes(QFileInfo::exists(first) && files.size() == 2 ? first : QString());
+    else
+      documents_->ask_scene();
+  });
+}
 
 void MainWindow::show_nothing() {
   stiffness_->keep_gains();
@@ -181,6 +201,7 @@ void MainWindow::show_holder() {
   const auto* connected = std::get_if<ConnectedSource>(&devices_->source());
   const bool feels = connected && (connected->kind == DeviceKind::force_device ||
                                    connected->kind == DeviceKind::arm);
+  set_felt(feels);
   stiffness_->set_holder({simulating ? std::optional(simulating->profile) : std::nullopt, name,
                           feels ? QString::fromStdString(connected->name) : QString()});
   show_device();
@@ -250,14 +271,34 @@ void MainWindow::on_frame() {
   }
 }
 
+void MainWindow::show_kept(const std::shared_ptr<KeptTicks>& ticks, double time) {
+  history_->show_kept(ticks, time);
+  readout_->show_course(ticks->log(), time);
+}
+
 /// What there is to show: of the servo, or of what was kept.
 std::optional<Instant> MainWindow::newest() {
-  if (history_->looking_back()) return history_->instant();
+  if (history_->looking_back()) {
+    std::optional<Instant> then = history_->instant();
+    if (then) measure_clearance(*then);
+    return then;
+  }
   const Snapshot* now = session()->latest();
   if (!now) return {};
-  Instant live{.snapshot = *now, .searched = search_.newest()};
+  const auto& searched = search_.newest();
+  Instant live = instant_of(*now, searched ? &*searched : nullptr, true);
   live.snapshot.paused = session()->paused();
+  measure_clearance(live);
+  if (live.clearance) history_->add(*live.clearance);
   return live;
+}
+
+/// Where it is shown, and the probe is free.
+void MainWindow::measure_clearance(Instant& now) {
+  const Separation& s = now.snapshot.separation;
+  const bool wanted =
+      viewport_->shown(Layer::clearance) || readout_->isVisible() || history_->plots().isVisible();
+  if (wanted && s.status == Status::separated) now.clearance = session()->clearance(s.device);
 }
 
 void MainWindow::draw_if_changed() {
@@ -286,7 +327,7 @@ void MainWindow::ask_search() {
     const auto& before = search_.newest();
     if (drawn && !(before && same_pose(before->device, result->device))) viewport_->invalidate();
     search_.answered(*result);
-    history_->add(*result);
+    history_->add(with_followed(*result, shown_->separation));
   }
   const Pose& device = shown_->separation.device;
   if (search_.asks(device, clock_.elapsed())) session()->ask_search(device);
@@ -301,14 +342,15 @@ void MainWindow::show_numbers() {
 
 void MainWindow::show_status() {
   const Snapshot& s = *shown_;
-  QString happens = happening(*instant_);
+  QString happens = happening(*instant_, LengthUnit(session()->probe().mass.radius));
   if (const auto& searched = search_.newest(); instant_->live && searched)
     log_->add(QString::fromUtf8(words(way_out(s.separation, *searched))));
   if (const QString fault = force_log_.recent(s.time); instant_->live && !fault.isEmpty())
     happens += QLatin1Char(' ') + fault;
   status_.show_happening(
       QStringLiteral("%1   %2").arg(happens, natures(session()->probe(), session()->fixed())));
-  status_.show_rates(s, *session(), frame_rate_.at(clock_.elapsed()), viewport_->simplified());
+  status_.show_rates(*instant_, *session(), frame_rate_.at(clock_.elapsed()),
+                     viewport_->simplified());
 }
 
 /// Also with nothing open: what is plugged in shows at once.

@@ -29,6 +29,7 @@ class DocumentControl;
 struct DocumentView;
 class ExportControl;
 class HistoryControl;
+struct KeptTicks;
 class LogPanel;
 class MeasureControl;
 class MouseProbe;
@@ -49,13 +50,17 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// One scene, or the probe and the fixed body. Ends in opened() or open_failed().
+  /// One scene, the probe and the fixed body, or one mesh, which asks for the other. Ends in
+  /// opened() or open_failed().
   void open(const QStringList& files, std::optional<double> unit = std::nullopt);
   DocumentControl& documents() { return *documents_; }
   Session* session() { return drawn_.session.get(); }
   Viewport& viewport() { return *viewport_; }
   Prompts& prompts() { return prompts_; }
-  const std::optional<BackgroundResult>& searched() const { return search_.newest(); }
+  /// What has been searched by the instant shown, with what was followed to.
+  std::optional<BackgroundResult> searched() const {
+    return instant_ ? instant_->searched : std::nullopt;
+  }
   /// The newest snapshot shown; none before the first.
   const std::optional<Snapshot>& shown() const { return shown_; }
   DeviceControl& devices() { return *devices_; }
@@ -71,13 +76,20 @@ class MainWindow : public QMainWindow {
   void show_device_dock();  ///< before the dock it shares its place with
   void set_device_pose(const Pose& X_FM);
   void set_paused(bool paused);
-  /// False immediately on Esc, from anywhere in the window; true lets the force come back.
+  /// False immediately on Esc where nothing is open in front of the window; true lets the force
+  /// come back.
   void set_force(bool on);
+  /// A hand at a device with motors feels the force: Esc stops it whatever is open.
+  void set_felt(bool felt) { felt_ = felt; }
   void reset();
   /// Closes the document and shows the start page.
   void show_start_page();
+  /// The same, with the reason why these files were not opened.
+  void show_start_page(const QString& reason, const QStringList& files);
   /// Lets the separated probe swing between the hand and the pose where it is held.
   void set_swing(bool on) { swing_ = on; }
+  /// Looks at ticks that were made elsewhere, at that time (HistoryControl::show_kept).
+  void show_kept(const std::shared_ptr<KeptTicks>& ticks, double time);
   /// Includes docks and overlays. False, with a message, where the file cannot be written.
   bool save_picture(const QString& file);
   void ask_picture();
@@ -113,11 +125,13 @@ class MainWindow : public QMainWindow {
   void show_holder();
   void on_frame();
   std::optional<Instant> newest();
+  void measure_clearance(Instant& now);
   void draw_if_changed();
   void forget_shown() { shown_.reset(), instant_.reset(); }
   void pause(bool paused);
   void complain(const QString& reason);
   bool open_recording(const QStringList& files);
+  void open_one_mesh(const QString& file);
   void ask_search();
   void show_numbers();
   void show_status();
@@ -154,6 +168,7 @@ class MainWindow : public QMainWindow {
   std::optional<Instant> instant_;  ///< the same, with all that belongs to it
   SearchSchedule search_;
   bool force_ = true;
+  bool felt_ = false;
   bool swing_ = false;
   std::size_t frames_ = 0;
   FrameRate frame_rate_;

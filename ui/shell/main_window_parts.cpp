@@ -58,7 +58,7 @@ MainWindow::MainWindow(QWidget* parent)
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
                                       documents_->document().stack(), prompts_, *this)),
       status_(*statusBar()),
-      escape_([this] { set_force(false); }) {
+      escape_([this] { set_force(false); }, [this] { return felt_; }) {
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);

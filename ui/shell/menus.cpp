@@ -164,18 +164,30 @@ void add_file_menu(MainWindow& window, QToolBar& bar) {
   bar.addSeparator();
 }
 
+/// "Undo: Reset" where there is a step, and "Undo" alone, not to be had, where there is none.
+void name_with(QAction& action, const QString& name, QUndoStack& stack,
+               void (QUndoStack::*text_changed)(const QString&),
+               void (QUndoStack::*can_changed)(bool)) {
+  action.setText(name);
+  action.setEnabled(false);
+  QObject::connect(&stack, text_changed, &action, [&action, name](const QString& step) {
+    action.setText(step.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, step));
+  });
+  QObject::connect(&stack, can_changed, &action, &QAction::setEnabled);
+}
+
 void add_edit_menu(MainWindow& window) {
   DocumentControl* documents = &window.documents();
   QUndoStack& stack = documents->document().stack();
   QMenu& menu = *window.menuBar()->addMenu(QStringLiteral("&Edit"));
-  QAction* undo = stack.createUndoAction(&window, QStringLiteral("&Undo:"));
-  undo->setObjectName(QStringLiteral("undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = stack.createRedoAction(&window, QStringLiteral("&Redo:"));
-  redo->setObjectName(QStringLiteral("redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  menu.addAction(undo);
-  menu.addAction(redo);
+  QAction* undo = add(window, menu, "undo", QStringLiteral("&Undo"), QKeySequence::Undo,
+                      [&stack](bool) { stack.undo(); });
+  QAction* redo = add(window, menu, "redo", QStringLiteral("&Redo"), QKeySequence::Redo,
+                      [&stack](bool) { stack.redo(); });
+  name_with(*undo, QStringLiteral("&Undo"), stack, &QUndoStack::undoTextChanged,
+            &QUndoStack::canUndoChanged);
+  name_with(*redo, QStringLiteral("&Redo"), stack, &QUndoStack::redoTextChanged,
+            &QUndoStack::canRedoChanged);
   menu.addSeparator();
   const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
   add(window, menu, "copy_pose", QStringLiteral("&Copy pose"), key("Ctrl+C"),
@@ -270,6 +282,8 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             key("6"), Layer::straight);
   add_layer(window, menu, "show_bound", QStringLiteral("Witness of the lower bound"), key("7"),
             Layer::bound);
+  add_layer(window, menu, "show_clearance", QStringLiteral("Clearance, and where it is"), key("8"),
+            Layer::clearance);
   add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
             Layer::defects);
   add_layer(window, menu, "show_mended", QStringLiteral("Closed openings, in their colour"), {},

@@ -83,21 +83,29 @@ void when_opened(MainWindow& window, const Arguments& arguments) {
 
 void say(const QString& reason) { tell_terminal(reason.toStdString()); }
 
-/// Bad input on the command line ends the program; later, a message box says it.
+/// Nobody is there to ask: what is written goes to stderr, and what fails ends the program.
+void answer_unattended(Prompts& prompts) {
+  prompts.report_error = say;
+  prompts.ask_bodies = [](const MeshPair&, const PairSetup& guess) { return std::optional(guess); };
+  prompts.ask_paths = [](const QString& file, const QStringList& paths) {
+    say(QStringLiteral("%1 names files outside of its folder: %2")
+            .arg(file, paths.join(QStringLiteral(", "))));
+    return Consent::once;  // as `sonde` reads it
+  };
+  prompts.ask_meshes = [](const QString&) -> std::optional<std::pair<QString, QString>> {
+    say(QStringLiteral("one mesh alone: name the probe, then the fixed body"));
+    return std::nullopt;
+  };
+}
+
+/// What is opened first. Where it fails, a program that somebody looks at stays, with the reason on
+/// its start page: whoever has double-clicked a file sees no terminal.
 void open_command_line(MainWindow& window, const Arguments& arguments) {
   const Prompts interactive = window.prompts();
   const bool unattended = !arguments.demo.empty() || !arguments.screenshot.empty();
+  if (unattended) answer_unattended(window.prompts());
   window.prompts().report_error = say;
-  if (unattended) {
-    window.prompts().ask_bodies = [](const MeshPair&, const PairSetup& guess) {
-      return std::optional(guess);
-    };
-    window.prompts().ask_paths = [](const QString& file, const QStringList& paths) {
-      say(QStringLiteral("%1 names files outside of its folder: %2")
-              .arg(file, paths.join(QStringLiteral(", "))));
-      return Consent::once;  // as `sonde` reads it: nobody is there to ask
-    };
-  }
+  const QStringList files = files_to_open(arguments);
   const auto first = std::make_shared<bool>(true);
   QObject::connect(&window, &MainWindow::opened, &window,
                    [&window, arguments, interactive, unattended, first] {
@@ -106,15 +114,16 @@ void open_command_line(MainWindow& window, const Arguments& arguments) {
                      when_opened(window, arguments);
                    });
   QObject::connect(&window, &MainWindow::open_failed, &window,
-                   [&window, interactive, first](const QString& reason) {
+                   [&window, interactive, unattended, files, first](const QString& reason) {
                      if (!std::exchange(*first, false)) return;
-                     // Cancelled by hand: the empty window stays, to open something else.
+                     if (unattended) return QApplication::exit(bad_input);
+                     window.prompts() = interactive;
                      if (reason.isEmpty())
-                       window.prompts() = interactive;
+                       window.show_start_page();  // cancelled by hand
                      else
-                       QApplication::exit(bad_input);
+                       window.show_start_page(reason, files);
                    });
-  window.open(files_to_open(arguments), arguments.unit);
+  window.open(files, arguments.unit);
 }
 
 /// What is there first: what another run has left, the files of the command line, or the page to

@@ -51,11 +51,11 @@ void add_directions(MainWindow& window, QMenu& menu, SeeingControl& seeing) {
   };
   const Direction directions[] = {
       {"from_right", "From +x", "Ctrl+1", Vec3::UnitX(), Vec3::UnitZ()},
-      {"from_left", "From −x", "Ctrl+2", -Vec3::UnitX(), Vec3::UnitZ()},
+      {"from_left", "From -x", "Ctrl+2", -Vec3::UnitX(), Vec3::UnitZ()},
       {"from_back", "From +y", "Ctrl+3", Vec3::UnitY(), Vec3::UnitZ()},
-      {"from_front", "From −y", "Ctrl+4", -Vec3::UnitY(), Vec3::UnitZ()},
+      {"from_front", "From -y", "Ctrl+4", -Vec3::UnitY(), Vec3::UnitZ()},
       {"from_above", "From +z", "Ctrl+5", Vec3::UnitZ(), Vec3::UnitY()},
-      {"from_below", "From −z", "Ctrl+6", -Vec3::UnitZ(), Vec3::UnitY()}};
+      {"from_below", "From -z", "Ctrl+6", -Vec3::UnitZ(), Vec3::UnitY()}};
   SeeingControl* control = &seeing;
   for (const Direction& d : directions)
     add(window, menu, d.object, d.text, d.key,

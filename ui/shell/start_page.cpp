@@ -55,6 +55,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(16, 16, 16, 16);
   layout->setSpacing(10);
+  complaint_ = build_complaint();
+  layout->addWidget(complaint_);
   layout->addWidget(heading(QStringLiteral("Feel how two bodies touch"), content, 1.6));
   auto* buttons = new QHBoxLayout;
   const auto add = [&](const char* text, const char* object, std::function<void()>& wanted) {
@@ -76,6 +78,33 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout
   layout->addWidget(heading(QStringLiteral("Opened last"), content, 1.15));
   layout->addLayout(recent_);
   layout->addStretch();
+}
+
+QFrame* StartPage::build_complaint() {
+  auto* frame = new QFrame(this);
+  frame->setObjectName(QStringLiteral("start_complaint"));
+  frame->setFrameShape(QFrame::StyledPanel);
+  auto* row = new QHBoxLayout(frame);
+  reason_ = new QLabel(frame);
+  reason_->setObjectName(QStringLiteral("start_reason"));
+  reason_->setWordWrap(true);
+  reason_->setTextFormat(Qt::PlainText);  // file names
+  reason_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->addWidget(reason_, 1);
+  auto* locate = new QPushButton(QStringLiteral("Locate…"), frame);
+  locate->setObjectName(QStringLiteral("start_locate"));
+  connect(locate, &QPushButton::clicked, this, [this] {
+    if (const auto wanted = locate_) wanted();
+  });
+  row->addWidget(locate);
+  frame->hide();
+  return frame;
+}
+
+void StartPage::complain(const QString& reason, std::function<void()> locate) {
+  reason_->setText(QStringLiteral("Nothing was opened. %1").arg(reason));
+  locate_ = std::move(locate);
+  complaint_->show();
 }
 
 QWidget* StartPage::gallery() {
@@ -124,6 +153,7 @@ void StartPage::show_recent() {
 }
 
 void StartPage::present() {
+  complaint_->hide();
   show_recent();
   setGeometry(parentWidget()->rect());
   show();

@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <functional>
 
+class QFrame;
+class QLabel;
 class QVBoxLayout;
 
 namespace sonde::ui {
@@ -15,8 +17,10 @@ class StartPage : public QWidget {
  public:
   explicit StartPage(QWidget* parent);
 
-  /// Shows itself with the present list of recent files.
+  /// Shows itself with the present list of recent files, and no complaint.
   void present();
+  /// Says why nothing was opened, above all else, with a button to look for it elsewhere.
+  void complain(const QString& reason, std::function<void()> locate);
 
   std::function<void()> scene_wanted, meshes_wanted;
   std::function<void(const QStringList&)> chosen;
@@ -29,7 +33,12 @@ class StartPage : public QWidget {
   QWidget* gallery();
   void show_recent();
 
+  QFrame* build_complaint();
+
   QVBoxLayout* recent_;
+  QLabel* reason_ = nullptr;
+  std::function<void()> locate_;
+  QFrame* complaint_;
 };
 
 }  // namespace sonde::ui

@@ -20,9 +20,11 @@ StatusLine::StatusLine(QStatusBar& bar)
 
 void StatusLine::show_happening(const QString& what) { happening_->show_text(what); }
 
-void StatusLine::show_rates(const Snapshot& tick, Session& session, double frames_per_second,
+void StatusLine::show_rates(const Instant& now, Session& session, double frames_per_second,
                             bool simplified) {
+  const Snapshot& tick = now.snapshot;
   rates_->setToolTip(timing_text(session.timing()));
+  if (!now.live && tick.tick_us == 0) return rates_->setText(QStringLiteral("run with no clock"));
   rates_->setText(QStringLiteral("servo %1 Hz, tick %2 µs, view %3 frames/s%4")
                       .arg(tick.paused ? 0 : tick.rate_hz, 0, 'f', 0)
                       .arg(tick.tick_us, 0, 'f', 0)

@@ -8,6 +8,7 @@
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/elided_label.hpp"
 #include "ui/devices/device_control.hpp"
+#include "ui/document/instant.hpp"
 #include "ui/document/session.hpp"
 
 namespace sonde::ui {
@@ -18,8 +19,7 @@ class StatusLine {
   explicit StatusLine(QStatusBar& bar);
 
   void show_happening(const QString& what);
-  void show_rates(const Snapshot& tick, Session& session, double frames_per_second,
-                  bool simplified);
+  void show_rates(const Instant& now, Session& session, double frames_per_second, bool simplified);
   void show_source(const InputSource& source, const SourceReport& report);
 
  private:

@@ -26,7 +26,7 @@ QString natures(const Body& probe, const Body& fixed) {
   return nature("Probe", probe) + QStringLiteral("   ") + nature("Fixed body", fixed);
 }
 
-QString happening(const Instant& now) {
+QString happening(const Instant& now, const LengthUnit& unit) {
   const Snapshot& s = now.snapshot;
   QString happens;
   if (s.paused)
@@ -37,6 +37,8 @@ QString happening(const Instant& now) {
             .arg(QString::fromUtf8(words(s.hand.withheld)), QLatin1String(s.separation.reason));
   else if (s.hand.withheld != Withheld::nothing)
     happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
+  else if (const Clearance* room = clearance_here(now))
+    happens = QStringLiteral("Free, %1 clear.").arg(unit.text(room->distance));
   else if (s.separation.status == Status::separated)
     happens = QStringLiteral("Free.");
   else

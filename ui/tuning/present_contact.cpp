@@ -15,9 +15,22 @@ std::string kind_of_contact(const Separation& separation) {
   return holds ? name_of(contact_kind(separation)) : std::string();
 }
 
-std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
-                                  const std::string& kind, double damping) {
-  std::optional<double> least;
+namespace {
+
+StudiedBoundary::Basis basis_of(const TuningColumn& column, double boundary) {
+  using Basis = StudiedBoundary::Basis;
+  const auto at = [&](const std::optional<SweepLimit>& limit) {
+    return limit && limit->fault != HoldFault::none && limit->stiffness == boundary;
+  };
+  if (at(column.stable)) return Basis::as_is;
+  return at(column.harder_knocks) ? Basis::harder_knocks : Basis::without_friction;
+}
+
+}  // namespace
+
+std::optional<StudiedBoundary> boundary_in(const TuningResults& results, GainAxis axis,
+                                           const std::string& kind, double damping) {
+  std::optional<StudiedBoundary> least;
   for (const TuningLine& line : results.lines) {
     if (line.axis != axis || line.kind != kind || !line.assumed.empty() || line.columns.empty())
       continue;
@@ -25,9 +38,22 @@ std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
         line.columns, {},
         [&](const TuningColumn& each) { return std::abs(each.damping - damping); });
     const double own = boundary_that_counts(results, column);
-    least = std::min(least.value_or(own), own);
+    if (!least || own < least->stiffness) least = {own, line.hand, basis_of(column, own)};
   }
   return least;
+}
+
+QString words_of(const StudiedBoundary& boundary) {
+  const QString hand = QStringLiteral("a %1 hand").arg(text(boundary.hand));
+  switch (boundary.basis) {
+    case StudiedBoundary::Basis::without_friction:
+      return hand + QStringLiteral(", without friction");
+    case StudiedBoundary::Basis::harder_knocks:
+      return hand + QStringLiteral(", at harder knocks");
+    case StudiedBoundary::Basis::as_is:
+      break;
+  }
+  return hand;
 }
 
 QString distance_text(double stiffness, double boundary) {

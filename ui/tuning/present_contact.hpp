@@ -14,12 +14,20 @@ namespace sonde::ui {
 /// where there is none.
 std::string kind_of_contact(const Separation& separation);
 
-/// The boundary of stability that counts (boundary_that_counts) in contacts of one kind, the least
-/// of all situations and hands, at the swept damping nearest to `damping`: N/m or N·m/rad, by the
-/// axis. Infinite where
-/// nothing in the range studied fails; no value where the study has no such contact.
-std::optional<double> boundary_in(const TuningResults& results, GainAxis axis,
-                                  const std::string& kind, double damping);
+/// A boundary of stability as a study has it: what it is for and what it takes for granted.
+struct StudiedBoundary {
+  double stiffness = 0;  ///< N/m or N·m/rad, by the axis; infinite where nothing studied fails
+  std::string hand;      ///< the simulated hand that holds the device: "light", "firm"
+  enum class Basis { as_is, without_friction, harder_knocks } basis = Basis::as_is;
+};
+/// The boundary that counts (boundary_that_counts) in contacts of one kind, the least of all
+/// situations and hands, at the swept damping nearest to `damping`; no value where the study has no
+/// such contact.
+std::optional<StudiedBoundary> boundary_in(const TuningResults& results, GainAxis axis,
+                                           const std::string& kind, double damping);
+
+/// "a light hand", "a light hand, without friction".
+QString words_of(const StudiedBoundary& boundary);
 
 /// Where a stiffness lies, seen from its boundary, so that it cannot be read the other way round:
 /// "could be 1.80 times as stiff", "70.3 times too stiff". Empty where there is no boundary.

@@ -235,11 +235,14 @@ QString recommendation_text(const TuningResults& results, GainAxis axis) {
 QString margin_text(const TuningResults& results, const AxisGains& recommended, double stiffness) {
   const double boundary = boundary_that_counts(results, recommended);
   if (!std::isfinite(boundary) || boundary <= 0) return {};
-  const char* condition = boundary == recommended.boundary           ? ""
-                          : boundary == recommended.without_friction ? " without friction"
-                                                                     : " at harder knocks";
-  return QStringLiteral("the boundary%1 is %2: %3")
+  const bool as_is = boundary == recommended.boundary;
+  const bool no_friction = !as_is && boundary == recommended.without_friction;
+  const char* condition = as_is ? "" : no_friction ? " without friction" : " at harder knocks";
+  const char* reason = as_is ? "stability" : no_friction ? "friction" : "knocks";
+  const auto limit = std::ranges::find(recommended.limits, reason, &GainLimit::reason);
+  return QStringLiteral("the boundary%1 is %2%3: %4")
       .arg(QLatin1String(condition), with_unit(boundary, stiffness_unit(recommended.axis)),
+           limit == recommended.limits.end() ? QString() : where(*limit),
            distance_text(stiffness, boundary));
 }
 

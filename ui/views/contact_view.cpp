@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/haptics/coupling/contact_force.hpp"
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui {
@@ -48,12 +49,15 @@ void ContactView::draw(const Frame& frame) {
 
 void ContactView::mark(const Frame& frame, const ContactCluster& cluster) {
   const Contact& contact = cluster.contact;
+  const Separation& separation = frame.snapshot.separation;
+  const double newton = force_per_multiplier(frame.snapshot.wrench, separation.clusters,
+                                             separation.device * frame.mass.com);
   ring_.set(contact.on_fixed, contact.normal, any_normal(contact.normal) * (14 * frame.pixel),
             ring_angle, 1.6 * frame.pixel);
   label(contact.on_fixed,
-        QStringLiteral("contact %1: λ %2, gap %3")
+        QStringLiteral("contact %1: %2 N, gap %3")
             .arg(cluster.id)
-            .arg(frame.unit.text(contact.multiplier), frame.unit.text(contact.gap)),
+            .arg(number(newton * contact.multiplier), frame.unit.text(contact.gap)),
         colour::chosen);
 }
 

@@ -222,8 +222,11 @@ std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
   std::vector<LabelToPlace> labels;
   for (const PlacedLabel& label : labels_) {
-    QSizeF size = metrics.size(0, label.text) + QSizeF(12, 4);
-    if (!label.course.empty())
+    QString all = label.text;
+    for (const QString* line : {&label.note.now, &label.note.text})
+      if (!line->isEmpty()) all += '\n' + *line;
+    QSizeF size = metrics.size(0, all) + QSizeF(12, 4);
+    if (!label.note.course.empty())
       size = {std::max(size.width(), course_width + 12), size.height() + course_height + 4};
     labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
   }
@@ -244,11 +247,22 @@ void HintView::draw_labels(QPainter& painter) const {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (labels_[i].text.isEmpty()) continue;
     draw_plate(painter, boxes[i], palette());
-    painter.setPen(readable(labels_[i].colour, palette()));
-    painter.drawText(boxes[i].adjusted(6, 2, 6, 0), Qt::AlignLeft | Qt::AlignTop, labels_[i].text);
-    if (!labels_[i].course.empty())
+    const QColor own = readable(labels_[i].colour, palette());
+    const ForceNote& note = labels_[i].note;
+    QRectF line = boxes[i].adjusted(6, 2, 6, 0);
+    const auto write = [&](const QString& text, const QColor& colour) {
+      if (text.isEmpty()) return;
+      painter.setPen(colour);
+      painter.drawText(line, Qt::AlignLeft | Qt::AlignTop, text);
+      line.setTop(line.top() + QFontMetricsF(font()).lineSpacing() * (1 + text.count('\n')));
+    };
+    write(labels_[i].text, own);
+    write(note.now, readable(colour::force, palette()));
+    write(note.text, palette().color(QPalette::WindowText));
+    painter.setPen(own);
+    if (!note.course.empty())
       draw_course(painter, boxes[i].adjusted(6, boxes[i].height() - course_height - 4, -6, -4),
-                  labels_[i].course);
+                  note.course);
   }
 }
 
@@ -274,6 +288,10 @@ void HintView::draw_ruler(QPainter& painter) const {
 }
 
 QString HintView::pause_banner() { return QStringLiteral("Paused – Space goes on"); }
+
+QString HintView::stopped_banner() {
+  return QStringLiteral("Force stopped – Ctrl+Space: force again");
+}
 
 QRectF HintView::banner_box(const QString& text) const {
   if (text.isEmpty()) return {};

@@ -9,6 +9,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/views/force_note.hpp"
+
 namespace sonde::ui {
 
 /// The style of an item, besides its colour.
@@ -21,14 +23,15 @@ struct LegendLine {
   LegendMark mark = LegendMark::filled;
 };
 
-/// A label, its point on screen, and the line there that it must not cover. Its text may have
-/// several lines; below them is a small curve, from 0 up, where it has a course.
+/// A label, its point on screen, and the line there that it must not cover. Below its text stands
+/// its note: what is wrong now as a warning, what a study says as plain text, and a small curve,
+/// from 0 up, where it has a course.
 struct PlacedLabel {
   QPointF at;
   QString text;
   QColor colour;
   QPolygonF stroke{};
-  std::vector<double> course{};
+  ForceNote note{};
 };
 
 /// The meaning of colours over a range: the first at the first tick, the last at the last.
@@ -50,6 +53,7 @@ class HintView : public QWidget {
   void set_ruler(double pixels, const QString& text);
   /// One large line under the ruler: "Paused"; empty for none.
   void set_banner(const QString& text);
+  const QString& banner() const { return banner_; }
   void set_hint_visible(bool visible);
   /// A column of colours at the right; none where there are no colours.
   void set_scale(ColourScale scale);
@@ -59,6 +63,7 @@ class HintView : public QWidget {
   std::vector<QRectF> clear_areas() const;
 
   static QString pause_banner();
+  static QString stopped_banner();
 
   /// The keys that no menu lists, as "keys" and "what it does".
   static const std::vector<std::pair<QString, QString>>& keys();

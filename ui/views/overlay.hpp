@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "engine/haptics/loop/background_search.hpp"
+#include "engine/haptics/loop/clearance.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
+#include "ui/views/force_note.hpp"
 
 namespace sonde::ui {
 
@@ -23,6 +25,7 @@ struct Frame {
   /// Pixels that OpenGL draws for one of `pixel`: 2 on a screen of twice the usual density, more in
   /// a large picture for a file. VTK's widths of lines are OpenGL's.
   float density = 1;
+  const Clearance* clearance = nullptr;  ///< at this device pose; null: it is held, or not known
 };
 
 /// Text at a point of the scene, and the line that leads there: an arrow, an arc. Without text, the
@@ -32,7 +35,7 @@ struct Label {
   QString text;
   QColor colour;
   std::vector<Vec3> stroke{};
-  std::vector<double> course{};  ///< a small curve below the text, from 0 up; empty: none
+  ForceNote note{};  ///< below the text
 };
 
 /// Draws something from a snapshot. It makes its actors once and hides them while there is nothing
@@ -59,8 +62,8 @@ class Overlay {
   virtual void draw(const Frame& frame) = 0;
   virtual void hide() = 0;
   void label(const Vec3& at, const QString& text, const QColor& colour,
-             std::vector<Vec3> stroke = {}, std::vector<double> course = {}) {
-    labels_.push_back({at, text, colour, std::move(stroke), std::move(course)});
+             std::vector<Vec3> stroke = {}, ForceNote note = {}) {
+    labels_.push_back({at, text, colour, std::move(stroke), std::move(note)});
   }
 
  private:

@@ -16,6 +16,7 @@
 
 #include "engine/penetration/search/pair.hpp"
 #include "ui/views/cap_view.hpp"
+#include "ui/views/clearance_view.hpp"
 #include "ui/views/contact_view.hpp"
 #include "ui/views/crossing_view.hpp"
 #include "ui/views/cut_view.hpp"
@@ -44,6 +45,7 @@ struct Viewport::Scenery {
         hints(new HintView(&owner)),
         screw(*above, shapes),
         contacts(*top, shapes),
+        clearance(*top, shapes),
         wrench(*above, shapes),
         trail(*above),
         handles(*above, shapes),
@@ -70,6 +72,7 @@ struct Viewport::Scenery {
   std::unique_ptr<FoundView> nearest, straight;
   SeparationView screw;
   ContactView contacts;
+  ClearanceView clearance;
   WrenchView wrench;
   TrailView trail;
   HandleView handles;
@@ -98,10 +101,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 16> shown{true,  true,  true,  true, false, false, false, true,
-                             false, false, false, true, false, false, false, true};  ///< by Layer
+  std::array<bool, 17> shown{true,  true,  true, true,  false, false, false, true, false,
+                             false, false, true, false, false, false, true,  true};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 18> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 19> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -109,6 +112,7 @@ struct Viewport::Scenery {
              {Layer::wrench, &wrench},
              {Layer::screw, &screw},
              {Layer::contacts, &contacts},
+             {Layer::clearance, &clearance},
              {Layer::handles, &handles},
              {Layer::defects, defects.get()},
              {Layer::gaps, &probe_gaps},

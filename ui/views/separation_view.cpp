@@ -13,7 +13,6 @@ namespace {
 constexpr double least_turn = 1e-3;   // rad; a smaller one is drawn as a translation
 constexpr double least_depth = 1e-7;  // of the probe's radius; a smaller one is a mere touch
 constexpr double far_axis = 3;        // of the probe's radius
-constexpr double degrees = 180 / std::numbers::pi;
 
 QString drawn(double magnification) {
   if (magnification <= 1) return {};
@@ -96,9 +95,8 @@ void SeparationView::draw_screw(const Frame& frame, const SeparationMotion& moti
       screw.point + std::cos(angle) * start + std::sin(angle) * screw.axis.cross(start);
   // How far the centre of mass goes is what the readout says too; along the axis it is less.
   label(end,
-        QStringLiteral("moves %1, turns %2°%3")
-            .arg(frame.unit.text(motion.t.norm()), number(screw.turn * degrees),
-                 drawn(magnify_turn_)),
+        QStringLiteral("moves %1, turns %2%3")
+            .arg(frame.unit.text(motion.t.norm()), angle_text(screw.turn), drawn(magnify_turn_)),
         colour::ghost, arc_points(screw.point, screw.axis, start, angle));
 }
 
@@ -107,9 +105,9 @@ void SeparationView::draw_arrow(const Frame& frame, const SeparationMotion& moti
   const Vec3 tip = com + motion.t * magnify_shift_;
   slide_.set(com, tip, 1.7 * frame.pixel);
   label(tip,
-        QStringLiteral("moves %1%2, turns %3°")
+        QStringLiteral("moves %1%2, turns %3")
             .arg(frame.unit.text(motion.t.norm()), drawn(magnify_shift_),
-                 number(motion.theta.norm() * degrees)),
+                 angle_text(motion.theta.norm())),
         colour::ghost, {com, tip});
 }
 

@@ -43,7 +43,9 @@ QString banner_of(const Instant& now, bool for_file) {
   QString time = QStringLiteral("At %1 s").arg(now.snapshot.time, 0, 'f', 3);
   if (for_file && !now.live) return time;
   if (!now.live) return time + QStringLiteral(" – Space: live");
-  return now.snapshot.paused ? HintView::pause_banner() : QString();
+  if (now.snapshot.paused) return HintView::pause_banner();
+  const bool stopped = now.snapshot.hand.withheld == Withheld::stopped;
+  return stopped ? HintView::stopped_banner() : QString();
 }
 
 /// Does the processor draw, rather than a graphics card?
@@ -195,6 +197,8 @@ void Viewport::update_legend() {
   if (shown(Layer::bound))
     legend.push_back(
         {colour::bound, QStringLiteral("witness of the lower bound"), LegendMark::ring});
+  if (shown(Layer::clearance))
+    legend.push_back({colour::clearance, QStringLiteral("clearance: the nearest points")});
   if (shown(Layer::contacts))
     legend.push_back({colour::contact, QStringLiteral("contacts and normals")});
   if (shown(Layer::wrench)) {
@@ -231,7 +235,8 @@ void Viewport::draw(const Instant& now, double swing) {
                     metres_per_pixel(com),
                     swing,
                     searched_here(now),
-                    float(s.window->GetSize()[1]) / float(std::max(view_size().height(), 1))};
+                    float(s.window->GetSize()[1]) / float(std::max(view_size().height(), 1)),
+                    clearance_here(now)};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.
@@ -274,7 +279,7 @@ void Viewport::update_text(const Instant& now) {
   for (const auto& [layer, overlay] : s.overlays())
     for (const Label& label : overlay->labels())
       labels.push_back({on_screen(label.at), label.text, label.colour,
-                        polygon_on_screen(label.stroke), label.course});
+                        polygon_on_screen(label.stroke), label.note});
   s.hints->set_banner(banner_of(now, s.picture_size.has_value()));
   const double pixel = metres_per_pixel(s.last_device * s.mass.com);
   const double length = round_down_125(160 * pixel);

@@ -41,6 +41,7 @@ enum class Layer {
   bound,      ///< the witness of the lower bound
   measures,   ///< points that were picked
   crossings,  ///< triangles that go through others of their mesh
+  clearance,  ///< the nearest points of a probe that is free
   mended,     ///< what closes openings, and the place that is pointed out
 };
 

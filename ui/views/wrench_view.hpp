@@ -17,6 +17,10 @@ struct WrenchScale {
 /// of a turn.
 WrenchScale wrench_scale(double radius, const Coupling& coupling);
 
+/// Why the hand gets another force than the coupling wants: "limit", "coming in, 40 %"; empty where
+/// nothing acts.
+QString lessened_text(Lessened by, double share);
+
 /// What the hand feels, at the probe's centre of mass at the device pose: the force as an arrow,
 /// the torque as an arc, each with its magnitude.
 class WrenchView : public Overlay {

@@ -16,13 +16,20 @@
 namespace sonde {
 namespace {
 
+/// How far the searches go, and whether they say where their time went.
+struct Extent {
+  double microseconds = 0;  ///< of each search; 0: no limit
+  int starts_pdt = StaticOptions{}.starts;
+  bool time_phases = false;
+};
+
 /// Adds where its time went to `times`; null: it is not timed.
 std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method,
-                               PhaseTimes* times) {
+                               const Extent& extent, PhaseTimes* times) {
   StaticOptions options;
   options.method = method;
-  if (method == Method::pdt) options.starts = loop_tuning.background_starts_pdt;
-  options.budget.microseconds = loop_tuning.background_us;
+  if (method == Method::pdt) options.starts = extent.starts_pdt;
+  options.budget.microseconds = extent.microseconds;
   options.want_lower_bound = false;
   options.time_phases = times != nullptr;
   const Separation separation = separate_static(pair, X_FM, options);
@@ -31,16 +38,16 @@ std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method
   return FoundWay{separation.depth, separation.separated};
 }
 
-BackgroundResult compute(const Pair& pair, const Pose& X_FM, bool time_phases) {
+BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& extent) {
   const auto begin = std::chrono::steady_clock::now();
   BackgroundResult out;
   out.device = X_FM;
-  PhaseTimes* const times = time_phases ? &out.phases : nullptr;
-  out.pdt = search(pair, X_FM, Method::pdt, times);
+  PhaseTimes* const times = extent.time_phases ? &out.phases : nullptr;
+  out.pdt = search(pair, X_FM, Method::pdt, extent, times);
   out.nearest = out.pdt;
   if (out.pdt && out.pdt->depth > 0) {
     // A search of its own has other starts, and less time: PD_t may be what it misses.
-    const auto turned = search(pair, X_FM, Method::pdg, times);
+    const auto turned = search(pair, X_FM, Method::pdg, extent, times);
     if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
   }
   if (out.pdt) {
@@ -57,7 +64,10 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, bool time_phases) {
 
 BackgroundResult answer(const Pair& pair, const Pose& X_FM, bool time_phases) {
   try {
-    return compute(pair, X_FM, time_phases);
+    return compute(pair, X_FM,
+                   {.microseconds = loop_tuning.background_us,
+                    .starts_pdt = loop_tuning.background_starts_pdt,
+                    .time_phases = time_phases});
   } catch (const std::exception&) {  // no memory left: there is no answer for this pose
     BackgroundResult none;
     none.device = X_FM;
@@ -65,12 +75,27 @@ BackgroundResult answer(const Pair& pair, const Pose& X_FM, bool time_phases) {
   }
 }
 
+bool of_one_pose(const BackgroundResult& search, const Separation& followed) {
+  return search.device.p == followed.device.p &&
+         search.device.q.coeffs() == followed.device.q.coeffs();
+}
+
 }  // namespace
 
+BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM) {
+  return compute(pair, X_FM, {});
+}
+
+BackgroundResult with_followed(BackgroundResult search, const Separation& followed) {
+  const bool known = followed.status == Status::penetrating && of_one_pose(search, followed);
+  if (known && (!search.nearest || followed.depth < search.nearest->depth))
+    search.nearest = FoundWay{followed.depth, followed.separated};
+  return search;
+}
+
 WayOut way_out(const Separation& followed, const BackgroundResult& search) {
-  const bool same_pose = search.device.p == followed.device.p &&
-                         search.device.q.coeffs() == followed.device.q.coeffs();
-  if (!same_pose || !search.nearest || followed.status == Status::failed) return WayOut::unknown;
+  if (!of_one_pose(search, followed) || !search.nearest || followed.status == Status::failed)
+    return WayOut::unknown;
   if (followed.status == Status::separated ||
       search.nearest->depth >= loop_tuning.clearly_nearer * followed.depth)
     return WayOut::nearest;

@@ -30,6 +30,14 @@ struct BackgroundResult {
   PhaseTimes phases = {};  ///< of both searches and the bound, where they are timed
 };
 
+/// The same without a limit of time, in the calling thread: the same bits every time, but for its
+/// times.
+BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM);
+
+/// The result, with the pose that the loop followed to in place of the nearest found, where that is
+/// nearer: from the same device pose it is a way out too, and a short search may miss it.
+BackgroundResult with_followed(BackgroundResult search, const Separation& followed);
+
 /// How a separated pose that the loop followed compares with the global search from the same device
 /// pose.
 enum class WayOut {

@@ -287,10 +287,23 @@ TEST(MeshFaults, stl_binary) {
        {with(80, test::raw(0xffffffffu)),
         "accepted"},  // not known when it was written: the size tells
        {std::string(80, ' ') + test::raw(0u), ": the mesh has no triangles"},
-       {"short", ": too short for an STL file"}});
+       {"short", ": too short for an STL file (it begins with \"short\")"}});
   good.pop_back();
   EXPECT_EQ(said("a.stl", "solid" + good.substr(5)),
             ": byte 80: the header declares 4 triangles, that is 284 bytes, but the file has 283");
+}
+
+/// What is no STL at all is said to be none, before its bytes are taken for a count of triangles.
+TEST(MeshFaults, a_file_of_another_kind_is_no_stl) {
+  const std::string zip = std::string("PK\x03\x04") + std::string(300, '\x01');
+  check("a.stl",
+        {{zip, ": is not an STL file (it begins with \"PK\\x03\\x04\\x01\\x01\\x01\\x01…\")"},
+         {"PK\x03\x04", ": is not an STL file (it begins with \"PK\\x03\\x04\")"},
+         {"ISO-10303-21;\nHEADER;\n" + std::string(200, ' '),
+          ": is not an STL file (it begins with \"ISO-1030…\")"},
+         {"A letter to a friend, who wrote me a letter on how the weather is where letters come "
+          "from, and so on for a while.",
+          ": is not an STL file (it begins with \"A letter…\")"}});
 }
 
 // Reference: a thousand million vertices would take 24 GB, and minutes.

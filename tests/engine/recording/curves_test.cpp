@@ -35,6 +35,29 @@ TEST(Curves, hold_what_the_ticks_say) {
   EXPECT_TRUE(std::isnan(curves.at(Curve::held, -1)));
 }
 
+/// What the loop follows to from the pose that was searched is a way out of it: the curve never
+/// lies above what the same tick holds.
+TEST(Curves, a_way_that_was_followed_counts_where_the_search_found_none_as_near) {
+  Snapshot tick = made_up_ticks(1)[0];
+  tick.separation.status = Status::penetrating;
+  tick.separation.depth = 0.507e-3;
+  BackgroundResult search = made_up_search(1);
+  search.device = tick.separation.device;
+  search.nearest = FoundWay{0.53e-3, {}};
+  Curves curves;
+  curves.add(tick, 0, &search);
+  EXPECT_NEAR(curves.at(Curve::nearest, 0), 0.507e-3, 1e-10);
+  EXPECT_EQ(with_followed(search, tick.separation).nearest->separated.p,
+            tick.separation.separated.p);
+  search.nearest->depth = 0.4e-3;  // the search knows better
+  curves.add(tick, 1, &search);
+  EXPECT_NEAR(curves.at(Curve::nearest, 1), 0.4e-3, 1e-10);
+  search.nearest->depth = 0.53e-3;
+  search.device.p.x() += 1e-3;  // of another pose
+  curves.add(tick, 2, &search);
+  EXPECT_NEAR(curves.at(Curve::nearest, 2), 0.53e-3, 1e-10);
+}
+
 TEST(Curves, the_oldest_go_where_there_are_more_than_are_kept) {
   const Curves curves = curves_of_ticks(made_up_ticks(1000), 300);
   EXPECT_EQ(curves.size(), 300u);

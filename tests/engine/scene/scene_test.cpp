@@ -199,6 +199,17 @@ TEST(Scene, unknown_keys_are_named_with_the_nearest_known) {
               AllOf(StartsWith("6: "), HasSubstr("\"rate\""), HasSubstr("\"rate_hz\"")));
 }
 
+/// By that word, whatever else it may hold that is not known here.
+TEST(Scene, a_newer_format_is_refused_as_such) {
+  EXPECT_THAT(scene_complaint(with_line("\"parts\": [],\n\"format\": 2")),
+              AllOf(StartsWith("5: "), HasSubstr("\"format\" is 2: the scene is of a newer format"),
+                    Not(HasSubstr("parts"))));
+  EXPECT_THAT(scene_complaint(with_line("\"format\": 0")), HasSubstr("there is only 1"));
+  EXPECT_THAT(scene_complaint(with_line("\"format\": \"1\"")),
+              HasSubstr("\"format\" is a string; expected a number"));
+  EXPECT_NO_THROW(scene_in(with_line("\"format\": 1"), "a.sonde.json"));
+}
+
 TEST(Scene, missing_keys_are_named) {
   EXPECT_THAT(scene_complaint("\n{\"probe\": {\"mesh\": \"a.off\"}}"),
               AllOf(StartsWith("2: "), HasSubstr("\"fixed\" is missing")));

@@ -108,7 +108,7 @@ TEST_F(PanelTest, the_mode_shows_its_own_gains) {
 
 TEST_F(PanelTest, every_number_is_there_with_its_unit) {
   const auto text = [this](const char* name) { return find<QLabel>(name)->text(); };
-  ASSERT_TRUE(wait_until([&] { return text("depth_value").contains("from the hand"); }))
+  ASSERT_TRUE(wait_until([&] { return text("depth_value").contains("mm</span> deep"); }))
       << text("depth_value").toStdString();
   ASSERT_TRUE(wait_until([&] { return text("pdt_value").contains("mm"); }))
       << text("pdt_value").toStdString();
@@ -119,6 +119,8 @@ TEST_F(PanelTest, every_number_is_there_with_its_unit) {
   EXPECT_TRUE(text("rotation_value").contains('%'));
   EXPECT_TRUE(text("force_value").contains(" N"));
   EXPECT_TRUE(text("torque_value").contains("N·m"));
+  for (const char* parts : {"force_parts_value", "torque_parts_value"})
+    EXPECT_EQ(text(parts).count(", "), 2) << text(parts).toStdString();
   EXPECT_TRUE(text("tick_value").contains("µs"));
   EXPECT_TRUE(text("rate_value").contains("Hz"));
   EXPECT_FALSE(text("depth_value").contains(','));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Esc cuts the force first, then does what it means where it was pressed: with each dialog and list
-// of the program open. The key comes from another client of the X server, as from a keyboard.
+// Esc closes what is open and leaves the force, with each dialog and list of the program open.
+// While a hand at a device with motors feels the force, that goes first. The key comes from another
+// client of the X server, as from a keyboard.
 
 #include <gtest/gtest.h>
 #include <xcb/xcb.h>
@@ -22,6 +23,7 @@
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/base/job.hpp"
+#include "ui/views/hint_view.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -156,7 +158,40 @@ class EscapeTest : public WindowTest, public testing::WithParamInterface<Opening
   QTimer timer;
 };
 
-TEST_P(EscapeTest, cuts_the_force_first_and_then_closes) {
+TEST_P(EscapeTest, closes_what_is_open_and_leaves_the_force) {
+  bool closed = false;
+  once_open([&](QWidget& top) {
+    press_escape(*top.windowHandle());
+    closed = wait_until([] { return !topmost(); });
+    while (topmost()) topmost()->close();
+  });
+  GetParam().open(*window);
+  EXPECT_TRUE(closed);
+  EXPECT_TRUE(window->session()->force_on());
+  // Nothing is open any more: the next one stops it, and the view says so.
+  press_escape(*window->windowHandle());
+  EXPECT_TRUE(wait_until([this] { return !window->session()->force_on(); }));
+  EXPECT_TRUE(wait_until([this] { return shown().wrench.force.norm() == 0; }));
+  EXPECT_TRUE(wait_until([this] {
+    return window->findChild<HintView*>("hint_view")->banner().startsWith("Force stopped");
+  }));
+}
+
+TEST_P(EscapeTest, closes_with_the_focus_on_the_window_below) {
+  bool closed = false;
+  once_open([&](QWidget& top) {
+    const bool blocks = top.objectName() != "manual";
+    press_escape(*(blocks ? *window : top).windowHandle());
+    closed = wait_until([] { return !topmost(); });
+    while (topmost()) topmost()->close();
+  });
+  GetParam().open(*window);
+  EXPECT_TRUE(closed);
+  EXPECT_TRUE(window->session()->force_on());
+}
+
+TEST_P(EscapeTest, cuts_a_force_that_is_felt_first_and_then_closes) {
+  window->set_felt(true);
   std::vector<bool> was_open;  // each time the force was cut
   const auto cut = QObject::connect(window.get(), &MainWindow::force_changed,
                                     [&] { was_open.push_back(topmost() != nullptr); });
@@ -181,7 +216,8 @@ TEST_P(EscapeTest, cuts_the_force_first_and_then_closes) {
 
 /// Without a window manager, or where the focus follows the mouse, the window has the focus under a
 /// dialog that blocks it.
-TEST_P(EscapeTest, cuts_the_force_with_the_focus_on_the_window_below) {
+TEST_P(EscapeTest, cuts_a_force_that_is_felt_with_the_focus_on_the_window_below) {
+  window->set_felt(true);
   bool cut = false;
   once_open([&](QWidget&) {
     press_escape(*window->windowHandle());
@@ -205,6 +241,7 @@ TEST_F(WindowTest, escape_before_anything_is_open_holds_for_what_opens) {
 
 TEST_F(EscapeTest, works_while_meshes_are_browsed_for) {
   auto browsed = false;
+  window->set_felt(true);
   once_open([&](QWidget& meshes) {
     once_open([&](QWidget& browser) {
       press_escape(*browser.windowHandle());

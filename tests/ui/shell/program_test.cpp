@@ -134,10 +134,25 @@ TEST_F(Program, no_display_is_said) {
 
 TEST_F(Program, a_bad_file_is_3) {
   folder.write("bad.sonde.json", "{");
-  const Outcome bad = run("bad.sonde.json");
+  const Outcome bad = run("bad.sonde.json --screenshot none.png");
   EXPECT_EQ(bad.exit_code, 3);
   EXPECT_THAT(bad.err, HasSubstr("bad.sonde.json"));
-  EXPECT_EQ(run("no-such.off no-such.off --unit mm").exit_code, 3);
+  EXPECT_EQ(run("no-such.off no-such.off --unit mm --screenshot none.png").exit_code, 3);
+  EXPECT_EQ(run("no-such.stl --screenshot none.png").exit_code, 3);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.png"));
+}
+
+/// Nobody who has double-clicked a file sees stderr: the window stays, and says it. It is told to
+/// end, as by the desktop.
+TEST_F(Program, a_bad_file_to_look_at_leaves_a_window_that_says_why) {
+  folder.write("broken.stl", "PK\x03\x04 is no mesh");
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && XDG_CONFIG_HOME=. timeout 4 '" SONDE_VIEW_PROGRAM
+                              "' broken.stl >out 2>err";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 124)
+      << "it was still there: " << sonde::test::text_of(folder / "err");
+  EXPECT_THAT(sonde::test::text_of(folder / "err"), HasSubstr("broken.stl"));
 }
 
 TEST_F(Program, the_demo_draws_and_reports) {
@@ -148,6 +163,17 @@ TEST_F(Program, the_demo_draws_and_reports) {
     EXPECT_THAT(demo.out, HasSubstr(quantity));
   const QImage image(QString::fromStdString((folder / "demo.png").string()));
   EXPECT_GT(lit_share(image), 0.05);
+  // The deepest pose of the path as a run tick by tick has it, whatever the display does meanwhile:
+  // the same picture again, beside a machine that is busy.
+  const auto depth_of = [](const std::string& out) {
+    return out.substr(out.find("depth held"), out.find(", |F|") - out.find("depth held"));
+  };
+  EXPECT_THAT(demo.out, Not(HasSubstr("depth held 0 m")));
+  const Outcome again = run("--demo again.png", "LP_NUM_THREADS=1");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(depth_of(demo.out), depth_of(again.out));
+  EXPECT_EQ(pixels_between(image, QImage(QString::fromStdString((folder / "again.png").string()))),
+            0);
 }
 
 }  // namespace

@@ -10,6 +10,13 @@
 namespace sonde::ui::test {
 namespace {
 
+/// N/m or N·m/rad; NaN where the study has no such contact.
+double stiffness_in(const TuningResults& results, GainAxis axis, const std::string& kind,
+                    double damping) {
+  const auto found = boundary_in(results, axis, kind, damping);
+  return found ? found->stiffness : NAN;
+}
+
 using sonde::test::column;
 using sonde::test::line;
 using sonde::test::results;
@@ -22,16 +29,16 @@ TEST(PresentContact, has_the_least_boundary_of_its_kind_at_the_nearest_damping) 
   r.lines[1].columns[1].stable.fault = HoldFault::none;
   const std::string flat = r.lines[0].kind, edge = r.lines[1].kind;
   ASSERT_NE(flat, edge);
-  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 0.4), 100);
-  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 1.6), 300);
-  EXPECT_EQ(boundary_in(r, GainAxis::translation, edge, 0), 40);
-  EXPECT_TRUE(std::isinf(*boundary_in(r, GainAxis::translation, edge, 2))) << "nothing failed";
+  EXPECT_EQ(stiffness_in(r, GainAxis::translation, flat, 0.4), 100);
+  EXPECT_EQ(stiffness_in(r, GainAxis::translation, flat, 1.6), 300);
+  EXPECT_EQ(stiffness_in(r, GainAxis::translation, edge, 0), 40);
+  EXPECT_TRUE(std::isinf(stiffness_in(r, GainAxis::translation, edge, 2))) << "nothing failed";
   EXPECT_FALSE(boundary_in(r, GainAxis::translation, "jammed", 0));
   EXPECT_FALSE(boundary_in(r, GainAxis::rotation, flat, 0));
   r.lines.push_back(r.lines[0]);
   r.lines.back().assumed = "mass";
   r.lines.back().columns[0].stable.stiffness = 7;
-  EXPECT_EQ(boundary_in(r, GainAxis::translation, flat, 0), 100) << "of the profile as it is";
+  EXPECT_EQ(stiffness_in(r, GainAxis::translation, flat, 0), 100) << "of the profile as it is";
 }
 
 TEST(PresentContact, its_boundary_does_not_rest_on_friction_or_on_soft_knocks) {
@@ -41,11 +48,14 @@ TEST(PresentContact, its_boundary_does_not_rest_on_friction_or_on_soft_knocks) {
   column.harder_knocks = {900, HoldFault::unstable};
   column.without_friction = {500, HoldFault::unstable};
   const std::string flat = r.lines[0].kind;
-  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 500);
+  EXPECT_EQ(stiffness_in(r, GainAxis::object, flat, 0), 500);
+  EXPECT_EQ(words_of(*boundary_in(r, GainAxis::object, flat, 0)), "a light hand, without friction");
   r.trusts_friction = true;
-  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 900) << "as asked; knocks still count";
+  EXPECT_EQ(stiffness_in(r, GainAxis::object, flat, 0), 900) << "as asked; knocks still count";
+  EXPECT_EQ(words_of(*boundary_in(r, GainAxis::object, flat, 0)), "a light hand, at harder knocks");
   column.harder_knocks = {1e5, HoldFault::none};
-  EXPECT_EQ(boundary_in(r, GainAxis::object, flat, 0), 1400);
+  EXPECT_EQ(stiffness_in(r, GainAxis::object, flat, 0), 1400);
+  EXPECT_EQ(words_of(*boundary_in(r, GainAxis::object, flat, 0)), "a light hand");
 }
 
 TEST(PresentContact, the_words_say_on_which_side_of_the_boundary_it_is) {

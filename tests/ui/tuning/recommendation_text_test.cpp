@@ -32,8 +32,10 @@ TEST(RecommendationText, names_values_margin_reason_and_what_it_rests_on) {
                             "mass 0.500 to 2.00 times", "Hardly on the friction"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   const auto gains = recommend(r, GainAxis::object);
-  EXPECT_EQ(margin_text(r, *gains, 450), "the boundary is 900 N/m: could be 2.00 times as stiff");
-  EXPECT_EQ(margin_text(r, *gains, 63'270), "the boundary is 900 N/m: 70.3 times too stiff");
+  EXPECT_EQ(margin_text(r, *gains, 450),
+            "the boundary is 900 N/m (edge contact, light hand): could be 2.00 times as stiff");
+  EXPECT_EQ(margin_text(r, *gains, 63'270),
+            "the boundary is 900 N/m (edge contact, light hand): 70.3 times too stiff");
 }
 
 TEST(RecommendationText, names_what_friction_carries_and_the_assumption_that_limits) {
@@ -55,11 +57,14 @@ TEST(RecommendationText, the_margin_is_to_the_boundary_that_counts) {
   TuningResults r = sonde::test::results();
   r.lines = {line(1, GainAxis::object, {column(0, 1500, 1500, HoldFault::unstable)})};
   r.lines[0].columns[0].without_friction = {600, HoldFault::unstable};
-  EXPECT_EQ(margin_text(r, *recommend(r, GainAxis::object), 400),
-            "the boundary without friction is 600 N/m: could be 1.50 times as stiff");
+  EXPECT_EQ(
+      margin_text(r, *recommend(r, GainAxis::object), 400),
+      "the boundary without friction is 600 N/m (edge contact, light hand): could be 1.50 times "
+      "as stiff");
   r.lines[0].columns[0].harder_knocks = {300, HoldFault::unstable};
   EXPECT_EQ(margin_text(r, *recommend(r, GainAxis::object), 400),
-            "the boundary at harder knocks is 300 N/m: 1.33 times too stiff");
+            "the boundary at harder knocks is 300 N/m (edge contact, light hand): 1.33 times too "
+            "stiff");
 }
 
 TEST(RecommendationText, says_where_the_gains_rely_on_friction) {

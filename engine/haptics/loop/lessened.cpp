@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/haptics/loop/lessened.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr double nearly = 1e-9;         // of a limit, for rounding
+constexpr double noticeably = 1e-2;     // of what was asked for
+constexpr double nearly_whole = 0.995;  // of the ramp: "100 %" would be no reason
+
+Lessened lessened(const Vec3& given, const Vec3& asked, double most, const HandState& hand) {
+  if (given.isZero(0)) return Lessened::nothing;
+  if (hand.withheld == Withheld::unsettled) return Lessened::fading;
+  if (hand.share < nearly_whole) return Lessened::coming_in;
+  const Vec3 wanted = hand.share * asked;
+  if (hand.slewed && (wanted - given).norm() > noticeably * wanted.norm()) return Lessened::slewed;
+  return given.norm() >= most * (1 - nearly) ? Lessened::limited : Lessened::nothing;
+}
+
+}  // namespace
+
+Lessened force_lessened(const Wrench& given, const HandState& hand, const Coupling& coupling) {
+  return lessened(given.force, hand.asked.force, coupling.max_force, hand);
+}
+
+Lessened torque_lessened(const Wrench& given, const HandState& hand, const Coupling& coupling) {
+  return lessened(given.torque, hand.asked.torque, coupling.max_torque, hand);
+}
+
+const char* words(Lessened by) {
+  switch (by) {
+    case Lessened::nothing:
+      return "";
+    case Lessened::coming_in:
+      return "coming in";
+    case Lessened::fading:
+      return "fading: not settled";
+    case Lessened::slewed:
+      return "changes no faster";
+    case Lessened::limited:
+      return "limit";
+  }
+  return "";
+}
+
+}  // namespace sonde

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace sonde::ui {
+namespace {
+
+TEST(Format, an_angle_below_a_millionth_of_a_degree_is_none) {
+  constexpr double degree = std::numbers::pi / 180;
+  EXPECT_EQ(angle_text(9e-7 * degree), "0°");
+  EXPECT_EQ(angle_text(-9e-7 * degree), "0°");
+  EXPECT_EQ(angle_text(2e-6 * degree), "2e-06°");
+  EXPECT_EQ(angle_text(12.34 * degree), "12.3°");
+  EXPECT_EQ(angle_text(-0.5 * degree), "-0.500°");
+}
+
+TEST(Format, components_have_the_decimals_of_their_length) {
+  EXPECT_EQ(components_text({1.2345, -0.0444, 3e-9}), "1.23, -0.04, 0");
+  EXPECT_EQ(components_text({-3e-9, 0.0123, 0}), "0, 0.0123, 0");
+  EXPECT_EQ(components_text({123.4, 0, -5}), "123, 0, -5");
+  EXPECT_EQ(components_text({0, 0, 0}), "0, 0, 0");
+}
+
+TEST(Format, a_point_has_one_unit) {
+  EXPECT_EQ(LengthUnit(0.05).text(Vec3(1e-3, -2e-4, 0)), "1.000, -0.200, 0.000 mm");
+}
+
+}  // namespace
+}  // namespace sonde::ui
