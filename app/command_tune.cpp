@@ -17,6 +17,7 @@ struct TuneOptions {
   double ratio = 1.02;
   double low = 1, high = 1e5;
   bool trusts_friction = false;
+  bool always_held = false;
 };
 
 void run(const TuneOptions& options) {
@@ -31,6 +32,7 @@ void run(const TuneOptions& options) {
   TuningRequest request = request_of(scene, options.common, pair, device);
   request.ratio = options.ratio;
   request.trusts_friction = options.trusts_friction;
+  request.always_held = options.always_held;
   request.low = options.low;
   request.high = options.high;
   const auto plan = study_plan(request, threads_of(output), stop_on_interrupt(),
@@ -74,6 +76,8 @@ Command add_tune_command(CLI::App& program) {
       ->capture_default_str();
   parser->add_flag("--trust-friction", options->trusts_friction,
                    "recommend gains that are stable only thanks to the profile's friction");
+  parser->add_flag("--always-held", options->always_held,
+                   "recommend gains at which the handle may buzz once the hand lets go");
   return {parser, [options] { run(*options); }};
 }
 

@@ -43,6 +43,7 @@ enum class Model {
   omega7_right = 35,
   omega6_left = 36,
   omega7_left = 37,
+  falcon = 60,
   delta3 = 63,
   sigma7_right = 104,
   sigma7_left = 105,

@@ -31,11 +31,14 @@ Mat3 dhd_to_base() {
   return R;
 }
 
+constexpr double least_force = 8;  // N
+
 struct ModelLimits {
   double force, torque, radius, stiffness;
 };
 /// From the same place as the profiles in resources/devices: CHAI3D's CDeltaDevices.cpp; lambda.7
-/// by its xth-2. What is not known gets the least of all.
+/// by its xth-2. A model that is not known gets the least force of all, the Falcon's, and no
+/// torque.
 ModelLimits limits_of(int type) {
   switch (static_cast<Model>(type)) {
     case Model::sigma7_right:
@@ -46,6 +49,8 @@ ModelLimits limits_of(int type) {
       return {12, 0.2, 0.1125, 8000};
     case Model::delta3:
       return {20, 0, 0.15, 5000};
+    case Model::falcon:
+      return {least_force, 0, 0.04, 3000};
     case Model::omega3:
     case Model::omega6_right:
     case Model::omega6_left:
@@ -53,7 +58,7 @@ ModelLimits limits_of(int type) {
     case Model::omega7_left:
       return {12, 0, 0.075, 5000};
   }
-  return {12, 0, 0.075, 0};
+  return {least_force, 0, 0.075, 0};
 }
 
 const char* words_of(dhd::ForceOff cause) {

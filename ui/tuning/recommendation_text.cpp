@@ -28,6 +28,8 @@ QString words_of(const std::string& reason) {
       {"knocks", "stability at knocks of up to four times the strength"},
       {"driver", "the largest stiffness that the device's driver takes"},
       {"resolution", "resolution: a step of the encoders would be felt"},
+      {"rest", "rest: above it the probe swings on"},
+      {"released", "what the handle bears in theory once no hand holds it"},
       {"range", "the range studied: nothing in it fails"}};
   const auto found = words.find(reason);
   return found == words.end() ? text(reason) : QString::fromUtf8(found->second);
@@ -80,13 +82,23 @@ QString margin(const AxisGains& gains) {
   if (std::isfinite(gains.harder_knocks) && gains.harder_knocks < gains.boundary)
     line +=
         QStringLiteral(" At harder knocks, up to %1.").arg(with_unit(gains.harder_knocks, unit));
-  if (std::isfinite(gains.passive))
+  if (std::isfinite(gains.passive) && gains.passive > 0)
     line += QStringLiteral(" Passive in theory up to %1.").arg(with_unit(gains.passive, unit));
+  if (gains.passive == 0)
+    line += QStringLiteral(" Passive at no stiffness: the wrench is no gradient of an energy.");
+  if (std::isfinite(gains.released))
+    line += QStringLiteral(" Without a hand on the handle, stable in theory up to %1.")
+                .arg(with_unit(gains.released, unit));
   return line;
 }
 
 /// Of what was held for seconds.
 QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
+  if (gains.tried)
+    return QStringLiteral(
+               "The probe came to rest in every contact, in a firm, a light and a limp hand, after "
+               "knocks of up to four times the strength%1.")
+        .arg(QLatin1String(trusts_friction(results) ? "" : ", also without friction"));
   if (gains.held_at == 0)
     return QStringLiteral(
         "Whether the probe swings on for seconds, without friction or after a hard knock, was not "

@@ -80,6 +80,7 @@ std::optional<Tuning> tuning_in(const fs::path& folder, const LoadedScene& opene
   const StudyFolder finished = all.finished();
   if (finished.names.empty()) return {};
   Tuning tuning{.folder = folder, .results = read_tuning(folder.string(), finished)};
+  if (tuning.results.lines.empty()) return {};
   tuning.doubt = doubt_of(tuning.results, opened);
   tuning.rows = finished.names.size();
   tuning.of_rows = all.names.size();

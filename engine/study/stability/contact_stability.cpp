@@ -2,9 +2,12 @@
 #include "engine/study/stability/contact_stability.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace sonde {
@@ -13,6 +16,32 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+constexpr double slowest_buzz = 5;  // Hz
+
+/// What the motors render of it.
+Mat6 rendered(const SimulatedDeviceParameters& device, Mat6 felt) {
+  if (!(device.translation.limit > 0)) felt.topRows<3>().setZero();
+  if (!(device.rotation.limit > 0)) felt.bottomRows<3>().setZero();
+  return felt;
+}
+
+/// The off-diagonal blocks as the mean of both, where they are known to be each other's transpose.
+Mat6 as_gradient(Mat6 felt) {
+  const Mat3 mean = (felt.topRightCorner<3, 3>() + felt.bottomLeftCorner<3, 3>().transpose()) / 2;
+  felt.topRightCorner<3, 3>() = mean;
+  felt.bottomLeftCorner<3, 3>() = mean.transpose();
+  return felt;
+}
+
+SampledContact rendered(SampledContact contact) {
+  if (contact.gradient)
+    for (Mat6* each : {&contact.stiffness, &contact.held_stiffness}) *each = as_gradient(*each);
+  contact.stiffness = rendered(contact.device, contact.stiffness);
+  contact.held_stiffness = rendered(contact.device, contact.held_stiffness);
+  contact.damping = rendered(contact.device, contact.damping);
+  return contact;
+}
 
 /// The handle and the hand over a time under a constant force, along each axis: new x and v from
 /// the old and the force.
@@ -42,7 +71,7 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
 /// One sample of the loop at a factor on K, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
 class Loop {
  public:
-  explicit Loop(const SampledContact& contact) : contact_(contact) {
+  explicit Loop(const SampledContact& contact) : contact_(rendered(contact)) {
     const double late = contact.device.delay / contact.sample_time;
     samples_late_ = static_cast<Index>(late);
     const double rest = late - std::floor(late);
@@ -52,16 +81,19 @@ class Loop {
     newer_ = coast(contact.device, (1 - rest) * contact.sample_time);
   }
 
-  double radius(double factor) const {
+  /// Of the oscillations of at least `slowest` Hz.
+  double radius(double factor, double slowest = 0) const {
     const Eigen::EigenSolver<MatrixXd> solver(transition(factor), false);
+    const double least = 2 * std::numbers::pi * slowest * contact_.sample_time;
     double largest = 0;
     for (const auto& value : solver.eigenvalues())
-      if (value.imag() != 0 || value.real() < 0) largest = std::max(largest, std::abs(value));
+      if ((value.imag() != 0 || value.real() < 0) && std::abs(std::arg(value)) >= least)
+        largest = std::max(largest, std::abs(value));
     return largest;
   }
   /// Without damping a direction in which nothing resists has 1 for an eigenvalue twice, which
   /// rounding splits by its square root.
-  bool stable(double factor) const { return radius(factor) <= 1 + 1e-7; }
+  bool stable(double factor, double slowest) const { return radius(factor, slowest) <= 1 + 1e-7; }
 
  private:
   Rows unit(Index block) const {
@@ -96,7 +128,7 @@ class Loop {
     return M;
   }
 
-  const SampledContact& contact_;
+  SampledContact contact_;
   Index samples_late_ = 0, forces_ = 0;
   bool split_ = false;
   Coast older_, newer_;
@@ -120,16 +152,8 @@ double largest_factor(const Holds& holds) {
   return low;
 }
 
-}  // namespace
-
-double buzz_radius(const SampledContact& contact) { return Loop(contact).radius(1); }
-
-double largest_stable_factor(const SampledContact& contact) {
-  const Loop loop(contact);
-  return largest_factor([&](double factor) { return loop.stable(factor); });
-}
-
-double largest_passive_factor(const SampledContact& contact) {
+/// D − |B| ⪰ (T/2 + t_d) K, by the symmetric parts.
+double largest_dissipated_factor(const SampledContact& contact) {
   const SimulatedDeviceParameters& device = contact.device;
   // In units in which the device's damping is 1, every direction counts the same.
   const auto per_root = [](double x) { return x > 0 ? 1 / std::sqrt(x) : 1e9; };
@@ -149,5 +173,59 @@ double largest_passive_factor(const SampledContact& contact) {
                .maxCoeff() <= 1;
   });
 }
+
+double lever_of(const Mat6& K) {
+  const Mat3 coupling = K.topRightCorner<3, 3>() - K.bottomLeftCorner<3, 3>().transpose();
+  return Eigen::JacobiSVD<Mat3>(coupling).singularValues()[0];
+}
+
+/// Differences of a solver's answers are symmetric to some thousandths: a lever below this share of
+/// the handle's radius of gyration is none.
+constexpr double no_lever = 0.01;
+
+/// Of a contact as rendered.
+bool conserves(const SampledContact& contact) {
+  const SimulatedDeviceParameters& device = contact.device;
+  const double radius = std::sqrt(device.rotation.inertia / device.translation.inertia);
+  return std::ranges::all_of(
+      std::array{&contact.stiffness, &contact.held_stiffness}, [&](const Mat6* K) {
+        const double size = std::max(K->topLeftCorner<3, 3>().norm(),
+                                     K->bottomRightCorner<3, 3>().norm() / (radius * radius));
+        return lever_of(*K) <= no_lever * radius * size;
+      });
+}
+
+}  // namespace
+
+double buzz_radius(const SampledContact& contact) { return Loop(contact).radius(1); }
+
+double largest_stable_factor(const SampledContact& contact, double slowest) {
+  const Loop loop(contact);
+  return largest_factor([&](double factor) { return loop.stable(factor, slowest); });
+}
+
+double largest_released_factor(const SampledContact& contact) {
+  SampledContact released = contact;
+  for (HandleMotion* motion : {&released.device.translation, &released.device.rotation})
+    motion->hand_stiffness = motion->hand_damping = 0;
+  return largest_stable_factor(released, slowest_buzz);
+}
+
+double largest_passive_factor(const SampledContact& contact) {
+  const SampledContact wall = rendered(contact);
+  return conserves(wall) ? largest_dissipated_factor(wall) : 0;
+}
+
+double largest_passive_factor_in_translation(const SampledContact& contact) {
+  SampledContact held = rendered(contact);
+  for (Mat6* each : {&held.stiffness, &held.held_stiffness, &held.damping}) {
+    const Mat3 force = each->topLeftCorner<3, 3>();
+    each->setZero();
+    each->topLeftCorner<3, 3>() = force;
+  }
+  return largest_dissipated_factor(held);
+}
+
+double cycle_lever(const SampledContact& contact) { return lever_of(rendered(contact).stiffness); }
 
 }  // namespace sonde

@@ -79,8 +79,7 @@ class Observer {
       *mean /= n;
     const double first = energy_[0] / double(times_.second - times_.first);
     out_.kinetic = energy_[1] / double(times_.end - times_.second);
-    const double quiet =
-        setup.device.translation.inertia * press.quiet_speed * press.quiet_speed / 2;
+    const double quiet = quiet_energy(press, setup.device);
     const bool still = out_.kinetic <= quiet;
     out_.growth = still ? 0 : out_.kinetic / std::max(first, quiet);
     out_.stable = (still || out_.growth < press.decay) && out_.contact > 0.5 && out_.failures == 0;
@@ -146,6 +145,18 @@ HoldReport press_and_hold(ClosedLoop& loop, const Press& press) {
     observer.look(tick, before);
   }
   return observer.report(press);
+}
+
+Wrench push_at(const Press& press, double sample_time, std::int64_t tick) {
+  return push_at(tick, press, Timetable(press, sample_time));
+}
+
+std::int64_t first_window_of(const Press& press, double sample_time) {
+  return Timetable(press, sample_time).first;
+}
+
+double quiet_energy(const Press& press, const SimulatedDeviceParameters& device) {
+  return device.translation.inertia * press.quiet_speed * press.quiet_speed / 2;
 }
 
 std::int64_t tick_count(const Press& press, double sample_time) {

@@ -54,6 +54,12 @@ constexpr double saturation_limit = 0.01;
 
 HoldReport press_and_hold(ClosedLoop& loop, const Press& press);
 
+/// The hand's wrench beside its spring at a tick, and the tick at which the first window begins.
+Wrench push_at(const Press& press, double sample_time, std::int64_t tick);
+std::int64_t first_window_of(const Press& press, double sample_time);
+/// J: what moves with less stands still.
+double quiet_energy(const Press& press, const SimulatedDeviceParameters& device);
+
 /// The ticks that a press takes.
 std::int64_t tick_count(const Press& press, double sample_time);
 

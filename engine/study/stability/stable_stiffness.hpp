@@ -17,7 +17,12 @@ struct StableStiffness {
   /// eigenvalues of the contact that is hardest (contact_stability.hpp). No value where the path
   /// meets no contact that holds still, or where there is no end to it.
   std::optional<double> stable;
-  std::optional<double> passive;  ///< the same of taking energy out of whatever holds the handle
+  /// The same of taking energy out of whatever holds the handle; 0 where at no stiffness: where
+  /// the wrench rendered is no gradient (cycle_lever), as of a force without its torque.
+  std::optional<double> passive;
+  std::optional<double> passive_in_translation;  ///< the same with the turn of the handle held
+  /// J for each m of way and rad of a turn's half range that a slow cycle can get at this coupling.
+  double cycle_lever = 0;
 };
 
 /// Computes it at some 200 contacts of the path. For PD_t only the translation counts, without the

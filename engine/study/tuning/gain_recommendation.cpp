@@ -130,6 +130,9 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
                 .swings_without_friction = {},
                 .swings_at_harder_knocks = {},
                 .passive = infinity,
+                .passive_in_translation = infinity,
+                .released = infinity,
+                .swings = {},
                 .theory = infinity,
                 .limit = {},
                 .limits = {}};
@@ -144,6 +147,13 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
       out.without_friction_by_theory = column.without_friction_by_theory;
     lower(out.harder_knocks, column.harder_knocks);
     out.passive = std::min(out.passive, column.theory_passive);
+    out.passive_in_translation =
+        std::min(out.passive_in_translation, column.theory_passive_in_translation);
+    out.cycle_lever = std::max(out.cycle_lever, column.cycle_lever);
+    out.released = std::min(out.released, column.theory_released);
+    if (!results.always_held && std::isfinite(column.theory_released))
+      limits.push_back(
+          {"released", column.theory_released / stability_margin, line->kind, std::string()});
     out.theory = std::min(out.theory, column.theory_stable);
   }
   add_profile_limits(results, lines, device, axis, damping, limits);
@@ -173,6 +183,34 @@ const TuningLine* varied(const TuningResults& results, GainAxis axis) {
   return nullptr;
 }
 
+/// To the rung of the ladder that the limits allow.
+AxisGains on_ladder(AxisGains gains, const RestLadder& ladder) {
+  gains.tried = true;
+  const Rung* held = ladder.held(gains.stiffness);
+  const double stiffness = held ? held->stiffness : 0;
+  const Rung* failed = ladder.failed(stiffness, gains.stiffness);
+  if (held) gains.longest_to_rest = held->longest;
+  if (failed) {
+    gains.swings = failed->swing;
+    gains.limit = {"rest", stiffness, failed->swing->kind, failed->swing->hand};
+    gains.limits.insert(gains.limits.begin(), gains.limit);
+  }
+  gains.held_at = gains.stiffness = gains.limit.stiffness = stiffness;
+  gains.swings_without_friction.clear();
+  gains.swings_at_harder_knocks.clear();
+  if (held || !gains.swings) return gains;
+  const Swing& s = *gains.swings;
+  const GainLimit place{s.friction == 0 ? "friction" : "knocks", s.theory_stable, s.kind, s.hand};
+  (s.friction == 0 ? gains.swings_without_friction : gains.swings_at_harder_knocks)
+      .push_back(place);
+  return gains;
+}
+
+bool has_column(const Lines& lines, double damping) {
+  return std::ranges::all_of(lines,
+                             [&](const TuningLine* line) { return column_at(*line, damping); });
+}
+
 }  // namespace
 
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
@@ -182,6 +220,10 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
   });
   Profile device = results.device;
   if (!assumed.empty()) device[assumed] *= times;
+  const auto& ladder = results.ladder;
+  const bool climbed = assumed.empty() && ladder && ladder->axis == axis;
+  if (climbed && !lines.empty() && has_column(lines, ladder->damping))
+    return on_ladder(gains_at(results, lines, device, axis, ladder->damping), *ladder);
   return best(results, lines, device, axis);
 }
 

@@ -12,9 +12,10 @@ namespace sonde {
 
 /// A limit of the stiffness, and its reason.
 struct GainLimit {
-  /// "stability", "saturation", "chatter", "fidelity" (measured), "friction" (stability without
-  /// it), "knocks" (stability at harder_knocks), "driver" (the profile's largest stiffness),
-  /// "resolution" (a step of the encoder), "range" (nothing within the range studied).
+  /// "rest" (above it the probe swings on somewhere: RestLadder), "released" (theory, of a handle
+  /// that no hand holds), "stability", "saturation", "chatter", "fidelity" (measured), "friction"
+  /// (stability without it), "knocks" (stability at harder_knocks), "driver" (the profile's largest
+  /// stiffness), "resolution" (a step of the encoder), "range" (nothing within the range studied).
   std::string reason;
   double stiffness = 0;
   std::string kind, hand;  ///< of the situation where that is; empty where it is no measurement
@@ -38,16 +39,24 @@ struct AxisGains {
   /// Where it swings on then without friction, so that the gains may rely on it, and after the
   /// hardest of harder_knocks; with the limit of theory.
   std::vector<GainLimit> swings_without_friction, swings_at_harder_knocks;
-  double passive = 0;  ///< up to which theory has every situation passive
-  double theory = 0;   ///< up to which theory has every situation stable, without friction
-  GainLimit limit;     ///< the one that holds: its stiffness is the recommended one
+  double passive = 0;  ///< up to which theory has every situation passive; 0: at no stiffness
+  double passive_in_translation = 0;  ///< the same with the turn of the handle held
+  double cycle_lever = 0;             ///< the largest of cycle_lever, at one N/m | N·m/rad
+  double released = 0;                ///< up to which theory has a handle stable that no hand holds
+  bool tried = false;           ///< on the ladder (RestLadder): only what rests is recommended
+  double longest_to_rest = 0;   ///< s, there
+  std::optional<Swing> swings;  ///< what went on at the next rung above, or at the lowest
+  double theory = 0;            ///< up to which theory has every situation stable, without friction
+  GainLimit limit;              ///< the one that holds: its stiffness is the recommended one
   std::vector<GainLimit> limits;  ///< the least of each reason, the lowest first
 
   double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }
 };
 
-/// From the lines of one axis. With `assumed`, from those for a profile value at `times` itself
-/// alone, which are of one situation; no value where there is none.
+/// From the lines of one axis. Where the study has a ladder of it, the damping is the ladder's, and
+/// the stiffness the largest rung below the least limit that everything came to rest on. With
+/// `assumed`, from those for a profile value at `times` itself alone, which are of one situation;
+/// no value where there is none.
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
 /// The gains of the lines of one axis at each damping that was swept, the least damping first.

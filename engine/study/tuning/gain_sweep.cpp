@@ -23,12 +23,6 @@ constexpr double jolt_share = 0.25;  // of the largest torque
 /// limit that is lower counts as 0.
 constexpr double useful_range = 32;
 
-/// s, of each of the two windows of the holds that tell whether the probe swings on, without
-/// friction or after a hard knock: what grows into a lasting swing may die down for a second
-/// before. On the spoon in the cup, classic mode, without friction, these swings fell to a tenth
-/// within two windows of 0.3 s, and grew 3 to 12 times within two of 0.9 or 3 s.
-constexpr double long_window = 1.5;
-
 /// The range of an axis in its own unit.
 struct Range {
   double low, high, most_damping;
@@ -48,8 +42,9 @@ SampledContact linear_contact(const TuningSetup& setup, GainAxis axis, double da
   own.k = own.k_t = own.k_r = 0;
   set_gains(own, axis, 1, 0, setup.joint);
   set_gains(others, axis, 0, damping, setup.joint);
-  return {setup.loop.device, setup.loop.sample_time, felt.stiffness(own), felt.stiffness(others),
-          felt.damping(others)};
+  return {setup.loop.device,    setup.loop.sample_time,
+          felt.stiffness(own),  felt.stiffness(others),
+          felt.damping(others), axis == GainAxis::object && setup.loop.method == Method::pdg};
 }
 
 Json json_of(const SweepPoint& point, GainAxis axis) {
@@ -80,7 +75,10 @@ Json json_of(double damping, const TheoryLimits& theory, const StiffnessSweep& s
   for (const SweepPoint& point : sweep.points) runs.push_back(json_of(point, axis));
   return {{"damping", damping},
           {"theory_stable", number_or_null(theory.stable)},
+          {"theory_released", number_or_null(theory.released)},
           {"theory_passive", number_or_null(theory.passive)},
+          {"theory_passive_in_translation", number_or_null(theory.passive_in_translation)},
+          {"cycle_lever", theory.cycle_lever},
           {"stable", sweep.stable.stiffness},
           {"stable_ends_by", name_of(sweep.stable.fault)},
           {"good", sweep.good.stiffness},
@@ -88,18 +86,25 @@ Json json_of(double damping, const TheoryLimits& theory, const StiffnessSweep& s
           {"runs", runs}};
 }
 
-/// One hold of a sweep, at a knock of so many times the usual.
-HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
-                double knock = 1, double window_time = Press{}.window_time) {
+ClosedLoop closed_loop(const TuningSetup& setup, GainAxis axis, double stiffness, double damping) {
   ClosedLoopSetup loop = setup.loop;
   set_gains(loop.coupling, axis, stiffness, damping, setup.joint);
-  ClosedLoop closed(loop);
+  return ClosedLoop(loop);
+}
+
+Press press_of(const TuningSetup& setup, GainAxis axis, double knock) {
   Press press = press_of(setup, axis);
   press.knock *= knock;
   press.jolt.force *= knock;
   press.jolt.torque *= knock;
-  press.window_time = window_time;
-  return press_and_hold(closed, press);
+  return press;
+}
+
+/// One hold of a sweep, at a knock of so many times the usual.
+HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
+                double knock = 1) {
+  ClosedLoop closed = closed_loop(setup, axis, stiffness, damping);
+  return press_and_hold(closed, press_of(setup, axis, knock));
 }
 
 void add_limit(Json& json, const std::string& name, const SweepLimit& limit) {
@@ -151,7 +156,7 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
 /// What holds of seconds show.
 Json long_hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping) {
   const auto swings_on = [&](const TuningSetup& held, double knock) {
-    return !comes_to_rest(hold(held, axis, stiffness, damping, knock, long_window));
+    return !hold_until_rest(held, axis, stiffness, damping, knock).at_rest;
   };
   return {{"stiffness", stiffness},
           {"swings_without_friction", swings_on(without_friction(setup), 1)},
@@ -237,7 +242,15 @@ void set_base_gains(TuningSetup& setup) {
 TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share) {
   const SampledContact contact =
       linear_contact(setup, axis, share * range_of(setup, axis).most_damping);
-  return {largest_stable_factor(contact), largest_passive_factor(contact)};
+  return {largest_stable_factor(contact), largest_released_factor(contact),
+          largest_passive_factor(contact), largest_passive_factor_in_translation(contact),
+          cycle_lever(contact)};
+}
+
+RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiffness,
+                           double damping, double knock) {
+  ClosedLoop closed = closed_loop(setup, axis, stiffness, damping);
+  return press_until_rest(closed, press_of(setup, axis, knock));
 }
 
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/study/stability/contact_situations.hpp"
-#include "engine/study/stability/press_and_hold.hpp"
+#include "engine/study/stability/rest.hpp"
 #include "engine/study/stability/stiffness_sweep.hpp"
 
 namespace sonde {
@@ -79,11 +79,19 @@ Press press_of(const TuningSetup& setup, GainAxis axis);
 void set_base_gains(TuningSetup& setup);
 
 /// The stiffness of one axis up to which theory has the linear contact stable and passive, at
-/// `share` of the largest damping: N/m | N·m/rad.
+/// `share` of the largest damping: N/m | N·m/rad. Infinite where theory sees no end.
 struct TheoryLimits {
-  double stable = 0, passive = 0;  ///< infinite where theory sees no end
+  double stable = 0;
+  double released = 0;  ///< stable where no hand holds the handle (largest_released_factor)
+  double passive = 0;   ///< 0: at no stiffness (largest_passive_factor)
+  double passive_in_translation = 0;  ///< the same with the turn held
+  double cycle_lever = 0;             ///< cycle_lever at 1 N/m | 1 N·m/rad of the axis
 };
 TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share);
+
+/// A hold until the probe rests, at a knock of so many times the usual.
+RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiffness,
+                           double damping, double knock);
 
 /// The shares of the largest damping at which an axis is swept; only zero where it has none.
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);

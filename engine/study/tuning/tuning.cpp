@@ -228,6 +228,7 @@ Json about(const TuningPlan& plan) {
           {"high", r.high},
           {"trajectory", !r.path.empty()},
           {"trusts_friction", r.trusts_friction},
+          {"always_held", r.always_held},
           {"device", about(r.device)},
           {"rotational_stiffness_per_translational", plan.joint.stiffness},
           {"rotational_damping_per_translational", plan.joint.damping},

@@ -37,6 +37,8 @@ struct TuningRequest {
                                ///< same times inertia over mass of the device
   /// Recommends gains that are stable only thanks to the profile's friction.
   bool trusts_friction = false;
+  /// Recommends gains at which the handle may buzz once the hand lets go of it.
+  bool always_held = false;
   std::string inputs = "{}";  ///< JSON that tells the files apart: names, fingerprints
 };
 

@@ -25,9 +25,18 @@ Json json_of(const GainLimit& limit) {
   return out;
 }
 
+Json json_of_swing(const Swing& swing) {
+  return {{"situation", swing.kind},
+          {"hand", swing.hand},
+          {"friction", swing.friction},
+          {"knock", swing.knock},
+          {"amplitude", number_or_null(swing.amplitude)},
+          {"frequency", number_or_null(swing.frequency)}};
+}
+
 /// Null where nothing was held for seconds.
 Json json_of_swings(const AxisGains& gains, const std::vector<GainLimit>& places) {
-  if (gains.held_at == 0) return nullptr;
+  if (gains.held_at == 0 && !gains.tried) return nullptr;
   Json out = Json::array();
   for (const GainLimit& each : places)
     out.push_back({{"situation", each.kind},
@@ -49,6 +58,12 @@ Json json_of(const AxisGains& gains) {
           {"boundary_at_harder_knocks", number_or_null(gains.harder_knocks)},
           {"theory_stable", number_or_null(gains.theory)},
           {"theory_passive", number_or_null(gains.passive)},
+          {"theory_passive_in_translation", number_or_null(gains.passive_in_translation)},
+          {"theory_released", number_or_null(gains.released)},
+          {"cycle_lever", gains.cycle_lever},
+          {"longest_to_rest",
+           gains.held_at > 0 && gains.tried ? Json(gains.longest_to_rest) : Json(nullptr)},
+          {"swings_on", gains.swings ? json_of_swing(*gains.swings) : Json(nullptr)},
           {"held_for_seconds_at", gains.held_at > 0 ? Json(gains.held_at) : Json(nullptr)},
           {"swings_without_friction_in", json_of_swings(gains, gains.swings_without_friction)},
           {"swings_at_harder_knocks_in", json_of_swings(gains, gains.swings_at_harder_knocks)},
@@ -190,6 +205,7 @@ std::string recommendation(const TuningResults& results) {
                  {"mode", name_of(results.mode)},
                  {"stability_margin", stability_margin},
                  {"trusts_friction", results.trusts_friction},
+                 {"always_held", results.always_held},
                  {"harder_knocks", harder_knocks},
                  {"in_words", recommendation_in_words(results)},
                  {"axes", axes},

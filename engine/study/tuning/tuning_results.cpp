@@ -31,6 +31,10 @@ double number(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
+double number_if_any(const Json& json, const char* key) {
+  return json.contains(key) ? number(json.at(key)) : std::numeric_limits<double>::infinity();
+}
+
 template <class Value>
 Value named(const std::string& name, std::initializer_list<Value> values) {
   for (const Value value : values)
@@ -79,6 +83,9 @@ TuningColumn column_of(const Json& json) {
   column.damping = json.at("damping").get<double>();
   column.theory_stable = number(json.at("theory_stable"));
   column.theory_passive = number(json.at("theory_passive"));
+  column.theory_released = number_if_any(json, "theory_released");
+  column.theory_passive_in_translation = number_if_any(json, "theory_passive_in_translation");
+  column.cycle_lever = json.value("cycle_lever", 0.0);
   column.stable = limit_of(json, "stable");
   column.good = limit_of(json, "good");
   column.without_friction = limit_if_any(json, "without_friction");
@@ -143,6 +150,7 @@ void read_about(const Json& json, TuningResults& out) {
   out.max_force = json.at("max_force").get<double>();
   out.max_torque = json.at("max_torque").get<double>();
   out.trusts_friction = json.value("trusts_friction", false);
+  out.always_held = json.value("always_held", false);
   for (const auto& [key, value] : json.at("device").items())
     if (value.is_object()) out.device[key] = value.at("value").get<double>();
   for (const char* needed : profile_values)
@@ -177,6 +185,10 @@ TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
     read_about(Json::parse(study.about), out);
     for (std::size_t i = 0; i < study.results.size(); ++i) {
       reading = "part " + study.names[i];
+      if (study.names[i] == ladder_part) {
+        out.ladder = rest_ladder_of(*study.results[i]);
+        continue;
+      }
       out.lines.push_back(line_of(Json::parse(*study.results[i])));
       if (out.lines.back().situation >= out.felt.size()) throw std::out_of_range("situation");
       check_dampings(out.lines);

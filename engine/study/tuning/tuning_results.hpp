@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/numbers.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/study/parts/study_parts.hpp"
 #include "engine/study/tuning/gain_sweep.hpp"
+#include "engine/study/tuning/rest_ladder.hpp"
 
 namespace sonde {
 
@@ -24,6 +26,9 @@ struct TuningColumn {
   double damping = 0;
   double theory_stable = 0;  ///< infinite where theory sees no end
   double theory_passive = 0;
+  /// As TheoryLimits; infinite where a study did not say.
+  double theory_released = infinity, theory_passive_in_translation = infinity;
+  double cycle_lever = 0;  ///< as TheoryLimits
   SweepLimit stable, good;
   /// The limits of stability on a device without friction, and at harder_knocks; no value where a
   /// study did not search for them.
@@ -61,13 +66,18 @@ struct TuningResults {
     double translation = 0, rotation = 0;
   };
   std::vector<Felt> felt;
-  std::vector<TuningLine> lines;  ///< those of the profile as it is come first
+  bool always_held = false;          ///< as TuningRequest
+  std::optional<RestLadder> ladder;  ///< none: it was not climbed, or not yet
+  std::vector<TuningLine> lines;     ///< those of the profile as it is come first
 };
 
 bool has_friction(const TuningResults& results);
 
 /// Keys of the profile. Without friction it does not matter what it was.
 bool is_friction(const std::string& key);
+
+/// The name of the part that holds the ladder.
+constexpr const char* ladder_part = "rest";
 
 /// Reads a complete study of kind "tune". Throws InputError where a part is missing or was not
 /// written by a study; `folder` is for the message.

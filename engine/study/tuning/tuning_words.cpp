@@ -26,6 +26,8 @@ std::string words_of(const std::string& reason) {
       {"knocks", "stability at harder knocks"},
       {"driver", "the driver's largest stiffness"},
       {"resolution", "the encoder's steps"},
+      {"rest", "what comes to rest"},
+      {"released", "what the handle bears once no hand holds it, in theory"},
       {"range", "the range studied"}};
   for (const auto& [name, meaning] : words)
     if (reason == name) return meaning;
@@ -86,8 +88,85 @@ std::string contacts_text(const std::vector<GainLimit>& places) {
   return out;
 }
 
+std::string times_text(double times, const char* what) {
+  if (times == 0) return std::string("without ") + what;
+  return "with " + short_text(times) + " times the " + what;
+}
+
+/// "swings on at 0.4 mm, 31 Hz, in the flat contact ...".
+std::string swing_text(const Swing& swing) {
+  const std::string place = "in the " + swing.kind + " contact (" + swing.hand + " hand), " +
+                            times_text(swing.friction, "friction") + ", after a knock of " +
+                            short_text(swing.knock) + " times the strength";
+  if (swing.amplitude == 0) return "the solver gave no answer " + place;
+  return "the probe swings on at " + short_text(1e3 * swing.amplitude) + " mm, " +
+         short_text(swing.frequency) + " Hz, " + place;
+}
+
+/// What would help, where nothing comes to rest.
+std::string what_would_help(const TuningResults& results, const Swing& swing) {
+  std::string out;
+  const auto add = [&](const std::string& each) { out += (out.empty() ? "" : "; ") + each; };
+  if (results.mode == Coupling::Mode::classic)
+    add("the object norm, whose spring gives back no more than it takes");
+  if (swing.friction == 0 && has_friction(results) && !results.trusts_friction)
+    add("gains that rely on the device's friction, once it is measured (trust friction)");
+  if (swing.hand != "firm") add("a firmer hand, or more damping in the device");
+  add("less delay");
+  return "what would help: " + out;
+}
+
+/// Of the ladder.
+std::vector<std::string> rest_words(const TuningResults& results, const AxisGains& gains) {
+  std::vector<std::string> out;
+  if (gains.stiffness > 0) {
+    const bool frictionless = !has_friction(results);
+    const std::string frictions = frictionless               ? "without friction"
+                                  : trusts_friction(results) ? "with the profile's friction"
+                                                             : "with the profile's friction and "
+                                                               "without any";
+    out.push_back(
+        "at these gains the probe came to rest in every contact, in a firm, a light and "
+        "a limp hand, " +
+        frictions + ", after knocks of 1, 2 and 4 times the strength: within " +
+        short_text(gains.longest_to_rest) + " s");
+    if (gains.swings) out.push_back("stiffer, " + swing_text(*gains.swings));
+  } else if (gains.swings) {
+    out.push_back("at no stiffness tried did it come to rest everywhere: at the softest, " +
+                  swing_text(*gains.swings));
+    out.push_back(what_would_help(results, *gains.swings));
+  }
+  return out;
+}
+
+std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
+  if (!(gains.stiffness > 0) || !std::isfinite(gains.released)) return {};
+  const std::string limit = short_text(gains.released) + stiffness_unit(gains.axis);
+  if (gains.stiffness <= gains.released)
+    return "if the hand lets go, the handle does not buzz: in theory it may be up to " + limit;
+  return std::string("if the hand lets go, the handle buzzes: in theory it may be up to ") + limit +
+         (results.always_held ? "; a hand that always holds was asked for" : "");
+}
+
+/// Where the wrench is no gradient. A cycle of 1 mm and 0.1 rad, each from end to end.
+std::string passivity_text(const TuningResults& results, const AxisGains& gains) {
+  if (!(gains.stiffness > 0) || gains.passive > 0 || !(gains.cycle_lever > 0)) return {};
+  const double energy = gains.stiffness * gains.cycle_lever * 0.05 * 2e-3;
+  std::string out = "no stiffness is passive: ";
+  out += results.device.at("max_torque") > 0
+             ? "force and torque of these springs are no gradient of an energy"
+             : "a force without its torque is no gradient of an energy";
+  out += ". A slow cycle of 1 mm and 0.1 rad may give the hand up to " + short_text(1e3 * energy) +
+         " mJ";
+  if (std::isfinite(gains.passive_in_translation))
+    out += "; with the turn held it is passive up to " + short_text(gains.passive_in_translation) +
+           stiffness_unit(gains.axis);
+  return out;
+}
+
 /// Of what was held for seconds.
 std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
+  if (gains.tried) return rest_words(results, gains);
   if (gains.stiffness <= 0) return {};
   if (gains.held_at == 0)
     return {
@@ -173,6 +252,8 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     const auto gains = recommend(results, axis);
     if (!gains) continue;
     for (const std::string& sentence : lasting_swings(results, *gains)) add(sentence);
+    add(let_go_text(results, *gains));
+    add(passivity_text(results, *gains));
     add(beyond_theory(*gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));

@@ -37,6 +37,20 @@ TEST_F(DhdArms, an_omega_takes_no_torque) {
   EXPECT_NE(standin.force(), Vec3::Zero());
 }
 
+// By their numbers in the library (forcedimension_core, constants.py) and CHAI3D's limits: a
+// Falcon, which bears 8 N, and a sigma.3 and a lambda.3, of which no limits are published.
+TEST_F(DhdArms, an_arm_that_is_not_known_gets_no_more_than_the_weakest) {
+  for (const int model : {60, 206, 203, 999}) {
+    standin->model = model;
+    DhdArm arm(library, 0);
+    EXPECT_EQ(arm.identity().capabilities.max_force, 8) << model;
+    EXPECT_EQ(arm.identity().capabilities.max_torque, 0) << model;
+    arm.write({{0, 30, 40}, {0, 0, 1}}, true);
+    EXPECT_NEAR(standin.force().norm(), 8, 1e-12) << model;
+    EXPECT_EQ(standin.torque(), Vec3::Zero()) << model;
+  }
+}
+
 // x of the library is towards the user, y to the right, z up; ours right, away, up.
 TEST_F(DhdArms, poses_come_in_our_frame_and_metres) {
   DhdArm arm(library, 0);

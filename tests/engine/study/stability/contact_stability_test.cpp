@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // References: the single axis (sampled_stability.hpp) where axes do not act on each other, which is
-// computed from other states; and the simulated device with a spring beside it.
+// computed from other states; the simulated device with a spring beside it; and work summed up
+// along a cycle.
 #include "engine/study/stability/contact_stability.hpp"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,127 @@ TEST(ContactStability, sliding_away_is_no_buzz) {
   c.stiffness(2, 2) = 1;
   EXPECT_NEAR(largest_stable_factor(c) / largest_stable_stiffness({0.1, 0.5, 0, 1e-3, 1e-3}), 1,
               3e-4);
+}
+
+/// One row of contact (n, r×n) at a lever of 2 cm.
+SampledContact on_a_lever(double delay) {
+  SampledContact c = contact_with_delay(delay);
+  Vec6 w;
+  w << 0, 0, 1, 0, -0.02, 0;
+  c.stiffness = w * w.transpose();
+  return c;
+}
+
+TEST(ContactStability, what_has_no_motors_is_not_rendered) {
+  for (const double delay : {0.0, 1e-3, 1.4e-3}) {
+    SampledContact c = on_a_lever(delay);
+    const double all_six = largest_stable_factor(c);
+    c.device.rotation.limit = 0;
+    // The turn moves by itself, and takes no part: one axis of the whole mass.
+    const double K = largest_stable_factor(c);
+    EXPECT_NEAR(K / largest_stable_stiffness({0.1, 0.5, 0, 1e-3, delay}), 1, 3e-4) << delay;
+    EXPECT_GT(K, 1.4 * all_six) << delay;
+    c.device.translation.limit = 0;
+    EXPECT_EQ(largest_stable_factor(c), INFINITY);
+  }
+}
+
+/// Largest displacement, late over early, of a device whose motors get the whole wrench of a
+/// contact: its own limits say what it renders.
+double growth_at(const SampledContact& c, double factor) {
+  SimulatedDevice handle(c.device, c.sample_time);
+  handle.reset({Quat::Identity(), Vec3::Zero()});
+  double early = 0, late = 0;
+  Wrench push;
+  push.force.z() = 1e-3;
+  push.torque.y() = 1e-6;
+  for (int i = 0; i < 8000; ++i) {
+    const HandleState& state = handle.state();
+    Vec6 x;
+    x << state.X_WD.p, 2 * state.X_WD.q.vec();  // small
+    const Vec6 f = -factor * c.stiffness * x;
+    handle.step({f.head<3>(), f.tail<3>()}, {}, i < 3 ? push : Wrench{});
+    double& part = i < 4000 ? early : late;
+    if (i >= 2000) part = std::max(part, std::abs(state.X_WD.p.z()));
+  }
+  return late / early;
+}
+
+TEST(ContactStability, a_device_without_torque_swings_where_theory_says) {
+  for (const double delay : {0.0, 1e-3}) {
+    SampledContact c = on_a_lever(delay);
+    c.device.translation.limit = 1e6;
+    c.device.rotation.limit = 0;
+    c.device.translation.hand_stiffness = 200;
+    c.device.translation.hand_damping = 1;
+    c.device.rotation.hand_stiffness = 0.1;
+    c.device.rotation.hand_damping = 5e-4;
+    const double K = largest_stable_factor(c);
+    EXPECT_LT(growth_at(c, 0.99 * K), 1) << delay;
+    EXPECT_GT(growth_at(c, 1.01 * K), 1) << delay;
+  }
+}
+
+/// J that the wall gives whoever draws the handle slowly round a rectangle: turned about y, then
+/// along z, and back in the same order.
+double work_of_cycle(const SampledContact& c, double way, double turn) {
+  constexpr int steps = 1000;
+  Vec6 x = Vec6::Zero();
+  double work = 0;
+  const Vec6 along = Vec6::Unit(2) * way, about = Vec6::Unit(4) * turn;
+  for (const Vec6& side : {about, along, Vec6(-about), Vec6(-along)})
+    for (int i = 0; i < steps; ++i) {
+      const Vec6 middle = x + side / (2 * steps);
+      Vec6 f = -c.stiffness * middle;
+      if (c.device.rotation.limit == 0) f.tail<3>().setZero();
+      work += f.dot(side) / steps;
+      x += side / steps;
+    }
+  return work;
+}
+
+TEST(ContactStability, a_force_without_its_torque_is_not_passive) {
+  SampledContact c = on_a_lever(1e-3);
+  c.stiffness *= 681;
+  EXPECT_NEAR(work_of_cycle(c, 1e-3, 0.1), 0, 1e-12);
+  EXPECT_EQ(cycle_lever(c), 0);
+  EXPECT_GT(largest_passive_factor(c), 0);
+  c.device.rotation.limit = 0;
+  EXPECT_EQ(largest_passive_factor(c), 0);
+  // 681 N/m at 2 cm, 1 mm and 0.1 rad: the way is there and back, the turn half of it to each side.
+  EXPECT_NEAR(work_of_cycle(c, 1e-3, 0.1), 681 * 0.02 * 1e-3 * 0.1, 1e-9);
+  EXPECT_NEAR(cycle_lever(c) * 0.05 * 2e-3, work_of_cycle(c, 1e-3, 0.1), 1e-9);
+  // With the turn held, it is the wall of one axis.
+  EXPECT_NEAR(largest_passive_factor_in_translation(c) * 681,
+              largest_passive_stiffness({0.1, 0.5, 0, 1e-3, 1e-3}), 0.1);
+}
+
+TEST(ContactStability, springs_that_are_no_gradient_are_not_passive_either) {
+  // The classic coupling: a turn moves the force, a displacement the torque, by different gains.
+  SampledContact c = on_a_lever(1e-3);
+  c.stiffness.bottomRows<3>() *= 3;
+  EXPECT_NEAR(cycle_lever(c), 2 * 0.02, 1e-12);
+  EXPECT_EQ(largest_passive_factor(c), 0);
+  // Of a gradient, differences that are not symmetric are an error of the differences.
+  c.gradient = true;
+  EXPECT_EQ(cycle_lever(c), 0);
+  EXPECT_GT(largest_passive_factor(c), 0);
+}
+
+// Reference: the single axis without a hand; and a contact in which a handle drifts away.
+TEST(ContactStability, a_hand_that_lets_go_leaves_the_device_alone) {
+  SampledContact c = contact_with_delay(1e-3);
+  c.stiffness(2, 2) = 1;
+  c.device.translation.hand_stiffness = 200;
+  c.device.translation.hand_damping = 1;
+  const double alone = largest_stable_stiffness({0.1, 0.5, 0, 1e-3, 1e-3});
+  EXPECT_NEAR(largest_released_factor(c) / alone, 1, 3e-4);
+  EXPECT_GT(largest_stable_factor(c), 2 * alone);
+  // A flutter of the free directions, too slow to buzz: a curl of 0.5 % of the stiffness.
+  c.stiffness(0, 0) = c.stiffness(1, 1) = 1e-3;
+  c.stiffness(0, 1) = 5e-3;
+  c.stiffness(1, 0) = -5e-3;
+  EXPECT_NEAR(largest_released_factor(c) / alone, 1, 3e-4);
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// References: made-up ladders whose answer can be worked out on paper; the loop, held for a minute.
+#include "engine/study/tuning/rest_ladder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning_words.hpp"
+#include "tests/engine/study/tuning/made_up_results.hpp"
+#include "tests/engine/study/tuning/tuning_requests.hpp"
+
+namespace sonde {
+namespace {
+
+using test::never;
+using test::stable_up_to;
+using testing::Contains;
+using testing::HasSubstr;
+
+const Swing swing{"flat", "limp", 0, 4, 2e-3, 31, 700};
+
+/// Which would recommend 1000 N/m by the boundary alone.
+TuningResults tried(std::vector<Rung> rungs) {
+  TuningResults r = stable_up_to({1500});
+  r.ladder = RestLadder{GainAxis::object, 0, std::move(rungs)};
+  return r;
+}
+
+TEST(RestLadder, only_what_comes_to_rest_is_recommended) {
+  const TuningResults r = tried({{1200, swing, 4}, {900, swing, 4}, {700, {}, 2}, {500, {}, 1}});
+  const auto gains = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(gains->stiffness, 700);
+  EXPECT_EQ(gains->limit.reason, "rest");
+  EXPECT_EQ(gains->limit.kind, "flat");
+  EXPECT_EQ(gains->limit.hand, "limp");
+  EXPECT_DOUBLE_EQ(gains->longest_to_rest, 2);
+  EXPECT_THAT(recommendation_in_words(r),
+              Contains(HasSubstr("stiffer, the probe swings on at 2 mm, 31 Hz, in the flat contact "
+                                 "(limp hand), without friction, after a knock of 4 times")));
+}
+
+TEST(RestLadder, what_the_limits_allow_is_taken_to_a_rung) {
+  const TuningResults r = tried({{1200, swing, 4}, {950, {}, 2}, {700, {}, 1}});
+  const auto gains = recommend(r, GainAxis::object);
+  EXPECT_DOUBLE_EQ(gains->stiffness, 950);
+  EXPECT_EQ(gains->limit.reason, "stability");
+  EXPECT_FALSE(gains->swings) << "nothing that the boundary allows";
+  EXPECT_DOUBLE_EQ(gains->held_at, 950);
+}
+
+TEST(RestLadder, where_nothing_comes_to_rest_nothing_is_recommended) {
+  const TuningResults r = tried({{950, swing, 4}, {300, swing, 4}});
+  EXPECT_FALSE(has_recommendation(r));
+  const auto words = recommendation_in_words(r);
+  EXPECT_THAT(words.front(), HasSubstr("no stiffness is good"));
+  EXPECT_THAT(words, Contains(HasSubstr("at no stiffness tried did it come to rest")));
+  EXPECT_THAT(words, Contains(HasSubstr("what would help: ")));
+}
+
+TEST(RestLadder, reads_back_as_it_was_written) {
+  const RestLadder ladder{GainAxis::together, 3.5, {{900, swing, 4}, {700, {}, 2}}};
+  const RestLadder back = rest_ladder_of(to_json(ladder));
+  EXPECT_EQ(to_json(back), to_json(ladder));
+  EXPECT_EQ(back.rungs[0].swing->hand, "limp");
+  EXPECT_FALSE(back.rungs[1].swing);
+}
+
+TEST(RestLadder, a_hand_that_lets_go_caps_unless_it_always_holds) {
+  TuningResults r = stable_up_to({1500});
+  r.lines[0].columns[0].theory_released = 450;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 450 / stability_margin);
+  EXPECT_EQ(recommend(r, GainAxis::object)->limit.reason, "released");
+  EXPECT_THAT(recommendation_in_words(r), Contains(HasSubstr("if the hand lets go, the handle does "
+                                                             "not buzz: in theory it may be up to "
+                                                             "450 N/m")));
+  r.always_held = true;
+  EXPECT_DOUBLE_EQ(recommend(r, GainAxis::object)->stiffness, 1000);
+  EXPECT_THAT(recommendation_in_words(r), Contains(HasSubstr("the handle buzzes")));
+}
+
+// Reference: a minute of the loop in each contact and hand of the ladder, on the rung recommended.
+TEST(RestLadder, what_is_recommended_rests_for_a_minute) {
+  TuningRequest request = test::pressed_boxes();
+  request.device.mass.assumed = false;
+  const TuningResults results = test::tuned(request);
+  const auto gains = recommend(results, GainAxis::object);
+  ASSERT_TRUE(gains && gains->tried && gains->stiffness > 0);
+  const TuningPlan plan = tuning_plan(request, never);
+  for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
+    for (const HandGrip& hand : {limp_hand, hand_grips[0], hand_grips[1]})
+      for (const double friction : {0.0, 2.0}) {
+        TuningSetup setup = ladder_setup(plan, i, hand);
+        setup.loop.device.translation.friction *= friction;
+        setup.loop.device.rotation.friction *= friction;
+        set_gains(setup.loop.coupling, GainAxis::object, gains->stiffness, 0, {});
+        Press press = press_of(setup, GainAxis::object);
+        press.knock = 3;
+        press.window_time = 30;
+        ClosedLoop loop(setup.loop);
+        const HoldReport held = press_and_hold(loop, press);
+        EXPECT_LE(held.kinetic, quiet_energy(press, setup.loop.device)) << hand.name << friction;
+      }
+}
+
+}  // namespace
+}  // namespace sonde
