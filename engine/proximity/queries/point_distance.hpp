@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 #include "engine/body/body.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
 
@@ -25,5 +29,11 @@ struct NearestPoint {
   Vec3 point;       ///< mesh frame
 };
 NearestPoint nearest_point(const Body& body, const Vec3& x, double enough = 0);
+
+/// Writes the triangles of surface(body) that come within `radius` (m) of x to `out`, and returns
+/// how many there are, but no more than find room: where that is all the room, there may be others.
+/// Never allocates.
+std::size_t triangles_within(const Body& body, const Vec3& x, double radius,
+                             std::span<std::uint32_t> out);
 
 }  // namespace sonde
