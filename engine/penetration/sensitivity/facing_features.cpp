@@ -17,6 +17,7 @@ constexpr double parallel = 1e-6;
 constexpr double widest = 0.8;
 /// In a hollow: of the distance of two triangles, what they have of it along a feature's normal.
 constexpr double hollow = 0.5;
+constexpr double same_face = 1e-18;  ///< square of the difference of unit normals
 const Transform fixed_at;  ///< F itself
 constexpr std::uint32_t none = 0xffffffffu;
 
@@ -53,44 +54,51 @@ FacingFeatures::Facing FacingFeatures::facing(const Soup& soup, std::uint32_t tr
   return out;
 }
 
-bool FacingFeatures::push(const FeatureRow& row, const Names& names) noexcept {
+/// A vertex may lie on two triangles of one face.
+bool FacingFeatures::knows(FeatureRow::Kind kind, const Names& names,
+                           const Vec3& face) const noexcept {
   for (std::size_t k = 0; k < size_; ++k) {
-    const FeatureRow& known = rows_[k];
-    if (known.kind != row.kind || names_[k] != names) continue;
-    // A vertex on two triangles of one face.
-    if (row.kind == FeatureRow::Kind::edge_on_edge ||
-        (row.kind == FeatureRow::Kind::vertex_on_face
-             ? (known.along_b - row.along_b).squaredNorm()
-             : (known.along_a - row.along_a).squaredNorm()) < 1e-18)
+    if (rows_[k].kind != kind || names_[k] != names) continue;
+    if (kind == FeatureRow::Kind::edge_on_edge || (face - faces_[k]).squaredNorm() < same_face)
       return true;
   }
-  if (size_ == capacity) {
-    overflowed_ = true;
-    return true;
-  }
+  return false;
+}
+
+void FacingFeatures::push(const FeatureRow& row, const Names& names, const Vec3& face) noexcept {
+  overflowed_ = overflowed_ || size_ == capacity;
+  if (overflowed_) return;
   rows_[size_] = row;
+  faces_[size_] = face;
   names_[size_++] = names;
-  return true;
 }
 
 bool FacingFeatures::add_vertex_on_face(const Facing& a, std::size_t i, const Facing& b,
                                         const Slack& slack) noexcept {
-  if (b.face.dot(a.at[i] - b.at[0]) > reach_ || gap_along(b.face, a.at, b.at) < slack.least ||
+  if (b.face.dot(a.at[i] - b.at[0]) > reach_) return false;
+  const Names names{a.vertex[i], none, none, none};
+  if (knows(FeatureRow::Kind::vertex_on_face, names, b.face)) return true;
+  if (gap_along(b.face, a.at, b.at) < slack.least ||
       !lies_on(a.at[i], b.at, b.edge, b.face, slack.border))
     return false;
-  const Vec3& vertex = surface(probe_).vertices[a.vertex[i]];
-  return push({FeatureRow::Kind::vertex_on_face, vertex, Vec3::Zero(), b.at[0], b.face, 1},
-              {a.vertex[i], none, none, none});
+  push({FeatureRow::Kind::vertex_on_face, surface(probe_).vertices[a.vertex[i]], Vec3::Zero(),
+        b.at[0], b.face, 1},
+       names, b.face);
+  return true;
 }
 
 bool FacingFeatures::add_face_on_vertex(const Facing& a, const Facing& b, std::size_t j,
                                         const Slack& slack) noexcept {
-  if (a.face.dot(a.at[0] - b.at[j]) > reach_ || gap_along(a.face, a.at, b.at) < slack.least ||
+  if (a.face.dot(a.at[0] - b.at[j]) > reach_) return false;
+  const Names names{none, none, b.vertex[j], none};
+  if (knows(FeatureRow::Kind::face_on_vertex, names, a.face)) return true;
+  if (gap_along(a.face, a.at, b.at) < slack.least ||
       !lies_on(b.at[j], a.at, a.edge, a.face, slack.border))
     return false;
-  return push({FeatureRow::Kind::face_on_vertex, surface(probe_).vertices[a.vertex[0]],
-               X_.R.transpose() * a.face, b.at[j], Vec3::Zero(), 1},
-              {none, none, b.vertex[j], none});
+  push({FeatureRow::Kind::face_on_vertex, surface(probe_).vertices[a.vertex[0]],
+        X_.R.transpose() * a.face, b.at[j], Vec3::Zero(), 1},
+       names, a.face);
+  return true;
 }
 
 bool FacingFeatures::add_edges(const Facing& a, std::size_t i, const Facing& b, std::size_t j,
@@ -100,20 +108,22 @@ bool FacingFeatures::add_edges(const Facing& a, std::size_t i, const Facing& b, 
   if (sine < parallel) return false;
   const double sign = across.dot(normal) < 0 ? -1 : 1;
   const Vec3 n = sign / sine * across;
-  if (!agree(n, normal, slack.angle)) return false;
   const Vec3 between = a.at[i] - b.at[j];
-  if (n.dot(between) > reach_ || gap_along(n, a.at, b.at) < slack.least) return false;
+  if (n.dot(between) > reach_ || !agree(n, normal, slack.angle)) return false;
+  const auto [a0, a1] = std::minmax(a.vertex[i], a.vertex[(i + 1) % 3]);
+  const auto [b0, b1] = std::minmax(b.vertex[j], b.vertex[(j + 1) % 3]);
+  const Names names{a0, a1, b0, b1};
+  if (knows(FeatureRow::Kind::edge_on_edge, names, n)) return true;
   // Where they cross, along each.
   const double s = -between.cross(d).dot(across) / (sine * sine),
                t = -between.cross(u).dot(across) / (sine * sine);
   if (s < -slack.border || s > a.length[i] + slack.border || t < -slack.border ||
-      t > b.length[j] + slack.border)
+      t > b.length[j] + slack.border || gap_along(n, a.at, b.at) < slack.least)
     return false;
-  const auto [a0, a1] = std::minmax(a.vertex[i], a.vertex[(i + 1) % 3]);
-  const auto [b0, b1] = std::minmax(b.vertex[j], b.vertex[(j + 1) % 3]);
-  return push({FeatureRow::Kind::edge_on_edge, surface(probe_).vertices[a.vertex[i]],
-               X_.R.transpose() * u, b.at[j], d, sign},
-              {a0, a1, b0, b1});
+  push({FeatureRow::Kind::edge_on_edge, surface(probe_).vertices[a.vertex[i]],
+        X_.R.transpose() * u, b.at[j], d, sign},
+       names, n);
+  return true;
 }
 
 int FacingFeatures::add(const Facing& a, const Facing& b, const Vec3& normal,

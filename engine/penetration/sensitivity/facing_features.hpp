@@ -67,7 +67,8 @@ class FacingFeatures {
                           const Slack& slack) noexcept;
   bool add_edges(const Facing& a, std::size_t i, const Facing& b, std::size_t j, const Vec3& normal,
                  const Slack& slack) noexcept;
-  bool push(const FeatureRow& row, const Names& names) noexcept;
+  void push(const FeatureRow& row, const Names& names, const Vec3& face) noexcept;
+  bool knows(FeatureRow::Kind kind, const Names& names, const Vec3& face) const noexcept;
 
   const Body& probe_;
   const Body& fixed_;
@@ -76,6 +77,7 @@ class FacingFeatures {
   Slack close_;  ///< of features at a contact
   std::array<FeatureRow, capacity> rows_;
   std::array<Names, capacity> names_;
+  std::array<Vec3, capacity> faces_;  // the normal in F, here
   std::size_t size_ = 0;
   bool overflowed_ = false;
 };

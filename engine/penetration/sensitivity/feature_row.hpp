@@ -9,13 +9,13 @@ namespace sonde {
 /// smooth function of the probe's pose.
 struct FeatureRow {
   enum class Kind { vertex_on_face, face_on_vertex, edge_on_edge };  ///< the probe's feature first
-  Kind kind = Kind::vertex_on_face;
+  Kind kind;
   /// Probe's mesh frame, m: its vertex; a point of its face, and the unit normal; a point of its
   /// edge, and the unit direction. A normal points from the fixed body to the probe.
-  Vec3 a = Vec3::Zero(), along_a = Vec3::Zero();
+  Vec3 a, along_a;
   /// The same of the fixed body, in its mesh frame F.
-  Vec3 b = Vec3::Zero(), along_b = Vec3::Zero();
-  double sign = 1;  ///< of edges: the normal is along sign·(u × d)
+  Vec3 b, along_b;
+  double sign;  ///< of edges: the normal is along sign·(u × d)
 };
 
 /// A row at a pose. A small motion of the probe is (ξ, ψ): displacement of its centre of mass, m,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/sensitivity/local_optimum.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +15,8 @@ using Mat6 = LocalOptimum::Mat6;
 
 /// Of a row, where all coordinates are lengths: what the held rows leave of it is rounding.
 constexpr double dependent = 1e-6;
+/// Of a row: one of which the rows that hold leave no more than that free holds with them.
+constexpr double held_with_others = 1e-4;
 /// Of a curvature of one: no optimum is flatter.
 constexpr double flattest = 1e-9;
 /// Rounds of an active set and Newton steps for it. Two are enough where the first set is right.
@@ -44,13 +45,19 @@ TurningMoment turning_moment(const Vec3& inertia, double w, const Vec3& v) {
           -Iv * v.transpose() + 2 * (w * Idv - cross_matrix(Iv) * dv + cross_matrix(v) * Idv)};
 }
 
-HalfSigma half_sigma_of(const Chart& chart, const Pose& X_FQ) {
-  const MassProperties& mass = chart.mass();
-  Quat turn = chart.principal().conjugate() * (X_FQ.q * Quat(mass.R_MP));
+Quat principal_at(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) {
+  Chart chart(mass, X_FO);
+  chart.absorb_free_spin(X_FQ);
+  return chart.principal();
+}
+
+HalfSigma half_sigma_of(const MassProperties& mass, const Quat& q_MP, const Quat& q_FP,
+                        const Vec3& com_F, const Pose& X_FQ) {
+  Quat turn = q_FP.conjugate() * (X_FQ.q * q_MP);
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
-  const Vec3 t = X_FQ * mass.com - chart.com(), v = turn.vec();
+  const Vec3 t = X_FQ * mass.com - com_F, v = turn.vec();
   const TurningMoment m = turning_moment(mass.inertia, turn.w(), v);
-  const Mat3 R = chart.principal().toRotationMatrix();
+  const Mat3 R = q_FP.toRotationMatrix();
   HalfSigma out;
   out.sigma = t.squaredNorm() + 4 * v.dot(mass.inertia.cwiseProduct(v));
   out.wrench << t, R * m.value;
@@ -59,46 +66,120 @@ HalfSigma half_sigma_of(const Chart& chart, const Pose& X_FQ) {
   return out;
 }
 
-Chart chart_at(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) {
-  Chart out(mass, X_FO);
-  out.absorb_free_spin(X_FQ);
-  return out;
-}
+/// The directions of rows that hold, and those that they leave free, orthonormal.
+class Directions {
+ public:
+  std::size_t held() const { return held_; }
+  std::size_t free() const { return 6 - held_; }
+  const Vec6& of_held(std::size_t j) const { return q_[j]; }
+  const Vec6& of_free(std::size_t j) const { return q_[held_ + j]; }
+  /// Row i = Σ part(i, j) of_held(j).
+  double part(std::size_t i, std::size_t j) const { return parts_[i][j]; }
+
+  /// False where the rows before hold this one, too.
+  bool hold(const Vec6& row) {
+    if (held_ == 6) return false;
+    auto& parts = parts_[held_];
+    parts.fill(0);
+    Vec6 rest = row;
+    for (int pass = 0; pass < 2; ++pass)
+      for (std::size_t j = 0; j < held_; ++j) {
+        const double part = q_[j].dot(rest);
+        parts[j] += part;
+        rest -= part * q_[j];
+      }
+    const double length = rest.norm();
+    if (!(length > dependent * row.norm())) return false;
+    parts[held_] = length;
+    q_[held_++] = rest / length;
+    return true;
+  }
+  /// What of a row is free.
+  double free_part(Vec6 row) const {
+    for (std::size_t j = 0; j < held_; ++j) row -= q_[j].dot(row) * q_[j];
+    return row.norm();
+  }
+  /// No more rows: finds the free directions.
+  void complete() {
+    Vec6 left = Vec6::Ones();  // of each coordinate's axis
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (j >= held_) {
+        Eigen::Index axis;
+        left.maxCoeff(&axis);
+        Vec6 rest = Vec6::Unit(axis);
+        for (int pass = 0; pass < 2; ++pass)
+          for (std::size_t i = 0; i < j; ++i) rest -= q_[i].dot(rest) * q_[i];
+        q_[j] = rest.normalized();
+      }
+      left -= q_[j].cwiseAbs2();
+    }
+  }
+
+ private:
+  std::array<Vec6, 6> q_;
+  std::array<std::array<double, 6>, 6> parts_;
+  std::size_t held_ = 0;
+};
+
+/// A quadratic form on the free directions, by its Cholesky factor.
+class FreeCurvature {
+ public:
+  FreeCurvature(const Mat6& M, const Directions& directions) : directions_(directions) {
+    for (std::size_t i = 0; i < directions.free(); ++i) {
+      const Vec6 Mz = M * directions.of_free(i);
+      for (std::size_t j = i; j < directions.free(); ++j) L_[j][i] = directions.of_free(j).dot(Mz);
+    }
+    for (std::size_t i = 0; i < directions.free(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        double sum = L_[i][j];
+        for (std::size_t k = 0; k < j; ++k) sum -= L_[i][k] * L_[j][k];
+        if (i == j) {
+          strict_ = strict_ && sum > flattest;
+          L_[i][i] = std::sqrt(sum);
+        } else {
+          L_[i][j] = sum / L_[j][j];
+        }
+      }
+  }
+  /// It rises in all of them.
+  bool is_strict() const { return strict_; }
+  /// Z (Zᵀ M Z)⁻¹ Zᵀ x, with the free directions as the columns of Z.
+  Vec6 solve(const Vec6& x) const {
+    std::array<double, 6> y;
+    const std::size_t size = directions_.free();
+    for (std::size_t i = 0; i < size; ++i) {
+      y[i] = directions_.of_free(i).dot(x);
+      for (std::size_t k = 0; k < i; ++k) y[i] -= L_[i][k] * y[k];
+      y[i] /= L_[i][i];
+    }
+    Vec6 out = Vec6::Zero();
+    for (std::size_t i = size; i-- > 0;) {
+      for (std::size_t k = i + 1; k < size; ++k) y[i] -= L_[k][i] * y[k];
+      y[i] /= L_[i][i];
+      out += y[i] * directions_.of_free(i);
+    }
+    return out;
+  }
+
+ private:
+  const Directions& directions_;
+  std::array<std::array<double, 6>, 6> L_;
+  bool strict_ = true;
+};
 
 }  // namespace
 
 HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) noexcept {
-  return half_sigma_of(chart_at(mass, X_FO, X_FQ), X_FQ);
-}
-
-bool LocalOptimum::Held::add(const Vec6& row) noexcept {
-  if (size == 6) return false;
-  auto& along = r[static_cast<std::size_t>(size)];
-  along = {};
-  Vec6 rest = row;
-  for (int pass = 0; pass < 2; ++pass)
-    for (std::size_t j = 0; j < static_cast<std::size_t>(size); ++j) {
-      const double part = q[j].dot(rest);
-      along[j] += part;
-      rest -= part * q[j];
-    }
-  const double length = rest.norm();
-  if (!(length > dependent * row.norm())) return false;
-  along[static_cast<std::size_t>(size)] = length;
-  q[static_cast<std::size_t>(size++)] = rest / length;
-  return true;
-}
-
-Vec6 LocalOptimum::Held::free_part(Vec6 x) const noexcept {
-  for (std::size_t j = 0; j < static_cast<std::size_t>(size); ++j) x -= q[j].dot(x) * q[j];
-  return x;
+  return half_sigma_of(mass, Quat(mass.R_MP), principal_at(mass, X_FO, X_FQ), X_FO * mass.com,
+                       X_FQ);
 }
 
 LocalOptimum::LocalOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
                            std::span<const FeatureRow> rows) noexcept
     : mass_(mass),
-      chart_(chart_at(mass, X_FO, X_FQ)),
-      start_(X_FQ),
+      q_MP_(mass.R_MP),
+      q_FP_(principal_at(mass, X_FO, X_FQ)),
+      com_F_(X_FO * mass.com),
       X_FQ_(X_FQ),
       rows_(rows.first(std::min(rows.size(), most_rows))),
       turn_(std::sqrt(mass.inertia.maxCoeff())) {
@@ -107,36 +188,41 @@ LocalOptimum::LocalOptimum(const MassProperties& mass, const Pose& X_FO, const P
 }
 
 void LocalOptimum::look() noexcept {
-  at_ = half_sigma_of(chart_, X_FQ_);
+  at_ = half_sigma_of(mass_, q_MP_, q_FP_, com_F_, X_FQ_);
   const Transform X(X_FQ_);
   for (std::size_t i = 0; i < rows_.size(); ++i) row_[i] = row_at(rows_[i], X, mass_.com);
 }
 
-Vec6 LocalOptimum::scaled(const FeatureRowAt& row) const noexcept {
+bool LocalOptimum::is_active(std::size_t row) const noexcept {
+  const auto end = of_.begin() + static_cast<std::ptrdiff_t>(active_);
+  return std::find(of_.begin(), end, row) != end;
+}
+
+Vec6 LocalOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
   Vec6 out;
   out << row.normal, row.arm.cross(row.normal) / turn_;
   return out;
 }
 
-/// The rows that hold the probe, as they are linearised here.
+/// The rows that hold the probe here. At the optimum its wrench is theirs, in whatever metric the
+/// way there is measured.
 bool LocalOptimum::choose() noexcept {
-  const Vec6 y = chart_.coordinates(X_FQ_);
-  const Vec3 com = X_FQ_ * mass_.com;
+  Vec6 wrench = at_.wrench;
+  wrench.tail<3>() /= turn_;
   std::array<HalfSpace, most_rows> rows;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows[i].normal = chart_.row(y, com + row_[i].arm, row_[i].normal);
-    rows[i].bound = rows[i].normal.dot(y) - row_[i].gap;
+    rows[i].normal = in_lengths(row_[i]);
+    rows[i].bound = rows[i].normal.dot(wrench) - row_[i].gap;
   }
-  const LeastDistance nearest =
-      least_distance({rows.data(), rows_.size()}, solved_to * y.norm());
+  const LeastDistance nearest = least_distance({rows.data(), rows_.size()}, solved_to * depth());
   active_ = 0;
   if (!nearest.feasible) return false;
-  Held held;
+  Directions directions;
   for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.active_count); ++k) {
-    const int i = nearest.active[k];
-    if (!held.add(scaled(row_[static_cast<std::size_t>(i)]))) continue;
-    of_[static_cast<std::size_t>(active_)] = i;
-    lambda_[static_cast<std::size_t>(active_++)] = nearest.multiplier[k];
+    const auto i = static_cast<std::size_t>(nearest.active[k]);
+    if (!directions.hold(rows[i].normal)) continue;
+    of_[active_] = i;
+    lambda_[active_++] = nearest.multiplier[k];
   }
   return true;
 }
@@ -144,47 +230,45 @@ bool LocalOptimum::choose() noexcept {
 /// ∂²(U − Σλg)/∂Q², where all coordinates are lengths.
 Mat6 LocalOptimum::curvature() const noexcept {
   Mat6 out = at_.by_motion;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(active_); ++k) {
-    const FeatureRowAt& row = row_[static_cast<std::size_t>(of_[k])];
+  for (std::size_t k = 0; k < active_; ++k) {
+    const FeatureRowAt& row = active_row(k);
     out.topRows<3>() -= lambda_[k] * row.d_normal;
-    out.bottomRows<3>() -= lambda_[k] * (cross_matrix(row.arm) * row.d_normal -
-                                         cross_matrix(row.normal) * row.d_arm);
+    for (Eigen::Index i = 0; i < 6; ++i)
+      out.col(i).tail<3>() -= lambda_[k] * (row.arm.cross(row.d_normal.col(i)) -
+                                            row.normal.cross(row.d_arm.col(i)));
   }
   out.rightCols<3>() /= turn_;
   out.bottomRows<3>() /= turn_;
   // Symmetric where the wrench is that of the rows: what is not is how far it is from that.
-  return 0.5 * (out + out.transpose());
+  const Mat6 transposed = out.transpose();
+  return 0.5 * (out + transposed);
 }
 
 /// A Newton step to where the active rows have no gap and hold the wrench. Returns its length, m;
 /// infinite where there is none.
 double LocalOptimum::step() noexcept {
-  Held held;
-  std::array<double, 6> along{};  // the step, along the directions of the rows
-  const auto size = static_cast<std::size_t>(active_);
+  Directions directions;
+  std::array<double, 6> along;  // the step, along the directions of the rows
   Vec6 to = Vec6::Zero();
-  for (std::size_t k = 0; k < size; ++k) {
-    const FeatureRowAt& row = row_[static_cast<std::size_t>(of_[k])];
-    if (!held.add(scaled(row))) return infinity;
-    double rest = -row.gap;
-    for (std::size_t j = 0; j < k; ++j) rest -= held.r[k][j] * along[j];
-    along[k] = rest / held.r[k][k];
-    to += along[k] * held.q[k];
+  for (std::size_t k = 0; k < active_; ++k) {
+    if (!directions.hold(in_lengths(active_row(k)))) return infinity;
+    double rest = -active_row(k).gap;
+    for (std::size_t j = 0; j < k; ++j) rest -= directions.part(k, j) * along[j];
+    along[k] = rest / directions.part(k, k);
+    to += along[k] * directions.of_held(k);
   }
+  directions.complete();
   const Mat6 M = curvature();
+  const FreeCurvature free(M, directions);
+  if (!free.is_strict()) return infinity;
   Vec6 wrench = at_.wrench;
   wrench.tail<3>() /= turn_;
-  Mat6 P = Mat6::Identity(), H = Mat6::Zero();
-  for (std::size_t k = 0; k < size; ++k) P -= held.q[k] * held.q[k].transpose();
-  H = P * M * P + (Mat6::Identity() - P);
-  const Eigen::LLT<Mat6> factor(H);
-  if (factor.info() != Eigen::Success) return infinity;
-  to -= P * factor.solve(P * (wrench + M * to));
+  to -= free.solve(wrench + M * to);
   const Vec6 pull = wrench + M * to;
-  for (std::size_t k = size; k-- > 0;) {
-    double rest = held.q[k].dot(pull);
-    for (std::size_t j = k + 1; j < size; ++j) rest -= held.r[j][k] * lambda_[j];
-    lambda_[k] = rest / held.r[k][k];
+  for (std::size_t k = active_; k-- > 0;) {
+    double rest = directions.of_held(k).dot(pull);
+    for (std::size_t j = k + 1; j < active_; ++j) rest -= directions.part(j, k) * lambda_[j];
+    lambda_[k] = rest / directions.part(k, k);
   }
   const double length = to.norm();
   to.tail<3>() /= turn_;
@@ -194,16 +278,16 @@ double LocalOptimum::step() noexcept {
 }
 
 bool LocalOptimum::settle(double most) noexcept {
+  double way = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (!choose()) return false;
     const double first = step();
-    if (!(first <= short_step * depth()) && !(step() <= most)) return false;
-    const Vec6 way = chart_.coordinates(X_FQ_) - chart_.coordinates(start_);
-    if (!(way.norm() <= most)) return false;
+    way += first;
+    if (!(first <= short_step * depth())) way += step();
+    if (!(way <= most)) return false;
     const double enough = 1e-6 * depth();
     bool holds = true;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(active_); ++k)
-      holds = holds && lambda_[k] > -enough;
+    for (std::size_t k = 0; k < active_; ++k) holds = holds && lambda_[k] > -enough;
     for (std::size_t i = 0; i < rows_.size(); ++i) holds = holds && row_[i].gap > -enough;
     if (holds) return true;
   }
@@ -212,42 +296,34 @@ bool LocalOptimum::settle(double most) noexcept {
 
 int LocalOptimum::find_weak(double push, double gap) noexcept {
   weak_count_ = 0;
-  Held held;
-  const auto size = static_cast<std::size_t>(active_);
-  for (std::size_t k = 0; k < size; ++k) {
-    held.add(scaled(row_[static_cast<std::size_t>(of_[k])]));
-    weak_active_[k] = lambda_[k] <= push;
-    if (weak_active_[k]) weak_[static_cast<std::size_t>(weak_count_++)] = of_[k];
+  Directions directions;
+  for (std::size_t k = 0; k < active_; ++k) {
+    directions.hold(in_lengths(active_row(k)));
+    is_weak_[k] = lambda_[k] <= push;
+    if (is_weak_[k]) weak_[weak_count_++] = of_[k];
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (row_[i].gap > gap) continue;
-    const auto end = of_.begin() + active_;
-    if (std::find(of_.begin(), end, static_cast<int>(i)) != end) continue;
-    const Vec6 row = scaled(row_[i]);
-    if (held.free_part(row).norm() > 1e-4 * row.norm())
-      weak_[static_cast<std::size_t>(weak_count_++)] = static_cast<int>(i);
+    if (row_[i].gap > gap || is_active(i)) continue;
+    const Vec6 row = in_lengths(row_[i]);
+    if (directions.free_part(row) > held_with_others * row.norm()) weak_[weak_count_++] = i;
   }
-  return weak_count_;
+  return static_cast<int>(weak_count_);
 }
 
 /// The change of Q with O, where all coordinates are lengths.
 bool LocalOptimum::response(bool weak_hold, Mat6& out) const noexcept {
-  Held held;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(active_); ++k)
-    if (!weak_active_[k]) held.add(scaled(row_[static_cast<std::size_t>(of_[k])]));
-  for (std::size_t k = 0; weak_hold && k < static_cast<std::size_t>(weak_count_); ++k)
-    held.add(scaled(row_[static_cast<std::size_t>(weak_[k])]));
-  Mat6 P = Mat6::Identity();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(held.size); ++k)
-    P -= held.q[k] * held.q[k].transpose();
-  const Mat6 H = P * curvature() * P + (Mat6::Identity() - P);
-  const Eigen::LLT<Mat6> factor(H);
-  if (factor.info() != Eigen::Success) return false;
-  if (!(factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() > flattest)) return false;
-  Mat6 A = at_.by_motion;
-  A.bottomRightCorner<3, 3>() += cross_matrix(at_.wrench.tail<3>());
-  A.bottomRightCorner<3, 3>() /= turn_ * turn_;
-  out = P * factor.solve(P * A);
+  Directions directions;
+  for (std::size_t k = 0; k < active_; ++k)
+    if (!is_weak_[k]) directions.hold(in_lengths(active_row(k)));
+  for (std::size_t k = 0; weak_hold && k < weak_count_; ++k)
+    directions.hold(in_lengths(row_[weak_[k]]));
+  directions.complete();
+  const FreeCurvature free(curvature(), directions);
+  if (!free.is_strict()) return false;
+  Mat6 pull = at_.by_motion;
+  pull.bottomRightCorner<3, 3>() += cross_matrix(at_.wrench.tail<3>());
+  pull.bottomRightCorner<3, 3>() /= turn_ * turn_;
+  for (Eigen::Index i = 0; i < 6; ++i) out.col(i) = free.solve(pull.col(i));
   return true;
 }
 
@@ -256,8 +332,11 @@ bool LocalOptimum::derivative(bool weak_hold, Mat6& out) const noexcept {
   if (!response(weak_hold, way)) return false;
   way.topRightCorner<3, 3>() *= turn_;
   way.bottomLeftCorner<3, 3>() /= turn_;
+  way.diagonal().array() -= 1;
+  out.topRows<3>() = way.topRows<3>();
+  const Mat3 by_turn = at_.by_motion.bottomRightCorner<3, 3>();
+  for (Eigen::Index i = 0; i < 6; ++i) out.col(i).tail<3>() = by_turn * way.col(i).tail<3>();
   // As O turns, the wrench turns with it.
-  out = at_.by_motion * (way - Mat6::Identity());
   out.bottomRightCorner<3, 3>() -= cross_matrix(at_.wrench.tail<3>());
   return true;
 }
@@ -265,7 +344,7 @@ bool LocalOptimum::derivative(bool weak_hold, Mat6& out) const noexcept {
 Vec6 LocalOptimum::weak_gap_rate() const noexcept {
   Mat6 way;
   if (weak_count_ == 0 || !response(false, way)) return Vec6::Zero();
-  Vec6 out = way.transpose() * scaled(row_[static_cast<std::size_t>(weak_[0])]);
+  Vec6 out = way.transpose() * in_lengths(row_[weak_[0]]);
   out.tail<3>() *= turn_;
   return out;
 }

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 
 namespace sonde {
@@ -27,17 +29,17 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
 class LocalOptimum {
  public:
   using Mat6 = Eigen::Matrix<double, 6, 6>;
-  static constexpr std::size_t most_rows = 128;
+  static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
   LocalOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
                std::span<const FeatureRow> rows) noexcept;
 
-  /// Goes there. False where it is further than `most` (m of y), or is not found.
+  /// Goes there. False where it is further than `most` (m), or is not found.
   bool settle(double most) noexcept;
 
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  int active() const noexcept { return active_; }
+  int active() const noexcept { return static_cast<int>(active_); }
 
   /// Rows of which rounding or the clearance decides whether they hold: those that are held by at
   /// most `push` (m, λ), and those that are not held and within `gap` (m). Returns how many. (Not
@@ -51,34 +53,29 @@ class LocalOptimum {
   Vec6 weak_gap_rate() const noexcept;
 
  private:
-  /// Orthonormal directions of rows.
-  struct Held {
-    std::array<Vec6, 6> q;
-    std::array<std::array<double, 6>, 6> r;  ///< row i = Σ r[i][j] q[j]
-    int size = 0;
-    bool add(const Vec6& row) noexcept;
-    Vec6 free_part(Vec6 x) const noexcept;
-  };
   void look() noexcept;
   bool choose() noexcept;
   double step() noexcept;
   bool response(bool weak_hold, Mat6& out) const noexcept;
   Mat6 curvature() const noexcept;
-  Vec6 scaled(const FeatureRowAt& row) const noexcept;
+  const FeatureRowAt& active_row(std::size_t k) const { return row_[of_[k]]; }
+  bool is_active(std::size_t row) const noexcept;
+  Vec6 in_lengths(const FeatureRowAt& row) const noexcept;
 
   const MassProperties& mass_;
-  Chart chart_;
-  Pose start_, X_FQ_;
+  Quat q_MP_, q_FP_;  // principal axes: in M, and at O in F
+  Vec3 com_F_;        // at O
+  Pose X_FQ_;
   std::span<const FeatureRow> rows_;
   double turn_;  ///< m: that a rotation is multiplied by, so that all coordinates are lengths
   HalfSigma at_;
   std::array<FeatureRowAt, most_rows> row_;
-  std::array<int, 6> of_{};          ///< active rows
-  std::array<double, 6> lambda_{};   ///< their multipliers, m
-  int active_ = 0;
-  std::array<int, most_rows> weak_{};
-  std::array<bool, 6> weak_active_{};
-  int weak_count_ = 0;
+  std::size_t active_ = 0;
+  std::array<std::size_t, 6> of_;  ///< active rows
+  std::array<double, 6> lambda_;   ///< their multipliers, m
+  std::array<bool, 6> is_weak_;    ///< of the active rows
+  std::size_t weak_count_ = 0;
+  std::array<std::size_t, most_rows> weak_;
 };
 
 }  // namespace sonde
