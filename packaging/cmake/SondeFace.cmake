@@ -51,7 +51,8 @@ target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 # The sources that define the names of the face are compiled again, to be seen; the rest comes from
 # the engine, whose names are hidden.
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
-                                "${PROJECT_SOURCE_DIR}/engine/penetration/search/pair.cpp")
+                                "${PROJECT_SOURCE_DIR}/engine/penetration/search/pair.cpp"
+                                "${PROJECT_SOURCE_DIR}/engine/penetration/sensitivity/wrench_derivative.cpp")
 # Below 1.0 each minor version may change the face, from then on each major one.
 set(SONDE_SOVERSION ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)

@@ -18,7 +18,7 @@ constexpr double widest = 0.8;
 /// In a hollow: of the distance of two triangles, what they have of it along a feature's normal.
 constexpr double hollow = 0.5;
 constexpr double same_face = 1e-18;  ///< square of the difference of unit normals
-const Transform fixed_at;  ///< F itself
+const Transform fixed_at;            ///< F itself
 constexpr std::uint32_t none = 0xffffffffu;
 
 /// Whether x lies on a triangle, seen along its face's normal. Whichever way round its corners go.
@@ -120,8 +120,8 @@ bool FacingFeatures::add_edges(const Facing& a, std::size_t i, const Facing& b, 
   if (s < -slack.border || s > a.length[i] + slack.border || t < -slack.border ||
       t > b.length[j] + slack.border || gap_along(n, a.at, b.at) < slack.least)
     return false;
-  push({FeatureRow::Kind::edge_on_edge, surface(probe_).vertices[a.vertex[i]],
-        X_.R.transpose() * u, b.at[j], d, sign},
+  push({FeatureRow::Kind::edge_on_edge, surface(probe_).vertices[a.vertex[i]], X_.R.transpose() * u,
+        b.at[j], d, sign},
        names, n);
   return true;
 }
@@ -143,8 +143,7 @@ int FacingFeatures::add_pair(std::uint32_t a, std::uint32_t b, const Vec3& norma
              facing(surface(fixed_), b, fixed_at, normal, close_), normal, close_);
 }
 
-void FacingFeatures::find_around(const Vec3& on_probe, const Vec3& on_fixed,
-                                 Around& out) noexcept {
+void FacingFeatures::find_around(const Vec3& on_probe, const Vec3& on_fixed, Around& out) noexcept {
   const double radius = std::max(reach_, 2 * (on_probe - on_fixed).norm());
   const Vec3 on_probe_M = X_.R.transpose() * (on_probe - X_.p);
   out.count_a = triangles_within(probe_, on_probe_M, radius, out.a);

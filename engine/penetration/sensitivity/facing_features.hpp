@@ -13,7 +13,7 @@ namespace sonde {
 /// The features of two bodies that face each other at a pose, each once. Never allocates.
 class FacingFeatures {
  public:
-  static constexpr std::size_t capacity = 128;
+  static constexpr std::size_t capacity = 256;
   /// `reach`, m: features further apart do not count.
   FacingFeatures(const Body& probe, const Body& fixed, const Transform& X_FM, double reach) noexcept
       : probe_(probe), fixed_(fixed), X_(X_FM), reach_(reach), close_{1e-4, 1e-3 * reach, -reach} {}

@@ -34,8 +34,7 @@ FeatureRowAt edge_on_edge(const FeatureRow& row, const Transform& X, const Vec3&
   const Vec3 p = a - u * (e.dot(between) / ue), r = p - com;
   FeatureRowAt out{n, r, gap, {}, {}};
   const Mat3 flat = Mat3::Identity() - n * n.transpose();
-  out.d_normal << Mat3::Zero(),
-      (row.sign / sine) * flat * cross_matrix(d) * cross_matrix(u);
+  out.d_normal << Mat3::Zero(), (row.sign / sine) * flat * cross_matrix(d) * cross_matrix(u);
   Eigen::Matrix<double, 1, 6> along;
   along << e.transpose(), (r.cross(e) + gap / ue * u.cross(n)).transpose();
   out.d_arm << Mat3::Zero(), -cross_matrix(r);

@@ -13,12 +13,12 @@ namespace {
 
 using Mat6 = LocalOptimum::Mat6;
 
-/// Of a row, where all coordinates are lengths: what the held rows leave of it is rounding.
-constexpr double dependent = 1e-6;
 /// Of a row: one of which the rows that hold leave no more than that free holds with them.
 constexpr double held_with_others = 1e-4;
-/// Of a curvature of one: no optimum is flatter.
-constexpr double flattest = 1e-9;
+/// Of the gap of a row that may be about to hold: one that touches has no more.
+constexpr double touching = 1e-2;
+/// m: a motion that opens a row by one and closes no other is no longer; else it is rounding.
+constexpr double longest_motion = 1e4;
 /// Rounds of an active set and Newton steps for it. Two are enough where the first set is right.
 constexpr int most_rounds = 4;
 /// Of the depth: rows are satisfied to this.
@@ -27,7 +27,7 @@ constexpr double solved_to = 1e-10;
 constexpr double short_step = 1e-3;
 
 /// The pose after a small motion about the centre of mass.
-Pose moved(const MassProperties& mass, const Pose& X, const Vec6& motion) {
+Pose pose_after(const MassProperties& mass, const Pose& X, const Vec6& motion) {
   const Vec3 com = X * mass.com + motion.head<3>();
   const Quat q = (rotation_by(motion.tail<3>()) * X.q).normalized();
   return {q, com - q * mass.com};
@@ -66,107 +66,6 @@ HalfSigma half_sigma_of(const MassProperties& mass, const Quat& q_MP, const Quat
   return out;
 }
 
-/// The directions of rows that hold, and those that they leave free, orthonormal.
-class Directions {
- public:
-  std::size_t held() const { return held_; }
-  std::size_t free() const { return 6 - held_; }
-  const Vec6& of_held(std::size_t j) const { return q_[j]; }
-  const Vec6& of_free(std::size_t j) const { return q_[held_ + j]; }
-  /// Row i = Σ part(i, j) of_held(j).
-  double part(std::size_t i, std::size_t j) const { return parts_[i][j]; }
-
-  /// False where the rows before hold this one, too.
-  bool hold(const Vec6& row) {
-    if (held_ == 6) return false;
-    auto& parts = parts_[held_];
-    parts.fill(0);
-    Vec6 rest = row;
-    for (int pass = 0; pass < 2; ++pass)
-      for (std::size_t j = 0; j < held_; ++j) {
-        const double part = q_[j].dot(rest);
-        parts[j] += part;
-        rest -= part * q_[j];
-      }
-    const double length = rest.norm();
-    if (!(length > dependent * row.norm())) return false;
-    parts[held_] = length;
-    q_[held_++] = rest / length;
-    return true;
-  }
-  /// What of a row is free.
-  double free_part(Vec6 row) const {
-    for (std::size_t j = 0; j < held_; ++j) row -= q_[j].dot(row) * q_[j];
-    return row.norm();
-  }
-  /// No more rows: finds the free directions.
-  void complete() {
-    Vec6 left = Vec6::Ones();  // of each coordinate's axis
-    for (std::size_t j = 0; j < 6; ++j) {
-      if (j >= held_) {
-        Eigen::Index axis;
-        left.maxCoeff(&axis);
-        Vec6 rest = Vec6::Unit(axis);
-        for (int pass = 0; pass < 2; ++pass)
-          for (std::size_t i = 0; i < j; ++i) rest -= q_[i].dot(rest) * q_[i];
-        q_[j] = rest.normalized();
-      }
-      left -= q_[j].cwiseAbs2();
-    }
-  }
-
- private:
-  std::array<Vec6, 6> q_;
-  std::array<std::array<double, 6>, 6> parts_;
-  std::size_t held_ = 0;
-};
-
-/// A quadratic form on the free directions, by its Cholesky factor.
-class FreeCurvature {
- public:
-  FreeCurvature(const Mat6& M, const Directions& directions) : directions_(directions) {
-    for (std::size_t i = 0; i < directions.free(); ++i) {
-      const Vec6 Mz = M * directions.of_free(i);
-      for (std::size_t j = i; j < directions.free(); ++j) L_[j][i] = directions.of_free(j).dot(Mz);
-    }
-    for (std::size_t i = 0; i < directions.free(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        double sum = L_[i][j];
-        for (std::size_t k = 0; k < j; ++k) sum -= L_[i][k] * L_[j][k];
-        if (i == j) {
-          strict_ = strict_ && sum > flattest;
-          L_[i][i] = std::sqrt(sum);
-        } else {
-          L_[i][j] = sum / L_[j][j];
-        }
-      }
-  }
-  /// It rises in all of them.
-  bool is_strict() const { return strict_; }
-  /// Z (Zᵀ M Z)⁻¹ Zᵀ x, with the free directions as the columns of Z.
-  Vec6 solve(const Vec6& x) const {
-    std::array<double, 6> y;
-    const std::size_t size = directions_.free();
-    for (std::size_t i = 0; i < size; ++i) {
-      y[i] = directions_.of_free(i).dot(x);
-      for (std::size_t k = 0; k < i; ++k) y[i] -= L_[i][k] * y[k];
-      y[i] /= L_[i][i];
-    }
-    Vec6 out = Vec6::Zero();
-    for (std::size_t i = size; i-- > 0;) {
-      for (std::size_t k = i + 1; k < size; ++k) y[i] -= L_[k][i] * y[k];
-      y[i] /= L_[i][i];
-      out += y[i] * directions_.of_free(i);
-    }
-    return out;
-  }
-
- private:
-  const Directions& directions_;
-  std::array<std::array<double, 6>, 6> L_;
-  bool strict_ = true;
-};
-
 }  // namespace
 
 HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) noexcept {
@@ -191,11 +90,6 @@ void LocalOptimum::look() noexcept {
   at_ = half_sigma_of(mass_, q_MP_, q_FP_, com_F_, X_FQ_);
   const Transform X(X_FQ_);
   for (std::size_t i = 0; i < rows_.size(); ++i) row_[i] = row_at(rows_[i], X, mass_.com);
-}
-
-bool LocalOptimum::is_active(std::size_t row) const noexcept {
-  const auto end = of_.begin() + static_cast<std::ptrdiff_t>(active_);
-  return std::find(of_.begin(), end, row) != end;
 }
 
 Vec6 LocalOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
@@ -234,8 +128,8 @@ Mat6 LocalOptimum::curvature() const noexcept {
     const FeatureRowAt& row = active_row(k);
     out.topRows<3>() -= lambda_[k] * row.d_normal;
     for (Eigen::Index i = 0; i < 6; ++i)
-      out.col(i).tail<3>() -= lambda_[k] * (row.arm.cross(row.d_normal.col(i)) -
-                                            row.normal.cross(row.d_arm.col(i)));
+      out.col(i).tail<3>() -=
+          lambda_[k] * (row.arm.cross(row.d_normal.col(i)) - row.normal.cross(row.d_arm.col(i)));
   }
   out.rightCols<3>() /= turn_;
   out.bottomRows<3>() /= turn_;
@@ -265,26 +159,21 @@ double LocalOptimum::step() noexcept {
   wrench.tail<3>() /= turn_;
   to -= free.solve(wrench + M * to);
   const Vec6 pull = wrench + M * to;
-  for (std::size_t k = active_; k-- > 0;) {
-    double rest = directions.of_held(k).dot(pull);
-    for (std::size_t j = k + 1; j < active_; ++j) rest -= directions.part(j, k) * lambda_[j];
-    lambda_[k] = rest / directions.part(k, k);
-  }
+  lambda_ = directions.shares(pull);
   const double length = to.norm();
   to.tail<3>() /= turn_;
-  X_FQ_ = moved(mass_, X_FQ_, to);
+  X_FQ_ = pose_after(mass_, X_FQ_, to);
   look();
   return length;
 }
 
 bool LocalOptimum::settle(double most) noexcept {
-  double way = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (!choose()) return false;
     const double first = step();
-    way += first;
-    if (!(first <= short_step * depth())) way += step();
-    if (!(way <= most)) return false;
+    way_ += first;
+    if (!(first <= short_step * depth())) way_ += step();
+    if (!(way_ <= most)) return false;
     const double enough = 1e-6 * depth();
     bool holds = true;
     for (std::size_t k = 0; k < active_; ++k) holds = holds && lambda_[k] > -enough;
@@ -294,29 +183,60 @@ bool LocalOptimum::settle(double most) noexcept {
   return false;
 }
 
+/// Of four corners of a face two opposite ones may bear all of the load: the others bear some as
+/// soon as it moves, and cannot open. A row can open where a motion opens it that closes no other
+/// (Farkas): `free` are the rows in question, without what rows hold that bear a load.
+bool LocalOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
+  const double length = free[i].normal.norm();
+  free[i].bound = length;
+  const LeastDistance motion = least_distance(free, solved_to * length);
+  free[i].bound = 0;
+  return motion.feasible && motion.y.norm() < longest_motion;
+}
+
 int LocalOptimum::find_weak(double push, double gap) noexcept {
-  weak_count_ = 0;
+  weak_count_ = strong_count_ = 0;
+  std::array<std::size_t, most_rows> candidates;
+  std::size_t count = 0;
   Directions directions;
   for (std::size_t k = 0; k < active_; ++k) {
+    if (!(lambda_[k] > push)) continue;
     directions.hold(in_lengths(active_row(k)));
-    is_weak_[k] = lambda_[k] <= push;
-    if (is_weak_[k]) weak_[weak_count_++] = of_[k];
+    strong_[strong_count_++] = of_[k];
   }
+  std::array<HalfSpace, most_rows> free;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (row_[i].gap > gap || is_active(i)) continue;
-    const Vec6 row = in_lengths(row_[i]);
-    if (directions.free_part(row) > held_with_others * row.norm()) weak_[weak_count_++] = i;
+    const auto end = strong_.begin() + static_cast<std::ptrdiff_t>(strong_count_);
+    if (row_[i].gap > gap || std::find(strong_.begin(), end, i) != end) continue;
+    const Vec6 row = in_lengths(row_[i]), left = directions.free_part(row);
+    if (!(left.norm() > held_with_others * row.norm())) continue;
+    if (row_[i].gap > touching * gap) {
+      weak_[weak_count_++] = i;
+      continue;
+    }
+    free[count] = {left, 0};
+    candidates[count++] = i;
   }
+  for (std::size_t c = 0; c < count; ++c)
+    if (can_open({free.data(), count}, c))
+      weak_[weak_count_++] = candidates[c];
+    else
+      strong_[strong_count_++] = candidates[c];
   return static_cast<int>(weak_count_);
 }
 
+Directions LocalOptimum::held_directions(bool weak_hold) const noexcept {
+  Directions out;
+  for (std::size_t k = 0; k < strong_count_; ++k) out.hold(in_lengths(row_[strong_[k]]));
+  for (std::size_t k = 0; weak_hold && k < weak_count_; ++k) out.hold(in_lengths(row_[weak_[k]]));
+  return out;
+}
+
+int LocalOptimum::held() const noexcept { return static_cast<int>(held_directions(false).held()); }
+
 /// The change of Q with O, where all coordinates are lengths.
 bool LocalOptimum::response(bool weak_hold, Mat6& out) const noexcept {
-  Directions directions;
-  for (std::size_t k = 0; k < active_; ++k)
-    if (!is_weak_[k]) directions.hold(in_lengths(active_row(k)));
-  for (std::size_t k = 0; weak_hold && k < weak_count_; ++k)
-    directions.hold(in_lengths(row_[weak_[k]]));
+  Directions directions = held_directions(weak_hold);
   directions.complete();
   const FreeCurvature free(curvature(), directions);
   if (!free.is_strict()) return false;
@@ -327,17 +247,18 @@ bool LocalOptimum::response(bool weak_hold, Mat6& out) const noexcept {
   return true;
 }
 
-bool LocalOptimum::derivative(bool weak_hold, Mat6& out) const noexcept {
-  Mat6 way;
-  if (!response(weak_hold, way)) return false;
-  way.topRightCorner<3, 3>() *= turn_;
-  way.bottomLeftCorner<3, 3>() /= turn_;
-  way.diagonal().array() -= 1;
-  out.topRows<3>() = way.topRows<3>();
+bool LocalOptimum::derivative(bool weak_hold, Change& out) const noexcept {
+  if (!response(weak_hold, out.separated)) return false;
+  out.separated.topRightCorner<3, 3>() *= turn_;
+  out.separated.bottomLeftCorner<3, 3>() /= turn_;
+  Mat6 relative = out.separated;
+  relative.diagonal().array() -= 1;
+  out.wrench.topRows<3>() = relative.topRows<3>();
   const Mat3 by_turn = at_.by_motion.bottomRightCorner<3, 3>();
-  for (Eigen::Index i = 0; i < 6; ++i) out.col(i).tail<3>() = by_turn * way.col(i).tail<3>();
+  for (Eigen::Index i = 0; i < 6; ++i)
+    out.wrench.col(i).tail<3>() = by_turn * relative.col(i).tail<3>();
   // As O turns, the wrench turns with it.
-  out.bottomRightCorner<3, 3>() -= cross_matrix(at_.wrench.tail<3>());
+  out.wrench.bottomRightCorner<3, 3>() -= cross_matrix(at_.wrench.tail<3>());
   return true;
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/sensitivity/directions.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 
@@ -39,27 +41,35 @@ class LocalOptimum {
 
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  int active() const noexcept { return static_cast<int>(active_); }
+  /// How far any point of the probe has come from where it was, m, at the most.
+  double moved() const noexcept { return way_ * (1 + mass_.radius / turn_); }
+  /// How many rows hold the probe, weak ones left out.
+  int held() const noexcept;
 
-  /// Rows of which rounding or the clearance decides whether they hold: those that are held by at
-  /// most `push` (m, λ), and those that are not held and within `gap` (m). Returns how many. (Not
-  /// those that the held rows hold with them.)
+  /// Finds the rows of which rounding or the clearance decides whether they hold: those that bear
+  /// at most `push` (m, λ), and those that bear nothing and are within `gap` (m), but for those
+  /// that cannot open. Returns how many. Call it before what follows.
   int find_weak(double push, double gap) noexcept;
 
-  /// The change of the wrench with O's motion, where weak rows hold, or where they do not. False
-  /// where there is no strict optimum.
-  bool derivative(bool weak_hold, Mat6& out) const noexcept;
+  /// Changes with O's motion.
+  struct Change {
+    Mat6 wrench;     ///< of (F, τ)
+    Mat6 separated;  ///< of Q, as (ξ, ψ)
+  };
+  /// Where weak rows hold, or where they do not. False where there is no strict optimum.
+  bool derivative(bool weak_hold, Change& out) const noexcept;
   /// The change of the first weak row's gap with O's motion, where no weak row holds.
   Vec6 weak_gap_rate() const noexcept;
 
  private:
   void look() noexcept;
+  static bool can_open(std::span<HalfSpace> free, std::size_t i) noexcept;
+  Directions held_directions(bool weak_hold) const noexcept;
   bool choose() noexcept;
   double step() noexcept;
   bool response(bool weak_hold, Mat6& out) const noexcept;
   Mat6 curvature() const noexcept;
   const FeatureRowAt& active_row(std::size_t k) const { return row_[of_[k]]; }
-  bool is_active(std::size_t row) const noexcept;
   Vec6 in_lengths(const FeatureRowAt& row) const noexcept;
 
   const MassProperties& mass_;
@@ -67,15 +77,15 @@ class LocalOptimum {
   Vec3 com_F_;        // at O
   Pose X_FQ_;
   std::span<const FeatureRow> rows_;
-  double turn_;  ///< m: that a rotation is multiplied by, so that all coordinates are lengths
+  double turn_;     ///< m: that a rotation is multiplied by, so that all coordinates are lengths
+  double way_ = 0;  ///< m
   HalfSigma at_;
   std::array<FeatureRowAt, most_rows> row_;
   std::size_t active_ = 0;
   std::array<std::size_t, 6> of_;  ///< active rows
   std::array<double, 6> lambda_;   ///< their multipliers, m
-  std::array<bool, 6> is_weak_;    ///< of the active rows
-  std::size_t weak_count_ = 0;
-  std::array<std::size_t, most_rows> weak_;
+  std::size_t strong_count_ = 0, weak_count_ = 0;
+  std::array<std::size_t, most_rows> strong_, weak_;
 };
 
 }  // namespace sonde

@@ -30,6 +30,9 @@ struct WrenchDerivative {
   const char* reason = "";
   Vector d_depth = Vector::Zero();   ///< ∂depth/∂(δx, δφ): 1 and m/rad
   Matrix d_wrench = Matrix::Zero();  ///< ∂(F, τ)/∂(δx, δφ) at k = 1
+  /// How Q moves, as (displacement of the centre of mass, rotation vector), on the side of
+  /// `d_wrench`.
+  Matrix d_separated = Matrix::Zero();
   /// Where there are two sides: on the other one, where contacts hold that `d_wrench` leaves out.
   /// (The depth has the same derivative on both.) Else as d_wrench.
   Matrix d_wrench_held = Matrix::Zero();
@@ -46,24 +49,25 @@ enum class Neighbours {
 };
 
 /// The derivative of a separation with Method::pdg. Closed form: the curvature of σ and of the gaps
-/// that hold the probe, found from the vertices, edges and faces at its contacts. First the probe is
-/// let down to its contacts, from which it stands off by the clearance; the derivative is that of
-/// the exact optimum there. Contacts whose multiplier, or whose gap, is below what the separation
-/// itself is known to (its clearance) make two sides. There is no derivative where the search
-/// failed or has not converged, where the optimum is not strict (a sphere's rotation), or where
-/// features touch that have no normal of their own, such as two corners. Where the probe is free,
-/// it is 0. Neither allocates, locks, logs nor throws.
+/// that hold the probe, found from the vertices, edges and faces at its contacts. First the probe
+/// is let down to its contacts, from which it stands off by the clearance; the derivative is that
+/// of the exact optimum there. Contacts whose multiplier, or whose gap, is below what the
+/// separation itself is known to (its clearance) make two sides. There is no derivative where the
+/// search failed or has not converged, where the optimum is not strict (a sphere's rotation), or
+/// where features touch that have no normal of their own, such as two corners. Where the probe is
+/// free, it is 0. Neither allocates, locks, logs nor throws.
 /// @pre `now` is a result of this pair.
 WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
                                    Neighbours neighbours = Neighbours::of_contacts) noexcept;
 
 static_assert(sizeof(WrenchDerivative::Matrix) == 288 && alignof(WrenchDerivative::Matrix) == 8);
 static_assert(sizeof(void*) != 8 ||
-              (sizeof(WrenchDerivative) == 688 && alignof(WrenchDerivative) == 8 &&
+              (sizeof(WrenchDerivative) == 976 && alignof(WrenchDerivative) == 8 &&
                offsetof(WrenchDerivative, reason) == 8 &&
                offsetof(WrenchDerivative, d_depth) == 16 &&
                offsetof(WrenchDerivative, d_wrench) == 64 &&
-               offsetof(WrenchDerivative, d_wrench_held) == 352 &&
-               offsetof(WrenchDerivative, leaves) == 640));
+               offsetof(WrenchDerivative, d_separated) == 352 &&
+               offsetof(WrenchDerivative, d_wrench_held) == 640 &&
+               offsetof(WrenchDerivative, leaves) == 928));
 
 }  // namespace sonde
