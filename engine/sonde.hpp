@@ -32,8 +32,9 @@
 #include "engine/penetration/search/pair.hpp"            // Pair
 #include "engine/penetration/search/pose_seed.hpp"       // seed_of_pose
 #include "engine/penetration/search/static_options.hpp"  // StaticOptions
-#include "engine/queries/body_queries.hpp"               // inside, nearest_point, ray
-#include "engine/queries/pair_queries.hpp"               // touch, distance, sweep
+#include "engine/penetration/sensitivity/wrench_derivative.hpp"  // WrenchDerivative
+#include "engine/queries/body_queries.hpp"                       // inside, nearest_point, ray
+#include "engine/queries/pair_queries.hpp"                       // touch, distance, sweep
 
 namespace sonde {
 
@@ -222,6 +223,9 @@ Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling)
 /// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;
+
+// wrench_derivative (penetration/sensitivity/wrench_derivative.hpp) says how depth and wrench
+// change with the pose: the stiffness that the hand feels.
 
 // Where members lie is the same for every program, whatever flags it is compiled with: none of
 // these types is aligned by what the processor of the program has. A program for which one of these

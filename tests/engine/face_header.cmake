@@ -19,6 +19,7 @@ set(allowed
     engine/penetration/contact/separation.hpp
     engine/penetration/search/pose_seed.hpp
     engine/penetration/search/static_search.hpp
+    engine/penetration/sensitivity/wrench_derivative.hpp
     engine/sonde.hpp)
 set(source "${WORK}/face_alone.cpp")
 set(deps "${WORK}/face_alone.d")

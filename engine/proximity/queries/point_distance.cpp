@@ -44,6 +44,12 @@ NearestPoint nearest_of(const Corners& t, const Vec3& x) {
   return {closest.distance, closest.b};
 }
 
+/// The quick way finds some point of the triangle, also of a needle.
+bool comes_within(const Corners& t, const Vec3& x, double radius) {
+  const double found = nearest_by_regions(t[0] - x, t[1] - x, t[2] - x).norm();
+  return found <= radius || (found <= 8 * radius && nearest_of(t, x).distance <= radius);
+}
+
 }  // namespace
 
 PointFrame::PointFrame(const Body& body, const Vec3& x) {
@@ -102,6 +108,31 @@ NearestPoint nearest_point(const Body& body, const Vec3& x, double enough) {
     for (std::size_t k = 0; k < count; ++k) stack.push(found[k]);
   }
   return best;
+}
+
+std::size_t triangles_within(const Body& body, const Vec3& x, double radius,
+                             std::span<std::uint32_t> out) {
+  const PointFrame frame(body, x);
+  const BoxKernels& kernels = box_kernels();
+  const float limit =
+      static_cast<float>(radius * frame.per_unit) * (1 + 0x1p-22f) + frame.guard;
+  PairStack<std::uint32_t> stack;
+  stack.push(body.tree.child(0));
+  std::size_t count = 0;
+  while (!stack.empty() && count < out.size()) {
+    const std::uint32_t child = stack.pop();
+    if (child & Tree::triangle_bit) {
+      const std::uint32_t triangle = child & ~Tree::triangle_bit;
+      if (comes_within(corners(surface(body), triangle), x, radius)) out[count++] = triangle;
+      continue;
+    }
+    const Tree::Node& node = body.tree.nodes[child];
+    Lanes bounds;
+    kernels.point_distances(frame.point, node, frame.scale, bounds);
+    for (std::uint32_t left = at_most(bounds, limit, node); left != 0; left &= left - 1)
+      stack.push(node.child[std::countr_zero(left)]);
+  }
+  return count;
 }
 
 }  // namespace sonde

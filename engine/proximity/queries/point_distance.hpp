@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "engine/body/body.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
@@ -28,5 +30,11 @@ struct NearestPoint {
   std::uint32_t triangle = 0;  ///< of surface(body)
 };
 NearestPoint nearest_point(const Body& body, const Vec3& x, double enough);
+
+/// Writes the triangles of surface(body) that come within `radius` (m) of x to `out`, and returns
+/// how many there are, but no more than find room: where that is all the room, there may be others.
+/// Never allocates.
+std::size_t triangles_within(const Body& body, const Vec3& x, double radius,
+                             std::span<std::uint32_t> out);
 
 }  // namespace sonde

@@ -7,6 +7,8 @@
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/sensitivity/feature_row.hpp"
+#include "engine/penetration/sensitivity/wrench_derivative.hpp"
 
 namespace sonde {
 namespace {
@@ -39,6 +41,34 @@ std::optional<Springs> springs(CoherentSolver& solver, const MassProperties& mas
   Springs out;
   out.object << wrench.force, wrench.torque;
   out.classic << motion.t, motion.theta;
+  return out;
+}
+
+/// The change of the rotation vector θ of a rotation, as that is turned a little from the left.
+Mat3 by_left_turn(const Vec3& theta) {
+  const double angle = theta.norm();
+  const Mat3 cross = cross_matrix(theta);
+  const double second =
+      angle < 1e-3 ? 1.0 / 12 : (1 - angle / (2 * std::tan(angle / 2))) / (angle * angle);
+  return Mat3::Identity() - 0.5 * cross + second * cross * cross;
+}
+
+/// In closed form. No value where the answer fails, or its derivative has more than one side.
+std::optional<FeltStiffness> in_closed_form(CoherentSolver& solver, const Pair& pair,
+                                            const Pose& X_FO, const Pose& X_FQ) {
+  solver.reset(X_FQ);
+  const Separation& s = solver.tick(X_FO);
+  if (s.status != Status::penetrating || s.jumped) return std::nullopt;
+  const WrenchDerivative d = wrench_derivative(pair, s);
+  if (d.sides != WrenchDerivative::Sides::all) return std::nullopt;
+  const Vec3 theta = separation_motion(pair.probe().mass, s.device, s.separated).theta;
+  FeltStiffness out;
+  out.object = -d.d_wrench;
+  out.classic = -d.d_separated;
+  out.classic.topLeftCorner<3, 3>() += Mat3::Identity();
+  out.classic.bottomRows<3>() =
+      by_left_turn(theta) * Eigen::Matrix<double, 3, 6>(out.classic.bottomRows<3>());
+  out.classic.bottomRightCorner<3, 3>() += by_left_turn(-theta);
   return out;
 }
 
@@ -84,6 +114,8 @@ std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, con
   // A turn about a thin axis moves little: it is measured by the motion of the whole probe.
   const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);
   CoherentSolver solver(pair, method);
+  if (method == Method::pdg)
+    if (const auto known = in_closed_form(solver, pair, X_FO, X_FQ)) return known;
   FeltStiffness out;
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double size = i < 3 ? step : step / radius;

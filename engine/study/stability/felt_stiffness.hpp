@@ -27,7 +27,8 @@ struct FeltStiffness {
   Mat6 damping(const Coupling& coupling) const;
 };
 
-/// Computed by central differences of the solver's own answers: from Q, a free pose, to O and to
+/// In closed form (wrench_derivative.hpp) where that holds on all sides; else, and for translations
+/// only, by central differences of the solver's own answers: from Q, a free pose, to O and to
 /// either side of it, `step` (m, in the object norm) away. No value where an answer fails, is free
 /// of contact or jumps on the way.
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,

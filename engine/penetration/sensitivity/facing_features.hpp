@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/sensitivity/feature_row.hpp"
+
+namespace sonde {
+
+/// The features of two bodies that face each other at a pose, each once. Never allocates.
+class FacingFeatures {
+ public:
+  static constexpr std::size_t capacity = 256;
+  /// `reach`, m: features further apart do not count.
+  FacingFeatures(const Body& probe, const Body& fixed, const Transform& X_FM, double reach) noexcept
+      : probe_(probe), fixed_(fixed), X_(X_FM), reach_(reach), close_{1e-4, 1e-3 * reach, -reach} {}
+
+  /// Adds those of a contact, looking at the triangles around its points: features whose gap is
+  /// along the contact's normal. Where larger features lie on each other, these are at the corners
+  /// of what they share. Returns how many were there, known ones among them.
+  int add_around(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
+  /// Adds features in whose directions the triangles around these points are apart, whichever way
+  /// those point, also where the features face each other only when the probe has moved by up to
+  /// the reach: an edge across a corner where two others meet in a hollow rests on both of those,
+  /// but the clearance lets it be above one of them, and nearest to the corner.
+  void add_hollow(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
+  /// Adds those of a pair of triangles, along `normal` (unit, from the fixed body to the probe).
+  int add_pair(std::uint32_t a, std::uint32_t b, const Vec3& normal) noexcept;
+
+  std::span<const FeatureRow> rows() const { return {rows_.data(), size_}; }
+  bool overflowed() const { return overflowed_; }
+
+ private:
+  /// A triangle in F, and what of it may face the other body along a normal.
+  struct Facing {
+    std::array<Vec3, 3> at, edge;  ///< corners; unit directions of the edges
+    std::array<double, 3> length;  ///< of the edges, m
+    std::array<std::uint32_t, 3> vertex;
+    Vec3 face;                 ///< unit normal, along the contact's
+    bool faces;                ///< the face is square to the normal
+    std::array<bool, 3> lies;  ///< an edge is square to the normal
+  };
+  /// What tells a row from others: vertices of the probe and of the fixed body.
+  using Names = std::array<std::uint32_t, 4>;
+
+  /// The triangles around the points of a contact.
+  struct Around {
+    std::array<std::uint32_t, 64> a, b;
+    std::size_t count_a, count_b;
+  };
+  void find_around(const Vec3& on_probe, const Vec3& on_fixed, Around& out) noexcept;
+  /// What may be off.
+  struct Slack {
+    double angle;      ///< sine: between a feature's own normal and the one it is looked for along
+    double border;     ///< m: beyond the border of a feature
+    double least = 0;  ///< m: the gap of the triangles along its normal, at least
+  };
+  Facing facing(const Soup& soup, std::uint32_t triangle, const Transform& X, const Vec3& normal,
+                const Slack& slack) const noexcept;
+  int add(const Facing& a, const Facing& b, const Vec3& normal, const Slack& slack) noexcept;
+  bool add_vertex_on_face(const Facing& a, std::size_t i, const Facing& b,
+                          const Slack& slack) noexcept;
+  bool add_face_on_vertex(const Facing& a, const Facing& b, std::size_t j,
+                          const Slack& slack) noexcept;
+  bool add_edges(const Facing& a, std::size_t i, const Facing& b, std::size_t j, const Vec3& normal,
+                 const Slack& slack) noexcept;
+  void push(const FeatureRow& row, const Names& names, const Vec3& face) noexcept;
+  bool knows(FeatureRow::Kind kind, const Names& names, const Vec3& face) const noexcept;
+
+  const Body& probe_;
+  const Body& fixed_;
+  Transform X_;
+  double reach_;
+  Slack close_;  ///< of features at a contact
+  std::array<FeatureRow, capacity> rows_;
+  std::array<Names, capacity> names_;
+  std::array<Vec3, capacity> faces_;  // the normal in F, here
+  std::size_t size_ = 0;
+  bool overflowed_ = false;
+};
+
+}  // namespace sonde

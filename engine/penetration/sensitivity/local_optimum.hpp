@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "engine/geometry/chart.hpp"
+#include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/sensitivity/directions.hpp"
+#include "engine/penetration/sensitivity/facing_features.hpp"
+#include "engine/penetration/sensitivity/feature_row.hpp"
+
+namespace sonde {
+
+/// U = ½σ(O, Q) and its first and second derivatives. Motions (displacement of the centre of mass,
+/// rotation vector) of O or Q are in the fixed frame F; lengths m.
+struct HalfSigma {
+  double sigma = 0;
+  Vec6 wrench = Vec6::Zero();  ///< (F, τ) at k = 1: ∂U/∂Q, and −∂U/∂O
+  /// The change of the wrench with Q, and (negative) with O, O's turning of F's axes left out.
+  Eigen::Matrix<double, 6, 6> by_motion = Eigen::Matrix<double, 6, 6>::Zero();
+};
+/// Where a turn about a principal axis moves nothing, O is turned about it as Q is.
+HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) noexcept;
+
+/// The nearest pose to O, near a given one, that feature rows let the probe come to without a gap:
+/// a separation lies above it by its clearance. min U subject to the gaps ≥ 0, solved by an active
+/// set (least_distance) and Newton steps with the curvature of the active gaps.
+class LocalOptimum {
+ public:
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+  static constexpr std::size_t most_rows = FacingFeatures::capacity;
+
+  LocalOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
+               std::span<const FeatureRow> rows) noexcept;
+
+  /// Goes there. False where it is further than `most` (m), or is not found.
+  bool settle(double most) noexcept;
+
+  double depth() const noexcept { return std::sqrt(at_.sigma); }
+  const Vec6& wrench() const noexcept { return at_.wrench; }
+  /// How far any point of the probe has come from where it was, m, at the most.
+  double moved() const noexcept { return way_ * (1 + mass_.radius / turn_); }
+  /// How many rows hold the probe, weak ones left out.
+  int held() const noexcept;
+
+  /// Finds the rows of which rounding or the clearance decides whether they hold: those that bear
+  /// at most `push` (m, λ), and those that bear nothing and are within `gap` (m), but for those
+  /// that cannot open. Returns how many. Call it before what follows.
+  int find_weak(double push, double gap) noexcept;
+
+  /// Changes with O's motion.
+  struct Change {
+    Mat6 wrench;     ///< of (F, τ)
+    Mat6 separated;  ///< of Q, as (ξ, ψ)
+  };
+  /// Where weak rows hold, or where they do not. False where there is no strict optimum.
+  bool derivative(bool weak_hold, Change& out) const noexcept;
+  /// The change of the first weak row's gap with O's motion, where no weak row holds.
+  Vec6 weak_gap_rate() const noexcept;
+
+ private:
+  void look() noexcept;
+  static bool can_open(std::span<HalfSpace> free, std::size_t i) noexcept;
+  Directions held_directions(bool weak_hold) const noexcept;
+  bool choose() noexcept;
+  double step() noexcept;
+  bool response(bool weak_hold, Mat6& out) const noexcept;
+  Mat6 curvature() const noexcept;
+  const FeatureRowAt& active_row(std::size_t k) const { return row_[of_[k]]; }
+  Vec6 in_lengths(const FeatureRowAt& row) const noexcept;
+
+  const MassProperties& mass_;
+  Quat q_MP_, q_FP_;  // principal axes: in M, and at O in F
+  Vec3 com_F_;        // at O
+  Pose X_FQ_;
+  std::span<const FeatureRow> rows_;
+  double turn_;     ///< m: that a rotation is multiplied by, so that all coordinates are lengths
+  double way_ = 0;  ///< m
+  HalfSigma at_;
+  std::array<FeatureRowAt, most_rows> row_;
+  std::size_t active_ = 0;
+  std::array<std::size_t, 6> of_;  ///< active rows
+  std::array<double, 6> lambda_;   ///< their multipliers, m
+  std::size_t strong_count_ = 0, weak_count_ = 0;
+  std::array<std::size_t, most_rows> strong_, weak_;
+};
+
+}  // namespace sonde

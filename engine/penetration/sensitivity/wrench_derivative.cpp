@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/sensitivity/wrench_derivative.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "engine/body/body.hpp"
+#include "engine/penetration/descent/descent.hpp"
+#include "engine/penetration/sensitivity/facing_features.hpp"
+#include "engine/penetration/sensitivity/local_optimum.hpp"
+#include "engine/proximity/queries/near_pairs.hpp"
+
+namespace sonde {
+namespace {
+
+/// Clearances: features further apart do not touch. (A search leaves one at the most.)
+constexpr double reach_of_clearance = 4;
+/// Of the depth: the exact optimum is no further from Q. (The residual of a search is 1e-4.)
+constexpr double most_off = 5e-3;
+constexpr std::size_t most_pairs = 1024;
+/// Of the depth: a contact with a smaller multiplier may end at once.
+constexpr double weak_push = 1e-4;
+
+constexpr const char* too_many = "there are too many contacts";
+
+WrenchDerivative without(const char* reason) {
+  WrenchDerivative out;
+  out.reason = reason;
+  return out;
+}
+
+/// What the exact optimum beside a separation is found from.
+class Settling {
+ public:
+  Settling(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
+      : probe_(pair.probe()),
+        fixed_(pair.fixed()),
+        now_(now),
+        neighbours_(neighbours),
+        clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
+
+  /// Null, or why there is none.
+  const char* settle(std::optional<LocalOptimum>& optimum) const noexcept {
+    const double reach = reach_of_clearance * clearance_;
+    const char* problem = look(reach, Where::at_contacts, optimum);
+    Where where = Where::at_contacts;
+    if (problem && problem != too_many) problem = look(reach, where = Where::in_hollows, optimum);
+    if (problem || neighbours_ == Neighbours::of_contacts) return problem;
+    // What it has come nearer to may hold it as well.
+    const double moved = optimum->moved();
+    return moved > clearance_ ? look(reach + moved, where, optimum) : nullptr;
+  }
+  double clearance() const { return clearance_; }
+
+ private:
+  enum class Where { at_contacts, in_hollows };
+
+  const char* look(double reach, Where where, std::optional<LocalOptimum>& optimum) const noexcept {
+    FacingFeatures features(probe_, fixed_, Transform(now_.separated), reach);
+    for (const Contact& c : now_.contacts) {
+      features.add_around(c.on_probe, c.on_fixed, c.normal);
+      if (where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
+    }
+    if (neighbours_ == Neighbours::all && !add_near(reach, features)) return too_many;
+    if (features.overflowed()) return too_many;
+    optimum.emplace(probe_.mass, now_.device, now_.separated, features.rows());
+    const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
+    return optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
+  }
+
+  /// False where there are more pairs than there is room for.
+  bool add_near(double reach, FacingFeatures& features) const noexcept {
+    std::array<NearPair, most_pairs> pairs;
+    const NearPairs near = near_pairs(probe_, fixed_, Transform(now_.separated), reach, pairs);
+    for (std::size_t i = 0; i < near.count; ++i)
+      features.add_pair(pairs[i].triangle_a, pairs[i].triangle_b, pairs[i].normal);
+    return near.reach >= reach;
+  }
+
+  const Body &probe_, &fixed_;
+  const Separation& now_;
+  Neighbours neighbours_;
+  double clearance_;  ///< m: that a search leaves at the most
+};
+
+}  // namespace
+
+WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
+                                   Neighbours neighbours) noexcept {
+  if (now.status == Status::failed) return without("there is no separation");
+  WrenchDerivative out;
+  if (now.status == Status::separated) {
+    out.sides = WrenchDerivative::Sides::all;
+    out.d_separated.setIdentity();
+    return out;
+  }
+  if (!now.converged) return without("the search has not converged");
+  const Settling settling(pair, now, neighbours);
+  std::optional<LocalOptimum> optimum;
+  if (const char* problem = settling.settle(optimum)) return without(problem);
+  const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
+  LocalOptimum::Change left, held;
+  const bool strict =
+      optimum->derivative(false, left) && (weak == 0 || optimum->derivative(true, held));
+  if (!strict) return without("the optimum is not strict");
+  out.sides = weak > 0 ? WrenchDerivative::Sides::two : WrenchDerivative::Sides::all;
+  if (weak > 0) out.reason = "a contact is about to begin or to end";
+  out.rows = optimum->held();
+  out.d_depth = -optimum->wrench() / optimum->depth();
+  out.d_separated = left.separated;
+  out.d_wrench = left.wrench;
+  out.d_wrench_held = weak > 0 ? held.wrench : left.wrench;
+  out.leaves = optimum->weak_gap_rate();
+  return out;
+}
+
+}  // namespace sonde
