@@ -147,7 +147,10 @@ Scene scene_at(const std::string& file, const std::string& within) {
 }
 
 std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
-  return {scene.file, scene.probe.mesh, scene.fixed.mesh};
+  std::vector<std::filesystem::path> files{scene.file};
+  for (const SceneBody* whole : {&scene.probe, &scene.fixed})
+    for (const SceneBody& body : meshes_of(*whole)) files.push_back(body.mesh);
+  return files;
 }
 
 Pair load_bodies(const Scene& scene, bool quiet, ProgressLine& progress) {

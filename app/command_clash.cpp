@@ -60,8 +60,11 @@ std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
   for (const std::string& file : flags.files) {
     if (is_scene(file)) {
       const Scene scene = scene_at(file, flags.within_folder);
-      for (const SceneBody& body : {scene.probe, scene.fixed})
+      bodies.push_back(scene.probe), units.push_back(scene.unit);
+      for (SceneBody body : meshes_of(scene.fixed)) {
+        if (!scene.fixed.parts.empty()) body.pose = scene.fixed.pose * body.pose;
         bodies.push_back(body), units.push_back(scene.unit);
+      }
       continue;
     }
     SceneBody body;
@@ -75,8 +78,8 @@ std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
   std::vector<AssemblyPart> parts;
   std::set<std::string> names;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::string file = bodies[i].mesh.filename().string();
-    parts.push_back({new_name(names, file), load(bodies[i], units[i]), bodies[i].pose});
+    parts.push_back(
+        {new_name(names, part_name(bodies[i])), load(bodies[i], units[i]), bodies[i].pose});
     progress.show("reading parts", i + 1, bodies.size());
     if (flags.output.quiet) continue;
     for (const std::string& remark : remarks_on(*parts.back().body)) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -246,14 +247,18 @@ void run(const QueryOptions& options) {
   const SearchThreads threads = threads_for(left, solver);
   QueryAnswers answers(pair, options.question, solver, threads);
   PhasePicture picture;
-  const std::string part = csv_word(pair.fixed().name);
+  std::map<std::string, std::string, std::less<>> part_words;
+  const auto name_of_part = [&](const Vec3& x) {
+    const std::string name(part_at(pair.fixed(), x));
+    return part_words.try_emplace(name, csv_word(name)).first->second.c_str();
+  };
   run_in_order(
       left, solver.coherent() ? 1 : threads.at_once,
       [&](std::size_t k) { return answers.answer(poses[share.indices[share.done + k]]); },
       [&](std::size_t k, const QueryAnswer& answer) {
         const std::size_t index = share.indices[share.done + k];
         report_failure(answer.separation, index);
-        lines.add_contacts(contact_rows(index, answer.separation, part.c_str(), shown_shard));
+        lines.add_contacts(contact_rows(index, answer.separation, name_of_part, shown_shard));
         lines.add(rows.columns(), rows.row(index, answer));
         if (options.phases.timed()) picture.add(answer.separation, answer.time_us);
         lines.flush_now_and_then();

@@ -158,7 +158,8 @@ std::span<const Column> contact_columns(const char* shard) {
   return std::span(all).first(shard ? all.size() : all.size() - 1);
 }
 
-std::vector<Row> contact_rows(std::size_t index, const Separation& answer, const char* part,
+std::vector<Row> contact_rows(std::size_t index, const Separation& answer,
+                              const std::function<const char*(const Vec3&)>& name_of_part,
                               const char* shard) {
   std::vector<Row> rows;
   if (answer.status != Status::penetrating) return rows;
@@ -167,7 +168,7 @@ std::vector<Row> contact_rows(std::size_t index, const Separation& answer, const
     append(row, contact.on_fixed);
     append(row, contact.normal);
     row.push_back(contact.multiplier);
-    row.push_back(part);
+    row.push_back(name_of_part(contact.on_fixed));
     if (shard) row.push_back(shard);
     rows.push_back(std::move(row));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,10 +51,12 @@ class QueryRows {
   std::size_t all_ = 0, late_ = 0, unfinished_ = 0;
 };
 
-/// The columns of contacts, and the rows of those that hold one separated pose. `part`: the name of
-/// the fixed body. `shard`: in a column of its own; null: none.
+/// The columns of contacts, and the rows of those that hold one separated pose. `name_of_part`: a
+/// word of CSV for a point of the fixed body, that outlives the rows. `shard`: in a column of its
+/// own; null: none.
 std::span<const Column> contact_columns(const char* shard);
-std::vector<Row> contact_rows(std::size_t index, const Separation& answer, const char* part,
+std::vector<Row> contact_rows(std::size_t index, const Separation& answer,
+                              const std::function<const char*(const Vec3&)>& name_of_part,
                               const char* shard);
 
 }  // namespace sonde::app

@@ -99,6 +99,13 @@ nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
                                 {"solid", loaded.solid}};
     if (described.repair != Repair::automatic) json["repair"] = name_of(described.repair);
     if (described.offset != 0) json["offset"] = described.offset;
+    for (const SceneBody& part : described.parts) {
+      const auto& [q, p] = part.pose;
+      json["parts"].push_back({{"name", part_name(part)},
+                               {"fingerprint", fingerprint_of(part.mesh)},
+                               {"scale", part.scale},
+                               {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}}});
+    }
     return json;
   };
   nlohmann::ordered_json json{{"version", SONDE_VERSION},

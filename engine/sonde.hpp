@@ -33,8 +33,8 @@
 #include "engine/penetration/search/pose_seed.hpp"       // seed_of_pose
 #include "engine/penetration/search/static_options.hpp"  // StaticOptions
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"  // WrenchDerivative
-#include "engine/queries/body_queries.hpp"                       // inside, nearest_point, ray
-#include "engine/queries/pair_queries.hpp"                       // touch, distance, sweep
+#include "engine/queries/body_queries.hpp"  // inside, nearest_point, ray, part_at
+#include "engine/queries/pair_queries.hpp"  // touch, distance, sweep
 
 namespace sonde {
 

@@ -182,6 +182,12 @@ std::shared_ptr<const Body> with_other_mass(const Body& body, const MassProperti
   return out;
 }
 
+std::shared_ptr<const Body> with_parts(const Body& body, std::vector<BodyPart> parts) {
+  auto out = std::make_shared<Body>(body);
+  out->parts = std::move(parts);
+  return out;
+}
+
 std::size_t bytes(const Body& body) {
   return sizeof(Body) + body.name.capacity() + body.why.capacity() +
          capacity_bytes(body.soup.vertices) + capacity_bytes(body.soup.triangles) +

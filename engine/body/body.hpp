@@ -19,6 +19,15 @@
 
 namespace sonde {
 
+struct Body;
+
+/// A part that a body was joined of, at its place in the body's mesh frame.
+struct BodyPart {
+  std::string name;
+  std::shared_ptr<const Body> body;
+  Pose X_BP;
+};
+
 /// A body, built once and immutable: its triangles, mass properties and bounding-volume tree, all
 /// in the mesh frame. No two vertices are at one place, and each is a corner of a triangle.
 struct Body {
@@ -59,6 +68,8 @@ struct Body {
   /// The same body, with its mass, in about outline_triangles triangles: an approximation that
   /// guides searches. None where the body itself has few.
   std::shared_ptr<const Body> outline;
+  /// What it was joined of; empty where it is of one mesh.
+  std::vector<BodyPart> parts;
 };
 constexpr std::size_t outline_triangles = 1000;
 
@@ -92,6 +103,9 @@ std::shared_ptr<const Body> with_surface(const Body& nominal, Soup soup, Soup ca
 
 /// The same body with other mass properties, but for R, which is that of its surface.
 std::shared_ptr<const Body> with_other_mass(const Body& body, const MassProperties& mass);
+
+/// The same body, joined of these parts.
+std::shared_ptr<const Body> with_parts(const Body& body, std::vector<BodyPart> parts);
 
 /// The memory that a body takes, in bytes: itself and all that it owns.
 std::size_t bytes(const Body& body);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/queries/body_queries.hpp"
 
+#include <limits>
+
 #include "engine/body/body.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -33,6 +35,17 @@ SurfacePoint nearest_point(const Body& body, const Vec3& x) {
   check(x, "the point");
   const NearestPoint found = nearest_point(body, x, 0);
   return {found.point, normal_of(body, found.triangle), found.distance};
+}
+
+std::string_view part_at(const Body& body, const Vec3& x) {
+  check(x, "the point");
+  std::string_view nearest = body.name;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyPart& part : body.parts) {
+    const double distance = point_distance(*part.body, inverse(part.X_BP) * x);
+    if (distance < least) least = distance, nearest = part.name;
+  }
+  return nearest;
 }
 
 std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction) {

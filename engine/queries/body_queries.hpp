@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/pose.hpp"
@@ -36,5 +37,11 @@ SurfacePoint nearest_point(const Body& body, const Vec3& x);
 /// Some µs. Does not allocate, and any number of threads may call it.
 /// @throws InputError where a number is not finite or beyond 1e30, or the direction has no length.
 std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction);
+
+/// The name of the part of a body that is nearest to the point x (mesh frame, m): of a scene's body
+/// that is joined of several; else the body's own name. It is the body's and lives as long as that.
+/// Some µs a part. Does not allocate, and any number of threads may call it.
+/// @throws InputError where x is not finite, or beyond 1e30 m.
+std::string_view part_at(const Body& body, const Vec3& x);
 
 }  // namespace sonde

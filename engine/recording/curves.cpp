@@ -11,7 +11,7 @@ namespace sonde {
 namespace {
 
 std::array<double, curve_count> values_of(const Snapshot& tick, const BackgroundResult* searched,
-                                          const Clearance* clearance) {
+                                          const GaugedClearance* clearance) {
   const Separation& s = tick.separation;
   const auto depth = [](const std::optional<FoundWay>& way) {
     return way ? way->depth : no_number;
@@ -60,7 +60,7 @@ class GatheredTicks {
 }  // namespace
 
 void Curves::add(const Snapshot& tick, double time, const BackgroundResult* searched,
-                 const Clearance* clearance) {
+                 const GaugedClearance* clearance) {
   times_.push_back(time);
   const std::array<double, curve_count> values = values_of(tick, searched, clearance);
   for (std::size_t i = 0; i < curve_count; ++i) values_[i].push_back(static_cast<float>(values[i]));

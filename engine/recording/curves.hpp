@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/recording/tick_log.hpp"
 
@@ -51,7 +51,7 @@ class Curves {
   /// Adds the next tick, at a time that does not fall, with what a search has found until then, and
   /// the clearance that was measured last.
   void add(const Snapshot& tick, double time, const BackgroundResult* searched,
-           const Clearance* clearance = nullptr);
+           const GaugedClearance* clearance = nullptr);
   void clear();
 
   std::size_t size() const { return times_.size(); }

@@ -46,6 +46,11 @@ const Keys& body_keys() {
   static const Keys keys{"mesh", "model", "repair", "scale", "pose"};
   return keys;
 }
+Keys part_keys() {
+  Keys keys = body_keys();
+  keys.insert(keys.begin(), "name");
+  return keys;
+}
 Keys coupling_keys() {
   Keys keys = keys_of(coupling_settings());
   keys.insert(keys.begin(), "mode");
@@ -137,12 +142,34 @@ struct Reader {
     }
   }
 
+  /// One mesh, or a list of them that stand together.
   SceneBody body(const JsonNode& node, double unit) const {
-    expect_object(node, body_keys());
+    if (node.kind != Kind::array) return mesh(node, unit, body_keys());
+    if (node.children.empty()) fail(node.line, in_quotes(node.key) + " has no parts");
+    SceneBody whole;
+    for (const JsonNode& part : node.children) {
+      whole.parts.push_back(mesh(part, unit, part_keys()));
+      const std::string name = part_name(whole.parts.back());
+      for (std::size_t i = 0; i + 1 < whole.parts.size(); ++i)
+        if (part_name(whole.parts[i]) == name)
+          fail(part.line, "two parts are named " + in_quotes(name) + ": give each a \"name\"");
+    }
+    whole.mesh = whole.parts.front().mesh;
+    whole.mesh_line = whole.parts.front().mesh_line;
+    return whole;
+  }
+
+  SceneBody mesh(const JsonNode& node, double unit, const Keys& known) const {
+    expect_object(node, known);
     SceneBody body;
-    const JsonNode& mesh = need(node, "mesh");
-    body.mesh = path(mesh);
-    body.mesh_line = mesh.line;
+    if (const JsonNode* name = node.find("name")) {
+      expect(*name, Kind::string);
+      if (name->text.empty()) fail(name->line, "\"name\" is empty");
+      body.name = name->text;
+    }
+    const JsonNode& file = need(node, "mesh");
+    body.mesh = path(file);
+    body.mesh_line = file.line;
     if (const JsonNode* model = node.find("model")) {
       expect(*model, Kind::string);
       body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
@@ -317,10 +344,11 @@ std::vector<std::string> scene_keys() {
 
 void require_meshes(const Scene& scene) {
   std::error_code ignored;
-  for (const SceneBody* body : {&scene.probe, &scene.fixed})
-    if (!std::filesystem::exists(body->mesh, ignored))
-      fail_at(scene.file, body->mesh_line,
-              "\"mesh\" names " + body->mesh.string() + ": no such file");
+  for (const SceneBody* whole : {&scene.probe, &scene.fixed})
+    for (const SceneBody& body : meshes_of(*whole))
+      if (!std::filesystem::exists(body.mesh, ignored))
+        fail_at(scene.file, body.mesh_line,
+                "\"mesh\" names " + body.mesh.string() + ": no such file");
 }
 
 std::optional<double> unit_in_metres(const std::string& unit) {
@@ -339,10 +367,68 @@ double mesh_scale(const SceneBody& body, double unit) {
   return has_own_unit(body.mesh) ? body.scale : unit * body.scale;
 }
 
+std::string part_name(const SceneBody& part) {
+  return part.name.empty() ? part.mesh.filename().string() : part.name;
+}
+
+std::vector<SceneBody> meshes_of(const SceneBody& body) {
+  return body.parts.empty() ? std::vector{body} : body.parts;
+}
+
+namespace {
+
+/// "a.off, b.off and 3 more".
+std::string name_of_parts(const std::vector<SceneBody>& parts) {
+  constexpr std::size_t most = 3;
+  std::string name;
+  for (std::size_t i = 0; i < std::min(parts.size(), most); ++i)
+    name += (i == 0 ? "" : ", ") + part_name(parts[i]);
+  if (parts.size() > most) name += " and " + std::to_string(parts.size() - most) + " more";
+  return name;
+}
+
+void append(PolygonSoup& all, const Body& body, const Pose& X, const std::string& name) {
+  const std::size_t first = all.points.size();
+  const Transform place(X);
+  for (const Vec3& x : body.soup.vertices) all.points.push_back(place * x);
+  for (const Triangle& t : body.soup.triangles)
+    all.polygons.push_back({first + t[0], first + t[1], first + t[2]});
+  for (const std::string& remark : body.remarks) all.remarks.push_back(name + ": " + remark);
+  for (const std::string& done : sentences(body.repairs)) all.remarks.push_back(name + ": " + done);
+}
+
+/// Each part as it is by itself, with the scale and the repair of the whole.
+std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, const Progress& progress) {
+  PolygonSoup all;
+  std::vector<BodyPart> parts;
+  const double n = static_cast<double>(whole.parts.size());
+  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+    SceneBody part = whole.parts[i];
+    part.scale *= whole.scale;
+    part.pose.p *= whole.scale;
+    if (whole.repair != Repair::automatic) part.repair = whole.repair;
+    const double done = static_cast<double>(i);
+    auto body = load(part, unit, part_of(progress, 0.6 * done / n, 0.6 * (done + 1) / n));
+    const std::string name = part_name(part);
+    if (part.model == Model::surface && body->topology.closed)
+      throw InputError::in(part.mesh.string(),
+                           "is closed: as one of several parts it cannot be a "
+                           "surface, since its inside counts");
+    append(all, *body, part.pose, name);
+    parts.push_back({name, std::move(body), part.pose});
+  }
+  const auto body = make_body(all, Model::automatic, name_of_parts(whole.parts),
+                              part_of(progress, 0.6, 1), Repair::automatic);
+  return with_parts(*body, std::move(parts));
+}
+
+}  // namespace
+
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
   const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
-  auto nominal =
-      load_body(body.mesh.string(), body.model, mesh_scale(body, unit), reading, body.repair);
+  auto nominal = body.parts.empty() ? load_body(body.mesh.string(), body.model,
+                                                mesh_scale(body, unit), reading, body.repair)
+                                    : joined(body, unit, reading);
   if (body.offset == 0) return nominal;
   return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
 }

@@ -24,7 +24,16 @@ struct SceneBody {
   /// zero its `allowance`. A scene file has them of the probe alone.
   double offset = 0;
   std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
+  std::string name = {};      ///< of a part; empty: the mesh file's
+  /// What the body is made of where that is several meshes that stand together, each at its pose in
+  /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
+  /// the first, and `model` says nothing.
+  std::vector<SceneBody> parts = {};
 };
+/// The name of a part: its own, or that of its file.
+std::string part_name(const SceneBody& part);
+/// The body itself, or its parts: what names a mesh file.
+std::vector<SceneBody> meshes_of(const SceneBody& body);
 
 /// The device settings of a scene.
 struct SceneDevice {
@@ -98,7 +107,9 @@ void require_meshes(const Scene& scene);
 /// its scale alone where the file states its own unit and is read in metres (has_own_unit).
 double mesh_scale(const SceneBody& body, double unit);
 
-/// Loads one body of a scene, in metres, with its offset. Throws as load_body and offset_faces.
+/// Loads one body of a scene, in metres, with its offset. One of several parts is made of what each
+/// part is by itself, joined (Body::parts). Throws as load_body and offset_faces, and InputError
+/// where a part is to be a surface though it is closed: joined to others, its inside counts.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
 }  // namespace sonde

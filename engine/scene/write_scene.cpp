@@ -77,13 +77,29 @@ std::string path_text(const fs::path& file, const fs::path& folder) {
   return quoted(relative.empty() ? whole.string() : relative.string());
 }
 
-std::string body_text(const SceneBody& body, double unit, const fs::path& folder) {
-  std::string text = "{\n    \"mesh\": " + path_text(body.mesh, folder) +
-                     ",\n    \"model\": " + quoted(name_of(body.model));
+std::string mesh_text(const SceneBody& body, double unit, const fs::path& folder) {
+  std::string text = "{\n    ";
+  if (!body.name.empty()) text += "\"name\": " + quoted(body.name) + ",\n    ";
+  text += "\"mesh\": " + path_text(body.mesh, folder) +
+          ",\n    \"model\": " + quoted(name_of(body.model));
   if (body.repair != Repair::automatic)
     text += ",\n    \"repair\": " + quoted(name_of(body.repair));
   if (body.scale != 1) text += ",\n    \"scale\": " + number_text(body.scale);
   return text + ",\n    \"pose\": " + pose_text(body.pose, unit) + "\n  }";
+}
+
+/// A list of parts holds what the whole is besides: its scale, its pose, what is mended.
+std::string body_text(const SceneBody& body, double unit, const fs::path& folder) {
+  if (body.parts.empty()) return mesh_text(body, unit, folder);
+  std::string text;
+  for (SceneBody part : body.parts) {
+    part.scale *= body.scale;
+    part.pose.p *= body.scale;
+    part.pose = body.pose * part.pose;
+    if (body.repair != Repair::automatic) part.repair = body.repair;
+    text += (text.empty() ? "[" : ", ") + mesh_text(part, unit, folder);
+  }
+  return text + "]";
 }
 
 std::string coupling_text(const Coupling& coupling) {

@@ -25,6 +25,7 @@ sonde::inside
 sonde::make_body
 sonde::nearest_point
 sonde::offset_body
+sonde::part_at
 sonde::ray
 sonde::read_body
 sonde::separate
@@ -38,4 +39,4 @@ sonde::wrench
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 34 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 36 sh -c "nm -D --defined-only '$library' | wc -l"

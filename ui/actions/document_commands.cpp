@@ -139,7 +139,9 @@ void DocumentControl::swap_bodies() {
 
 void DocumentControl::replace_body(Role role, const QString& file) {
   Content wanted = now();
-  body_of(wanted.scene, role).mesh = file.toStdString();
+  SceneBody& body = body_of(wanted.scene, role);
+  body.mesh = file.toStdString();
+  body.parts.clear();
   const QString what = role == Role::probe ? QStringLiteral("Replace the probe")
                                            : QStringLiteral("Replace the fixed body");
   change_bodies(what, wanted, [scene = wanted.scene](const Progress& progress) {

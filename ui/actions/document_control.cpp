@@ -141,7 +141,9 @@ bool DocumentControl::write(const std::filesystem::path& file) {
 
 QStringList DocumentControl::files() const {
   const Scene& scene = document_.content().scene;
-  QStringList files{text_of(scene.probe.mesh), text_of(scene.fixed.mesh)};
+  QStringList files;
+  for (const SceneBody* whole : {&scene.probe, &scene.fixed})
+    for (const SceneBody& body : meshes_of(*whole)) files.append(text_of(body.mesh));
   if (!scene.file.empty()) files.prepend(text_of(scene.file));
   files.removeDuplicates();
   return files;

@@ -49,7 +49,7 @@ class HistoryControl : public QObject {
   void attach(Session* session);
   void add(const Snapshot& tick) { recorder_.add(tick); }
   void add(const BackgroundResult& search) { recorder_.add(search); }
-  void add(const Clearance& clearance) { recorder_.add(clearance); }
+  void add(const GaugedClearance& clearance) { recorder_.add(clearance); }
   /// With each frame, at so many ms.
   void frame(qint64 now);
 

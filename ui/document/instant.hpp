@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 #include "engine/haptics/loop/lessened.hpp"
 #include "engine/haptics/loop/servo.hpp"
 
@@ -18,7 +18,7 @@ struct Instant {
   std::optional<BackgroundResult> searched;
   bool live = true;  ///< false: from a recording
   /// The newest that was measured, of this device pose or one just before.
-  std::optional<Clearance> clearance = {};
+  std::optional<GaugedClearance> clearance = {};
 };
 
 inline Instant instant_of(const Snapshot& snapshot, const BackgroundResult* searched, bool live) {
@@ -38,7 +38,7 @@ inline const BackgroundResult* searched_here(const Instant& now) {
 }
 
 /// The clearance at this device pose, where the probe is free; null where it is held, or not known.
-inline const Clearance* clearance_here(const Instant& now) {
+inline const GaugedClearance* clearance_here(const Instant& now) {
   const Separation& s = now.snapshot.separation;
   const bool here =
       s.status == Status::separated && now.clearance && same_pose(now.clearance->device, s.device);

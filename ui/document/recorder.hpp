@@ -24,7 +24,7 @@ class Recorder {
   void add(const Snapshot& tick);
   void add(const BackgroundResult& search);
   /// The clearance that was measured last, for the curves.
-  void add(const Clearance& clearance) { clearance_ = clearance; }
+  void add(const GaugedClearance& clearance) { clearance_ = clearance; }
 
   /// Records the kept ticks and those that follow. Throws InputError where the file cannot be
   /// created.
@@ -55,7 +55,7 @@ class Recorder {
   std::unique_ptr<TickLog> ticks_;
   Curves curves_;
   std::optional<BackgroundResult> searched_;
-  std::optional<Clearance> clearance_;
+  std::optional<GaugedClearance> clearance_;
   std::unique_ptr<RecordingWriter> writer_;
   std::vector<std::unique_ptr<RecordingWriter>> closing_;
 };

@@ -208,7 +208,7 @@ bool Session::placing() {
   return false;
 }
 
-std::optional<Clearance> Session::clearance(const Pose& X_FM) {
+std::optional<GaugedClearance> Session::clearance(const Pose& X_FM) {
   // A picture comes every 16 ms: most pairs have answered by then, and the picture is all of one
   // instant. Others follow a picture later.
   constexpr std::chrono::milliseconds patience(4);

@@ -10,7 +10,7 @@
 #include "engine/haptics/hand/hand_switch.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/document/loaded_scene.hpp"
 
@@ -111,7 +111,7 @@ class Session {
   void ask_search(const Pose& X_FM) { searched_.request(X_FM); }
   std::optional<BackgroundResult> searched() { return searched_.latest(); }
   /// See ClearanceGauge::at: a few milliseconds at most, in a thread of its own.
-  std::optional<Clearance> clearance(const Pose& X_FM);
+  std::optional<GaugedClearance> clearance(const Pose& X_FM);
 
  private:
   struct Holding;

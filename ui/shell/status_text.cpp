@@ -37,7 +37,7 @@ QString happening(const Instant& now, const LengthUnit& unit) {
             .arg(QString::fromUtf8(words(s.hand.withheld)), QLatin1String(s.separation.reason));
   else if (s.hand.withheld != Withheld::nothing)
     happens = QStringLiteral("No force (%1).").arg(QString::fromUtf8(words(s.hand.withheld)));
-  else if (const Clearance* room = clearance_here(now))
+  else if (const GaugedClearance* room = clearance_here(now))
     happens = QStringLiteral("Free, %1 clear.").arg(unit.text(room->distance));
   else if (s.separation.status == Status::separated)
     happens = QStringLiteral("Free.");

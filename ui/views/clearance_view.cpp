@@ -19,7 +19,7 @@ ClearanceView::ClearanceView(vtkRenderer& renderer, GlyphShapes& shapes)
 void ClearanceView::draw(const Frame& frame) {
   hide();
   if (!frame.clearance || !(frame.clearance->distance > 0)) return;
-  const Clearance& room = *frame.clearance;
+  const GaugedClearance& room = *frame.clearance;
   on_probe_.set(room.on_probe, end_pixels * frame.pixel);
   on_fixed_.set(room.on_fixed, end_pixels * frame.pixel);
   line_.set(room.on_fixed, room.on_probe, room_pixels * frame.pixel, false);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/haptics/loop/background_search.hpp"
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "ui/base/format.hpp"
 #include "ui/views/force_note.hpp"
@@ -25,7 +25,8 @@ struct Frame {
   /// Pixels that OpenGL draws for one of `pixel`: 2 on a screen of twice the usual density, more in
   /// a large picture for a file. VTK's widths of lines are OpenGL's.
   float density = 1;
-  const Clearance* clearance = nullptr;  ///< at this device pose; null: it is held, or not known
+  const GaugedClearance* clearance =
+      nullptr;  ///< at this device pose; null: it is held, or not known
 };
 
 /// Text at a point of the scene, and the line that leads there: an arrow, an arc. Without text, the

@@ -41,7 +41,7 @@ class Settling {
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
   /// Null, or why there is none.
-  const char* settle(std::optional<LocalOptimum>& optimum) const noexcept {
+  const char* settle(std::optional<HeldOptimum>& optimum) const noexcept {
     const double reach = reach_of_clearance * clearance_;
     const char* problem = look(reach, Where::at_contacts, optimum);
     Where where = Where::at_contacts;
@@ -56,7 +56,7 @@ class Settling {
  private:
   enum class Where { at_contacts, in_hollows };
 
-  const char* look(double reach, Where where, std::optional<LocalOptimum>& optimum) const noexcept {
+  const char* look(double reach, Where where, std::optional<HeldOptimum>& optimum) const noexcept {
     FacingFeatures features(probe_, fixed_, Transform(now_.separated), reach);
     for (const Contact& c : now_.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
@@ -97,10 +97,10 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   }
   if (!now.converged) return without("the search has not converged");
   const Settling settling(pair, now, neighbours);
-  std::optional<LocalOptimum> optimum;
+  std::optional<HeldOptimum> optimum;
   if (const char* problem = settling.settle(optimum)) return without(problem);
   const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
-  LocalOptimum::Change left, held;
+  HeldOptimum::Change left, held;
   const bool strict =
       optimum->derivative(false, left) && (weak == 0 || optimum->derivative(true, held));
   if (!strict) return without("the optimum is not strict");

@@ -29,6 +29,10 @@ std::string tuning_inputs(const std::string& version, const TuningFiles& files, 
            {"fixed_solid", fixed.solid},
            {"probe_radius", probe.mass.radius},
            {"fixed_radius", fixed.mass.radius}};
+  // Of several parts, the file is but the first's.
+  for (const BodyPart& part : fixed.parts)
+    out["fixed_parts"].push_back(
+        {part.name, part.body->mass.measure, part.X_BP.p.x(), part.X_BP.p.y(), part.X_BP.p.z()});
   if (!files.trajectory.empty()) out["trajectory"] = about(files.trajectory);
   return out.dump();
 }

@@ -41,6 +41,15 @@ TEST(Schema, it_has_the_keys_of_the_reader_and_no_others) {
   EXPECT_THAT(keys, testing::UnorderedElementsAreArray(scene_keys()));
 }
 
+TEST(Schema, a_part_is_a_body_with_a_name) {
+  json part = schema().at("$defs").at("part");
+  EXPECT_TRUE(part.at("properties").contains("name"));
+  part["properties"].erase("name");
+  EXPECT_EQ(part, schema().at("$defs").at("body"));
+  for (const char* body : {"probe", "fixed"})
+    EXPECT_EQ(schema()["properties"][body]["oneOf"][1]["items"]["$ref"], "#/$defs/part");
+}
+
 void expect_same(const json& properties, std::span<const Setting> settings) {
   for (const Setting& setting : settings) {
     SCOPED_TRACE(setting.key);

@@ -70,6 +70,7 @@ int main() {
   if (!sonde::inside(*body, {0.4, 0, 0})) return complain("inside");
   if (sonde::nearest_point(*body, {0.7, 0, 0}).point.x() != 0.5) return complain("nearest");
   if (!sonde::ray(*body, {2, 0.1, 0.2}, {-1, 0, 0})) return complain("a ray");
+  if (sonde::part_at(*body, {0.5, 0, 0}) != "box") return complain("the part of a body");
   sonde::MassProperties heavy = known.mass;
   heavy.inertia *= 4;
   if (sonde::facts(*sonde::with_mass(*body, heavy)).mass.inertia != heavy.inertia)

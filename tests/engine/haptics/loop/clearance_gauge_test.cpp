@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST_F(ClearanceTest, with_no_patience_gives_what_there_is_and_that_pose_follows
 TEST(SignedClearance, is_the_room_or_minus_the_depth) {
   Separation s;
   s.depth = 0.002;
-  Clearance room;
+  GaugedClearance room;
   room.distance = 0.003;
   s.status = Status::penetrating;
   EXPECT_EQ(signed_clearance(s, &room), -0.002);

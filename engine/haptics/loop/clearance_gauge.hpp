@@ -12,7 +12,7 @@ namespace sonde {
 
 /// The room between the bodies at one device pose, from triangles alone, in the fixed body's mesh
 /// frame, m.
-struct Clearance {
+struct GaugedClearance {
   Pose device;                   ///< X_FM that it is of
   double distance = 0;           ///< the least; 0 where the bodies overlap
   Vec3 on_probe = Vec3::Zero();  ///< where it is taken
@@ -21,7 +21,8 @@ struct Clearance {
 
 /// One continuous quantity: the room where the probe is free (as measured last, the probe being
 /// near there), minus the depth where it is held; none where neither is known.
-std::optional<double> signed_clearance(const Separation& separation, const Clearance* measured);
+std::optional<double> signed_clearance(const Separation& separation,
+                                       const GaugedClearance* measured);
 
 /// Measures the clearance of the newest requested pose, in a thread of its own. From a pose near
 /// the last one it takes microseconds to milliseconds, from any other one more.
@@ -34,7 +35,7 @@ class ClearanceGauge {
 
   /// The clearance at that pose, if it is there within so long; else the newest there is, of
   /// another pose, and this one follows. None before the first.
-  std::optional<Clearance> at(const Pose& X_FM, std::chrono::microseconds patience);
+  std::optional<GaugedClearance> at(const Pose& X_FM, std::chrono::microseconds patience);
 
  private:
   struct State;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/haptics/loop/clearance.hpp"
+#include "engine/haptics/loop/clearance_gauge.hpp"
 
 #include <condition_variable>
 #include <mutex>
@@ -17,7 +17,8 @@ bool same(const Pose& a, const Pose& b) { return a.p == b.p && a.q.coeffs() == b
 
 }  // namespace
 
-std::optional<double> signed_clearance(const Separation& separation, const Clearance* measured) {
+std::optional<double> signed_clearance(const Separation& separation,
+                                       const GaugedClearance* measured) {
   switch (separation.status) {
     case Status::penetrating:
       return -separation.depth;
@@ -36,12 +37,12 @@ struct ClearanceGauge::State {
   std::optional<DistanceHint> hint;  ///< of the thread alone: the pair of triangles of last time
   std::mutex mutex;                  ///< guards the three below
   std::optional<Pose> wanted;
-  std::optional<Clearance> newest;
+  std::optional<GaugedClearance> newest;
   bool stopping = false;
   std::condition_variable asked, answered;
   std::thread thread;
 
-  Clearance measure(const Pose& X_FM) {
+  GaugedClearance measure(const Pose& X_FM) {
     const Distance d = distance(pair.probe(), pair.fixed(), Transform(X_FM), hint);
     hint = DistanceHint{d.triangle_a, d.triangle_b};
     return {X_FM, d.distance, d.on_a, d.on_b};
@@ -55,7 +56,7 @@ struct ClearanceGauge::State {
       if (stopping) return;
       const Pose X_FM = *std::exchange(wanted, std::nullopt);
       lock.unlock();
-      const Clearance found = measure(X_FM);
+      const GaugedClearance found = measure(X_FM);
       lock.lock();
       newest = found;
       answered.notify_all();
@@ -77,7 +78,8 @@ ClearanceGauge::~ClearanceGauge() {
   state_->thread.join();
 }
 
-std::optional<Clearance> ClearanceGauge::at(const Pose& X_FM, std::chrono::microseconds patience) {
+std::optional<GaugedClearance> ClearanceGauge::at(const Pose& X_FM,
+                                                  std::chrono::microseconds patience) {
   State& s = *state_;
   std::unique_lock lock(s.mutex);
   const auto there = [&] { return s.newest && same(s.newest->device, X_FM); };
