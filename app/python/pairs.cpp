@@ -270,6 +270,21 @@ py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of, do
   });
 }
 
+/// d(depth), d(wrench) on either side, and which sides there are.
+py::tuple pair_derivative(const SharedPair& pair, const Separation& of) {
+  const WrenchDerivative d = wrench_derivative(pair.pair, of, Neighbours::all);
+  const auto matrix = [](const WrenchDerivative::Matrix& m) {
+    return rows_of(6, 6, [&](std::size_t i, std::size_t j) {
+      return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    });
+  };
+  const char* sides = d.sides == WrenchDerivative::Sides::all   ? "all"
+                      : d.sides == WrenchDerivative::Sides::two ? "two"
+                                                                : "none";
+  return py::make_tuple(py::array_t<double>(6, d.d_depth.data()), matrix(d.d_wrench),
+                        matrix(d.d_wrench_held), sides);
+}
+
 /// The coherent solver. A search starts it, at the first pose and after each restart().
 class PathFollower {
  public:
@@ -410,6 +425,15 @@ void declare_pair(py::module_& module) {
           "Force (N) and torque (N m, about the probe's centre of mass) on the hand, in the fixed\n"
           "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
           "\"classic\": k_t in N/m and k_r in N m/rad, without damping.")
+      .def("derivative", &pair_derivative, "of"_a,
+           "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair "
+           "change\n"
+           "with its pose: by a displacement of the probe's centre of mass, m, and a rotation\n"
+           "vector, rad, in the fixed frame. Then the wrench's on the other side, and \"all\" "
+           "where\n"
+           "both are one, \"two\" where contacts begin or end at this pose, or \"none\" where "
+           "there\n"
+           "is no derivative.")
       .def(
           "follower",
           [](const SharedPair& pair, const std::string& method, std::uint64_t seed) {

@@ -87,6 +87,25 @@ TEST_F(QueryScale, contacts_are_rows_of_their_own) {
   EXPECT_NEAR(sum, csv.number(1, "depth"), 1e-6);
 }
 
+TEST_F(QueryScale, contacts_name_the_part) {
+  folder.write("parts.sonde.json", R"({"probe": {"mesh": "small.off"}, "fixed": [
+    {"name": "floor, old", "mesh": "large.off"},
+    {"name": "wall", "mesh": "large.off", "pose": [1, 0, 0, 1, 0, 0, 0]}]})");
+  folder.write("both.csv", "px,py,pz,qw,qx,qy,qz\n0,0,0.14,1,0,0,0\n0.86,0,0,1,0,0,0\n");
+  expect_done("query parts.sonde.json --poses both.csv --contacts c.csv --out r.csv");
+  const std::string contacts = text_of(folder / "c.csv");
+  EXPECT_THAT(contacts, HasSubstr(",\"floor, old\"\n"));
+  EXPECT_THAT(contacts, HasSubstr(",wall\n"));
+  for (const std::string& line : split(contacts, '\n')) {
+    if (line.starts_with("0,")) {
+      EXPECT_THAT(line, testing::EndsWith("old\""));
+    }
+    if (line.starts_with("1,")) {
+      EXPECT_THAT(line, testing::EndsWith("wall"));
+    }
+  }
+}
+
 TEST_F(QueryScale, poses_come_from_standard_input_and_from_paths) {
   const auto all = query("--poses many.csv").without({"time_us"});
   EXPECT_EQ(

@@ -191,6 +191,22 @@ class Pair(unittest.TestCase):
         with self.assertRaises(ValueError):
             pair.wrench(3)
 
+    def test_derivatives_are_those_of_central_differences(self):
+        pair, pose, step = boxes(), numpy.array([1.9, 0.1, 0.2, *TURNED]), 1e-6
+        follower = pair.follower()
+        found = follower.step(pose)
+        d_depth, d_wrench, _, sides = pair.derivative(found)
+        self.assertIn(sides, ("all", "two"))
+        for axis in range(3):
+            moved = []
+            for sign in (1, -1):
+                beside = pose.copy()
+                beside[axis] += sign * step
+                moved.append(follower.copy().step(beside).depth)
+            difference = (moved[0] - moved[1]) / (2 * step)
+            self.assertAlmostEqual(d_depth[axis], difference, delta=1e-3)
+        self.assertEqual(d_wrench.shape, (6, 6))
+
     def test_a_part_of_results_is_results(self):
         found = boxes().depth([at(x) for x in (3, 1.9, 1.8, 2.5, 1.7)])
         for index in (slice(1, 4), -1, [0, 2], found.depth > 0, numpy.arange(5)[::-1]):

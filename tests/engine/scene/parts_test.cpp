@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies of a scene that are joined of several meshes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <random>
+
+#include "engine/queries/body_queries.hpp"
+#include "engine/queries/pair_queries.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/scene/write_scene.hpp"
+#include "tests/support/shapes.hpp"
+#include "tests/support/temp_folder.hpp"
+
+namespace sonde {
+namespace {
+
+using testing::HasSubstr;
+
+class SceneParts : public testing::Test {
+ protected:
+  SceneParts() {
+    folder.write("box.off", off(test::box({0.1, 0.1, 0.1})));
+    folder.write("ring.off", off(test::torus(0.1, 0.03, 16, 10)));
+  }
+  static std::string off(const PolygonSoup& soup) {
+    const Soup all = triangulate(soup).soup;
+    std::string text = "OFF\n" + std::to_string(all.vertices.size()) + " " +
+                       std::to_string(all.triangles.size()) + " 0\n";
+    char line[120];
+    for (const Vec3& x : all.vertices)
+      std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", x[0], x[1], x[2]), text += line;
+    for (const Triangle& t : all.triangles)
+      text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " +
+              std::to_string(t[2]) + "\n";
+    return text;
+  }
+  Scene scene(const std::string& fixed) const {
+    folder.write("s.sonde.json", R"({"probe": {"mesh": "box.off"}, "fixed": )" + fixed + "}");
+    return read_scene(folder / "s.sonde.json");
+  }
+  std::string complaint(const std::string& fixed) const {
+    try {
+      const Scene read = scene(fixed);
+      require_meshes(read);
+      load(read.fixed, read.unit);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  const std::string two = R"([
+    {"name": "left", "mesh": "box.off", "pose": [-0.3, 0, 0, 1, 0, 0, 0]},
+    {"mesh": "ring.off", "scale": 2, "pose": [0.5, 0, 0.1, 0.6, 0.8, 0, 0]}])";
+  const test::TempFolder folder;
+};
+
+// Reference: each part as a body of its own, at its pose.
+TEST_F(SceneParts, a_list_stands_where_each_of_it_does) {
+  const Scene read = scene(two);
+  ASSERT_EQ(read.fixed.parts.size(), 2u);
+  const auto fixed = load(read.fixed, read.unit);
+  EXPECT_TRUE(fixed->solid);
+  double measure = 0;
+  for (const SceneBody& part : read.fixed.parts) measure += load(part, 1)->mass.measure;
+  EXPECT_NEAR(fixed->mass.measure, measure, 1e-12);
+  const auto probe = load(read.probe, 1);
+  const Pair pair(probe, fixed);
+  std::mt19937_64 random(1);
+  int touching = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Pose X{test::random_rotation(random), test::random_in_ball(random, 0.8)};
+    bool expected = false;
+    for (const SceneBody& part : read.fixed.parts)
+      expected = expected || touch(Pair(probe, load(part, 1)), inverse(part.pose) * X);
+    EXPECT_EQ(touch(pair, X), expected) << i;
+    touching += expected;
+  }
+  EXPECT_GT(touching, 10);
+}
+
+TEST_F(SceneParts, a_place_names_its_part) {
+  const auto fixed = load(scene(two).fixed, 1);
+  EXPECT_EQ(part_at(*fixed, {-0.25, 0, 0}), "left");
+  EXPECT_EQ(part_at(*fixed, {0.4, 0, 0}), "ring.off");
+  EXPECT_EQ(part_at(*load(scene(two).probe, 1), {0, 0, 0}), load(scene(two).probe, 1)->name);
+  EXPECT_EQ(fixed->name, "left, ring.off");
+}
+
+TEST_F(SceneParts, a_list_is_written_as_it_was_read) {
+  const Scene read = scene(two);
+  folder.write("again.sonde.json", scene_text(read, folder.path()));
+  const Scene again = read_scene(folder / "again.sonde.json");
+  ASSERT_EQ(again.fixed.parts.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SceneBody &a = read.fixed.parts[i], &b = again.fixed.parts[i];
+    EXPECT_EQ(part_name(a), part_name(b));
+    EXPECT_EQ(a.mesh, b.mesh);
+    EXPECT_EQ(a.scale, b.scale);
+    EXPECT_EQ(a.pose.p, b.pose.p);
+    EXPECT_EQ(a.pose.q.coeffs(), b.pose.q.coeffs());
+  }
+  EXPECT_EQ(scene_text(again, folder.path()), scene_text(read, folder.path()));
+}
+
+// Reference: the same parts, each larger and further away.
+TEST_F(SceneParts, the_scale_of_the_whole_is_that_of_its_parts_and_their_places) {
+  Scene read = scene(two);
+  read.fixed.scale = 3;
+  const auto fixed = load(read.fixed, 1);
+  EXPECT_TRUE(inside(*fixed, {-0.9, 0, 0}));
+  EXPECT_FALSE(inside(*fixed, {-0.3, 0, 0}));
+  folder.write("again.sonde.json", scene_text(read, folder.path()));
+  const auto again = load(read_scene(folder / "again.sonde.json").fixed, 1);
+  EXPECT_NEAR(again->mass.measure, fixed->mass.measure, 1e-12);
+  EXPECT_TRUE(inside(*again, {-0.9, 0, 0}));
+}
+
+TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
+  EXPECT_THAT(complaint("[]"), HasSubstr("s.sonde.json:1: \"fixed\" has no parts"));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off"}, {"mesh": "box.off"}])"),
+              HasSubstr("two parts are named \"box.off\""));
+  EXPECT_THAT(complaint("[{\"mesh\": \"box.off\"},\n{\"mesh\": \"gone.off\"}]"),
+              HasSubstr("s.sonde.json:2: \"mesh\" names"));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off", "colour": 3}])"), HasSubstr("colour"));
+  EXPECT_THAT(complaint(R"([{"name": "", "mesh": "box.off"}])"), HasSubstr("\"name\" is empty"));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off", "model": "surface"},
+                            {"mesh": "ring.off"}])"),
+              HasSubstr("cannot be a surface"));
+  EXPECT_THAT(complaint(R"({"name": "one", "mesh": "box.off"})"), HasSubstr("name"));
+}
+
+TEST_F(SceneParts, paths_out_of_a_folder_are_found_in_every_part) {
+  folder.write("out.sonde.json", R"({"probe": {"mesh": "box.off"}, "fixed": [
+    {"mesh": "box.off"}, {"mesh": "../elsewhere.off"}]})");
+  EXPECT_EQ(paths_out_of(folder.path(), folder / "out.sonde.json").size(), 1u);
+}
+
+}  // namespace
+}  // namespace sonde
