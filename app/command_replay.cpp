@@ -12,6 +12,7 @@
 #include "app/recordings.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
+#include "engine/queries/pair_queries.hpp"
 #include "engine/recording/loop_run.hpp"
 #include "engine/recording/recording.hpp"
 #include "engine/recording/recording_writer.hpp"
@@ -32,6 +33,7 @@ struct ReplayOptions {
   std::string trajectory;
   std::string record;
   bool as_recorded = false;
+  bool clearance = false;  ///< a column with the room between the bodies
   std::string coupling_mode;
   SettingValues coupling;
   SettingValues servo;
@@ -45,6 +47,17 @@ constexpr std::array<Column, 31> replay_columns{
      {"tz", "N*m"},     {"depth", "m"},    {"sigma", "m^2"}, {"contacts", ""}, {"iterations", ""},
      {"tick_us", "us"}, {"saturated", ""}, {"late", ""},     {"jumped", ""},   {"converged", ""},
      {"released", "J"}}};
+
+std::vector<Column> with_clearance(const ReplayOptions& options, std::vector<Column> columns) {
+  if (options.clearance) columns.push_back({"clearance", "m"});
+  return columns;
+}
+
+/// The room at a tick: less than zero, by the depth, where the probe is held.
+Cell clearance_cell(const Pair& pair, const Separation& s) {
+  if (s.status == Status::failed) return {};
+  return s.status == Status::penetrating ? -s.depth : distance(pair, s.device).distance;
+}
 
 /// What the tick let go; none where no energy of the coupling is defined by the separation.
 enum class Released { known, unknown };
@@ -100,7 +113,8 @@ class Results {
       : options_(options),
         scene_(scene),
         accuracy_(accuracy),
-        columns_(with_phases(options.phases, accuracy.with_claims(replay_columns))),
+        columns_(with_clearance(options,
+                                with_phases(options.phases, accuracy.with_claims(replay_columns)))),
         table_{{columns_, scene.probe.offset}, {}},
         header_(std::move(header)),
         log_(header_.probe_radius, header_.rate_hz) {
@@ -110,6 +124,8 @@ class Results {
 
   /// What is said of the bodies.
   void remark(std::vector<std::string> remarks) { table_.head.remarks = std::move(remarks); }
+  /// Between what the room is measured, where that is asked for.
+  void measure(const Pair& pair) { pair_ = pair; }
 
   void add(const Snapshot& tick) {
     if (tick.separation.status == Status::failed)
@@ -117,6 +133,8 @@ class Results {
     table_.rows.push_back(row_of(tick, scene_.servo.rate_hz, Released::known));
     accuracy_.append_claim(table_.rows.back(), tick.separation);
     append_phases(options_.phases, table_.rows.back(), tick.separation);
+    if (options_.clearance)
+      table_.rows.back().push_back(clearance_cell(pair_.value(), tick.separation));
     picture_.add(tick.separation, tick.tick_us);
     if (!options_.record.empty()) log_.add(tick);
   }
@@ -139,6 +157,7 @@ class Results {
   const ReplayOptions& options_;
   const Scene& scene_;
   const Accuracy& accuracy_;
+  std::optional<Pair> pair_;
   std::vector<Column> columns_;
   ResultTable table_;
   std::vector<std::pair<std::size_t, Separation>> failures_;
@@ -287,6 +306,7 @@ void run(const ReplayOptions& options) {
   solver.time_phases = options.phases.timed();
   Results results(options, scene, accuracy, std::move(header));
   results.remark(remarks_on(pair));
+  results.measure(pair);
   if (solver.coherent())
     run_in_step(pair, job, solver, progress, results);
   else
@@ -307,10 +327,14 @@ Command add_replay_command(CLI::App& program) {
       "scene file, NAME.sonde.json; or a recording, whose path and gains are run again");
   auto* record = parser->add_option("--record", options->record,
                                     "recording to write, whole or not at all: NAME.sonderec");
+  auto* clearance = parser->add_flag(
+      "--clearance", options->clearance,
+      "a column with the least distance of the bodies, less than zero, by the depth, where held");
   parser
       ->add_flag("--as-recorded", options->as_recorded,
                  "the ticks of a recording as they were: nothing is run again, no mesh is read")
-      ->excludes(record);
+      ->excludes(record)
+      ->excludes(clearance);
   parser->add_option("--trajectory", options->trajectory,
                      "CSV t,px,py,pz,qw,qx,qy,qz in SI units; without it the scene's own");
   add_flags(*parser, options->solver, "coherent");

@@ -2,8 +2,11 @@
 #include "app/mesh_report.hpp"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/offset/offset_faces.hpp"
+#include "engine/penetration/search/clearance_of.hpp"
+#include "engine/penetration/search/trivial_separation.hpp"
 #include "engine/text/length_text.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
@@ -178,12 +181,26 @@ Json json_of(const MeshReport& report) {
   return json;
 }
 
+/// Of two meshes, as they lie in their files.
+std::optional<Clearance> room_between(const std::vector<MeshReport>& reports) {
+  if (reports.size() != 2) return std::nullopt;
+  const Body &first = reports[0].body, &second = reports[1].body;
+  const auto apart = trivial_separation(first, second, Pose());
+  if (apart && apart->status == Status::failed) return std::nullopt;
+  return clearance_of(first, second, Pose(), !apart);
+}
+
 }  // namespace
 
 std::string to_text(const std::vector<MeshReport>& reports) {
   std::string text;
   for (const MeshReport& report : reports)
     text.append(text.empty() ? "" : "\n").append(text_of(report));
+  if (const auto room = room_between(reports))
+    text += "\nas they lie in their files\n  " +
+            (room->overlapping ? std::string("they touch or overlap")
+                               : "apart           " + number_text(room->distance, 6) + " m") +
+            "\n";
   return text;
 }
 
@@ -193,6 +210,14 @@ std::string to_json(const std::vector<MeshReport>& reports) {
                    {"radius", "m"},   {"bounds", "m"}, {"offset", "m"}};
   json["meshes"] = Json::array();
   for (const MeshReport& report : reports) json["meshes"].push_back(json_of(report));
+  if (const auto room = room_between(reports)) {
+    const auto point = [](const Vec3& x) { return Json{x.x(), x.y(), x.z()}; };
+    json["units"]["clearance"] = "m";
+    json["clearance"] = {{"distance", room->distance},
+                         {"overlapping", room->overlapping},
+                         {"on_first", point(room->on_probe)},
+                         {"on_second", point(room->on_fixed)}};
+  }
   // A file's name may be no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

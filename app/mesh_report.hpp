@@ -14,9 +14,10 @@ struct MeshReport {
   const Body& body;
 };
 
-/// For the user: one block for each mesh, six digits, with units.
+/// For the user: one block for each mesh, six digits, with units; of two meshes, how far they are
+/// apart as they lie.
 std::string to_text(const std::vector<MeshReport>& reports);
-/// {"units": {...}, "meshes": [{...}, ...]}, every digit.
+/// {"units": {...}, "meshes": [{...}, ...]}, every digit; of two meshes also "clearance".
 std::string to_json(const std::vector<MeshReport>& reports);
 
 }  // namespace sonde::app

@@ -11,6 +11,19 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Info = AppTest;
 
+// Reference: boxes whose faces are 0.05 apart, and one in the other.
+TEST_F(Info, two_meshes_are_told_how_far_apart_they_lie) {
+  folder.write("away.obj", "v 0.15 0 0\nv 0.15 1 0\nv 0.15 0 1\nf 1 2 3\n");
+  const json apart = json::parse(expect_done("info --json large.off away.obj").out);
+  EXPECT_NEAR(apart.at("clearance").at("distance").get<double>(), 0.05, 1e-12);
+  EXPECT_FALSE(apart.at("clearance").at("overlapping").get<bool>());
+  EXPECT_THAT(expect_done("info large.off away.obj").out,
+              testing::HasSubstr("apart           0.05 m"));
+  EXPECT_THAT(expect_done("info large.off small.off").out,
+              testing::HasSubstr("they touch or overlap"));
+  EXPECT_FALSE(json::parse(expect_done("info --json large.off").out).contains("clearance"));
+}
+
 TEST_F(Info, text_has_numbers_and_units) {
   const Outcome run = expect_done("info small.off large.off");
   EXPECT_EQ(run.err, "");

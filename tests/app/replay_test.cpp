@@ -21,6 +21,17 @@ class Replay : public AppTest {
   static constexpr double deepest = 0.019;
 };
 
+// Reference: boxes that face each other come nearer by 1 mm a tick.
+TEST_F(Replay, clearance_falls_through_zero_to_less_than_it) {
+  const Csv csv(expect_done("replay boxes.sonde.json --clearance").out);
+  EXPECT_THAT(csv.header, testing::EndsWith(",clearance"));
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const double gap = csv.number(i, "px") - 0.15;
+    EXPECT_NEAR(csv.number(i, "clearance"), gap, gap > 0 ? 1e-12 : 1e-3 * std::abs(gap) + 1e-7)
+        << i;
+  }
+}
+
 TEST_F(Replay, one_row_for_each_row_of_the_path) {
   const Csv csv = replay("boxes.sonde.json");
   EXPECT_EQ(csv.header, replay_header);
