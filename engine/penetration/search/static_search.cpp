@@ -39,6 +39,15 @@ Searched searched(const Pair& pair, const Pose& device, const StaticOptions& opt
   return with_work(found, search.sketches_made());
 }
 
+/// A search is several, one after the other, each of which begins at 0.
+Progress never_falling(const Progress& progress) {
+  if (!progress) return {};
+  return [&progress, most = 0.0](double fraction) mutable {
+    most = std::max(most, fraction);
+    return progress(most);
+  };
+}
+
 }  // namespace
 
 Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptions& options,
@@ -56,7 +65,8 @@ Separation separate_static(const Pair& pair, const Pose& X_FM, const StaticOptio
     return *touching;
   }
   const double kept = options.want_lower_bound ? std::clamp(options.share_for_bound, 0.0, 1.0) : 0;
-  auto [out, work] = searched(pair, device, options, tuning, deadline.part(1 - kept), progress);
+  auto [out, work] =
+      searched(pair, device, options, tuning, deadline.part(1 - kept), never_falling(progress));
   const bool in_time = options.whole_bound || options.share_for_bound > 0 ||
                        !deadline.passed(tuning.least_us_for_bound);
   if (options.want_lower_bound && in_time && out.status == Status::penetrating) {
