@@ -23,7 +23,7 @@ QString words_of(const std::string& reason) {
       {"stability", "stability"},
       {"saturation", "saturation: the motors can give no more"},
       {"chatter", "chatter: more would buzz"},
-      {"fidelity", "fidelity: more would be too far from Hooke's law"},
+      {"fidelity", "fidelity: more would be too far from the spring and damper commanded"},
       {"friction", "stability without friction, which may be less than the profile says"},
       {"knocks", "stability at knocks of up to four times the strength"},
       {"driver", "the largest stiffness that the device's driver takes"},

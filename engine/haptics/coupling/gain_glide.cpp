@@ -27,16 +27,17 @@ void GainGlide::set(const Coupling& wanted) noexcept {
   }
   from_ = blend_.now;
   to_ = wanted;
-  since_ = 0;
+  share_ = 0;
   there_ = false;
 }
 
-const GainGlide::Blend& GainGlide::next(double dt) noexcept {
+const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
   if (there_) return blend_;
-  since_ += dt > 0 ? dt : 0;
-  there_ = since_ >= time_;
+  const double step = dt > 0 ? dt : 0;
+  share_ += std::min(time_ > 0 ? step / time_ : 1, most);
+  there_ = share_ >= 1 - 1e-12;  // as many steps as the time has
   blend_ = {.now = to_, .before = to_};
-  if (!there_) blend(since_ / time_);
+  if (!there_) blend(share_);
   if (!next_) return blend_;
   for (double Coupling::*limit : limits)
     blend_.now.*limit = std::min(blend_.now.*limit, (*next_).*limit);

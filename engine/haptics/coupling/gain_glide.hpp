@@ -11,7 +11,8 @@ namespace sonde {
 /// so gains that jump would knock at the hand. Stiffness, damping, and limits that rise move in a
 /// straight line over `time`; limits that fall act at once. The gains of another mode have another
 /// meaning: there the wrench moves, in the same time, from the wrench of the old mode to that of
-/// the new one. Changes during that time wait for its end, except limits that fall.
+/// the new one. Changes during that time wait for its end, except limits that fall. It may go more
+/// slowly, so that the force does not move faster than a hand can bear.
 class GainGlide {
  public:
   struct Blend {
@@ -28,14 +29,17 @@ class GainGlide {
   void restart(const Coupling& coupling) noexcept;
   /// Starts a glide from the present gains; the newest call wins.
   void set(const Coupling& wanted) noexcept;
-  /// The gains dt (s) later.
-  const Blend& next(double dt) noexcept;
+  /// The gains dt (s) later; no more than `most` of the way, a share, is made of it.
+  const Blend& next(double dt, double most = 1) noexcept;
+  /// The ends of the way; the same where there is none to go.
+  const Coupling& from() const noexcept { return there_ ? to_ : from_; }
+  const Coupling& to() const noexcept { return to_; }
 
  private:
   void blend(double share) noexcept;
 
   double time_;
-  double since_ = 0;  ///< s since the glide began
+  double share_ = 0;  ///< of the way that is made
   bool there_ = true;
   Coupling from_, to_;
   std::optional<Coupling> next_;  ///< the newest change that waits for the end of a change of mode

@@ -17,6 +17,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       least_stall_(settings.safety.stalled_after),
       stalled_after_(least_stall_),
       force_error_(settings.safety.force_error),
+      of_hand_(settings.safety.change_rate),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
       runaway_(settings.safety.runaway_speed, settings.safety.runaway_turn),
@@ -92,6 +93,29 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
                    of_hand(turn, sample.device->turn_ratio), dt, pushed());
 }
 
+/// Only a known device can be thrown.
+void HandLoop::set_change_rate(const HandSample& sample) noexcept {
+  const Coupling& c = coupler_.coupling();
+  rate_ = {.force = 0, .torque = 0};
+  if (sample.device && !sample.trial)
+    rate_ = change_rate_at_probe(of_hand_, c.max_force, c.max_torque, sample.device->ratio,
+                                 sample.device->turn_ratio);
+  gate_.set_change_rate(rate_);
+}
+
+double HandLoop::most_of_glide(const GainGlide& glide, double dt) const noexcept {
+  const Separation& s = out_.separation;
+  if (s.status != Status::penetrating || !pushed()) return 1;
+  const auto spring = [&](const Coupling& c) {
+    if (c.mode == Coupling::Mode::object)
+      return object_norm_wrench(mass_, s.device, s.separated, c.k);
+    return classic_wrench(separation_motion(mass_, s.device, s.separated), Vec3::Zero(),
+                          Vec3::Zero(), c);
+  };
+  const Wrench from = spring(glide.from()), to = spring(glide.to());
+  return share_of_change({to.force - from.force, to.torque - from.torque}, rate_, dt > 0 ? dt : 0);
+}
+
 bool HandLoop::pushed() const noexcept {
   return !out_.wrench.force.isZero(0) || !out_.wrench.torque.isZero(0);
 }
@@ -120,6 +144,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
                                const Clock& clock, Withheld why) noexcept {
   if (std::exchange(resting_, false)) resumed_ = clock.now;
   follow(sample, clock.dt);
+  set_change_rate(sample);
   passivity_.set_device(sample.device);
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);

@@ -59,6 +59,10 @@ class HandLoop {
   void set_coupling(const Coupling& coupling) noexcept { coupler_.set_coupling(coupling); }
   void set_coupling(const GainGlide::Blend& blend) noexcept { coupler_.set_coupling(blend); }
 
+  /// The share of the way to other gains that a step of time (s) may make in the present contact,
+  /// of a hand on a known device: see ChangeRate.
+  double most_of_glide(const GainGlide& glide, double dt) const noexcept;
+
   void set_rate(double rate_hz) noexcept;
   void set_passivity_control(bool on) noexcept { passivity_.set_control(on); }
 
@@ -89,6 +93,7 @@ class HandLoop {
   /// allowed.
   bool unsettled(const Separation& found) const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
+  void set_change_rate(const HandSample& sample) noexcept;
   /// The wrench of a hand that is being measured, past the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
@@ -97,9 +102,11 @@ class HandLoop {
 
   MassProperties mass_;
   Method method_;
-  double least_stall_;    ///< s, of the settings
-  double stalled_after_;  ///< s, at this rate
-  double force_error_;    ///< N
+  double least_stall_;                        ///< s, of the settings
+  double stalled_after_;                      ///< s, at this rate
+  double force_error_;                        ///< N
+  ChangeRate of_hand_;                        ///< of the settings
+  ChangeRate rate_{.force = 0, .torque = 0};  ///< at the probe, of the hand of the last tick
   Coupler coupler_;
   Passivity passivity_;
   Runaway runaway_;

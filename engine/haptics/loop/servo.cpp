@@ -159,7 +159,8 @@ class Servo::State::Run {
                                 .now = static_cast<double>(begin - start_) * 1e-9,
                                 .dt = static_cast<double>(since) * 1e-9};
     if (s_.couplings.update()) s_.glide.set(s_.couplings.front());
-    const GainGlide::Blend& gains = s_.glide.next(clock.dt);
+    const GainGlide::Blend& gains =
+        s_.glide.next(clock.dt, s_.loop.most_of_glide(s_.glide, clock.dt));
     s_.loop.set_coupling(gains);
     snapshot_.coupling = gains.now;
     const HandSample hand = sample(begin);

@@ -57,6 +57,11 @@ void ForceGate::restart() noexcept {
   slewed_ = false;
 }
 
+double ForceGate::rise(const Wrench& wanted, double step) const noexcept {
+  const double by_time = settings_.ramp_time > 0 ? step / settings_.ramp_time : 1;
+  return std::min(by_time, share_of_change(wanted, rate_, step));
+}
+
 Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
                        double dt) noexcept {
   const bool finite = wanted.force.allFinite() && wanted.torque.allFinite();
@@ -71,7 +76,7 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   if (fades)
     share_ = settings_.fade_time > 0 ? std::max(0.0, share_ - step / settings_.fade_time) : 0;
   else if (pushes && share_ < 1)
-    share_ = settings_.ramp_time > 0 ? std::min(1.0, share_ + step / settings_.ramp_time) : 1;
+    share_ = std::min(1.0, share_ + rise(wanted, step));
   Wrench out = wanted;
   out.force *= share_;
   out.torque *= share_;

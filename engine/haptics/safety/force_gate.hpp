@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/safety/change_rate.hpp"
 
 namespace sonde {
 
@@ -24,7 +25,8 @@ enum class Withheld {
 const char* words(Withheld why);
 
 struct SafetySettings {
-  double ramp_time = 0.3;       ///< s in contact, until the force is whole
+  double ramp_time = 0.3;       ///< s in contact, until the force is whole, at the least
+  ChangeRate change_rate = {};  ///< of the hand that holds a known device
   double force_slew = 5000;     ///< N/s, largest change of the force; 0: no limit
   double torque_slew = 250;     ///< N·m/s
   double stalled_after = 0.02;  ///< s, age of the rows
@@ -57,6 +59,8 @@ class ForceGate {
   Wrench pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
               double dt) noexcept;
   void restart() noexcept;  ///< the next force rises from zero
+  /// How fast the ramp may raise a wrench, at the probe; at first there is no limit but its time.
+  void set_change_rate(const ChangeRate& rate) noexcept { rate_ = rate; }
 
   Withheld withheld() const noexcept { return withheld_; }  ///< of the last wrench
   double share() const noexcept {
@@ -65,7 +69,11 @@ class ForceGate {
   bool slewed() const noexcept { return slewed_; }  ///< a slew limit acted
 
  private:
+  /// What the ramp lets through more of a wrench after a step, s: a share.
+  double rise(const Wrench& wanted, double step) const noexcept;
+
   SafetySettings settings_;
+  ChangeRate rate_{.force = 0, .torque = 0};
   Wrench last_;
   Withheld withheld_ = Withheld::nothing;
   double share_ = 0;

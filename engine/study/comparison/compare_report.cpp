@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/study/charts/svg_chart.hpp"
+#include "engine/study/comparison/claims.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -230,8 +231,19 @@ std::string summary_json(const Comparison& c) {
     pdg[m.key] = number_or_null(m.of(c.of_pdg));
   }
   for (const Claim& claim : claims) said[claim.key] = name_of(claim.verdict(c));
-  const Json all{{"scene", c.scene}, {"stiffness", c.stiffness}, {"units", units}, {"pdt", pdt},
-                 {"pdg", pdg},       {"pdg_claims", said}};
+  Json tested = Json::object();
+  for (const TestedClaim& claim : tested_claims(c))
+    tested[claim.key] = {{"finding", name_of(claim.finding)},
+                         {"for", claim.for_it},
+                         {"against", claim.against_it},
+                         {"chance", claim.chance}};
+  const Json all{{"scene", c.scene},
+                 {"stiffness", c.stiffness},
+                 {"units", units},
+                 {"pdt", pdt},
+                 {"pdg", pdg},
+                 {"pdg_claims", said},
+                 {"pdg_claims_tested", tested}};
   return all.dump(2) + "\n";
 }
 
@@ -257,6 +269,11 @@ std::string summary_md(const Comparison& c) {
   out += "\n| of PD_g, as compared with PD_t | |\n|---|---|\n";
   for (const Claim& claim : claims)
     out += std::string("| ") + claim.claim + " | " + name_of(claim.verdict(c)) + " |\n";
+  out += "\n| of PD_g, tested | | for | against | chance |\n|---|---|---:|---:|---:|\n";
+  for (const TestedClaim& claim : tested_claims(c))
+    out += std::string("| ") + claim.claim + " | " + name_of(claim.finding) + " | " +
+           std::to_string(claim.for_it) + " | " + std::to_string(claim.against_it) + " | " +
+           number_text(claim.chance, 2) + " |\n";
   return out;
 }
 

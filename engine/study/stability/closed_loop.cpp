@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/stability/closed_loop.hpp"
 
+#include <cmath>
+
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 
 namespace sonde {
 
@@ -18,7 +21,20 @@ void ClosedLoop::reset(const Pose& X_FM, const StaticOptions& options) {
 
 void ClosedLoop::step(const Pose& X_FH, const Wrench& push) noexcept {
   loop_.tick(device_.measured() * X_DM_, setup_.sample_time, setup_.budget);
-  device_.step(loop_.wrench(), X_FH * inverse(X_DM_), push);
+  const Vec3 phi = rotation_vector(device_.state().X_WD.q * X_FH.q.conjugate());
+  device_.step(loop_.wrench(), X_FH * inverse(X_DM_), push_as_turned(push, phi));
+}
+
+Wrench push_as_turned(const Wrench& push, const Vec3& phi) {
+  // The inverse of the transpose of the rotation vector's Jacobian.
+  constexpr double too_far = 3;  // rad
+  const double angle = phi.norm();
+  if (angle > too_far) return push;
+  const double second =
+      angle < 1e-3 ? 1.0 / 12
+                   : 1 / (angle * angle) - (1 + std::cos(angle)) / (2 * angle * std::sin(angle));
+  const Vec3 across = phi.cross(push.torque);
+  return {push.force, push.torque + across / 2 + second * phi.cross(across)};
 }
 
 Wrench spring_wrench(const MassProperties& mass, const Separation& s, const Coupling& coupling) {
@@ -27,6 +43,17 @@ Wrench spring_wrench(const MassProperties& mass, const Separation& s, const Coup
     return object_norm_wrench(mass, s.device, s.separated, coupling.k);
   return classic_wrench(separation_motion(mass, s.device, s.separated), Vec3::Zero(), Vec3::Zero(),
                         coupling);
+}
+
+Wrench commanded_wrench(const MassProperties& mass, const Separation& s,
+                        const std::optional<SeparationMotion>& before, double sample_time,
+                        const Coupling& coupling) {
+  const Wrench spring = spring_wrench(mass, s, coupling);
+  const bool damped = coupling.mode == Coupling::Mode::classic && before && !s.jumped;
+  if (!damped || s.status != Status::penetrating) return spring;
+  const SeparationMotion now = separation_motion(mass, s.device, s.separated);
+  return classic_wrench(now, (now.t - before->t) / sample_time,
+                        (now.theta - before->theta) / sample_time, coupling);
 }
 
 double kinetic_energy(const SimulatedDeviceParameters& device, const HandleState& state) {

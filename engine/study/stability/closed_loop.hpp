@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
 
@@ -31,8 +33,8 @@ class ClosedLoop {
 
   /// Runs one sample: the pose from the encoders, the tick, the wrench to the motors, and the
   /// handle until the next sample. X_FH is the hand's target for the probe's mesh frame by then;
-  /// `push` is the hand's wrench beside its spring, about the centre of mass. No allocation, lock,
-  /// log, throw.
+  /// `push` is the hand's wrench beside its spring, about the centre of mass, as it is where the
+  /// handle is not turned from that target (push_as_turned). No allocation, lock, log, throw.
   void step(const Pose& X_FH, const Wrench& push = {}) noexcept;
 
   /// The true pose of the mesh frame, not the encoders' reading.
@@ -48,10 +50,23 @@ class ClosedLoop {
   SimulatedDevice device_;
 };
 
+/// A push whose torque conserves energy: that of the potential −τ·φ, with φ the rotation vector
+/// from the hand's target to the handle, as a spring has it. (A torque that keeps its direction
+/// while the handle turns has no potential. It gives ½ τ·∮φ×dφ to whatever whirls about it, without
+/// end.) Beyond 3 rad, where φ soon ends, it keeps its direction.
+Wrench push_as_turned(const Wrench& push, const Vec3& phi);
+
 /// Hooke's law at a separation: the spring's part of the coupling, before limits and without
 /// damping. Zero out of contact.
 Wrench spring_wrench(const MassProperties& mass, const Separation& separation,
                      const Coupling& coupling);
+
+/// What a coupling commands, before limits: Hooke's law and its damper on the rate of the
+/// separation. `before` is the separation a sample_time (s) earlier: none, out of contact or where
+/// this one jumped, there is no rate.
+Wrench commanded_wrench(const MassProperties& mass, const Separation& separation,
+                        const std::optional<SeparationMotion>& before, double sample_time,
+                        const Coupling& coupling);
 
 /// Kinetic energy of the handle, J.
 double kinetic_energy(const SimulatedDeviceParameters& device, const HandleState& state);

@@ -66,9 +66,16 @@ class Observer {
     count_breaks(mass, s, hooke);
     touched_ |= s.status == Status::penetrating;
     if (touched_) {
-      force_.add(motors.force, hooke.force);
-      torque_.add(motors.torque, hooke.torque);
+      const Wrench commanded =
+          commanded_wrench(mass, s, before_, setup.sample_time, setup.coupling);
+      force_.add(motors.force, commanded.force);
+      torque_.add(motors.torque, commanded.torque);
     }
+    before_ = s.status == Status::failed
+                  ? std::nullopt
+                  : std::optional(s.status == Status::penetrating
+                                      ? separation_motion(mass, s.device, s.separated)
+                                      : SeparationMotion{});
     if (tick >= times_.first) look_at_hold(tick, before, s, motors);
   }
 
@@ -126,6 +133,7 @@ class Observer {
   const Timetable& times_;
   HoldReport out_;
   Error force_, torque_;
+  std::optional<SeparationMotion> before_;
   std::vector<Vec6> hold_;
   double energy_[2] = {0, 0};
   RenderedTick last_;

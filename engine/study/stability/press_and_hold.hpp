@@ -32,8 +32,8 @@ struct HoldReport {
   double work = 0;          ///< J, of the motors on the handle over both windows
   double chatter = 0;       ///< chatter_index at the hold
   double saturation = 0;    ///< share of the ticks at the hold at which the coupling's limits acted
-  double force_error = 0;   ///< motors against Hooke's law: rms difference over rms force, from the
-                            ///< first contact to the end
+  double force_error = 0;   ///< motors against the spring and damper commanded: rms difference over
+                            ///< rms force, from the first contact to the end
   double torque_error = 0;  ///< the same of torques
   double depth = 0;         ///< m, mean at the hold
   double contact = 0;       ///< share of the ticks at the hold that are in contact

@@ -18,8 +18,9 @@ const char* name_of(GainAxis axis);
 /// The faults that end the range of useful stiffness in a hold.
 enum class HoldFault { none, unstable, saturated, chattering, unfaithful };
 const char* name_of(HoldFault fault);
-/// Unfaithful: motors further than fidelity_limit from Hooke's law, in the torque where rotation is
-/// swept, in the worse of both where all gains are, else in the force. The worst fault is named.
+/// Unfaithful: motors further than fidelity_limit from what is commanded, in the torque where
+/// rotation is swept, in the worse of both where all gains are, else in the force. The worst fault
+/// is named.
 HoldFault fault_of(const HoldReport& report, GainAxis axis);
 /// A hand tells a difference of 7 to 10 % in force (Jones, 1989; Pang, Tan and Durlach, 1991).
 constexpr double fidelity_limit = 0.1;

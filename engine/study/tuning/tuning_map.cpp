@@ -251,7 +251,7 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
 /// The error of the wrench in every situation, without damping.
 ChartPanel fidelity_panel(const TuningResults& results, GainAxis axis, bool turns) {
   ChartPanel panel;
-  panel.title = turns ? "Torque against Hooke's law" : "Force against Hooke's law";
+  panel.title = turns ? "Torque against what is commanded" : "Force against what is commanded";
   panel.x = {stiffness_label(axis), true};
   panel.y = {turns ? "torque error (share)" : "force error (share)", true};
   for (const TuningLine* line : nominal_lines(results, axis)) {

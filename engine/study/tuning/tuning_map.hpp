@@ -19,7 +19,7 @@ std::string map_csv(const TuningResults& results);
 /// The map as a picture. For the object norm it has a row for each situation and hand over the
 /// stiffness. For the classic coupling it has a panel for all gains together and for each axis
 /// alone, stiffness by damping, with the worst of all situations. It shows the measured and the
-/// theoretical limits, and below them the error of the wrench against Hooke's law.
+/// theoretical limits, and below them the error of the wrench against what is commanded.
 std::string map_svg(const TuningResults& results);
 
 }  // namespace sonde

@@ -135,12 +135,23 @@ Json limiting_assumption(const TuningResults& results, GainAxis axis) {
   return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
 }
 
+/// ζ of the handle against the spring alone, the device's own damping included; null where nothing
+/// is good.
+Json damping_ratio(const TuningResults& results, const AxisGains& gains) {
+  const bool turns = gains.axis == GainAxis::rotation;
+  const auto own = results.device.find(turns ? "rotational_damping" : "damping");
+  if (own == results.device.end() || !(gains.stiffness > 0)) return nullptr;
+  const double inertia = results.device.at(turns ? "inertia" : "mass");
+  return (own->second + gains.damping) / (2 * std::sqrt(gains.stiffness * inertia));
+}
+
 /// What each damping allows: why the recommended one is.
 Json dampings(const TuningResults& results, GainAxis axis) {
   Json out = Json::array();
   for (const AxisGains& gains : recommend_at_each_damping(results, axis))
     out.push_back({{"damping", gains.damping},
                    {"stiffness", gains.stiffness},
+                   {"damping_ratio", damping_ratio(results, gains)},
                    {"boundary", number_or_null(gains.boundary)},
                    {"limited_by", json_of(gains.limit)}});
   return out;

@@ -15,6 +15,7 @@ namespace sonde::test {
 inline HandLoopSettings at_once() {
   HandLoopSettings s;
   s.safety.ramp_time = s.safety.force_slew = s.safety.torque_slew = 0;
+  s.safety.change_rate = {.force = 0, .torque = 0};
   return s;
 }
 

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/base/processor_time.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/settings/device_profile.hpp"
@@ -64,6 +67,41 @@ TEST(ClosedLoop, at_rest_the_motors_balance_the_hand) {
       spring_wrench(s.pair.probe().mass, loop.haptic_loop().separation(), s.coupling);
   EXPECT_NEAR(hooke.force.z(), 400 * loop.haptic_loop().separation().depth, 1e-6);
   EXPECT_LT(kinetic_energy(s.device, loop.device().state()), 1e-10);
+}
+
+/// J of a push's torque on a handle that is turned round a cone of rotation vectors, `apart` from
+/// the target and back to where it began.
+double work_of_whirl(const Wrench& push, double apart, bool as_turned) {
+  constexpr int steps = 20000;
+  double work = 0;
+  const auto at = [&](int i) {
+    const double angle = 2 * EIGEN_PI * i / steps;
+    return Vec3(0.3 + apart * std::cos(angle), apart * std::sin(angle), 0.1);
+  };
+  const auto rotation = [](const Vec3& phi) {
+    return Quat(Eigen::AngleAxisd(phi.norm(), phi.normalized()));
+  };
+  for (int i = 0; i < steps; ++i) {
+    const Vec3 turn = rotation_vector(rotation(at(i + 1)) * rotation(at(i)).conjugate());
+    const Vec3 middle = (at(i) + at(i + 1)) / 2;
+    work += (as_turned ? push_as_turned(push, middle) : push).torque.dot(turn);
+  }
+  return work;
+}
+
+// Reference: the work along a closed path of rotations, summed up; and the potential −τ·φ. A torque
+// of fixed direction gives ½ τ·∮φ×dφ, to second order, which no friction ends.
+TEST(ClosedLoop, a_hands_push_gives_nothing_to_what_whirls) {
+  Wrench push;
+  push.force = {0, 0, -3};
+  push.torque = {0.02, -0.01, 0.1};
+  EXPECT_NEAR(work_of_whirl(push, 0.2, false), 0.1 * EIGEN_PI * 0.2 * 0.2, 1e-3);
+  EXPECT_NEAR(work_of_whirl(push, 0.2, true), 0, 1e-9);
+  EXPECT_NEAR(work_of_whirl(push, 1.5, true), 0, 1e-7);
+  EXPECT_EQ(push_as_turned(push, Vec3::Zero()).torque, push.torque);
+  EXPECT_EQ(push_as_turned(push, {1, 2, 0.5}).force, push.force);
+  // Along its own axis a torque gives what it takes: τ·Δφ.
+  EXPECT_LT((push_as_turned(push, 4 * push.torque).torque - push.torque).norm(), 1e-12);
 }
 
 TEST(ClosedLoop, same_input_same_bits_and_no_allocation_in_a_step) {

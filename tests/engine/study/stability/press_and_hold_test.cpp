@@ -68,6 +68,23 @@ TEST(PressAndHold, beyond_the_eigenvalues_it_grows_and_the_motors_give_energy) {
   EXPECT_GT(above.kinetic, 10 * below.kinetic);
 }
 
+// Damping that is asked for is no error. Reference: motors without delay give what is commanded,
+// and a delay of n ticks is off by what changes in them.
+TEST(PressAndHold, a_damper_that_is_commanded_is_faithful) {
+  ClosedLoopSetup s = box_on_wall(0);
+  s.coupling.mode = Coupling::Mode::classic;
+  s.coupling.k_t = 500;
+  s.coupling.k_r = 1;
+  s.coupling.b_t = 10;
+  Press hard = press(2);
+  hard.knock = 4;
+  const HoldReport r = report(s, hard);
+  EXPECT_TRUE(r.stable);
+  EXPECT_LT(r.force_error, 1e-3);
+  s.device.delay = 3e-3;
+  EXPECT_GT(report(s, hard).force_error, 0.02);
+}
+
 TEST(PressAndHold, limits_that_are_reached_are_seen) {
   ClosedLoopSetup s = box_on_wall(500);
   s.coupling.max_force = 1.9;  // less than the hand pushes: the probe sinks in

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/comparison/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sonde {
+namespace {
+
+constexpr double trial_time = 0.25;  // s
+constexpr double as_good_as_same = 0.02;
+
+/// What a rendering does in one trial.
+struct Trial {
+  double mean_force = 0;
+  double force = 0, torque = 0;  ///< total variation
+  bool in_contact = true;
+};
+
+Trial trial_of(std::span<const RenderedTick> ticks) {
+  Trial out;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const RenderedTick& tick = ticks[i];
+    out.in_contact = out.in_contact && !tick.failed && !tick.force.isZero(0);
+    out.mean_force += tick.force.norm() / double(ticks.size());
+    if (i == 0) continue;
+    out.force += (tick.force - ticks[i - 1].force).norm();
+    out.torque += (tick.torque - ticks[i - 1].torque).norm();
+  }
+  return out;
+}
+
+std::vector<std::pair<Trial, Trial>> trials(const Comparison& c) {
+  const std::size_t ticks = std::min(c.pdt.size(), c.pdg.size());
+  std::vector<std::pair<Trial, Trial>> out;
+  for (std::size_t from = 0; from < ticks;) {
+    std::size_t to = from;
+    while (to < ticks && c.pdt[to].t < c.pdt[from].t + trial_time) ++to;
+    if (to == ticks) break;  // a shorter one is none
+    const auto of = [&](const Rendering& r) {
+      return trial_of(std::span(r).subspan(from, to - from));
+    };
+    const std::pair<Trial, Trial> both{of(c.pdt), of(c.pdg)};
+    if (both.first.in_contact && both.second.in_contact) out.push_back(both);
+    from = to;
+  }
+  return out;
+}
+
+TestedClaim decided(const char* key, const char* claim, int for_it, int against_it) {
+  TestedClaim out{key,    claim,      Finding::undecided,
+                  for_it, against_it, sign_test(for_it, against_it)};
+  if (out.chance < significant)
+    out.finding = for_it > against_it ? Finding::supported : Finding::refuted;
+  return out;
+}
+
+/// PD_g's variation is to be the smaller, at equal forces.
+TestedClaim smoother(const Comparison& c, const char* key, const char* claim,
+                     double Trial::*variation) {
+  int for_it = 0, against_it = 0;
+  for (const auto& [pdt, pdg] : trials(c)) {
+    const double a = pdt.*variation / pdt.mean_force, b = pdg.*variation / pdg.mean_force;
+    if (std::abs(a - b) <= as_good_as_same * std::max(a, b)) continue;
+    ++(b < a ? for_it : against_it);
+  }
+  return decided(key, claim, for_it, against_it);
+}
+
+}  // namespace
+
+const char* name_of(Finding finding) {
+  constexpr std::array names{"supported", "refuted", "undecided"};
+  return names[static_cast<std::size_t>(finding)];
+}
+
+double sign_test(int one, int other) {
+  const int n = one + other, most = std::max(one, other);
+  double chance = 0;
+  for (int k = most; k <= n; ++k)
+    chance += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) -
+                       n * std::log(2.0));
+  return std::min(1.0, 2 * chance);
+}
+
+std::vector<TestedClaim> tested_claims(const Comparison& c) {
+  return {smoother(c, "smoother_force", "its force is smoother, at equal forces", &Trial::force),
+          smoother(c, "smoother_torque", "its torque is smoother, at equal forces", &Trial::torque),
+          decided("fewer_pop_throughs", "it pops through less",
+                  c.of_pdt.discontinuities.pop_throughs, c.of_pdg.discontinuities.pop_throughs)};
+}
+
+}  // namespace sonde

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/study/comparison/compare.hpp"
+
+namespace sonde {
+
+/// What a test says of a claim. Undecided: the difference may be chance, or nothing was to be seen.
+enum class Finding { supported, refuted, undecided };
+const char* name_of(Finding finding);
+
+/// A claim about PD_g, tested on what could have gone the other way.
+struct TestedClaim {
+  const char* key;
+  const char* claim;
+  Finding finding = Finding::undecided;
+  int for_it = 0, against_it = 0;  ///< trials; those within 2 % of each other count for neither
+  /// Of a split at least as uneven, either way, if both sides were as likely (sign test).
+  double chance = 1;
+};
+
+/// A claim is supported or refuted where the chance is below this.
+constexpr double significant = 0.05;
+
+/// - Smoother force, smoother torque: by the total variation, trial by trial: a quarter of a second
+///   in which both are in contact all the time. Both renderings are scaled to the same mean force
+///   in it, since a softer one is not a smoother one; the torque goes with its force.
+/// - Fewer pop-throughs: each is a trial.
+std::vector<TestedClaim> tested_claims(const Comparison& comparison);
+
+/// The chance, if each were as likely, that of their sum at least as many fall on one side.
+double sign_test(int one, int other);
+
+}  // namespace sonde

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Renderings made up by hand, of which it is known who is smoother; the sign test by its sums.
+#include "engine/study/comparison/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/geometry/random.hpp"
+
+namespace sonde {
+namespace {
+
+/// Four seconds in contact, at a stated size, that trembles by a share of it.
+Rendering rubbing(double size, double share, std::uint64_t seed = 1) {
+  Random random(seed);
+  Rendering out;
+  for (int i = 0; i <= 4000; ++i) {
+    RenderedTick tick;
+    tick.t = 0.001 * i;
+    tick.force = size * Vec3(std::sin(0.01 * i), 0, 3 + share * random.uniform(-1, 1));
+    tick.torque = 0.01 * tick.force;
+    out.push_back(tick);
+  }
+  return out;
+}
+
+TestedClaim claim_of(const Rendering& pdt, const Rendering& pdg, std::size_t which = 0) {
+  Comparison c;
+  c.pdt = pdt;
+  c.pdg = pdg;
+  return tested_claims(c).at(which);
+}
+
+TEST(Claims, a_smaller_force_is_no_smoother_one) {
+  // By its size alone, the total variation is a third.
+  for (const std::size_t which : {0u, 1u}) {
+    const TestedClaim claim = claim_of(rubbing(3, 0.01), rubbing(1, 0.01), which);
+    EXPECT_EQ(claim.finding, Finding::undecided);
+    EXPECT_EQ(claim.for_it + claim.against_it, 0) << "within 2 %";
+  }
+}
+
+TEST(Claims, what_trembles_less_is_smoother_and_could_have_been_the_other) {
+  const Rendering quiet = rubbing(3, 0.01), trembling = rubbing(1, 0.1);
+  const TestedClaim supported = claim_of(trembling, quiet), refuted = claim_of(quiet, trembling);
+  EXPECT_EQ(supported.finding, Finding::supported);
+  EXPECT_EQ(refuted.finding, Finding::refuted);
+  EXPECT_EQ(supported.for_it, 16) << "quarters of a second";
+  EXPECT_EQ(supported.against_it, 0);
+  EXPECT_LT(supported.chance, 1e-4);
+}
+
+TEST(Claims, what_was_not_seen_is_undecided) {
+  EXPECT_EQ(claim_of({}, {}).finding, Finding::undecided);
+  EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 2).finding, Finding::undecided)
+      << "nobody popped through";
+  Comparison c;
+  c.of_pdt.discontinuities.pop_throughs = 6;
+  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::supported);
+  c.of_pdt.discontinuities.pop_throughs = 5;
+  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::undecided) << "2/32";
+}
+
+TEST(Claims, the_sign_test_sums_up_the_binomial) {
+  EXPECT_NEAR(sign_test(6, 0), 2.0 / 64, 1e-12);
+  EXPECT_NEAR(sign_test(5, 1), 2 * 7.0 / 64, 1e-12);
+  EXPECT_NEAR(sign_test(9, 3), 2 * (220 + 66 + 12 + 1) / 4096.0, 1e-12);
+  EXPECT_EQ(sign_test(3, 3), 1);
+  EXPECT_EQ(sign_test(0, 0), 1);
+}
+
+}  // namespace
+}  // namespace sonde
