@@ -200,7 +200,7 @@ void SeeingControl::choose_contact(std::uint64_t id) {
 }
 
 void SeeingControl::look_from(const Vec3& direction, const Vec3& up) {
-  const double distance = (viewport_.camera().eye() - viewport_.camera().target()).norm();
+  const double distance = viewport_.camera().distance();
   viewport_.camera().look_at(viewport_.camera().target(), direction, up, distance);
   viewport_.fit();
 }

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -15,9 +16,7 @@ namespace sonde::ui {
 namespace {
 
 constexpr double wheel_step = 0.02;  // of the probe's radius, a notch
-constexpr double nudge_step = 0.01;  // of the probe's radius, a key
-constexpr double nudge_turn = 2 * std::numbers::pi / 180;
-constexpr double notch = 120;  // Qt's units of a wheel's click
+constexpr double notch = 120;        // Qt's units of a wheel's click
 constexpr double zoom_per_notch = 1.15;
 constexpr double roll_dead_zone = 12;  // pixels; nearer to the centre the angle is all noise
 
@@ -151,36 +150,36 @@ bool MouseProbe::wheel(const QWheelEvent& event) {
   return true;
 }
 
-bool MouseProbe::key(const QKeyEvent& event) {
+/// Right, up, and to where Page Up goes, in the columns: in the picture that is away from the eye.
+Mat3 MouseProbe::nudge_axes() const {
+  if (nudge_.axes == Nudge::Axes::fixed) return Mat3::Identity();
+  if (nudge_.axes == Nudge::Axes::probe) return pose_.q.toRotationMatrix();
   const ViewAxes view = viewport_.camera().axes();
-  Vec3 shift, turn;
-  switch (event.key()) {
-    case Qt::Key_Left:
-      shift = -view.right, turn = -view.up;
-      break;
-    case Qt::Key_Right:
-      shift = view.right, turn = view.up;
-      break;
-    case Qt::Key_Up:
-      shift = view.up, turn = -view.right;
-      break;
-    case Qt::Key_Down:
-      shift = -view.up, turn = view.right;
-      break;
-    case Qt::Key_PageUp:
-      shift = -view.towards, turn = view.towards;
-      break;
-    case Qt::Key_PageDown:
-      shift = view.towards, turn = -view.towards;
-      break;
-    default:
-      return false;
-  }
+  Mat3 axes;
+  axes << view.right, view.up, -view.towards;
+  return axes;
+}
+
+bool MouseProbe::key(const QKeyEvent& event) {
+  struct Key {
+    int key;
+    Eigen::Index axis;
+    int sign;
+  };
+  static constexpr Key keys[] = {{Qt::Key_Left, 0, -1},     {Qt::Key_Right, 0, 1},
+                                 {Qt::Key_Down, 1, -1},     {Qt::Key_Up, 1, 1},
+                                 {Qt::Key_PageDown, 2, -1}, {Qt::Key_PageUp, 2, 1}};
+  const auto* const pressed = std::ranges::find(keys, event.key(), &Key::key);
+  if (pressed == std::end(keys)) return false;
+  const Mat3 axes = nudge_axes();
+  const Vec3 along = pressed->sign * axes.col(pressed->axis);
   step([&] {
-    if (event.modifiers() & Qt::ShiftModifier)
-      rotate(turn * nudge_turn * gain_);
-    else
-      translate(shift * nudge_step * mass_.radius * gain_);
+    if (!(event.modifiers() & Qt::ShiftModifier)) return translate(along * nudge_.step);
+    if (nudge_.axes != Nudge::Axes::picture) return rotate(along * nudge_.turn);
+    // In the picture what faces the eye goes where the arrow points: about the other axis.
+    const Vec3 about[] = {pressed->sign * axes.col(1), -pressed->sign * axes.col(0),
+                          -pressed->sign * axes.col(2)};
+    rotate(about[pressed->axis] * nudge_.turn);
   });
   return true;
 }

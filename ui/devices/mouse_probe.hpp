@@ -8,6 +8,7 @@
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
+#include "ui/devices/nudge.hpp"
 #include "ui/document/handles.hpp"
 
 class QKeyEvent;
@@ -30,6 +31,8 @@ class MouseProbe : public QObject {
   /// Takes over a probe at its present pose.
   void take(const MassProperties& mass, const Pose& X_FM);
   void set_gain(double gain) { gain_ = gain; }
+  /// What keys do; the gain is that of the mouse alone.
+  void set_nudge(const Nudge& nudge) { nudge_ = nudge; }
 
   /// Called with each new device pose X_FM.
   std::function<void(const Pose&)> moved;
@@ -45,6 +48,7 @@ class MouseProbe : public QObject {
   bool drag(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  Mat3 nudge_axes() const;
   void settle();
   void step(const std::function<void()>& move);
   void drag_probe(QPointF by, QPointF at, Qt::KeyboardModifiers modifiers);
@@ -63,6 +67,7 @@ class MouseProbe : public QObject {
   std::optional<Grip> grip_;    ///< of a handle that is being dragged
   QPointF last_;
   double gain_ = 1;
+  Nudge nudge_;
 };
 
 }  // namespace sonde::ui

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QGroupBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr int digits = 7;
+constexpr double least_angle = 1e-6;  // degrees; less is rounding
 
 /// A field for a number. Letters that are no part of one stay commands of the window, as in the
 /// other docks; Enter gives the keyboard back to the view.
@@ -107,12 +109,77 @@ void PosePanel::build() {
   buttons->addWidget(add("Start from here", "pose_start", start_wanted), 1, 0);
   buttons->addWidget(add("Swap the bodies", "pose_swap", swap_wanted), 1, 1);
   layout->addLayout(buttons);
+  build_nudge(*content, *layout);
   layout->addStretch();
-  connect(unit_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_numbers(); });
+  connect(unit_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    show_numbers();
+    show_nudge();
+  });
   connect(turn_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
     show_labels();
     show_numbers();
   });
+}
+
+void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Arrow keys, Page Up and Page Down"), &content);
+  auto* grid = new QGridLayout(group);
+  nudge_axes_ = new QComboBox(group);
+  nudge_axes_->setObjectName(QStringLiteral("nudge_axes"));
+  nudge_axes_->addItems({QStringLiteral("the picture's axes"),
+                         QStringLiteral("the fixed body's x, y, z"),
+                         QStringLiteral("the probe's x, y, z")});
+  nudge_axes_->setToolTip(QStringLiteral(
+      "Of a body, left and right are -x and x, down and up -y and y, Page Down and Page Up -z and "
+      "z. With Shift the probe turns about that axis."));
+  step_label_ = new QLabel(group);
+  step_ = new NumberField(group);
+  step_->setObjectName(QStringLiteral("nudge_step"));
+  step_turn_ = new NumberField(group);
+  step_turn_->setObjectName(QStringLiteral("nudge_turn"));
+  grid->addWidget(new QLabel(QStringLiteral("along"), group), 0, 0);
+  grid->addWidget(nudge_axes_, 0, 1);
+  grid->addWidget(step_label_, 1, 0);
+  grid->addWidget(step_, 1, 1);
+  grid->addWidget(new QLabel(QStringLiteral("with Shift, °"), group), 2, 0);
+  grid->addWidget(step_turn_, 2, 1);
+  layout.addWidget(group);
+  connect(nudge_axes_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this] { take_nudge(); });
+  for (QLineEdit* field : {step_, step_turn_})
+    connect(field, &QLineEdit::editingFinished, this, [this] { take_nudge(); });
+  show_nudge();
+}
+
+void PosePanel::suggest_step(double metres) {
+  nudge_.step = metres;
+  show_nudge();
+  if (nudge_changed) nudge_changed(nudge_);
+}
+
+/// What is no number above zero changes nothing.
+void PosePanel::take_nudge() {
+  const auto typed = [](const QLineEdit& field, double& value, double unit) {
+    if (!field.isModified()) return;
+    const auto read = parse_number(field.text().trimmed().replace(',', '.').toStdString());
+    if (read && std::isfinite(*read) && *read > 0) value = *read * unit;
+  };
+  nudge_.axes = static_cast<Nudge::Axes>(nudge_axes_->currentIndex());
+  typed(*step_, nudge_.step, unit_in_metres(unit_->currentText().toStdString()).value_or(1));
+  typed(*step_turn_, nudge_.turn, degree);
+  show_nudge();
+  if (nudge_changed) nudge_changed(nudge_);
+}
+
+void PosePanel::show_nudge() {
+  const double unit = unit_in_metres(unit_->currentText().toStdString()).value_or(1);
+  step_label_->setText(QStringLiteral("by, %1").arg(unit_->currentText()));
+  step_->setText(shown(nudge_.step / unit));
+  step_turn_->setText(shown(nudge_.turn / degree));
+}
+
+bool PosePanel::is_angle(std::size_t field) const {
+  return turn() == Turn::roll_pitch_yaw ? field >= 3 : field == 6;
 }
 
 PosePanel::Turn PosePanel::turn() const { return static_cast<Turn>(turn_->currentIndex()); }
@@ -157,7 +224,9 @@ void PosePanel::show_numbers() {
   for (std::size_t i = 0; i < n.size(); ++i) {
     QLineEdit& field = *fields_.at(i);
     const bool typed = field.hasFocus() && field.isModified();
-    if (!typed && field.text() != shown(n.at(i))) field.setText(shown(n.at(i)));
+    const QString text =
+        is_angle(i) && std::abs(n.at(i)) < least_angle ? QStringLiteral("0") : shown(n.at(i));
+    if (!typed && field.text() != text) field.setText(text);
   }
 }
 

@@ -6,10 +6,12 @@
 #include <functional>
 
 #include "engine/geometry/pose.hpp"
+#include "ui/devices/nudge.hpp"
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QVBoxLayout;
 
 namespace sonde::ui {
 
@@ -23,7 +25,11 @@ class PosePanel : public QDockWidget {
   /// The length unit for a scene of this size: "mm".
   void suggest_unit(const QString& name);
 
+  /// The step of the arrow keys for a scene of this size, m.
+  void suggest_step(double metres);
+
   std::function<void(const Pose&)> placed;
+  std::function<void(const Nudge&)> nudge_changed;
   std::function<void()> copy_wanted, paste_wanted, start_wanted, swap_wanted;
 
  private:
@@ -32,13 +38,21 @@ class PosePanel : public QDockWidget {
   void show_numbers();
   void show_labels();
   void take(std::size_t field);
+  void build_nudge(QWidget& content, QVBoxLayout& layout);
+  void take_nudge();
+  void show_nudge();
   std::array<double, 7> numbers() const;
   Turn turn() const;
+  bool is_angle(std::size_t field) const;
 
   Pose pose_;
   QComboBox *unit_, *turn_;
   std::array<QLineEdit*, 7> fields_{};  ///< x, y, z; then the angles, or the axis and the angle
   std::array<QLabel*, 7> labels_{};
+  Nudge nudge_;
+  QComboBox* nudge_axes_ = nullptr;
+  QLabel* step_label_ = nullptr;
+  QLineEdit *step_ = nullptr, *step_turn_ = nullptr;
 };
 
 }  // namespace sonde::ui

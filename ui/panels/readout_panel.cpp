@@ -295,7 +295,9 @@ void ReadoutPanel::show_loop(const Snapshot& snapshot) {
                      ? QString::number(snapshot.rate_hz, 'f', 0) + QStringLiteral(" Hz")
                      : none);
   steps_->setText(QString::number(snapshot.separation.iterations));
-  late_->setText(QStringLiteral("%1 of %2").arg(snapshot.late).arg(snapshot.tick));
+  late_->setText(snapshot.tick_us > 0
+                     ? QStringLiteral("%1 of %2").arg(snapshot.late).arg(snapshot.tick)
+                     : none);
 }
 
 }  // namespace sonde::ui

@@ -173,6 +173,8 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
   const QString name = QString::fromStdString(open.loaded().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
+  constexpr double step = 0.01;  // of the probe's radius, a key
+  if (!same_document) pose_panel_->suggest_step(round_down_125(step * open.probe().mass.radius));
   log_->add(
       QStringLiteral("Opened %1.   %2").arg(name, natures(session()->probe(), session()->fixed())));
   // As it is by now: that may have taken a while, and Esc works meanwhile.

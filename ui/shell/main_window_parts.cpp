@@ -202,6 +202,7 @@ void MainWindow::connect_documents() {
   pose_panel_->placed = [documents](const Pose& pose) {
     documents->place(pose, QStringLiteral("Place the probe"));
   };
+  pose_panel_->nudge_changed = [this](const Nudge& nudge) { mouse_->set_nudge(nudge); };
   pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
   pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
   pose_panel_->start_wanted = [documents] { documents->start_from_here(); };

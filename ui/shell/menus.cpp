@@ -295,6 +295,8 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
                     [w](bool) { w->viewport().fit(); }));
+  add_toggle(window, menu, "parallel", QStringLiteral("&Parallel projection"), key("O"), false,
+             [w](bool on) { w->viewport().set_parallel(on); });
   bar.addAction(add_toggle(window, menu, "trail", QStringLiteral("&Trail"), key("T"), false,
                            [w](bool on) { w->viewport().set_shown(Layer::trail, on); }));
   add_toggle(window, menu, "swing", QStringLiteral("S&wing the separated probe"), key("W"), false,

@@ -29,10 +29,25 @@ ViewAxes Camera::axes() const {
 Vec3 Camera::eye() const { return Vec3(camera_->GetPosition()); }
 Vec3 Camera::target() const { return Vec3(camera_->GetFocalPoint()); }
 
+/// Where lines are parallel the scale tells it: the eye itself may stand anywhere on its line.
+double Camera::distance() const {
+  return parallel() ? camera_->GetParallelScale() / std::tan(half_angle(*camera_))
+                    : (eye() - target()).norm();
+}
+
+bool Camera::parallel() const { return camera_->GetParallelProjection() != 0; }
+
+void Camera::set_parallel(bool on) {
+  if (on == parallel()) return;
+  const double now = distance();
+  camera_->SetParallelProjection(on);
+  look_at(target(), axes().towards, axes().up, now);
+}
+
 double Camera::metres_per_pixel(const Vec3& at, int height) const {
-  const double depth = (eye() - at).dot(axes().towards);
+  const double depth = parallel() ? distance() : (eye() - at).dot(axes().towards);
   // A point behind the eye has no scale; that of a near point keeps drags finite.
-  const double nearest = 1e-3 * (eye() - target()).norm();
+  const double nearest = 1e-3 * distance();
   return 2 * std::max(depth, nearest) * std::tan(half_angle(*camera_)) / std::max(height, 1);
 }
 
@@ -42,6 +57,7 @@ void Camera::look_at(const Vec3& target, const Vec3& direction, const Vec3& up, 
   camera_->SetPosition(eye.data());
   camera_->SetViewUp(up.data());
   camera_->OrthogonalizeViewUp();
+  camera_->SetParallelScale(distance * std::tan(half_angle(*camera_)));
 }
 
 double Camera::frame(const std::vector<Vec3>& points, const QSize& picture, const QRectF& part) {
@@ -50,6 +66,7 @@ double Camera::frame(const std::vector<Vec3>& points, const QSize& picture, cons
   const ViewAxes view = axes();
   const Vec2 slope = std::tan(half_angle(*camera_)) / std::max(picture.height(), 1) *
                      Vec2(part.width(), part.height());
+  const double depth_counts = parallel() ? 0 : 1;
   Vec3 middle = Eigen::AlignedBox3d(points.front()).center();
   double distance = 0;
   // Nearer points reach further out on screen: the middle of the picture is found in a few rounds.
@@ -58,12 +75,12 @@ double Camera::frame(const std::vector<Vec3>& points, const QSize& picture, cons
     for (const Vec3& point : points) {
       const Vec3 x = point - middle;
       const Vec2 aside = Vec2(x.dot(view.right), x.dot(view.up)).cwiseAbs().cwiseQuotient(slope);
-      distance = std::max(distance, x.dot(view.towards) + room * aside.maxCoeff());
+      distance = std::max(distance, depth_counts * x.dot(view.towards) + room * aside.maxCoeff());
     }
     Eigen::AlignedBox2d on_screen;
     for (const Vec3& point : points) {
       const Vec3 x = point - middle;
-      const double depth = std::max(distance - x.dot(view.towards), 1e-6 * distance);
+      const double depth = std::max(distance - depth_counts * x.dot(view.towards), 1e-6 * distance);
       on_screen.extend(Vec2(x.dot(view.right), x.dot(view.up)) / depth);
     }
     const Vec2 off = on_screen.center() * distance;
@@ -80,7 +97,7 @@ double Camera::frame(const std::vector<Vec3>& points, const QSize& picture, cons
 
 void Camera::orbit(double about_up, double about_right) {
   const ViewAxes view = axes();
-  const double distance = (eye() - target()).norm();
+  const double distance = this->distance();
   // The eye goes the other way, so that the scene seems to follow the cursor.
   const Quat turn(Eigen::AngleAxisd(-about_up, view.up) *
                   Eigen::AngleAxisd(-about_right, view.right));
@@ -95,11 +112,16 @@ void Camera::pan(const Vec3& shift) {
 }
 
 void Camera::zoom(double factor) {
-  const Vec3 eye_now = target() + (eye() - target()) / factor;
-  camera_->SetPosition(eye_now.data());
+  look_at(target(), axes().towards, axes().up, distance() / factor);
 }
 
 void Camera::clip_to(const Vec3& centre, double radius) {
+  // With parallel lines the eye may step back to see all of it: nothing else changes.
+  const double behind = (eye() - centre).dot(axes().towards) - 1.1 * radius;
+  if (parallel() && behind < 0) {
+    const Vec3 back = eye() - behind * axes().towards;
+    camera_->SetPosition(back.data());
+  }
   const double depth = (eye() - centre).dot(axes().towards);
   const double far = depth + radius;
   const double span = std::max(far, radius);

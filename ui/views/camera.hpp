@@ -27,6 +27,12 @@ class Camera {
   Vec3 eye() const;
   Vec3 target() const;
 
+  /// Parallel lines stay parallel, whatever their depth; what is looked at keeps its size.
+  void set_parallel(bool on);
+  bool parallel() const;
+  /// Of the eye from what it looks at, as the size on screen has it; m.
+  double distance() const;
+
   /// Metres per pixel at a point, in a picture of the given height.
   double metres_per_pixel(const Vec3& at, int height) const;
 

@@ -166,7 +166,9 @@ void Viewport::look_by_default() {
 }
 
 CameraPlace Viewport::place() const {
-  return {camera().eye(), camera().target(), camera().axes().up};
+  const Camera now = camera();
+  const ViewAxes axes = now.axes();
+  return {now.target() + now.distance() * axes.towards, now.target(), axes.up};
 }
 
 void Viewport::look(const CameraPlace& place) {
@@ -315,6 +317,11 @@ std::optional<Handles> Viewport::handles(const Pose& X_FM) const {
   const Vec3& com = scenery_->mass.com;
   return handles_at(X_FM, com, scenery_->handles.local(),
                     HandleView::pixels * metres_per_pixel(X_FM * com));
+}
+
+void Viewport::set_parallel(bool on) {
+  camera().set_parallel(on);
+  invalidate();
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }

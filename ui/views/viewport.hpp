@@ -127,6 +127,7 @@ class Viewport : public QWidget {
   CameraPlace before(const PointedPlace& place) const;
 
   Camera camera() const;
+  void set_parallel(bool on);
   CameraPlace place() const;
   void look(const CameraPlace& place);
   void fit();

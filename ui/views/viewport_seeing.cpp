@@ -69,11 +69,15 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
   back->DeepCopy(
       s.bodies->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect(), -1, 1));
   back->Invert();
-  const double in[4] = {2 * at.x() / width() - 1, 1 - 2 * at.y() / height(), 0, 1};
-  double out[4];
-  back->MultiplyPoint(in, out);
-  const Vec3 eye = camera().eye();
-  const Vec3 along = (Vec3(out[0], out[1], out[2]) / out[3] - eye).normalized();
+  const auto in_scene = [&](double depth) {
+    const double in[4] = {2 * at.x() / width() - 1, 1 - 2 * at.y() / height(), depth, 1};
+    double out[4];
+    back->MultiplyPoint(in, out);
+    return Vec3(Vec3(out[0], out[1], out[2]) / out[3]);
+  };
+  // Where lines are parallel each has an eye of its own, on the nearest plane.
+  const Vec3 eye = camera().parallel() ? in_scene(-1) : camera().eye();
+  const Vec3 along = (in_scene(0) - eye).normalized();
   std::optional<Pick> best;
   double nearest = 0;
   const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut) {

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
 #include <QWheelEvent>
 
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/format.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -94,7 +98,7 @@ TEST_F(MouseTest, the_middle_button_pans) {
 }
 
 TEST_F(MouseTest, keys_nudge_and_turn) {
-  const double step = 0.01 * window->session()->probe().mass.radius;
+  const double step = round_down_125(0.01 * window->session()->probe().mass.radius);
   key(Qt::Key_Right);
   EXPECT_NEAR((moved() - step * view.right).norm(), 0, 1e-12);
   key(Qt::Key_Left);
@@ -104,6 +108,33 @@ TEST_F(MouseTest, keys_nudge_and_turn) {
   EXPECT_NEAR(moved().norm(), 0, 1e-12);
   key(Qt::Key_Up, Qt::ShiftModifier);
   EXPECT_NEAR(turned(), 2 * std::atan(1.0) / 45, 1e-6);
+}
+
+TEST_F(MouseTest, keys_go_along_the_axes_that_are_chosen_by_the_step_that_is_shown) {
+  auto* dock = window->findChild<QDockWidget*>("pose_panel");
+  dock->show();
+  dock->raise();
+  auto* axes = find<QComboBox>("nudge_axes");
+  EXPECT_EQ(find<QLineEdit>("nudge_step")->text(), "0.5") << "of a cube of 100 mm, R 86.6 mm";
+  axes->setCurrentIndex(1);
+  type("nudge_step", "2.5");
+  type("nudge_turn", "10");
+  key(Qt::Key_Right);
+  EXPECT_NEAR((moved() - Vec3(2.5e-3, 0, 0)).norm(), 0, 1e-12);
+  key(Qt::Key_Left);
+  key(Qt::Key_PageUp);
+  EXPECT_NEAR((moved() - Vec3(0, 0, 2.5e-3)).norm(), 0, 1e-12);
+  key(Qt::Key_PageDown);
+  key(Qt::Key_Up, Qt::ShiftModifier);
+  const Eigen::AngleAxisd turn(now().q * start.q.conjugate());
+  EXPECT_NEAR(turn.angle(), std::atan(1.0) * 4 / 18, 1e-9);
+  EXPECT_NEAR((turn.axis() - Vec3::UnitY()).norm(), 0, 1e-9);
+  // Its own axes have turned with it.
+  axes->setCurrentIndex(2);
+  key(Qt::Key_Right);
+  EXPECT_NEAR((moved() - turn * Vec3(2.5e-3, 0, 0)).norm(), 0, 1e-9);
+  type("nudge_step", "-1");
+  EXPECT_EQ(find<QLineEdit>("nudge_step")->text(), "2.5") << "no step";
 }
 
 TEST_F(MouseTest, reset_brings_the_probe_back) {

@@ -154,6 +154,45 @@ TEST_F(WindowTest, a_fitted_picture_has_no_text_over_the_bodies) {
   }
 }
 
+/// Points one behind the other are at one place on screen, and a metre has one size at any depth.
+TEST_F(WindowTest, parallel_lines_stay_parallel_when_asked) {
+  open_cubes();
+  Viewport& view = window->viewport();
+  const Vec3 target = view.camera().target();
+  const Vec3 towards = view.camera().axes().towards, aside = 0.05 * view.camera().axes().right;
+  const double scale = view.metres_per_pixel(target), before = view.camera().distance();
+  const auto apart = [&] {
+    const QPointF off = view.on_screen(target + aside + 0.1 * towards) -
+                        view.on_screen(target + aside - 0.1 * towards);
+    return std::hypot(off.x(), off.y());
+  };
+  EXPECT_GT(apart(), 2);
+  act("parallel");
+  picture();
+  EXPECT_LT(apart(), 1e-6);
+  EXPECT_NEAR(view.metres_per_pixel(target) / scale, 1, 1e-9) << "what is looked at keeps its size";
+  EXPECT_EQ(view.metres_per_pixel(target + 0.1 * towards), view.metres_per_pixel(target));
+  // A click finds what is under it, and the wheel zooms.
+  const auto hit = view.pick(view.on_screen(com()));
+  ASSERT_TRUE(hit);
+  const Vec3 there = view.pose_of(hit->on_probe) * hit->x;
+  const QPointF off = view.on_screen(there) - view.on_screen(com());
+  EXPECT_LT(std::hypot(off.x(), off.y()), 0.1);
+  const QImage whole = picture();
+  const QColor background = whole.pixelColor(0, whole.height() / 2);
+  view.camera().zoom(50);
+  EXPECT_NEAR(view.metres_per_pixel(target) * 50 / scale, 1, 1e-9);
+  const QImage near = picture();
+  const QColor middle = near.pixelColor(near.width() / 2, near.height() / 2);
+  EXPECT_GT(std::abs(middle.red() - background.red()) + std::abs(middle.blue() - background.blue()),
+            24)
+      << "the eye steps back: nothing is cut off in front";
+  view.camera().zoom(0.02);
+  act("parallel");
+  EXPECT_NEAR(view.camera().distance(), before, 1e-9);
+  EXPECT_NEAR(view.metres_per_pixel(target) / scale, 1, 1e-9);
+}
+
 TEST_F(WindowTest, the_ghost_swings) {
   open_cubes();
   // Until the force has come in, its arrow grows.
