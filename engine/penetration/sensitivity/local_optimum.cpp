@@ -183,6 +183,16 @@ bool LocalOptimum::settle(double most) noexcept {
   return false;
 }
 
+ContactSet LocalOptimum::contacts() const noexcept {
+  ContactSet out;
+  const Vec3 com = X_FQ_ * mass_.com;
+  for (std::size_t k = 0; k < active_; ++k) {
+    const FeatureRowAt& row = active_row(k);
+    out.push({com + row.arm, com + row.arm, row.normal, 0, lambda_[k]});
+  }
+  return out;
+}
+
 /// Of four corners of a face two opposite ones may bear all of the load: the others bear some as
 /// soon as it moves, and cannot open. A row can open where a motion opens it that closes no other
 /// (Farkas): `free` are the rows in question, without what rows hold that bear a load.

@@ -8,6 +8,7 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/sensitivity/directions.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
@@ -39,6 +40,9 @@ class LocalOptimum {
   /// Goes there. False where it is further than `most` (m), or is not found.
   bool settle(double most) noexcept;
 
+  const Pose& pose() const noexcept { return X_FQ_; }
+  /// The rows that hold the probe there, as contacts without a gap.
+  ContactSet contacts() const noexcept;
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
   /// How far any point of the probe has come from where it was, m, at the most.

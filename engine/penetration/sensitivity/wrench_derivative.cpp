@@ -19,6 +19,8 @@ constexpr double reach_of_clearance = 4;
 /// Of the depth: the exact optimum is no further from Q. (The residual of a search is 1e-4.)
 constexpr double most_off = 5e-3;
 constexpr std::size_t most_pairs = 1024;
+/// From where the last one led to.
+constexpr int most_looks = 2;
 /// Of the depth: a contact with a smaller multiplier may end at once.
 constexpr double weak_push = 1e-4;
 
@@ -43,39 +45,56 @@ class Settling {
   /// Null, or why there is none.
   const char* settle(std::optional<LocalOptimum>& optimum) const noexcept {
     const double reach = reach_of_clearance * clearance_;
-    const char* problem = look(reach, Where::at_contacts, optimum);
-    Where where = Where::at_contacts;
-    if (problem && problem != too_many) problem = look(reach, where = Where::in_hollows, optimum);
+    Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
+    const char* problem = settle_somehow(look, optimum);
+    // Further away, features may face each other no more, and others do.
+    for (int round = 0; !problem && optimum->moved() > reach; ++round) {
+      if (round == most_looks) return "the search ended too far from an optimum";
+      look = {optimum->pose(), optimum->contacts(), reach, Where::at_contacts};
+      problem = settle_somehow(look, optimum);
+    }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
     // What it has come nearer to may hold it as well.
-    const double moved = optimum->moved();
-    return moved > clearance_ ? look(reach + moved, where, optimum) : nullptr;
+    look.reach += optimum->moved();
+    return optimum->moved() > clearance_ ? settle(look, optimum) : nullptr;
   }
   double clearance() const { return clearance_; }
 
  private:
   enum class Where { at_contacts, in_hollows };
+  struct Look {
+    Pose from;
+    ContactSet contacts;
+    double reach;  ///< m
+    Where where;
+  };
 
-  const char* look(double reach, Where where, std::optional<LocalOptimum>& optimum) const noexcept {
-    FacingFeatures features(probe_, fixed_, Transform(now_.separated), reach);
-    for (const Contact& c : now_.contacts) {
+  const char* settle_somehow(Look& look, std::optional<LocalOptimum>& optimum) const noexcept {
+    const char* problem = settle(look, optimum);
+    if (!problem || problem == too_many) return problem;
+    look.where = Where::in_hollows;
+    return settle(look, optimum);
+  }
+  const char* settle(const Look& look, std::optional<LocalOptimum>& optimum) const noexcept {
+    FacingFeatures features(probe_, fixed_, Transform(look.from), look.reach);
+    for (const Contact& c : look.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
-      if (where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
+      if (look.where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
     }
-    if (neighbours_ == Neighbours::all && !add_near(reach, features)) return too_many;
+    if (neighbours_ == Neighbours::all && !add_near(look, features)) return too_many;
     if (features.overflowed()) return too_many;
-    optimum.emplace(probe_.mass, now_.device, now_.separated, features.rows());
+    optimum.emplace(probe_.mass, now_.device, look.from, features.rows());
     const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
     return optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
   }
 
   /// False where there are more pairs than there is room for.
-  bool add_near(double reach, FacingFeatures& features) const noexcept {
+  bool add_near(const Look& look, FacingFeatures& features) const noexcept {
     std::array<NearPair, most_pairs> pairs;
-    const NearPairs near = near_pairs(probe_, fixed_, Transform(now_.separated), reach, pairs);
+    const NearPairs near = near_pairs(probe_, fixed_, Transform(look.from), look.reach, pairs);
     for (std::size_t i = 0; i < near.count; ++i)
       features.add_pair(pairs[i].triangle_a, pairs[i].triangle_b, pairs[i].normal);
-    return near.reach >= reach;
+    return near.reach >= look.reach;
   }
 
   const Body &probe_, &fixed_;
