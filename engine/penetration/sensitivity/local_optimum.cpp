@@ -168,12 +168,13 @@ double LocalOptimum::step() noexcept {
 }
 
 bool LocalOptimum::settle(double most) noexcept {
+  double way = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (!choose()) return false;
     const double first = step();
-    way_ += first;
-    if (!(first <= short_step * depth())) way_ += step();
-    if (!(way_ <= most)) return false;
+    way += first;
+    if (!(first <= short_step * depth())) way += step();
+    if (!(way <= most)) return false;
     const double enough = 1e-6 * depth();
     bool holds = true;
     for (std::size_t k = 0; k < active_; ++k) holds = holds && lambda_[k] > -enough;

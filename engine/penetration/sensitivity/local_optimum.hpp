@@ -45,8 +45,6 @@ class LocalOptimum {
   ContactSet contacts() const noexcept;
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  /// How far any point of the probe has come from where it was, m, at the most.
-  double moved() const noexcept { return way_ * (1 + mass_.radius / turn_); }
   /// How many rows hold the probe, weak ones left out.
   int held() const noexcept;
 
@@ -81,8 +79,7 @@ class LocalOptimum {
   Vec3 com_F_;        // at O
   Pose X_FQ_;
   std::span<const FeatureRow> rows_;
-  double turn_;     ///< m: that a rotation is multiplied by, so that all coordinates are lengths
-  double way_ = 0;  ///< m
+  double turn_;  ///< m: that a rotation is multiplied by, so that all coordinates are lengths
   HalfSigma at_;
   std::array<FeatureRowAt, most_rows> row_;
   std::size_t active_ = 0;

@@ -7,6 +7,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
+#include "engine/penetration/search/far_apart.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/penetration/sensitivity/local_optimum.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
@@ -48,15 +49,17 @@ class Settling {
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
     const char* problem = settle_somehow(look, optimum);
     // Further away, features may face each other no more, and others do.
-    for (int round = 0; !problem && optimum->moved() > reach; ++round) {
+    for (int round = 0; !problem && moved(look.from, *optimum) > reach; ++round) {
       if (round == most_looks) return "the search ended too far from an optimum";
       look = {optimum->pose(), optimum->contacts(), reach, Where::at_contacts};
       problem = settle_somehow(look, optimum);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
-    // What it has come nearer to may hold it as well.
-    look.reach += optimum->moved();
-    return optimum->moved() > clearance_ ? settle(look, optimum) : nullptr;
+    // What it has come nearer to may hold it as well. That is seen from where it is free.
+    const double far = moved(now_.separated, *optimum);
+    if (!(far > clearance_)) return nullptr;
+    look = {now_.separated, now_.contacts, reach + far, look.where};
+    return settle(look, optimum);
   }
   double clearance() const { return clearance_; }
 
@@ -69,6 +72,10 @@ class Settling {
     Where where;
   };
 
+  /// m: any point of the probe, at the most.
+  double moved(const Pose& from, const LocalOptimum& optimum) const noexcept {
+    return farthest_move(probe_.mass, from, optimum.pose());
+  }
   const char* settle_somehow(Look& look, std::optional<LocalOptimum>& optimum) const noexcept {
     const char* problem = settle(look, optimum);
     if (!problem || problem == too_many) return problem;
