@@ -8,8 +8,8 @@
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/sensitivity/exact_optimum.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
-#include "engine/penetration/sensitivity/local_optimum.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 
 namespace sonde {
@@ -44,7 +44,7 @@ class Settling {
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
   /// Null, or why there is none.
-  const char* settle(std::optional<LocalOptimum>& optimum) const noexcept {
+  const char* settle(std::optional<ExactOptimum>& optimum) const noexcept {
     const double reach = reach_of_clearance * clearance_;
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
     const char* problem = settle_somehow(look, optimum);
@@ -73,16 +73,16 @@ class Settling {
   };
 
   /// m: any point of the probe, at the most.
-  double moved(const Pose& from, const LocalOptimum& optimum) const noexcept {
+  double moved(const Pose& from, const ExactOptimum& optimum) const noexcept {
     return farthest_move(probe_.mass, from, optimum.pose());
   }
-  const char* settle_somehow(Look& look, std::optional<LocalOptimum>& optimum) const noexcept {
+  const char* settle_somehow(Look& look, std::optional<ExactOptimum>& optimum) const noexcept {
     const char* problem = settle(look, optimum);
     if (!problem || problem == too_many) return problem;
     look.where = Where::in_hollows;
     return settle(look, optimum);
   }
-  const char* settle(const Look& look, std::optional<LocalOptimum>& optimum) const noexcept {
+  const char* settle(const Look& look, std::optional<ExactOptimum>& optimum) const noexcept {
     FacingFeatures features(probe_, fixed_, Transform(look.from), look.reach);
     for (const Contact& c : look.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
@@ -123,10 +123,10 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   }
   if (!now.converged) return without("the search has not converged");
   const Settling settling(pair, now, neighbours);
-  std::optional<LocalOptimum> optimum;
+  std::optional<ExactOptimum> optimum;
   if (const char* problem = settling.settle(optimum)) return without(problem);
   const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
-  LocalOptimum::Change left, held;
+  ExactOptimum::Change left, held;
   const bool strict =
       optimum->derivative(false, left) && (weak == 0 || optimum->derivative(true, held));
   if (!strict) return without("the optimum is not strict");

@@ -29,12 +29,12 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
 /// The nearest pose to O, near a given one, that feature rows let the probe come to without a gap:
 /// a separation lies above it by its clearance. min U subject to the gaps ≥ 0, solved by an active
 /// set (least_distance) and Newton steps with the curvature of the active gaps.
-class LocalOptimum {
+class ExactOptimum {
  public:
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
-  LocalOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
+  ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
                std::span<const FeatureRow> rows) noexcept;
 
   /// Goes there. False where it is further than `most` (m), or is not found.
