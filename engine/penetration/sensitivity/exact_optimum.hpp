@@ -34,6 +34,7 @@ class ExactOptimum {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
+  /// Refers to the rows.
   ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
                std::span<const FeatureRow> rows) noexcept;
 

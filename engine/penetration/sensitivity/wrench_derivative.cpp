@@ -33,7 +33,13 @@ WrenchDerivative without(const char* reason) {
   return out;
 }
 
-/// What the exact optimum beside a separation is found from.
+/// The exact optimum, and the features that it refers to.
+struct Place {
+  std::optional<FacingFeatures> features;
+  std::optional<ExactOptimum> optimum;
+};
+
+/// Finds the exact optimum beside a separation.
 class Settling {
  public:
   Settling(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
@@ -44,22 +50,22 @@ class Settling {
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
   /// Null, or why there is none.
-  const char* settle(std::optional<ExactOptimum>& optimum) const noexcept {
+  const char* settle(Place& place) const noexcept {
     const double reach = reach_of_clearance * clearance_;
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
-    const char* problem = settle_somehow(look, optimum);
+    const char* problem = settle_somehow(look, place);
     // Further away, features may face each other no more, and others do.
-    for (int round = 0; !problem && moved(look.from, *optimum) > reach; ++round) {
+    for (int round = 0; !problem && moved(look.from, *place.optimum) > reach; ++round) {
       if (round == most_looks) return "the search ended too far from an optimum";
-      look = {optimum->pose(), optimum->contacts(), reach, Where::at_contacts};
-      problem = settle_somehow(look, optimum);
+      look = {place.optimum->pose(), place.optimum->contacts(), reach, Where::at_contacts};
+      problem = settle_somehow(look, place);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
     // What it has come nearer to may hold it as well. That is seen from where it is free.
-    const double far = moved(now_.separated, *optimum);
+    const double far = moved(now_.separated, *place.optimum);
     if (!(far > clearance_)) return nullptr;
     look = {now_.separated, now_.contacts, reach + far, look.where};
-    return settle(look, optimum);
+    return settle(look, place);
   }
   double clearance() const { return clearance_; }
 
@@ -76,23 +82,24 @@ class Settling {
   double moved(const Pose& from, const ExactOptimum& optimum) const noexcept {
     return farthest_move(probe_.mass, from, optimum.pose());
   }
-  const char* settle_somehow(Look& look, std::optional<ExactOptimum>& optimum) const noexcept {
-    const char* problem = settle(look, optimum);
+  const char* settle_somehow(Look& look, Place& place) const noexcept {
+    const char* problem = settle(look, place);
     if (!problem || problem == too_many) return problem;
     look.where = Where::in_hollows;
-    return settle(look, optimum);
+    return settle(look, place);
   }
-  const char* settle(const Look& look, std::optional<ExactOptimum>& optimum) const noexcept {
-    FacingFeatures features(probe_, fixed_, Transform(look.from), look.reach);
+  const char* settle(const Look& look, Place& place) const noexcept {
+    FacingFeatures& features =
+        place.features.emplace(probe_, fixed_, Transform(look.from), look.reach);
     for (const Contact& c : look.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
       if (look.where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
     }
     if (neighbours_ == Neighbours::all && !add_near(look, features)) return too_many;
     if (features.overflowed()) return too_many;
-    optimum.emplace(probe_.mass, now_.device, look.from, features.rows());
+    place.optimum.emplace(probe_.mass, now_.device, look.from, features.rows());
     const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
-    return optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
+    return place.optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
   }
 
   /// False where there are more pairs than there is room for.
@@ -123,8 +130,10 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   }
   if (!now.converged) return without("the search has not converged");
   const Settling settling(pair, now, neighbours);
-  std::optional<ExactOptimum> optimum;
-  if (const char* problem = settling.settle(optimum)) return without(problem);
+  if (!(now.depth > settling.clearance())) return without("the probe only touches");
+  Place place;
+  if (const char* problem = settling.settle(place)) return without(problem);
+  std::optional<ExactOptimum>& optimum = place.optimum;
   const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
   ExactOptimum::Change left, held;
   const bool strict =
