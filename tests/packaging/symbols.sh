@@ -25,7 +25,8 @@ sonde::offset_body
 sonde::read_body
 sonde::separate
 sonde::wrench
+sonde::wrench_derivative
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 21 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 22 sh -c "nm -D --defined-only '$library' | wc -l"
