@@ -36,7 +36,8 @@ sonde::triangles
 sonde::vertices
 sonde::with_mass
 sonde::wrench
+sonde::wrench_derivative
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 36 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 37 sh -c "nm -D --defined-only '$library' | wc -l"

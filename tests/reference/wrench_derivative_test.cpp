@@ -29,7 +29,8 @@ struct Tally {
   std::vector<double> off;  ///< relative, of all that were compared, flagged ones too
   int flagged = 0;          ///< two sides, or none
   int none = 0;
-  int unknown = 0;  ///< there is no difference to compare with
+  /// There is no difference to compare with: it does not settle, or is that of another place.
+  int unknown = 0;
 
   void add(const std::string& what, const Pair& pair, const Separation& s, Neighbours neighbours) {
     const WrenchDerivative got = wrench_derivative(pair, s, neighbours);
@@ -37,7 +38,8 @@ struct Tally {
         test::differenced_wrench(pair.probe(), pair.fixed(), s.device, s.separated, 1e-3);
     flagged += got.sides != Sides::all;
     none += got.sides == Sides::none;
-    if (!wanted) {
+    // A barrier lower than what a search leaves does not hold the fine solver.
+    if (!wanted || wanted->from_given > 3e-3) {
       ++unknown;
       return;
     }
@@ -114,7 +116,7 @@ TEST(WrenchDerivatives, Full_are_those_of_differences_on_deep_pairs) {
 void check_real(int poses_of_each) {
   Tally near, all;
   const std::vector<std::string> files{"elk.off",     "camel.off", "elephant.off", "fandisk.off",
-                                       "bunny00.off", "dino.off",  "knot1.off",    "sword.off"};
+                                       "bunny00.off", "dino.off",  "knot1.off",    "pig.off"};
   std::mt19937_64 random(5);
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto a = test::real_body(files[i]), b = test::real_body(files[(i + 3) % files.size()]);

@@ -69,6 +69,9 @@ std::optional<DifferencedWrench> differenced_wrench(const Body& probe, const Bod
     const auto wide = differences(solver, probe.mass, X_FO, *here, step);
     auto narrow = differences(solver, probe.mass, X_FO, *here, step / 2);
     if (!wide || !narrow) continue;
+    const Chart chart(probe.mass, X_FO);
+    const Vec6 way = chart.coordinates(here->separated) - chart.coordinates(X_FQ);
+    narrow->from_given = way.norm() / here->depth;
     narrow->unsure = relative_difference(probe.mass, wide->central, narrow->central);
     if (narrow->unsure < enough) return narrow;
   }

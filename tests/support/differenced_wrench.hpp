@@ -38,6 +38,7 @@ class FineSolver {
 struct DifferencedWrench {
   Mat6 central, ahead, behind;  ///< by central, forward and backward differences
   Vec6 depth;                   ///< central
+  double from_given = 0;        ///< of the depth: how far its answer is from the free pose given
   double step = 0;              ///< of the depth: that the device is moved
   /// How much the central difference changes as the step is halved, of itself: what it is known to.
   double unsure = 0;

@@ -7,8 +7,9 @@
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
+#include "engine/penetration/search/far_apart.hpp"
+#include "engine/penetration/sensitivity/exact_optimum.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
-#include "engine/penetration/sensitivity/local_optimum.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 
 namespace sonde {
@@ -19,6 +20,8 @@ constexpr double reach_of_clearance = 4;
 /// Of the depth: the exact optimum is no further from Q. (The residual of a search is 1e-4.)
 constexpr double most_off = 5e-3;
 constexpr std::size_t most_pairs = 1024;
+/// From where the last one led to.
+constexpr int most_looks = 2;
 /// Of the depth: a contact with a smaller multiplier may end at once.
 constexpr double weak_push = 1e-4;
 
@@ -30,7 +33,13 @@ WrenchDerivative without(const char* reason) {
   return out;
 }
 
-/// What the exact optimum beside a separation is found from.
+/// The exact optimum, and the features that it refers to.
+struct Place {
+  std::optional<FacingFeatures> features;
+  std::optional<ExactOptimum> optimum;
+};
+
+/// Finds the exact optimum beside a separation.
 class Settling {
  public:
   Settling(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
@@ -41,41 +50,65 @@ class Settling {
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
   /// Null, or why there is none.
-  const char* settle(std::optional<HeldOptimum>& optimum) const noexcept {
+  const char* settle(Place& place) const noexcept {
     const double reach = reach_of_clearance * clearance_;
-    const char* problem = look(reach, Where::at_contacts, optimum);
-    Where where = Where::at_contacts;
-    if (problem && problem != too_many) problem = look(reach, where = Where::in_hollows, optimum);
+    Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
+    const char* problem = settle_somehow(look, place);
+    // Further away, features may face each other no more, and others do.
+    for (int round = 0; !problem && moved(look.from, *place.optimum) > reach; ++round) {
+      if (round == most_looks) return "the search ended too far from an optimum";
+      look = {place.optimum->pose(), place.optimum->contacts(), reach, Where::at_contacts};
+      problem = settle_somehow(look, place);
+    }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
-    // What it has come nearer to may hold it as well.
-    const double moved = optimum->moved();
-    return moved > clearance_ ? look(reach + moved, where, optimum) : nullptr;
+    // What it has come nearer to may hold it as well. That is seen from where it is free.
+    const double far = moved(now_.separated, *place.optimum);
+    if (!(far > clearance_)) return nullptr;
+    look = {now_.separated, now_.contacts, reach + far, look.where};
+    return settle(look, place);
   }
   double clearance() const { return clearance_; }
 
  private:
   enum class Where { at_contacts, in_hollows };
+  struct Look {
+    Pose from;
+    ContactSet contacts;
+    double reach;  ///< m
+    Where where;
+  };
 
-  const char* look(double reach, Where where, std::optional<HeldOptimum>& optimum) const noexcept {
-    FacingFeatures features(probe_, fixed_, Transform(now_.separated), reach);
-    for (const Contact& c : now_.contacts) {
+  /// m: any point of the probe, at the most.
+  double moved(const Pose& from, const ExactOptimum& optimum) const noexcept {
+    return farthest_move(probe_.mass, from, optimum.pose());
+  }
+  const char* settle_somehow(Look& look, Place& place) const noexcept {
+    const char* problem = settle(look, place);
+    if (!problem || problem == too_many) return problem;
+    look.where = Where::in_hollows;
+    return settle(look, place);
+  }
+  const char* settle(const Look& look, Place& place) const noexcept {
+    FacingFeatures& features =
+        place.features.emplace(probe_, fixed_, Transform(look.from), look.reach);
+    for (const Contact& c : look.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
-      if (where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
+      if (look.where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
     }
-    if (neighbours_ == Neighbours::all && !add_near(reach, features)) return too_many;
+    if (neighbours_ == Neighbours::all && !add_near(look, features)) return too_many;
     if (features.overflowed()) return too_many;
-    optimum.emplace(probe_.mass, now_.device, now_.separated, features.rows());
+    place.optimum.emplace(probe_.mass, now_.device, look.from, features.rows());
     const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
-    return optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
+    return place.optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
   }
 
   /// False where there are more pairs than there is room for.
-  bool add_near(double reach, FacingFeatures& features) const noexcept {
+  bool add_near(const Look& look, FacingFeatures& features) const noexcept {
     std::array<NearPair, most_pairs> pairs;
-    const NearPairs near = near_pairs(probe_, fixed_, Transform(now_.separated), reach, pairs);
+    const NearPairs near = near_pairs(probe_, fixed_, Transform(look.from), look.reach, pairs);
     for (std::size_t i = 0; i < near.count; ++i)
       features.add_pair(pairs[i].triangle_a, pairs[i].triangle_b, pairs[i].normal);
-    return near.reach >= reach;
+    return near.reach >= look.reach;
   }
 
   const Body &probe_, &fixed_;
@@ -97,10 +130,12 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   }
   if (!now.converged) return without("the search has not converged");
   const Settling settling(pair, now, neighbours);
-  std::optional<HeldOptimum> optimum;
-  if (const char* problem = settling.settle(optimum)) return without(problem);
+  if (!(now.depth > settling.clearance())) return without("the probe only touches");
+  Place place;
+  if (const char* problem = settling.settle(place)) return without(problem);
+  std::optional<ExactOptimum>& optimum = place.optimum;
   const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
-  HeldOptimum::Change left, held;
+  ExactOptimum::Change left, held;
   const bool strict =
       optimum->derivative(false, left) && (weak == 0 || optimum->derivative(true, held));
   if (!strict) return without("the optimum is not strict");

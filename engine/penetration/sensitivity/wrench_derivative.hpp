@@ -53,9 +53,10 @@ enum class Neighbours {
 /// is let down to its contacts, from which it stands off by the clearance; the derivative is that
 /// of the exact optimum there. Contacts whose multiplier, or whose gap, is below what the
 /// separation itself is known to (its clearance) make two sides. There is no derivative where the
-/// search failed or has not converged, where the optimum is not strict (a sphere's rotation), or
-/// where features touch that have no normal of their own, such as two corners. Where the probe is
-/// free, it is 0. Neither allocates, locks, logs nor throws.
+/// search failed or has not converged, where the probe only touches, where the optimum is not
+/// strict (a turn that changes nothing), or where features touch that have no normal of their own,
+/// such as two corners. Where the probe is free, it is 0. Neither allocates, locks, logs nor
+/// throws.
 /// @pre `now` is a result of this pair.
 WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
                                    Neighbours neighbours = Neighbours::of_contacts) noexcept;

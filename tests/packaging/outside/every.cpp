@@ -85,5 +85,9 @@ int main() {
   const sonde::Wrench pushed = sonde::wrench(pair, deep, coupling);
   const sonde::Wrench damped = sonde::wrench(pair, deep, now, 1e-3, coupling);
   if (!(pushed.force.norm() > 0) || !(damped.force.norm() > 0)) return complain("no force");
+  const sonde::WrenchDerivative derivative =
+      sonde::wrench_derivative(pair, deep, sonde::Neighbours::all);
+  if (derivative.sides == sonde::WrenchDerivative::Sides::none && !*derivative.reason)
+    return complain("no derivative and no reason");
   return 0;
 }

@@ -52,6 +52,10 @@ int main() {
   SAY(coupling, k), SAY(coupling, max_torque);
   const sonde::Wrench wrench = sonde::wrench(pair, found, coupling);
   SAY(wrench, force), SAY(wrench, torque), SAY(wrench, saturated);
+  const sonde::WrenchDerivative derivative = sonde::wrench_derivative(pair, found);
+  SAY(derivative, sides), SAY(derivative, reason), SAY(derivative, d_depth);
+  SAY(derivative, d_wrench), SAY(derivative, d_separated), SAY(derivative, d_wrench_held);
+  SAY(derivative, leaves);
 
   const sonde::Clearance apart = sonde::distance(pair, {pose.q, sonde::Vec3(0.3, 0.2, 0.1)});
   SAY(apart, on_probe), SAY(apart, on_fixed), SAY(apart, overlapping);
@@ -70,6 +74,8 @@ int main() {
   for (const sonde::Contact& c : found.contacts)
     std::printf("contact %.17g %.17g %.17g, %.17g\n", c.normal.x(), c.normal.y(), c.normal.z(),
                 c.multiplier);
+  for (int i = 0; i < 6; ++i)
+    std::printf("derivative %.17g, %.17g\n", derivative.d_depth[i], derivative.d_wrench(i, i));
   std::printf("mass %.17g of radius %.17g\n", facts.mass.measure, facts.mass.radius);
 
   // A follower from free to an overlap of 10 mm: one axis at a time, so that it is not out by a

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "engine/penetration/sensitivity/local_optimum.hpp"
+#include "engine/penetration/sensitivity/exact_optimum.hpp"
 #include "tests/support/differenced_wrench.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -186,6 +186,9 @@ TEST(WrenchDerivative, is_zero_where_the_probe_is_free_and_says_why_there_is_non
   s.converged = false;
   EXPECT_STREQ(wrench_derivative(pair, s).reason, "the search has not converged");
   s.converged = true;
+  Separation touching = s;
+  touching.depth = 1e-12;
+  EXPECT_STREQ(wrench_derivative(pair, touching).reason, "the probe only touches");
   s.contacts.size = 0;
   EXPECT_STREQ(wrench_derivative(pair, s).reason, "the contacts found do not hold the probe");
 }

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -91,6 +94,32 @@ TEST(Distance, of_a_point) {
   }
 }
 
+// Reference: as above. Radii between two distances, so that rounding decides nothing.
+TEST(Distance, triangles_within_a_radius_are_all_that_are_no_further) {
+  std::mt19937_64 random(4);
+  for (const auto& pair : test::body_pairs(24)) {
+    const auto triangles = test::placed_triangles(*pair.b, {});
+    for (int i = 0; i < 25; ++i) {
+      const Vec3 x = pair.b->mass.com + test::random_in_ball(random, 1.5 * pair.b->mass.radius);
+      std::vector<std::pair<double, std::uint32_t>> by_distance;
+      for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        by_distance.emplace_back(test::triangle_distance_bounds({x, x, x}, triangles[t]).lower, t);
+      std::ranges::sort(by_distance);
+      const std::size_t count = 1 + random() % 8;
+      const double last = by_distance[count - 1].first, next = by_distance[count].first;
+      if (next - last < 1e-9 * next) continue;
+      std::vector<std::uint32_t> found(triangles.size()), expected;
+      found.resize(triangles_within(*pair.b, x, 0.5 * (last + next), found));
+      for (std::size_t k = 0; k < count; ++k) expected.push_back(by_distance[k].second);
+      std::ranges::sort(found);
+      std::ranges::sort(expected);
+      EXPECT_EQ(found, expected) << pair.name << i;
+      std::array<std::uint32_t, 1> one;
+      EXPECT_EQ(triangles_within(*pair.b, x, 0.5 * (last + next), one), 1U);
+    }
+  }
+}
+
 TEST(Distance, does_not_allocate) {
   std::mt19937_64 random(3);
   const auto pairs = test::body_pairs(23);
@@ -102,6 +131,8 @@ TEST(Distance, does_not_allocate) {
       sum += triangle_distance(*pair.a, *pair.b, X).distance;
       sum += distance(*pair.a, *pair.b, X).distance;
       sum += point_distance(*pair.b, X.p);
+      std::array<std::uint32_t, 8> near;
+      sum += static_cast<double>(triangles_within(*pair.b, X.p, 0.1, near));
     }
   counter.stop();
   EXPECT_EQ(counter.allocations(), 0u) << sum;

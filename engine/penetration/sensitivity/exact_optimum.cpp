@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/penetration/sensitivity/local_optimum.hpp"
+#include "engine/penetration/sensitivity/exact_optimum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-using Mat6 = HeldOptimum::Mat6;
+using Mat6 = ExactOptimum::Mat6;
 
 /// Of a row: one of which the rows that hold leave no more than that free holds with them.
 constexpr double held_with_others = 1e-4;
@@ -73,8 +73,8 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
                        X_FQ);
 }
 
-HeldOptimum::HeldOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
-                         std::span<const FeatureRow> rows) noexcept
+ExactOptimum::ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
+                           std::span<const FeatureRow> rows) noexcept
     : mass_(mass),
       q_MP_(mass.R_MP),
       q_FP_(principal_at(mass, X_FO, X_FQ)),
@@ -86,13 +86,13 @@ HeldOptimum::HeldOptimum(const MassProperties& mass, const Pose& X_FO, const Pos
   look();
 }
 
-void HeldOptimum::look() noexcept {
+void ExactOptimum::look() noexcept {
   at_ = half_sigma_of(mass_, q_MP_, q_FP_, com_F_, X_FQ_);
   const Transform X(X_FQ_);
   for (std::size_t i = 0; i < rows_.size(); ++i) row_[i] = row_at(rows_[i], X, mass_.com);
 }
 
-Vec6 HeldOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
+Vec6 ExactOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
   Vec6 out;
   out << row.normal, row.arm.cross(row.normal) / turn_;
   return out;
@@ -100,7 +100,7 @@ Vec6 HeldOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
 
 /// The rows that hold the probe here. At the optimum its wrench is theirs, in whatever metric the
 /// way there is measured.
-bool HeldOptimum::choose() noexcept {
+bool ExactOptimum::choose() noexcept {
   Vec6 wrench = at_.wrench;
   wrench.tail<3>() /= turn_;
   std::array<HalfSpace, most_rows> rows;
@@ -122,7 +122,7 @@ bool HeldOptimum::choose() noexcept {
 }
 
 /// ∂²(U − Σλg)/∂Q², where all coordinates are lengths.
-Mat6 HeldOptimum::curvature() const noexcept {
+Mat6 ExactOptimum::curvature() const noexcept {
   Mat6 out = at_.by_motion;
   for (std::size_t k = 0; k < active_; ++k) {
     const FeatureRowAt& row = active_row(k);
@@ -140,7 +140,7 @@ Mat6 HeldOptimum::curvature() const noexcept {
 
 /// A Newton step to where the active rows have no gap and hold the wrench. Returns its length, m;
 /// infinite where there is none.
-double HeldOptimum::step() noexcept {
+double ExactOptimum::step() noexcept {
   Directions directions;
   std::array<double, 6> along;  // the step, along the directions of the rows
   Vec6 to = Vec6::Zero();
@@ -167,13 +167,14 @@ double HeldOptimum::step() noexcept {
   return length;
 }
 
-bool HeldOptimum::settle(double most) noexcept {
+bool ExactOptimum::settle(double most) noexcept {
+  double way = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (!choose()) return false;
     const double first = step();
-    way_ += first;
-    if (!(first <= short_step * depth())) way_ += step();
-    if (!(way_ <= most)) return false;
+    way += first;
+    if (!(first <= short_step * depth())) way += step();
+    if (!(way <= most)) return false;
     const double enough = 1e-6 * depth();
     bool holds = true;
     for (std::size_t k = 0; k < active_; ++k) holds = holds && lambda_[k] > -enough;
@@ -183,10 +184,20 @@ bool HeldOptimum::settle(double most) noexcept {
   return false;
 }
 
+ContactSet ExactOptimum::contacts() const noexcept {
+  ContactSet out;
+  const Vec3 com = X_FQ_ * mass_.com;
+  for (std::size_t k = 0; k < active_; ++k) {
+    const FeatureRowAt& row = active_row(k);
+    out.push({com + row.arm, com + row.arm, row.normal, 0, lambda_[k]});
+  }
+  return out;
+}
+
 /// Of four corners of a face two opposite ones may bear all of the load: the others bear some as
 /// soon as it moves, and cannot open. A row can open where a motion opens it that closes no other
 /// (Farkas): `free` are the rows in question, without what rows hold that bear a load.
-bool HeldOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
+bool ExactOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
   const double length = free[i].normal.norm();
   free[i].bound = length;
   const LeastDistance motion = least_distance(free, solved_to * length);
@@ -194,7 +205,7 @@ bool HeldOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
   return motion.feasible && motion.y.norm() < longest_motion;
 }
 
-int HeldOptimum::find_weak(double push, double gap) noexcept {
+int ExactOptimum::find_weak(double push, double gap) noexcept {
   weak_count_ = strong_count_ = 0;
   std::array<std::size_t, most_rows> candidates;
   std::size_t count = 0;
@@ -225,17 +236,17 @@ int HeldOptimum::find_weak(double push, double gap) noexcept {
   return static_cast<int>(weak_count_);
 }
 
-Directions HeldOptimum::held_directions(bool weak_hold) const noexcept {
+Directions ExactOptimum::held_directions(bool weak_hold) const noexcept {
   Directions out;
   for (std::size_t k = 0; k < strong_count_; ++k) out.hold(in_lengths(row_[strong_[k]]));
   for (std::size_t k = 0; weak_hold && k < weak_count_; ++k) out.hold(in_lengths(row_[weak_[k]]));
   return out;
 }
 
-int HeldOptimum::held() const noexcept { return static_cast<int>(held_directions(false).held()); }
+int ExactOptimum::held() const noexcept { return static_cast<int>(held_directions(false).held()); }
 
 /// The change of Q with O, where all coordinates are lengths.
-bool HeldOptimum::response(bool weak_hold, Mat6& out) const noexcept {
+bool ExactOptimum::response(bool weak_hold, Mat6& out) const noexcept {
   Directions directions = held_directions(weak_hold);
   directions.complete();
   const FreeCurvature free(curvature(), directions);
@@ -247,7 +258,7 @@ bool HeldOptimum::response(bool weak_hold, Mat6& out) const noexcept {
   return true;
 }
 
-bool HeldOptimum::derivative(bool weak_hold, Change& out) const noexcept {
+bool ExactOptimum::derivative(bool weak_hold, Change& out) const noexcept {
   if (!response(weak_hold, out.separated)) return false;
   out.separated.topRightCorner<3, 3>() *= turn_;
   out.separated.bottomLeftCorner<3, 3>() /= turn_;
@@ -262,7 +273,7 @@ bool HeldOptimum::derivative(bool weak_hold, Change& out) const noexcept {
   return true;
 }
 
-Vec6 HeldOptimum::weak_gap_rate() const noexcept {
+Vec6 ExactOptimum::weak_gap_rate() const noexcept {
   Mat6 way;
   if (weak_count_ == 0 || !response(false, way)) return Vec6::Zero();
   Vec6 out = way.transpose() * in_lengths(row_[weak_[0]]);

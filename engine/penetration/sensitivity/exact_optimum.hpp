@@ -8,6 +8,7 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
+#include "engine/penetration/contact/separation.hpp"
 #include "engine/penetration/sensitivity/directions.hpp"
 #include "engine/penetration/sensitivity/facing_features.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
@@ -28,21 +29,23 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
 /// The nearest pose to O, near a given one, that feature rows let the probe come to without a gap:
 /// a separation lies above it by its clearance. min U subject to the gaps ≥ 0, solved by an active
 /// set (least_distance) and Newton steps with the curvature of the active gaps.
-class HeldOptimum {
+class ExactOptimum {
  public:
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
-  HeldOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
-              std::span<const FeatureRow> rows) noexcept;
+  /// Refers to the rows.
+  ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
+               std::span<const FeatureRow> rows) noexcept;
 
   /// Goes there. False where it is further than `most` (m), or is not found.
   bool settle(double most) noexcept;
 
+  const Pose& pose() const noexcept { return X_FQ_; }
+  /// The rows that hold the probe there, as contacts without a gap.
+  ContactSet contacts() const noexcept;
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  /// How far any point of the probe has come from where it was, m, at the most.
-  double moved() const noexcept { return way_ * (1 + mass_.radius / turn_); }
   /// How many rows hold the probe, weak ones left out.
   int held() const noexcept;
 
@@ -77,8 +80,7 @@ class HeldOptimum {
   Vec3 com_F_;        // at O
   Pose X_FQ_;
   std::span<const FeatureRow> rows_;
-  double turn_;     ///< m: that a rotation is multiplied by, so that all coordinates are lengths
-  double way_ = 0;  ///< m
+  double turn_;  ///< m: that a rotation is multiplied by, so that all coordinates are lengths
   HalfSigma at_;
   std::array<FeatureRowAt, most_rows> row_;
   std::size_t active_ = 0;
