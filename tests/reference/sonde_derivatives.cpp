@@ -9,6 +9,7 @@
 #include "engine/base/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/penetration/search/coherent.hpp"
+#include "engine/penetration/search/static_search.hpp"
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"
 #include "tests/reference/cases.hpp"
 #include "tests/reference/depths_file.hpp"

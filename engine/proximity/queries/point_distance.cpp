@@ -114,8 +114,7 @@ std::size_t triangles_within(const Body& body, const Vec3& x, double radius,
                              std::span<std::uint32_t> out) {
   const PointFrame frame(body, x);
   const BoxKernels& kernels = box_kernels();
-  const float limit =
-      static_cast<float>(radius * frame.per_unit) * (1 + 0x1p-22f) + frame.guard;
+  const float limit = static_cast<float>(radius * frame.per_unit) * (1 + 0x1p-22f) + frame.guard;
   PairStack<std::uint32_t> stack;
   stack.push(body.tree.child(0));
   std::size_t count = 0;

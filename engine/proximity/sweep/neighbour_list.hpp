@@ -184,10 +184,10 @@ class NeighbourList {
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Coverage coverage_;           // of the list; around.linear negative: there is none
-  Coverage planned_;            // of the list that is being made
-  BuildPlan plan_;              // for it
-  bool fallback_only_ = false;  // nothing is planned but the least
+  Coverage coverage_;                          // of the list; around.linear negative: there is none
+  Coverage planned_;                           // of the list that is being made
+  BuildPlan plan_;                             // for it
+  bool fallback_only_ = false;                 // nothing is planned but the least
   std::vector<PairStack<SlotPair>> to_visit_;  // for it: one, large; none for no pairs
   bool unfinished_ = false;
   Transform X_;        // of the list
