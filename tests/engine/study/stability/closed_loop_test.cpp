@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/processor_time.hpp"
 #include "engine/geometry/rotation.hpp"
@@ -75,7 +76,7 @@ double work_of_whirl(const Wrench& push, double apart, bool as_turned) {
   constexpr int steps = 20000;
   double work = 0;
   const auto at = [&](int i) {
-    const double angle = 2 * EIGEN_PI * i / steps;
+    const double angle = 2 * std::numbers::pi * i / steps;
     return Vec3(0.3 + apart * std::cos(angle), apart * std::sin(angle), 0.1);
   };
   const auto rotation = [](const Vec3& phi) {
@@ -95,7 +96,7 @@ TEST(ClosedLoop, a_hands_push_gives_nothing_to_what_whirls) {
   Wrench push;
   push.force = {0, 0, -3};
   push.torque = {0.02, -0.01, 0.1};
-  EXPECT_NEAR(work_of_whirl(push, 0.2, false), 0.1 * EIGEN_PI * 0.2 * 0.2, 1e-3);
+  EXPECT_NEAR(work_of_whirl(push, 0.2, false), 0.1 * std::numbers::pi * 0.2 * 0.2, 1e-3);
   EXPECT_NEAR(work_of_whirl(push, 0.2, true), 0, 1e-9);
   EXPECT_NEAR(work_of_whirl(push, 1.5, true), 0, 1e-7);
   EXPECT_EQ(push_as_turned(push, Vec3::Zero()).torque, push.torque);
