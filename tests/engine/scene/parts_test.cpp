@@ -67,13 +67,15 @@ TEST_F(SceneParts, a_list_stands_where_each_of_it_does) {
   EXPECT_NEAR(fixed->mass.measure, measure, 1e-12);
   const auto probe = load(read.probe, 1);
   const Pair pair(probe, fixed);
+  std::vector<Pair> each;
+  for (const SceneBody& part : read.fixed.parts) each.emplace_back(probe, load(part, 1));
   std::mt19937_64 random(1);
   int touching = 0;
   for (int i = 0; i < 300; ++i) {
     const Pose X{test::random_rotation(random), test::random_in_ball(random, 0.8)};
     bool expected = false;
-    for (const SceneBody& part : read.fixed.parts)
-      expected = expected || touch(Pair(probe, load(part, 1)), inverse(part.pose) * X);
+    for (std::size_t k = 0; k < each.size(); ++k)
+      expected = expected || touch(each[k], inverse(read.fixed.parts[k].pose) * X);
     EXPECT_EQ(touch(pair, X), expected) << i;
     touching += expected;
   }
