@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/ui/shell/program_fixture.hpp"
+#include "tests/ui/window_fixture.hpp"
 #include "ui/shell/demo.hpp"
 
 namespace sonde::ui::test {
