@@ -81,7 +81,7 @@ void MeasureControl::show_subject(const QString& profile_id) {
 }
 
 void MeasureControl::start() {
-  if (hand_ || job_.running()) return;
+  if (going_on()) return;
   if (const QString why = obstacle ? obstacle() : QString(); !why.isEmpty())
     return dialog_->show_ended(why);
   try {

@@ -28,6 +28,8 @@ class MeasureControl : public QObject {
   void stop(const QString& reason);
   /// No force any more, by whatever: ends the pulses. The computing goes on.
   void force_switched(bool on);
+  /// Pushes the hand, or is about to.
+  bool going_on() const { return hand_ || job_.running(); }
 
   /// Why it cannot begin now; empty: it can.
   std::function<QString()> obstacle;

@@ -39,15 +39,22 @@ EscapeKey::~EscapeKey() {
   if (QApplication::instance()) QApplication::instance()->removeNativeEventFilter(this);
 }
 
-void EscapeKey::act() const {
-  if (!open_in_front() || first_()) pressed_();
+void EscapeKey::decide() {
+  closes_ = open_in_front() && !first_();
+  if (!closes_) pressed_();
 }
 
 /// A shortcut takes the press away from everybody, so the question before, whether somebody else
 /// wants the key, counts as well.
 bool EscapeKey::eventFilter(QObject* /*watched*/, QEvent* event) {
-  const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-  if (key && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) act();
+  const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  const bool release = event->type() == QEvent::KeyRelease;
+  if ((!press && !release) || static_cast<const QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    return false;
+  if (release)
+    closes_ = false;
+  else if (!closes_)
+    decide();
   return false;
 }
 
@@ -61,7 +68,7 @@ bool EscapeKey::nativeEventFilter(const QByteArray& type, void* message, long* /
   const auto* bytes = static_cast<const std::uint8_t*>(message);
   if (type != "xcb_generic_event_t" || (bytes[0] & kind) != press || bytes[1] != escape)
     return false;
-  act();
+  decide();
   std::uint32_t window = 0;
   std::memcpy(&window, bytes + window_at, sizeof window);
   close_where_blocked(window);

@@ -20,10 +20,11 @@ class EscapeKey : public QObject, public QAbstractNativeEventFilter {
   bool nativeEventFilter(const QByteArray& type, void* message, long* result) override;
 
  private:
-  void act() const;
+  void decide();
 
   std::function<void()> pressed_;
   std::function<bool()> first_;
+  bool closes_ = false;  ///< this press is for what was open: several events tell of one press
 };
 
 }  // namespace sonde::ui

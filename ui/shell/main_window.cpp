@@ -116,17 +116,6 @@ void MainWindow::ask_path() {
 
 void MainWindow::show_start_page() { start_page_->present(); }
 
-void MainWindow::show_start_page(const QString& reason, const QStringList& files) {
-  start_page_->present();
-  start_page_->complain(reason, [this, files] {
-    const QString first = files.value(0);
-    if (files.size() == 2 || DocumentControl::is_one_mesh(files))
-      documents_->ask_meshes(QFileInfo::exists(first) && files.size() == 2 ? first : QString());
-    else
-      documents_->ask_scene();
-  });
-}
-
 void MainWindow::show_nothing() {
   stiffness_->keep_gains();
   devices_->attach(nullptr);

@@ -3,6 +3,7 @@
 #include <vtkPolyData.h>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -58,7 +59,7 @@ MainWindow::MainWindow(QWidget* parent)
       stiffness_(new StiffnessControl(device_profile_folders(), *coupling_panel_,
                                       documents_->document().stack(), prompts_, *this)),
       status_(*statusBar()),
-      escape_([this] { set_force(false); }, [this] { return felt_; }) {
+      escape_([this] { set_force(false); }, [this] { return felt_ || measure_->going_on(); }) {
   setObjectName(QStringLiteral("main_window"));
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
@@ -210,6 +211,17 @@ void MainWindow::connect_documents() {
   start_page_->scene_wanted = [documents] { documents->ask_scene(); };
   start_page_->meshes_wanted = [documents] { documents->ask_meshes(); };
   start_page_->chosen = [this](const QStringList& files) { open(files); };
+}
+
+void MainWindow::show_start_page(const QString& reason, const QStringList& files) {
+  start_page_->present();
+  start_page_->complain(reason, [this, files] {
+    const QString first = files.value(0);
+    if (files.size() == 2 || DocumentControl::is_one_mesh(files))
+      documents_->ask_meshes(QFileInfo::exists(first) && files.size() == 2 ? first : QString());
+    else
+      documents_->ask_scene();
+  });
 }
 
 /// The first window leaves room for its frame and for the desktop's own bars.

@@ -165,12 +165,6 @@ void Viewport::look_by_default() {
   camera().look_at(scenery_->centre, q_FW * default_view_direction(), q_FW * Vec3::UnitZ(), 1);
 }
 
-CameraPlace Viewport::place() const {
-  const Camera now = camera();
-  const ViewAxes axes = now.axes();
-  return {now.target() + now.distance() * axes.towards, now.target(), axes.up};
-}
-
 void Viewport::look(const CameraPlace& place) {
   const Vec3 direction = place.position - place.target;
   camera().look_at(place.target, direction, place.up, direction.norm());
@@ -317,11 +311,6 @@ std::optional<Handles> Viewport::handles(const Pose& X_FM) const {
   const Vec3& com = scenery_->mass.com;
   return handles_at(X_FM, com, scenery_->handles.local(),
                     HandleView::pixels * metres_per_pixel(X_FM * com));
-}
-
-void Viewport::set_parallel(bool on) {
-  camera().set_parallel(on);
-  invalidate();
 }
 
 Camera Viewport::camera() const { return Camera(*scenery_->bodies->GetActiveCamera()); }

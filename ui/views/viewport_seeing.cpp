@@ -116,6 +116,17 @@ void Viewport::point_out(const std::optional<PointedPlace>& place) {
 
 Pose Viewport::pose_of(bool probe) const { return probe ? scenery_->last_device : Pose{}; }
 
+void Viewport::set_parallel(bool on) {
+  camera().set_parallel(on);
+  invalidate();
+}
+
+CameraPlace Viewport::place() const {
+  const Camera now = camera();
+  const ViewAxes axes = now.axes();
+  return {now.target() + now.distance() * axes.towards, now.target(), axes.up};
+}
+
 CameraPlace Viewport::before(const PointedPlace& place) const {
   const Scenery& s = *scenery_;
   const Pose X_FB = pose_of(place.on_probe);
