@@ -51,6 +51,7 @@ target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 # sonde.cpp is compiled again, to be seen, and so that its names are in the library at all; the rest
 # comes from the engine: what else the face declares (engine/CMakeLists.txt) by that it is needed.
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
+                                $<TARGET_OBJECTS:sonde_engine_penetration_search>
                                 $<TARGET_OBJECTS:sonde_engine_penetration_sensitivity>
                                 $<TARGET_OBJECTS:sonde_engine_queries>)
 # Below 1.0 each minor version may change the face, from then on each major one.

@@ -28,6 +28,7 @@ sonde::offset_body
 sonde::part_at
 sonde::ray
 sonde::read_body
+sonde::seed_of_pose
 sonde::separate
 sonde::signed_distance
 sonde::sweep
