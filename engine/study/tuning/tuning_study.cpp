@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -142,24 +143,25 @@ Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<
 struct Look {
   double share = 0;    ///< of the largest damping
   StudyFolder result;  ///< of one part
+  double allowed = 0;  ///< N/m
 };
 
-/// Looks at the hardest situation at each damping. The share of the largest damping that allows
-/// most, of equal ones the least. Theory alone would take dampings at which the real loop chatters.
-Look best_damping(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
-                  const Stop& stop) {
+/// Looks at the hardest situation at each damping: that which allows most comes first, of equal
+/// ones the least. Theory alone would take dampings at which the real loop chatters.
+std::vector<Look> looks_at_hardest(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
+                                   const Stop& stop) {
   const GainAxis axis = main_axis(plan->request);
   const std::size_t where = hardest(*plan);
   const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
   const std::vector<double> shares = damping_shares(setup, axis);
   std::vector<Look> looks(shares.size());
-  std::vector<double> allowed(shares.size());
   run_parallel(shares.size(), threads, [&](std::size_t i) {
     const Study study = study_of(plan, {first_look_at(*plan, where, {shares[i]})});
-    looks[i] = {shares[i], compute_at_once(study, 1, stop)};
-    allowed[i] = recommend(read_tuning("", looks[i].result), axis)->stiffness;
+    looks[i] = {shares[i], compute_at_once(study, 1, stop), 0};
+    looks[i].allowed = recommend(read_tuning("", looks[i].result), axis)->stiffness;
   });
-  return looks[static_cast<std::size_t>(std::ranges::max_element(allowed) - allowed.begin())];
+  std::ranges::stable_sort(looks, std::greater{}, &Look::allowed);
+  return looks;
 }
 
 /// The one at the hardest situation, and the same of the others at its damping.
@@ -186,12 +188,18 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
     };
   };
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5)));
-  const Look at_hardest = best_damping(plan, threads, stop);
+  const std::vector<Look> looks = looks_at_hardest(plan, threads, stop);
   part(0.5, 1)(0.5);
-  plan->damping_share = at_hardest.share;
-  plan->first_look = first_look(plan, at_hardest, threads, stop);
-  plan->held_stiffness =
-      recommend(read_tuning("", plan->first_look), main_axis(plan->request))->stiffness;
+  // What is best in the hardest contact may be good in no other.
+  for (const Look& look : looks) {
+    StudyFolder all = first_look(plan, look, threads, stop);
+    const double stiffness = recommend(read_tuning("", all), main_axis(plan->request))->stiffness;
+    if (&look != &looks.front() && stiffness == 0) continue;
+    plan->damping_share = look.share;
+    plan->held_stiffness = stiffness;
+    plan->first_look = std::move(all);
+    if (stiffness > 0) break;
+  }
   return plan;
 }
 
