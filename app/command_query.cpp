@@ -228,7 +228,8 @@ void run(const QueryOptions& options) {
   const Scene scene = scene_of(options.bodies);
   Accuracy accuracy(options.accuracy, options.solver);
   check_files(options, scene);
-  const std::vector<Pose> poses = read_poses(options.poses == "-" ? "/dev/stdin" : options.poses);
+  const std::vector<Pose> poses =
+      read_poses_or_path(options.poses == "-" ? "/dev/stdin" : options.poses);
 
   ProgressLine progress(options.output.quiet);
   const Pair pair = load_bodies(scene, options.output.quiet, progress);

@@ -18,6 +18,14 @@ constexpr std::string_view names[] = {"t", "px", "py", "pz", "qw", "qx", "qy", "
 std::vector<Pose> read_poses(const std::filesystem::path& file) {
   std::vector<Pose> poses;
   read_csv_rows(
+      file, std::span(names).subspan(1), most_pose_bytes,
+      [&](std::span<const double> row) { poses.push_back(pose_of_numbers(row.first<7>())); });
+  return poses;
+}
+
+std::vector<Pose> read_poses_or_path(const std::filesystem::path& file) {
+  std::vector<Pose> poses;
+  read_csv_rows(
       file, std::span(names).subspan(1), names, most_pose_bytes,
       [&](std::span<const double> row) { poses.push_back(pose_of_numbers(row.last<7>())); });
   return poses;

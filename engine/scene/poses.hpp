@@ -13,11 +13,13 @@ struct TimedPose {
   Pose pose;     ///< X_FM: the probe's mesh frame in the fixed body's mesh frame
 };
 
-/// Reads `px,py,pz,qw,qx,qy,qz`, or a path with `t` before them, whose times do not count. Throws
+/// Reads `px,py,pz,qw,qx,qy,qz`. Throws
 /// InputError with file, line and reason: a wrong header, a wrong column count, a field that is no
 /// number or not finite, a quaternion further than 1e-3 from unit length (nearer ones are
 /// normalised).
 std::vector<Pose> read_poses(const std::filesystem::path& file);
+/// The same, or a path with `t` before them, whose times do not count.
+std::vector<Pose> read_poses_or_path(const std::filesystem::path& file);
 
 /// Reads `t,px,py,pz,qw,qx,qy,qz`, t strictly increasing; errors as read_poses.
 std::vector<TimedPose> read_trajectory(const std::filesystem::path& file);

@@ -18,7 +18,10 @@ set(allowed
     engine/penetration/search/pair.hpp
     engine/penetration/contact/separation.hpp
     engine/penetration/search/pose_seed.hpp
-    engine/penetration/search/static_search.hpp
+    engine/penetration/contact/clearance.hpp
+    engine/penetration/search/static_options.hpp
+    engine/queries/body_queries.hpp
+    engine/queries/pair_queries.hpp
     engine/penetration/sensitivity/wrench_derivative.hpp
     engine/sonde.hpp)
 set(source "${WORK}/face_alone.cpp")

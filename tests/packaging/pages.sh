@@ -21,7 +21,7 @@ check_flags() { # PROGRAM [COMMAND]
     complain "$1.1: --help of \"$*\" lists other flags: $(cat "$work/differ")"
 }
 commands=$({ "$BUILD/bin/sonde" nothing 2>&1 || true; } | sed -n 's/.*the commands are //p' | tr -d ,)
-[[ $(wc -w <<<"$commands") -eq 11 ]] || complain "not the commands: $commands"
+[[ $(wc -w <<<"$commands") -eq 13 ]] || complain "not the commands: $commands"
 read_page sonde
 check_flags sonde
 for command in $commands; do check_flags sonde "$command"; done

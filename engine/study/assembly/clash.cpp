@@ -101,6 +101,7 @@ const char* name_of(Clash::Kind kind) {
 std::vector<Clash> clashes(const std::vector<AssemblyPart>& parts, const ClashOptions& options,
                            const Progress& progress) {
   std::vector<AxisBox> boxes;
+  boxes.reserve(parts.size());
   const double margin = 0.5 * std::max(options.within, options.allowance);
   for (const AssemblyPart& part : parts) boxes.push_back(box_of(part, margin));
   const auto pairs = pairs_that_meet(boxes);

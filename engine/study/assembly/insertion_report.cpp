@@ -161,7 +161,7 @@ std::string way_picture(const Json& way) {
   }
   SvgChart chart{"Along the way", {}};
   const ChartAxis x{"travel, mm"};
-  ChartPanel room{"Room, and how far the probe is held back", x, {"mm"}, {}, {}, {}};
+  ChartPanel room{"Room, and how far the probe is held back", x, {"room, depth, mm"}, {}, {}, {}};
   room.series = {{"clearance", travel, clearance}, {"depth held", travel, depth}};
   ChartPanel felt{"Force on the hand", x, {"force, N"}, {}, {}, {}};
   felt.series = {{"force", travel, force}};
