@@ -120,7 +120,7 @@ std::string first_bytes(std::string_view bytes) {
 /// Not even by intention: it begins as files of another kind do, or the count would be a file of
 /// 13 GB at least, which four letters of a text make (then arithmetic on it says nothing).
 bool is_of_another_kind(std::string_view bytes) {
-  constexpr std::uint32_t too_many = 1U << 28;
+  constexpr std::uint32_t too_many = 1U << 28, not_filled_in = 0xffffffff;
   const std::string_view kinds[] = {"PK\x03\x04",
                                     "\x89PNG",
                                     "%PDF",
@@ -137,7 +137,8 @@ bool is_of_another_kind(std::string_view bytes) {
                                     "OFF"};
   return std::ranges::any_of(kinds,
                              [&](std::string_view kind) { return bytes.starts_with(kind); }) ||
-         (bytes.size() >= stl_header && little_endian(bytes, 80) >= too_many);
+         (bytes.size() >= stl_header && little_endian(bytes, 80) >= too_many &&
+          little_endian(bytes, 80) != not_filled_in);
 }
 
 [[noreturn]] void refuse_stl(const std::string& file, std::string_view bytes) {

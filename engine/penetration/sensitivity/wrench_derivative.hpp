@@ -19,12 +19,12 @@ namespace sonde {
 struct WrenchDerivative {
   /// 6 × 6, or 6 × 1, by columns, not aligned.
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
-  using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+  using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;  ///< As Matrix.
 
   /// Where the derivative holds: on all sides of this pose; on one side, and another one on the
   /// other; or there is none.
   enum class Sides { all, two, none };
-  Sides sides = Sides::none;
+  Sides sides = Sides::none;  ///< where this one holds
   int rows = 0;  ///< features in contact that hold the probe on this side, independent ones
   /// Why the derivative does not hold on all sides; static text, empty where it does.
   const char* reason = "";
