@@ -13,7 +13,7 @@ COLOURS = {"engine": "#dce9f7", "ui": "#f8e6dc"}
 def layers(text):
     """Folders and what each sees, in the order of their declaration."""
     found = {}
-    for arguments in re.findall(r"^sonde_layer\(([^)]*)\)", text, re.MULTILINE):
+    for arguments in re.findall(r"^ *sonde_layer\(([^)]*)\)", text, re.MULTILINE):
         words = arguments.split()
         sees, keyword = [], None
         for word in words[1:]:
