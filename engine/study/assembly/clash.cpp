@@ -43,6 +43,15 @@ std::optional<Vec3> middle_of(const ContactSet& contacts) {
   return sum / weight;
 }
 
+/// The depth of a probe that is let down to its contacts, from which a separated pose keeps its
+/// clearance, 1e-4 of the depth: to first order in that, since λ is what σ/2 changes by with a gap.
+double without_gaps(const Separation& found) {
+  double less = 0;
+  for (const Contact& c : found.contacts) less += c.multiplier * std::max(0.0, c.gap);
+  if (!(found.depth > 0) || !found.converged) return found.depth;
+  return std::clamp(found.depth - less / found.depth, found.lower_bound.value_or(0), found.depth);
+}
+
 /// Of two parts the smaller one is the probe: it is the one that a person would move.
 Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2> pair,
                const ClashOptions& options) {
@@ -74,7 +83,7 @@ Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2
     out.reason = found.reason;
     return out;
   }
-  out.depth = found.depth;
+  out.depth = without_gaps(found);
   out.lower_bound = found.lower_bound;
   out.separated = fixed.X_WM * found.separated;
   if (const auto middle = middle_of(found.contacts)) out.place = fixed.X_WM * *middle;

@@ -26,7 +26,8 @@ struct Clash {
   enum class Kind { overlapping, touching, clear, failed };
   std::array<std::size_t, 2> parts = {0, 0};  ///< of the list, the lower number first
   Kind kind = Kind::failed;
-  /// m: where they overlap or touch by more than nothing, how deep; none else.
+  /// m: where they overlap or touch by more than nothing, how deep, at the contacts themselves
+  /// (`separated` keeps a clearance from them); none else.
   std::optional<double> depth, lower_bound;
   std::optional<double> clearance;  ///< m: where they are clear, their least distance
   /// Where they are nearest, or the middle of the contacts that hold the way out, world, m. None
