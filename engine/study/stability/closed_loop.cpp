@@ -48,7 +48,7 @@ Wrench spring_wrench(const MassProperties& mass, const Separation& s, const Coup
 Wrench commanded_wrench(const MassProperties& mass, const Separation& s,
                         const std::optional<SeparationMotion>& before, double sample_time,
                         const Coupling& coupling) {
-  const Wrench spring = spring_wrench(mass, s, coupling);
+  Wrench spring = spring_wrench(mass, s, coupling);
   const bool damped = coupling.mode == Coupling::Mode::classic && before && !s.jumped;
   if (!damped || s.status != Status::penetrating) return spring;
   const SeparationMotion now = separation_motion(mass, s.device, s.separated);

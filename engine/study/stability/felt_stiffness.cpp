@@ -115,7 +115,7 @@ std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, con
   const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);
   CoherentSolver solver(pair, method);
   if (method == Method::pdg)
-    if (const auto known = in_closed_form(solver, pair, X_FO, X_FQ)) return known;
+    if (auto known = in_closed_form(solver, pair, X_FO, X_FQ)) return known;
   FeltStiffness out;
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double size = i < 3 ? step : step / radius;
