@@ -161,8 +161,10 @@ TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_do
   EXPECT_GT(shown().wrench.force.norm(), 1) << "it is quiet in contact";
   // Damped with 2 N·s/m of its own and 5 of the hand, one sample late: without friction the end is
   // near 2 b/(T + 2 t_d) = 4.7 kN/m.
+  // The gains glide there no faster than the force may change.
   typed->setValue(40'000);
-  const Buzz loud = settled();
+  Buzz loud = settled();
+  for (int i = 0; i < 10 && loud.chatter <= chatter_limit; ++i) loud = settled();
   EXPECT_GT(loud.chatter, chatter_limit);
   EXPECT_GT(loud.chatter, 10 * quiet.chatter);
   EXPECT_TRUE(wait_until([&] { return text("chatter_value").contains("buzzing"); }));
@@ -170,7 +172,9 @@ TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_do
   EXPECT_TRUE(wait_until([&] { return stiffness().note().now == "buzzing"; })) << "in the view too";
   EXPECT_GT(stiffness().note().course.size(), 50u) << "of a tenth of a second at 1 kHz";
   typed->setValue(400);
-  EXPECT_LT(settled().chatter, loud.chatter / 10) << "and is quiet again";
+  Buzz again = settled();
+  for (int i = 0; i < 10 && again.chatter >= loud.chatter / 10; ++i) again = settled();
+  EXPECT_LT(again.chatter, loud.chatter / 10) << "and is quiet again";
 }
 
 TEST_F(StiffnessTest, the_present_contact_is_marked_on_the_map_with_its_own_boundary) {
