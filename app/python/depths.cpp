@@ -288,7 +288,7 @@ void declare_depths(py::module_& module) {
                     "The force is not continuous here: a search found the separated pose,\n"
                     "or the path led over an edge.")
       .def("__len__", [](const Depths& d) { return d.reason.size(); })
-      .def("__getitem__", &part_of)
+      .def("__getitem__", &part_of, "index"_a)
       .def("__repr__", [](const Depths& d) { return words_for(d); })
       .def(py::pickle(&state_of, &of_state));
 }

@@ -126,7 +126,9 @@ Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps
     step.travel = rows[i];
     step.X_FM = pose_at(way, pair, rows[i]);
     step.clearance = distance(pair, step.X_FM);
-    step.held = follower.tick(step.X_FM);
+    // Up to the first contact the way is known to be free: there the probe is where the way has it.
+    const bool is_free = !out.first || rows[i] <= out.first->travel;
+    step.held = is_free ? follower.reset(step.X_FM) : follower.tick(step.X_FM);
     step.wrench = coupler.wrench(step.held, 0);
     out.steps.push_back(step);
   }

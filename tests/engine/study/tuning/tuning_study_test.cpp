@@ -151,7 +151,11 @@ TEST(TuningStudy, limits_at_other_dampings_are_known_to_a_coarser_ratio) {
   const double known_to = coarse_ratio(setup.ratio);
   EXPECT_LE(known_to, 1.11 * std::pow(setup.ratio / 1.02, 5));
   for (const char* limit : {"stable", "good"}) {
-    ASSERT_GT(fine[1].at(limit), 0) << limit;
+    if (fine[1].at(limit) == 0) {  // nothing is faithful at that damping: neither finds anything
+      EXPECT_STREQ(limit, "good");
+      EXPECT_EQ(coarse[1].at(limit), 0);
+      continue;
+    }
     const double times = coarse[1].at(limit).get<double>() / fine[1].at(limit).get<double>();
     EXPECT_LE(times, setup.ratio) << limit;
     EXPECT_GE(times, 1 / known_to) << limit;
