@@ -56,6 +56,7 @@ Vec3 lateral_of(const InsertOptions& options, const Vec3& axis) {
 
 std::vector<Pose> poses_of(const std::vector<TimedPose>& path) {
   std::vector<Pose> out;
+  out.reserve(path.size());
   for (const TimedPose& at : path) out.push_back(at.pose);
   return out;
 }

@@ -115,8 +115,8 @@ class QueryAnswers {
   }
   Separation followed(const Pose& pose) {
     // A search that failed leaves nothing to follow: search again.
-    const Separation found = started_ ? follower_->tick(pose, solver_.budget)
-                                      : follower_->reset(pose, solver_.static_options());
+    Separation found = started_ ? follower_->tick(pose, solver_.budget)
+                                : follower_->reset(pose, solver_.static_options());
     started_ = started_ || found.status != Status::failed;
     return found;
   }

@@ -393,8 +393,10 @@ void append(PolygonSoup& all, const Body& body, const Pose& X, const std::string
   for (const Vec3& x : body.soup.vertices) all.points.push_back(place * x);
   for (const Triangle& t : body.soup.triangles)
     all.polygons.push_back({first + t[0], first + t[1], first + t[2]});
-  for (const std::string& remark : body.remarks) all.remarks.push_back(name + ": " + remark);
-  for (const std::string& done : sentences(body.repairs)) all.remarks.push_back(name + ": " + done);
+  const std::string who = name + ": ";
+  for (const std::vector<std::string>& said : {body.remarks, sentences(body.repairs)})
+    for (const std::string& sentence : said)
+      all.remarks.push_back(std::string(who).append(sentence));
 }
 
 /// Each part as it is by itself, with the scale and the repair of the whole.
