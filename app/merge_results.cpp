@@ -130,6 +130,7 @@ void check_complete(const std::vector<ShareFile>& shares) {
 
 std::string merge_results(const std::vector<std::string>& files) {
   std::vector<ShareFile> shares;
+  shares.reserve(files.size());
   for (const std::string& file : files) shares.push_back(share_in(file));
   check_complete(shares);
   std::vector<IndexedLine> lines;

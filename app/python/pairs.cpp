@@ -156,7 +156,7 @@ py::object pair_touch(const SharedPair& pair, const py::object& given) {
 }
 
 /// An array of a row for each, or for a single one what is in its row.
-py::object unless_one(py::object rows, bool one) {
+py::object unless_one(const py::object& rows, bool one) {
   return one ? py::object(rows[py::int_(0)]) : rows;
 }
 auto vectors(std::size_t n, const auto& vector_of) {
@@ -263,6 +263,7 @@ py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of, do
     throw std::invalid_argument("of must be Depths or a Separation");
   }
   std::vector<Wrench> felt;
+  felt.reserve(rows.size());
   for (const Separation& row : rows) felt.push_back(wrench(pair.pair, row, coupling));
   return rows_of(rows.size(), 6, [&](std::size_t i, std::size_t j) {
     const auto axis = static_cast<Eigen::Index>(j % 3);

@@ -121,20 +121,9 @@ std::string first_bytes(std::string_view bytes) {
 /// 13 GB at least, which four letters of a text make (then arithmetic on it says nothing).
 bool is_of_another_kind(std::string_view bytes) {
   constexpr std::uint32_t too_many = 1U << 28, not_filled_in = 0xffffffff;
-  const std::string_view kinds[] = {"PK\x03\x04",
-                                    "\x89PNG",
-                                    "%PDF",
-                                    "glTF",
-                                    "ISO-10303",
-                                    "\x1f\x8b",
-                                    "\xff\xd8",
-                                    "GIF8",
-                                    "\x7f"
-                                    "ELF",
-                                    "<?xml",
-                                    "ply\n",
-                                    "ply\r",
-                                    "OFF"};
+  const std::string_view kinds[] = {"PK\x03\x04", "\x89PNG",  "%PDF", "glTF",    "ISO-10303",
+                                    "\x1f\x8b",   "\xff\xd8", "GIF8", "\177ELF", "<?xml",
+                                    "ply\n",      "ply\r",    "OFF"};
   return std::ranges::any_of(kinds,
                              [&](std::string_view kind) { return bytes.starts_with(kind); }) ||
          (bytes.size() >= stl_header && little_endian(bytes, 80) >= too_many &&

@@ -35,14 +35,14 @@ ContactsPanel::ContactsPanel(QWidget* parent)
                           QStringLiteral("Share"), QStringLiteral("Position"),
                           QStringLiteral("Normal"), QStringLiteral("Gap"),
                           QStringLiteral("Joined")});
-  const char* const tips[] = {"A cluster of contacts, the same number from tick to tick",
-                              "On the hand, along its normal: those of all contacts add up to F",
-                              "The size of its force, of the sum of all",
-                              "Of the point on the fixed body, in that body's mesh frame: x, y, z",
-                              "Out of the fixed body, of length 1: x, y, z",
-                              "Between the two points, at the separated pose",
-                              "How many places of contact it joins: near each other and facing the "
-                              "same way, or in one plane"};
+  const char* const tips[] = {
+      "A cluster of contacts, the same number from tick to tick",
+      "On the hand, along its normal: those of all contacts add up to F",
+      "The size of its force, of the sum of all",
+      "Of the point on the fixed body, in that body's mesh frame: x, y, z",
+      "Out of the fixed body, of length 1: x, y, z",
+      "Between the two points, at the separated pose",
+      "How many places of contact it joins: near and alike, or in one plane"};
   for (int i = 0; i < rows_->columnCount(); ++i)
     rows_->headerItem()->setToolTip(i, QString::fromUtf8(tips[i]));
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);

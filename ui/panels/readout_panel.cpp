@@ -197,7 +197,7 @@ QString ReadoutPanel::room_text(const Instant& now) const {
   if (separation.status == Status::penetrating)
     return large(unit_.text(separation.depth)) + QStringLiteral(" deep");
   if (!now.clearance) return large(QStringLiteral("free"));
-  const QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
+  QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
   if (clearance_here(now)) return room;
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
 }

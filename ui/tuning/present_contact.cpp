@@ -44,7 +44,7 @@ std::optional<StudiedBoundary> boundary_in(const TuningResults& results, GainAxi
 }
 
 QString words_of(const StudiedBoundary& boundary) {
-  const QString hand = QStringLiteral("a %1 hand").arg(text(boundary.hand));
+  QString hand = QStringLiteral("a %1 hand").arg(text(boundary.hand));
   switch (boundary.basis) {
     case StudiedBoundary::Basis::without_friction:
       return hand + QStringLiteral(", without friction");
