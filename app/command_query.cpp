@@ -75,6 +75,7 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
                                {"seed", solver.seed},
                                {"seeds", options.question.seeds},
                                {"sure", solver.sure},
+                               {"contacts", !options.question.contacts.empty()},
                                {"json", options.output.json}};
   about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
   for (const Column& column : columns) about["columns"].push_back(column.name);
@@ -173,7 +174,12 @@ class QueryLines {
               options.resume),
         contacts_(
             options.solver.coherent() || !options.output.to_file() ? "" : options.question.contacts,
-            run, options.resume) {}
+            run, options.resume) {
+    if (wants_contacts_ && !main_.lines().empty() && !contacts_.was_there())
+      throw InputError::in(options.question.contacts + ".part",
+                           "is missing, while the part of the result is there: remove that, or "
+                           "leave out --resume");
+  }
 
   /// How many of the poses are answered in the parts that were there.
   std::size_t taken_over(const Share& share) {
@@ -236,8 +242,10 @@ void run(const QueryOptions& options) {
   SolverOptions solver = accuracy.applied(options.solver, pair);
   solver.time_phases = options.phases.timed();
   const QueryRows unshared(options.question, accuracy, options.phases, nullptr);
-  const std::string shard =
-      options.shard + "@" + run_of(options, scene, pair, solver, poses, unshared.columns());
+  // With the number of all poses: what is joined is then known to be whole.
+  const std::string shard = options.shard + "@" +
+                            run_of(options, scene, pair, solver, poses, unshared.columns()) + "-" +
+                            std::to_string(poses.size());
   const char* shown_shard = options.shard.empty() ? nullptr : shard.c_str();
   QueryRows rows(options.question, accuracy, options.phases, shown_shard);
 

@@ -92,6 +92,25 @@ ShareFile share_in(const std::string& file) {
   return text.starts_with('{') ? json_share(file, text) : csv_share(file, text);
 }
 
+/// That a share of a result (not of contacts, of which a pose may have any number) has a row for
+/// each of its poses, as many as its name says that there are.
+void check_rows(const ShareFile& share, const Shard& part, std::string_view run) {
+  if (share.head.starts_with("index,x,")) return;
+  std::size_t poses = 0;
+  const std::string_view number = run.substr(std::min(run.rfind('-'), run.size() - 1) + 1);
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), poses);
+  if (read.ec != std::errc{}) throw InputError::in(share.file, "names no share: " + *share.share);
+  std::size_t expected = part.index;
+  for (const IndexedLine& line : share.lines) {
+    if (line.index != expected || expected >= poses)
+      throw InputError::in(share.file, "the row " + std::to_string(expected) + " is missing");
+    expected += part.count;
+  }
+  if (expected < poses)
+    throw InputError::in(share.file, "the row " + std::to_string(expected) +
+                                         " is missing: the file has been cut off");
+}
+
 /// That all shares of one run are there, each once. One without rows cannot say which it is.
 void check_complete(const std::vector<ShareFile>& shares) {
   std::set<std::size_t> there;
@@ -114,6 +133,7 @@ void check_complete(const std::vector<ShareFile>& shares) {
                                            " (other meshes, poses, options or program)");
     run = its;
     count = part->count;
+    check_rows(share, *part, run);
     if (!there.insert(part->index).second)
       throw InputError::in(share.file,
                            "share " + std::to_string(part->index + 1) + " is there twice");

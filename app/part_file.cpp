@@ -19,6 +19,7 @@ PartFile::PartFile(const std::string& result, const std::string& run, bool resum
   if (result.empty()) return;
   file_ = result + ".part";
   if (!resume || !std::filesystem::exists(file_)) return;
+  was_there_ = true;
   const std::string text = read_text(file_, std::numeric_limits<std::size_t>::max());
   std::string_view rest = text;
   bool first = true;

@@ -19,6 +19,8 @@ class PartFile {
   /// a part that is there. Throws InputError where that is of another run, or cannot be read.
   PartFile(const std::string& result, const std::string& run, bool resume);
 
+  /// Whether there was a part to take over.
+  bool was_there() const { return was_there_; }
   std::span<const std::string> lines() const { return lines_; }
   void add(std::string line) { lines_.push_back(std::move(line)); }
   /// Forgets the lines from this one on.
@@ -33,6 +35,7 @@ class PartFile {
   std::string run_;
   std::vector<std::string> lines_;
   std::size_t flushed_ = 0;
+  bool was_there_ = false;
   bool ours_ = false;  // the part on the disk holds the first `flushed_` lines
 };
 

@@ -75,6 +75,12 @@ Poses poses_of(const py::object& given, const char* what) {
   return out;
 }
 
+Pose pose_of(const py::object& given) {
+  const Poses poses = poses_of(given, "pose");
+  if (!poses.one) throw std::invalid_argument("pose must be one, of shape (7,) or (4, 4)");
+  return poses.rows[0];
+}
+
 Points points_of(const py::object& given, const char* what) {
   const Numbers numbers = numbers_in(given, what);
   Points out;

@@ -23,6 +23,9 @@ struct Poses {
 /// a number is not finite, or a rotation is none (to 1e-3).
 Poses poses_of(const pybind11::object& given, const char* what = "poses");
 
+/// The one pose that is given, (7,) or (4, 4); errors as above, and where they are more.
+Pose pose_of(const pybind11::object& given);
+
 /// Points or directions, one (3,) or many (n, 3); errors as above.
 struct Points {
   std::vector<Vec3> rows;

@@ -6,34 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/body/body.hpp"
 #include "engine/devices/device_settings.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "engine/scene/scene_body.hpp"
 
 namespace sonde {
-
-/// One of the two bodies of a scene as its file describes it.
-struct SceneBody {
-  std::filesystem::path mesh;  ///< absolute, or relative to the working directory
-  Model model = Model::automatic;
-  Repair repair = Repair::automatic;
-  double scale = 1;
-  Pose pose;  ///< X_WM, metres
-  /// By which its faces are moved outwards once it is loaded, m: the scene's `safety`, or less than
-  /// zero its `allowance`. A scene file has them of the probe alone.
-  double offset = 0;
-  std::size_t mesh_line = 0;  ///< where the scene's file, as it was read, names the mesh
-  std::string name = {};      ///< of a part; empty: the mesh file's
-  /// What the body is made of where that is several meshes that stand together, each at its pose in
-  /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
-  /// the first, and `model` says nothing.
-  std::vector<SceneBody> parts = {};
-};
-/// The name of a part: its own, or that of its file.
-std::string part_name(const SceneBody& part);
-/// The body itself, or its parts: what names a mesh file.
-std::vector<SceneBody> meshes_of(const SceneBody& body);
 
 /// The device settings of a scene.
 struct SceneDevice {
@@ -102,14 +80,5 @@ Pose relative_pose(const Scene& scene);
 /// Throws InputError with the scene's line where one of its meshes is not there. For a scene just
 /// read.
 void require_meshes(const Scene& scene);
-
-/// What the numbers of a body's mesh file are multiplied by: its scale times the scene's unit, or
-/// its scale alone where the file states its own unit and is read in metres (has_own_unit).
-double mesh_scale(const SceneBody& body, double unit);
-
-/// Loads one body of a scene, in metres, with its offset. One of several parts is made of what each
-/// part is by itself, joined (Body::parts). Throws as load_body and offset_faces, and InputError
-/// where a part is to be a surface though it is closed: joined to others, its inside counts.
-std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
 }  // namespace sonde

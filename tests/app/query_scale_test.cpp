@@ -144,8 +144,6 @@ TEST_F(QueryScale, shares_are_joined_to_what_one_run_writes) {
       EXPECT_EQ(untimed_json(joined), untimed_json(all));
       EXPECT_EQ(joined.substr(0, joined.find("results")), all.substr(0, all.find("results")));
     }
-    EXPECT_EQ(Csv(text_of(folder / "contacts2")).text(0, "index"),
-              Csv(text_of(folder / "contacts2")).text(0, "index"));
   }
   const Csv part(text_of(folder / "contacts2"));
   EXPECT_EQ(std::stoi(part.text(0, "index")) % 3, 1) << "the index in the whole file";
@@ -169,6 +167,12 @@ TEST_F(QueryScale, shares_that_do_not_belong_together_are_refused) {
   expect_refused("merge a poses.csv --out m", 3, "poses.csv:1: is no result");
   folder.write("cut", text_of(folder / "b").substr(0, 300));
   expect_refused("merge a cut --out m", 3, "cut:");
+  const std::string whole = text_of(folder / "b");
+  folder.write("short", whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+  expect_refused("merge a short --out m", 3, "short: the row 39 is missing: the file has been cut");
+  folder.write("holed",
+               whole.substr(0, whole.find("\n3,") + 1) + whole.substr(whole.find("\n5,") + 1));
+  expect_refused("merge a holed --out m", 3, "holed: the row 3 is missing");
   expect_refused("merge a b --out a", 2, "is one of the inputs");
 }
 
@@ -268,6 +272,18 @@ TEST_F(Resumed, a_part_of_another_run_is_refused_and_stays) {
   folder.write("r.part", "nothing");
   expect_refused(run + "--resume", 3, "r.part: is no part of a result");
   EXPECT_EQ(text_of(folder / "r.part"), "nothing");
+}
+
+TEST_F(Resumed, contacts_of_what_is_done_must_be_there) {
+  const std::string without =
+      "query boxes.sonde.json --poses long.csv --bound --seeds 20 "
+      "--budget-steps 60 --out r ";
+  ASSERT_EQ(interrupted(without), 130);
+  expect_refused(run + "--resume", 3, "r.part: is of another run");  // that one had none
+  std::filesystem::remove(folder / "r.part");
+  ASSERT_EQ(interrupted(run), 130);
+  std::filesystem::remove(folder / "c.part");
+  expect_refused(run + "--resume", 3, "c.part: is missing");
 }
 
 }  // namespace

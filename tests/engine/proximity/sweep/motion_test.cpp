@@ -139,5 +139,45 @@ TEST(Motion, bend_of_a_turn_about_one_axis) {
   }
 }
 
+// Reference: Eigen's slerp for the turn, a straight line for the centre of mass, and differences
+// along the path for velocity, acceleration and bend.
+TEST(SteadyMotion, is_a_slerp_with_bounds_that_hold) {
+  std::mt19937_64 random(17);
+  double tightest = 1e300;
+  for (const auto& [name, body] : bodies())
+    for (int i = 0; i < 60; ++i) {
+      const MassProperties& mass = body->mass;
+      const double r = mass.radius, size = size_of(*body);
+      const Pose from = any_pose(random, r), to = any_pose(random, r);
+      const Motion motion(mass, from, to);
+      const Vec3 x = mass.com + r * test::random_in_ball(random, 1).normalized();
+      const auto place = [&](double s) { return Vec3(motion.at(s) * x); };
+      double turned = 0, fastest = 0;
+      constexpr int n = 50;
+      for (int k = 0; k < n; ++k) {
+        const double s = (k + 0.5) / n, h = 1e-4;
+        const Quat q = from.q.slerp(s, to.q);
+        const Vec3 com = (1 - s) * (from * mass.com) + s * (to * mass.com);
+        EXPECT_LT((place(s) - (com + q * Vec3(x - mass.com))).norm(), 1e-11 * size) << name;
+        EXPECT_LT((motion.pose_at(s) * x - place(s)).norm(), 1e-13 * size);
+        const auto v = motion.velocity(s);
+        const Vec3 velocity = v.linear + v.angular.cross(place(s) - com);
+        const double speed = motion.farthest(r);
+        EXPECT_LT((velocity - (place(s + h) - place(s - h)) / (2 * h)).norm(), 1e-5 * speed);
+        const Vec3 acceleration = (place(s + h) - 2 * place(s) + place(s - h)) / (h * h);
+        const double noise = 1e-5 * motion.acceleration_per_radius() * r + 1e-6 * size;
+        EXPECT_LE(acceleration.norm(), motion.acceleration_per_radius() * r + noise) << name;
+        EXPECT_LE((acceleration - motion.bend() * (x - mass.com)).norm(),
+                  motion.bend_error() * r + noise)
+            << name;
+        fastest = std::max(fastest, acceleration.norm() / (motion.acceleration_per_radius() * r));
+        turned += v.angular.norm() / n;
+      }
+      EXPECT_NEAR(turned, motion.turn_bound(), 1e-9) << "all of it, and no more";
+      tightest = std::min(tightest, 1 / fastest);
+    }
+  EXPECT_LT(tightest, 1.05) << "or the bound is of no use";
+}
+
 }  // namespace
 }  // namespace sonde

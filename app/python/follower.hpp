@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "app/python/bodies.hpp"
+#include "app/python/depths.hpp"
+
+namespace sonde::python {
+
+/// The coherent solver. A search starts it, at the first pose and after each restart(). A second
+/// thread that uses it at the same time is refused (std::runtime_error).
+class PathFollower {
+ public:
+  PathFollower(const SharedBody& probe, const SharedBody& fixed, const std::string& method,
+               std::uint64_t seed);
+  PathFollower(const Pair& pair, Method method, std::uint64_t seed);
+  /// @pre No other thread uses it.
+  PathFollower(const PathFollower& other);
+
+  Depths follow(const pybind11::object& poses, int budget_steps, double budget_us);
+  Separation step(const pybind11::object& pose, int budget_steps, double budget_us);
+  void restart();
+  PathFollower copy();
+
+ private:
+  std::unique_lock<std::mutex> taken();
+  Separation next(const Pose& pose, const Budget& budget, const Progress& progress);
+
+  Method method_;
+  std::uint64_t seed_;
+  sonde::Follower follower_;
+  bool started_ = false;
+  std::mutex in_use_;
+};
+
+void declare_follower(pybind11::module_& module);
+
+}  // namespace sonde::python

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/scene/scene_body.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/progress.hpp"
+#include "engine/mesh_io/read_mesh.hpp"
+#include "engine/offset/offset_faces.hpp"
+
+namespace sonde {
+
+double mesh_scale(const SceneBody& body, double unit) {
+  return has_own_unit(body.mesh) ? body.scale : unit * body.scale;
+}
+
+std::string part_name(const SceneBody& part) {
+  return part.name.empty() ? part.mesh.filename().string() : part.name;
+}
+
+std::vector<SceneBody> meshes_of(const SceneBody& body) {
+  return body.parts.empty() ? std::vector{body} : body.parts;
+}
+
+namespace {
+
+/// "a.off, b.off and 3 more".
+std::string name_of_parts(const std::vector<SceneBody>& parts) {
+  constexpr std::size_t most = 3;
+  std::string name;
+  for (std::size_t i = 0; i < std::min(parts.size(), most); ++i)
+    name += (i == 0 ? "" : ", ") + part_name(parts[i]);
+  if (parts.size() > most) name += " and " + std::to_string(parts.size() - most) + " more";
+  return name;
+}
+
+void append(PolygonSoup& all, const Body& body, const Pose& X, const std::string& name) {
+  const std::size_t first = all.points.size();
+  const Transform place(X);
+  for (const Vec3& x : body.soup.vertices) all.points.push_back(place * x);
+  for (const Triangle& t : body.soup.triangles)
+    all.polygons.push_back({first + t[0], first + t[1], first + t[2]});
+  const std::string who = name + ": ";
+  for (const std::vector<std::string>& said : {body.remarks, sentences(body.repairs)})
+    for (const std::string& sentence : said)
+      all.remarks.push_back(std::string(who).append(sentence));
+}
+
+/// Each part as it is by itself, with the scale and the repair of the whole.
+std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, const Progress& progress) {
+  PolygonSoup all;
+  std::vector<BodyPart> parts;
+  const double n = static_cast<double>(whole.parts.size());
+  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+    SceneBody part = whole.parts[i];
+    part.scale *= whole.scale;
+    part.pose.p *= whole.scale;
+    if (whole.repair != Repair::automatic) part.repair = whole.repair;
+    const double done = static_cast<double>(i);
+    auto body = load(part, unit, part_of(progress, 0.6 * done / n, 0.6 * (done + 1) / n));
+    const std::string name = part_name(part);
+    if (part.model == Model::surface && body->topology.closed)
+      throw InputError::in(part.mesh.string(),
+                           "is closed: as one of several parts it cannot be a "
+                           "surface, since its inside counts");
+    append(all, *body, part.pose, name);
+    parts.push_back({name, std::move(body), part.pose});
+  }
+  const auto body = make_body(all, Model::automatic, name_of_parts(whole.parts),
+                              part_of(progress, 0.6, 1), Repair::automatic);
+  return with_parts(*body, std::move(parts));
+}
+
+}  // namespace
+
+std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
+  const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
+  auto nominal = body.parts.empty() ? load_body(body.mesh.string(), body.model,
+                                                mesh_scale(body, unit), reading, body.repair)
+                                    : joined(body, unit, reading);
+  if (body.offset == 0) return nominal;
+  return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
+}
+
+}  // namespace sonde
