@@ -10,15 +10,17 @@ namespace sonde {
 
 /// Do the bodies touch or overlap, the probe at X_FM? By exact predicates: no triangle of one meets
 /// or touches one of the other, and no connected component of either lies inside the other where
-/// that is a solid, or else they do. Some 0.3 to 10 µs. Any number of threads may call it on one
-/// pair. Allocates where the predicates need exact numbers. X_FM.q need not have length 1.
+/// that is a solid, or else they do. 0.3 to 0.8 µs in the median on bundled pairs, 60 at the 99th
+/// percentile. Any number of threads may call it on one pair. Allocates where the predicates need
+/// exact numbers. X_FM.q need not have length 1.
 /// @throws InputError where the pose is not finite, its quaternion has no length, or the bodies are
 /// so far from the origin for their size that rounding leaves nothing of contacts.
 bool touch(const Pair& pair, const Pose& X_FM);
 
 /// How far the bodies are apart, the probe at X_FM, and where; 0 where they touch or overlap, by
-/// the test of touch(). The distance is exact to about 1e-14 of the largest coordinate. Some 10 to
-/// 100 µs. Threads, allocation and X_FM.q as of touch().
+/// the test of touch(). The distance is exact to about 1e-14 of the largest coordinate. 35 to 140
+/// µs in the median on bundled pairs, 0.4 to 8 ms at the 99th percentile. Threads, allocation and
+/// X_FM.q as of touch().
 /// @throws InputError as touch().
 Clearance distance(const Pair& pair, const Pose& X_FM);
 
@@ -38,7 +40,8 @@ struct SweptPath {
 
 /// Moves the probe from X0_FM to X1_FM, its centre of mass on a straight line and its turn about
 /// one axis, the shorter way round, both steadily, up to the first contact. Nothing is skipped,
-/// however thin (conservative advancement). Some 10 to 1000 µs. Threads, allocation and lengths of
+/// however thin (conservative advancement). 0.12 to 0.17 ms in the median on motions as
+/// long as bundled pairs are, 6 to 34 ms at the 99th percentile. Threads, allocation and lengths of
 /// quaternions as of touch().
 /// @throws InputError as touch(), for either pose.
 SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM);

@@ -33,8 +33,8 @@ struct StaticOptions {
   /// The share of a budget of time that is kept for the bound. 0: the bound gets what the search
   /// leaves.
   double share_for_bound = 0;
-  /// Where the pose is free, say how far the bodies are apart (Separation::clearance): some 10 to
-  /// 100 µs.
+  /// Where the pose is free, say how far the bodies are apart (Separation::clearance): as
+  /// distance() takes.
   bool want_clearance = false;
   bool time_phases = false;  ///< say where the time went (Separation::phases)
   bool two_threads = false;  ///< the same bits; one works alone where a budget of time is short
