@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/options.hpp"
+#include "engine/mending/repair_sentences.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/text/counted.hpp"

@@ -12,6 +12,7 @@
 #include "app/recordings.hpp"
 #include "app/result_table.hpp"
 #include "app/static_searches.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/queries/pair_queries.hpp"
 #include "engine/recording/loop_run.hpp"
 #include "engine/recording/recording.hpp"

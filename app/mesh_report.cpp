@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "engine/mending/repair_sentences.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/clearance_of.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"

@@ -9,6 +9,7 @@
 #include "engine/body/body.hpp"
 #include "engine/calibration/calibration_file.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
+#include "engine/mending/repair_sentences.hpp"
 #include "engine/offset/offset_faces.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"

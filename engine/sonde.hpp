@@ -19,22 +19,25 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/error.hpp"                         // InputError, Cancelled, Progress
-#include "engine/base/phase_times.hpp"                   // Phase, PhaseTimes
-#include "engine/calibration/knob.hpp"                   // Knob, Claim
-#include "engine/geometry/face_offset.hpp"               // FaceOffset
-#include "engine/geometry/mass.hpp"                      // MassProperties
-#include "engine/geometry/model.hpp"                     // Model, Repair
-#include "engine/geometry/pose.hpp"                      // Vec3, Mat3, Quat, Pose
-#include "engine/haptics/coupling/coupling.hpp"          // Coupling, Wrench
-#include "engine/mending/repairs.hpp"                    // Repairs
-#include "engine/penetration/contact/separation.hpp"     // Method, Status, Budget, Separation
-#include "engine/penetration/search/pair.hpp"            // Pair
-#include "engine/penetration/search/pose_seed.hpp"       // seed_of_pose
-#include "engine/penetration/search/static_options.hpp"  // StaticOptions
+#include "engine/base/error.hpp"                              // InputError, Cancelled, Progress
+#include "engine/base/phase_times.hpp"                        // Phase, PhaseTimes
+#include "engine/calibration/knob.hpp"                        // Knob, Claim
+#include "engine/geometry/face_offset.hpp"                    // FaceOffset
+#include "engine/geometry/mass.hpp"                           // MassProperties
+#include "engine/geometry/model.hpp"                          // Model, Repair
+#include "engine/geometry/pose.hpp"                           // Vec3, Mat3, Quat, Pose
+#include "engine/haptics/coupling/coupling.hpp"               // Coupling, Wrench
+#include "engine/mending/repairs.hpp"                         // Repairs
+#include "engine/penetration/contact/separation.hpp"          // Method, Status, Budget, Separation
+#include "engine/penetration/restricted/separate_within.hpp"  // separate_along, _about, _in_plane
+#include "engine/penetration/search/pair.hpp"                 // Pair
+#include "engine/penetration/search/pair_file.hpp"            // write_pair, read_pair
+#include "engine/penetration/search/pose_seed.hpp"            // seed_of_pose
+#include "engine/penetration/search/static_options.hpp"       // StaticOptions
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"  // WrenchDerivative
 #include "engine/queries/body_queries.hpp"  // inside, nearest_point, ray, part_at
 #include "engine/queries/pair_queries.hpp"  // touch, distance, sweep
+#include "engine/queries/pose_matrix.hpp"   // pose_of, matrix_of, isometry_of
 
 namespace sonde {
 
@@ -223,6 +226,9 @@ Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling)
 /// @pre As above, for both separations.
 Wrench wrench(const Pair& pair, const Separation& now, const Separation& before, double dt,
               const Coupling& coupling) noexcept;
+
+// separate_along, separate_about and separate_in_plane
+// (penetration/restricted/separate_within.hpp) give the depth among fewer motions.
 
 // wrench_derivative (penetration/sensitivity/wrench_derivative.hpp) says how depth and wrench
 // change with the pose: the stiffness that the hand feels.

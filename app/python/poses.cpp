@@ -6,14 +6,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/queries/pose_matrix.hpp"
 #include "engine/queries/pose_numbers.hpp"
 
 namespace sonde::python {
 namespace {
 
 namespace py = pybind11;
-
-constexpr double unit_to = 1e-3;  // as of the quaternions of files
 
 /// An array of doubles, whatever real numbers it was made of.
 Numbers numbers_in(const py::object& given, const char* what) {
@@ -24,24 +23,6 @@ Numbers numbers_in(const py::object& given, const char* what) {
     throw std::invalid_argument(std::string(what) + " must be real numbers, not of type " +
                                 py::str(array.dtype()).cast<std::string>());
   return Numbers(array);
-}
-
-Pose pose_of_matrix(const double* m) {
-  Mat3 R;
-  Vec3 p;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) R(i, j) = m[4 * i + j];
-    p[i] = m[4 * i + 3];
-  }
-  if (!R.allFinite() || !p.allFinite()) throw std::invalid_argument("a number is not finite");
-  if (std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]) + std::abs(m[15] - 1) > 1e-9)
-    throw std::invalid_argument("the last row of the matrix is not 0, 0, 0, 1");
-  const double off = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
-  if (!(off <= unit_to) || !(R.determinant() > 0))
-    throw std::invalid_argument(
-        "the upper left of the matrix is no rotation: its columns must be "
-        "square to each other, of length 1 and right-handed");
-  return {Quat(R).normalized(), p};
 }
 
 }  // namespace
@@ -65,9 +46,9 @@ Poses poses_of(const py::object& given, const char* what) {
   for (std::size_t i = 0; i < count; ++i) {
     const double* row = numbers.data() + step * i;
     try {
-      out.rows.push_back(matrices ? pose_of_matrix(row)
+      out.rows.push_back(matrices ? pose_of_matrix(std::span<const double, 16>(row, 16))
                                   : pose_of_numbers(std::span<const double, 7>(row, 7)));
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::exception& error) {
       const std::string name = std::string(what) == "poses" ? "pose" : what;
       throw std::invalid_argument(name + " " + std::to_string(i) + ": " + error.what());
     }

@@ -10,6 +10,7 @@
 #include "engine/body/facets.hpp"
 #include "engine/body/model_choice.hpp"
 #include "engine/body/outline.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 
 namespace sonde {

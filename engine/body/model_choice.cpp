@@ -8,6 +8,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/mending/region_mass.hpp"
 #include "engine/text/counted.hpp"
 

@@ -7,6 +7,7 @@
 namespace sonde {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// Motions of the probe from its device pose O in the coordinates in which the object norm is
 /// Euclidean: y = (2√Î₁ v₁, 2√Î₂ v₂, 2√Î₃ v₃, t), σ = |y|². v is the vector part of the relative

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/base/progress.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/mending/lines.hpp"
 
 namespace sonde {

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/geometry/mass.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/mending/sealed.hpp"
 
 namespace sonde {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 namespace sonde {
 
@@ -38,11 +36,5 @@ struct Repairs {
            overlaps;
   }
 };
-
-// Not of the public face from here on (engine/sonde.hpp).
-
-/// What was done, a sentence each, without a full stop: "1 triangle turned to agree with its
-/// neighbours". Empty where nothing was.
-std::vector<std::string> sentences(const Repairs& repairs);
 
 }  // namespace sonde

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "engine/base/progress.hpp"
+#include "engine/geometry/transform.hpp"
+#include "engine/mending/repair_sentences.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/offset/offset_faces.hpp"
 

@@ -8,8 +8,7 @@ set(sonde_face_seen)
 set(sonde_face_system)
 set(sonde_face_text)
 
-# Appends a header of the engine to sonde_face_text, after those that it includes, each once. What
-# lies below the line "Not of the public face" stays inside.
+# Appends a header of the engine to sonde_face_text, whole, after those that it includes, each once.
 function(sonde_face_append HEADER)
   if(HEADER IN_LIST sonde_face_seen)
     return()
@@ -27,7 +26,6 @@ function(sonde_face_append HEADER)
       list(APPEND sonde_face_system "${name}")
     endif()
   endforeach()
-  string(REGEX REPLACE "\n// Not of the public face.*" "\n}  // namespace sonde\n" text "${text}")
   string(REGEX REPLACE "\n#(include|pragma)[^\n]*" "" text "${text}")
   string(REGEX REPLACE "^// SPDX[^\n]*\n+" "" text "${text}")
   set(sonde_face_seen "${sonde_face_seen}" PARENT_SCOPE)
@@ -53,6 +51,7 @@ target_compile_features(${sonde_engine_target} INTERFACE cxx_std_20)
 add_library(sonde_shared SHARED "${PROJECT_SOURCE_DIR}/engine/sonde.cpp"
                                 $<TARGET_OBJECTS:sonde_engine_penetration_search>
                                 $<TARGET_OBJECTS:sonde_engine_penetration_sensitivity>
+                                $<TARGET_OBJECTS:sonde_engine_penetration_restricted>
                                 $<TARGET_OBJECTS:sonde_engine_queries>)
 # Below 1.0 each minor version may change the face, from then on each major one.
 set(SONDE_SOVERSION ${PROJECT_VERSION_MAJOR})

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/geometry/soup.hpp"
+#include "engine/geometry/transform.hpp"
 #include "tests/bench/poses.hpp"
 
 namespace sonde::bench {

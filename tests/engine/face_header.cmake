@@ -23,6 +23,9 @@ set(allowed
     engine/queries/body_queries.hpp
     engine/queries/pair_queries.hpp
     engine/penetration/sensitivity/wrench_derivative.hpp
+    engine/penetration/restricted/separate_within.hpp
+    engine/penetration/search/pair_file.hpp
+    engine/queries/pose_matrix.hpp
     engine/sonde.hpp)
 set(source "${WORK}/face_alone.cpp")
 set(deps "${WORK}/face_alone.d")

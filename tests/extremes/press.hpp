@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/geometry/transform.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/engine/penetration/separation_checks.hpp"

@@ -9,6 +9,7 @@
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "engine/haptics/loop/local_contacts.hpp"
 #include "engine/proximity/sweep/motion.hpp"

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde::ticks {
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 #include "tests/support/pairs.hpp"
 

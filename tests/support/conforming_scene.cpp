@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/rotation.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde::test {
 namespace {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde::test {
 namespace {

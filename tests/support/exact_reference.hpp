@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 #include "tests/support/brute_force.hpp"
 

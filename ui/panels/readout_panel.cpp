@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/same_pose.hpp"
 #include "ui/panels/bar.hpp"

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 
+#include "engine/mending/repair_sentences.hpp"
 #include "ui/base/format.hpp"
 
 namespace sonde::ui {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "ui/base/theme.hpp"
 
 namespace sonde::ui {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "ui/views/glyphs.hpp"
 #include "ui/views/overlay.hpp"
 

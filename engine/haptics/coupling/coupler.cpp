@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
+
 namespace sonde {
 
 Wrench Coupler::wrench(const Separation& separation, double dt) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/coupling/gain_glide.hpp"
 #include "engine/penetration/contact/separation.hpp"
 

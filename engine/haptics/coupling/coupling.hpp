@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/geometry/mass.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {
@@ -28,24 +27,5 @@ struct Wrench {
   Vec3 torque = Vec3::Zero();  ///< N·m, about the probe's centre of mass
   bool saturated = false;      ///< a device limit acted
 };
-
-// Not of the public face from here on (engine/sonde.hpp).
-
-/// The separation from O to Q as the classic coupling uses it.
-struct SeparationMotion {
-  Vec3 t = Vec3::Zero();      ///< displacement of the centre of mass, fixed frame, m
-  Vec3 theta = Vec3::Zero();  ///< rotation vector from O to Q, fixed frame, rad
-};
-SeparationMotion separation_motion(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ);
-
-/// F = k t; τ = R_BO 2k (wÎv + v×Îv), before device limits.
-Wrench object_norm_wrench(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ, double k);
-
-/// F = k_t t + b_t ṫ, τ = k_r θ + b_r θ̇ with the rates of the separation, before device limits.
-Wrench classic_wrench(const SeparationMotion& now, const Vec3& t_rate, const Vec3& theta_rate,
-                      const Coupling& coupling);
-
-/// Scales force and torque separately down to the device's limits, and keeps their directions.
-Wrench limit(const Wrench& wrench, double max_force, double max_torque);
 
 }  // namespace sonde

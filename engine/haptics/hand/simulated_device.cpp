@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "engine/geometry/rotation.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/geometry/rotation.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/safety/hand_trial.hpp"
 #include "engine/penetration/descent/result.hpp"
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
+
 namespace sonde {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 
 namespace sonde {
 

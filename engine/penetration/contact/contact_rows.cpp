@@ -282,6 +282,7 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from,
     rows_[i].normal = chart.row(y, contacts_[i].on_probe, contacts_[i].normal);
     at_[i] = rows_[i].normal.dot(y);
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
+    if (onto_) rows_[i].normal = (*onto_ * rows_[i].normal).eval();
   }
   // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
   const Vec3 v = chart.v(y);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/penetration/contact/contact_tuning.hpp"
 #include "engine/penetration/contact/least_distance.hpp"
 #include "engine/penetration/contact/pair_lists.hpp"
@@ -46,6 +47,9 @@ class ContactRows {
 
   /// Adds the time of looks, solutions and sweeps to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
+  /// Keeps y in a subspace, onto which `onto` projects (6 × 6, symmetric), from now on. The y that
+  /// it is asked about must lie there.
+  void stay_within(const Mat6& onto) { onto_ = onto; }
   /// Drops all rows, kept pairs and lists. Call it before a pose that is unrelated to the last one.
   void forget() noexcept;
 
@@ -150,6 +154,7 @@ class ContactRows {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
+  std::optional<Mat6> onto_;  // the motions that are allowed; none: all of the method
   PairLists lists_;
   std::size_t most_near_;
   std::vector<NearPair> pairs_;

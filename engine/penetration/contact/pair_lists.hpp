@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/sweep/course.hpp"
 #include "engine/proximity/sweep/neighbour_list.hpp"
 #include "engine/proximity/sweep/neighbour_reach.hpp"

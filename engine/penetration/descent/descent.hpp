@@ -56,6 +56,8 @@ class Descent {
 
   /// Adds the times of phases to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept { rows_.time_into(times); }
+  /// Keeps all of its poses in a subspace (ContactRows::stay_within), where runs are to begin.
+  void stay_within(const Mat6& onto) { rows_.stay_within(onto); }
   /// Drops rows and lists. Call it before a run that is unrelated to the last one.
   void forget() noexcept;
 

@@ -50,6 +50,12 @@ void LeapDescent::time_into(PhaseTimes* times) noexcept {
     if (rows) rows->time_into(times);
 }
 
+void LeapDescent::stay_within(const Mat6& onto) {
+  onto_ = onto;
+  for (std::optional<ContactRows>& rows : rows_)
+    if (rows) rows->stay_within(onto);
+}
+
 ContactRows& LeapDescent::rows(Guide guide) {
   std::optional<ContactRows>& rows = rows_[static_cast<std::size_t>(guide)];
   if (rows) return *rows;
@@ -58,6 +64,7 @@ ContactRows& LeapDescent::rows(Guide guide) {
   else
     rows.emplace(probe_, fixed_, method_, guide == Guide::few ? few : many);
   rows->time_into(times_);
+  if (onto_) rows->stay_within(*onto_);
   return *rows;
 }
 

@@ -34,6 +34,8 @@ class LeapDescent {
 
   /// Adds the times of phases to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept;
+  /// Keeps all of its poses in a subspace (ContactRows::stay_within), where runs are to begin.
+  void stay_within(const Mat6& onto);
   /// From the free pose at y in the chart of the device pose. Its contacts, and the residual that
   /// they leave, are of meaning where it was guided by the bodies' own.
   Descent::Outcome run(const Chart& chart, const Vec6& y, const LeapGoal& goal,
@@ -63,6 +65,7 @@ class LeapDescent {
   const Body& probe_;
   const Body& fixed_;
   Method method_;
+  std::optional<Mat6> onto_;
   PhaseTimes* times_ = nullptr;
   int limited_ = 0;
   std::array<std::optional<ContactRows>, 3> rows_;  // made when first asked for

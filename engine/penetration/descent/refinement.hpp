@@ -14,6 +14,8 @@ class Refinement {
 
   /// Adds the times of phases to `times` from now on; null: to nothing. The leaps have their own.
   void time_into(PhaseTimes* times) noexcept { descent_.time_into(times); }
+  /// Keeps all of its poses in a subspace (ContactRows::stay_within). The leaps have their own.
+  void stay_within(const Mat6& onto) { descent_.stay_within(onto); }
   /// From the free pose at y. Where the steps or the time run out, the nearest pose reached, let
   /// come into contact as far as there is time; or, where nothing is known of its contacts by then,
   /// pulled in by tests of overlap that begin within 0.1 ms, and as far as 0.1 ms more go.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/penetration/search/pair.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "engine/proximity/sketch/sketch.hpp"
@@ -10,7 +9,7 @@ namespace sonde {
 namespace {
 
 std::shared_ptr<const Body> given(std::shared_ptr<const Body> body) {
-  if (!body) throw std::invalid_argument("a pair needs two bodies");
+  if (!body) throw InputError("a pair needs two bodies");
   return body;
 }
 

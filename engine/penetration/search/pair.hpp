@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "engine/base/error.hpp"
@@ -17,7 +18,7 @@ class Pair {
  public:
   /// Makes the sketches, on two threads: 10 to 50 ms on meshes of up to 30 k triangles, 0.2 s on
   /// two of 4 M. So make a pair where you load the bodies.
-  /// @throws std::invalid_argument where a body is missing.
+  /// @throws InputError where a body is missing.
   /// @throws Cancelled where `progress` returns false.
   Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
        const Progress& progress = {});
@@ -37,6 +38,8 @@ class Pair {
   Pair exchanged() const;
 
  private:
+  friend Pair read_pair(const std::filesystem::path& file, std::shared_ptr<const Body> probe,
+                        std::shared_ptr<const Body> fixed);
   Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
        std::shared_ptr<const Sketches> sketches) noexcept;
 

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-using Mat6 = ExactOptimum::Mat6;
+using Mat6 = Mat6;
 
 /// Of a row: one of which the rows that hold leave no more than that free holds with them.
 constexpr double held_with_others = 1e-4;

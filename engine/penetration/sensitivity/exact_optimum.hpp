@@ -31,7 +31,6 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
 /// set (least_distance) and Newton steps with the curvature of the active gaps.
 class ExactOptimum {
  public:
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
   /// Refers to the rows.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 
 namespace sonde {

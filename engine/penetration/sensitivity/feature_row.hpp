@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/geometry/pose.hpp"
+#include "engine/geometry/transform.hpp"
 
 namespace sonde {
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 
 namespace sonde {
 

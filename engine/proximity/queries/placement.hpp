@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/boxes/box_lanes.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 #include "engine/simd/vectors.hpp"

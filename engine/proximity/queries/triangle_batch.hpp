@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/base/recent.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/triangles/triangle_lanes.hpp"

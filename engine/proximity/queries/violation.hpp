@@ -7,6 +7,7 @@
 
 #include "engine/base/effort.hpp"
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 
 namespace sonde {
 

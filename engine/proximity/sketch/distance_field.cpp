@@ -32,10 +32,28 @@ DistanceField::DistanceField(const Body& solid) {
   low_ = quad(box.min() - Vec3::Constant(pad * spacing));
   for (int i = 0; i < 3; ++i) {
     count_[i] = static_cast<int>(std::ceil(box.sizes()[i] / spacing + 2 * pad)) + 1;
-    most_[i] = static_cast<float>(count_[i] - 1) * (1 - 1e-6f);
   }
+  set_most();
   high_ = low_ + spacing_ * __builtin_convertvector(count_ - 1, Quad);
   fill(solid);
+}
+
+DistanceField::DistanceField(const Parts& parts)
+    : low_(parts.low),
+      high_(parts.high),
+      count_(parts.count),
+      spacing_(parts.spacing),
+      per_spacing_(parts.per_spacing),
+      nodes_(parts.nodes) {
+  if (!nodes_.empty()) set_most();
+}
+
+DistanceField::Parts DistanceField::parts() const {
+  return {low_, high_, count_, spacing_, per_spacing_, nodes_};
+}
+
+void DistanceField::set_most() {
+  for (int i = 0; i < 3; ++i) most_[i] = static_cast<float>(count_[i] - 1) * (1 - 1e-6f);
 }
 
 void DistanceField::fill(const Body& solid) {

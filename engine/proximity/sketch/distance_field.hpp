@@ -28,6 +28,17 @@ class DistanceField {
   /// Of nothing, from which every point is far.
   DistanceField();
 
+  /// All that a field consists of, to be kept. A field of nothing has no nodes.
+  struct Parts {
+    Quad low{}, high{};
+    IntX4 count{};
+    float spacing = 0, per_spacing = 0;
+    std::vector<Quad> nodes;
+  };
+  Parts parts() const;
+  /// @pre There are nodes for all of the grid, whose sides have two and more, or none at all.
+  explicit DistanceField(const Parts& parts);
+
   /// The gradient (about a unit vector, away from the solid), and in the fourth the distance, m, of
   /// a point, whose own fourth does not matter. There must be a solid.
   Quad at(const Quad& x) const;
@@ -45,6 +56,7 @@ class DistanceField {
  private:
   using Cell = IntX4;
   void fill(const Body& solid);
+  void set_most();
   Quad beyond(const Quad& at_border, const Quad& way) const;
 
   Quad low_{}, high_{};  // of the grid

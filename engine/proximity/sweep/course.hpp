@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/geometry/pose.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 
 namespace sonde {

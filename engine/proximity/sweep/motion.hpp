@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/transform.hpp"
 
 namespace sonde {
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/queries/near_pairs.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/violation.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/sweep/motion.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"

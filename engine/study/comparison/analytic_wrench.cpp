@@ -7,6 +7,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/study/comparison/half_space.hpp"
 
 namespace sonde {

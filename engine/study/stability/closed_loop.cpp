@@ -5,6 +5,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 namespace sonde {
 

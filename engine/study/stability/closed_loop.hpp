@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/haptics/loop/haptic_loop.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/body/body.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"

@@ -7,6 +7,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/study/rendering/discontinuities.hpp"
 #include "engine/study/stability/chatter.hpp"
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "engine/geometry/mass_integrals.hpp"
 #include "tests/engine/mesh_io/mesh_files.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/defects.hpp"

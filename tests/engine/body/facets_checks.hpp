@@ -11,6 +11,7 @@
 
 #include "engine/body/body.hpp"
 #include "engine/body/facets.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "tests/support/conforming.hpp"
 #include "tests/support/defects.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/geometry/mass_integrals.hpp"
 #include "tests/engine/geometry/soup_of.hpp"
 #include "tests/support/defects.hpp"
 #include "tests/support/shapes.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/geometry/mass.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/geometry/topology.hpp"
 #include "tests/engine/geometry/soup_of.hpp"
 #include "tests/support/defects.hpp"

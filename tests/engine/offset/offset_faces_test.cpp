@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/offset/corner_planes.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "engine/proximity/queries/distance.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/pairs.hpp"

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/penetration/contact/separation.hpp"
 #include "engine/proximity/queries/distance.hpp"
 #include "engine/proximity/queries/point_distance.hpp"

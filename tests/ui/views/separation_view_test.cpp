@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <random>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "tests/support/shapes.hpp"
 #include "ui/base/format.hpp"
 #include "ui/views/probe_view.hpp"

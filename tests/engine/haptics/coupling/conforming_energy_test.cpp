@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geometry/chart.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/support/conforming_scene.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
 #include "engine/penetration/search/static_search.hpp"
 #include "tests/support/shapes.hpp"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/haptics/loop/contact_feed.hpp"
 #include "tests/support/conforming_scene.hpp"
 

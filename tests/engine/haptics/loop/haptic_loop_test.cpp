@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "tests/engine/haptics/tick_time.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/contact_path.hpp"

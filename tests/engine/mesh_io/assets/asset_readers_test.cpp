@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "engine/geometry/mass.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 #include "engine/mesh_io/assets/child_process.hpp"
 #include "engine/mesh_io/assets/packed_soup.hpp"
 #include "tests/engine/mesh_io/assets/asset_files.hpp"

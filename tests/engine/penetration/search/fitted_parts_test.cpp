@@ -10,6 +10,7 @@
 
 #include "engine/geometry/chart.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "tests/support/exact_reference.hpp"

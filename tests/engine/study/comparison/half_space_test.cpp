@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {

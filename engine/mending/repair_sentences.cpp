@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/mending/repairs.hpp"
+#include "engine/mending/repair_sentences.hpp"
 
 #include "engine/text/counted.hpp"
 #include "engine/text/number_text.hpp"

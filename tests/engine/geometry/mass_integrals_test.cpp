@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/geometry/mass.hpp"
+#include "engine/geometry/mass_integrals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The reference is the definition: σ is the mean squared displacement of the probe's points. The
 // integrand is quadratic in the point, so a quadrature of degree two over the mesh's tetrahedra or
 // triangles is exact, and knows nothing of centres of mass, inertia or principal axes.
-#include "engine/haptics/coupling/coupling.hpp"
+#include "engine/haptics/coupling/coupling_wrench.hpp"
 
 #include <gtest/gtest.h>
 

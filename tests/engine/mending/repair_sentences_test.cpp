@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/mending/repairs.hpp"
+#include "engine/mending/repair_sentences.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/penetration/restricted/nearest_free.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "engine/base/progress.hpp"
+#include "engine/proximity/queries/intersect.hpp"
+#include "engine/proximity/queries/placement.hpp"
+
+namespace sonde {
+namespace {
+
+/// Of R: what the farthest point goes in one window, in which pairs are looked for at once.
+constexpr double window = 0.1;
+
+/// Two triangles meet from here to there.
+struct Blocked {
+  double from, to;
+  std::uint32_t a, b;
+};
+
+class Walk {
+ public:
+  Walk(const Body& probe, const Body& fixed, const OneWay& way)
+      : probe_(probe),
+        fixed_(fixed),
+        way_(way),
+        start_(way.at(0)),
+        speed_(way.speed(probe.mass.com, probe.mass.radius)),
+        stack_(std::make_unique<PairStack<SlotPair>>()) {}
+
+  std::optional<FirstFree> run(double most, const Progress& progress) {
+    const double step = window * probe_.mass.radius / speed_;
+    for (double from = 0; from < most; from += step) {
+      report(progress, from / most);
+      const double to = std::min(most, from + step);
+      find_blocked(from, to);
+      if (const auto found = first_gap(from, to)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void find_blocked(double from, double to) {
+    blocked_.clear();
+    const double middle = 0.5 * (from + to);
+    const Placement placement(probe_, fixed_, Transform(way_.at(middle)));
+    guard_ = placement.guard;
+    const float reach = placement.to_unit_rounded_up(0.5 * (to - from) * speed_ + guard_);
+    stack_->clear();
+    stack_->push(placement.roots());
+    SlotPairs found;
+    while (!stack_->empty()) {
+      const SlotPair p = stack_->pop();
+      if (placement.is_leaf(p)) {
+        add_pair(placement.triangle_a(p), placement.triangle_b(p), from, to);
+        continue;
+      }
+      found.count = 0;
+      placement.open_by_faces(p, reach, found);
+      for (const SlotPair& q : found) stack_->push(q);
+    }
+    std::ranges::sort(blocked_, [](const Blocked& x, const Blocked& y) {
+      return std::tie(x.from, x.to, x.a, x.b) < std::tie(y.from, y.to, y.a, y.b);
+    });
+  }
+
+  void add_pair(std::uint32_t a, std::uint32_t b, double from, double to) {
+    const Corners on_a = corners(surface(probe_), a), on_b = corners(surface(fixed_), b);
+    events_.assign({from, to});
+    way_.events(place(start_, on_a), on_b, from, to, guard_, events_);
+    std::ranges::sort(events_);
+    bool before = false;
+    for (std::size_t i = 1; i < events_.size(); ++i) {
+      if (!(events_[i] > events_[i - 1])) continue;
+      const Corners moved = place(Transform(way_.at(0.5 * (events_[i - 1] + events_[i]))), on_a);
+      const Meeting meeting = classify(moved, on_b);
+      const bool met = meeting == Meeting::meeting ||
+                       (meeting == Meeting::doubtful && meet_exactly(moved, on_b));
+      if (met && before)
+        blocked_.back().to = events_[i];
+      else if (met)
+        blocked_.push_back({events_[i - 1], events_[i], a, b});
+      before = met;
+    }
+  }
+
+  std::optional<FirstFree> first_gap(double from, double to) {
+    double reached = from;
+    for (std::size_t i = 0; i <= blocked_.size(); ++i) {
+      const double next = i < blocked_.size() ? blocked_[i].from : to;
+      if (next > reached)
+        if (auto found = free_between(reached, next)) return found;
+      if (i < blocked_.size() && blocked_[i].to > reached) {
+        reached = blocked_[i].to;
+        last_.triangle_a = blocked_[i].a;
+        last_.triangle_b = blocked_[i].b;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// No triangles meet there: it is free, unless one body is within the other.
+  std::optional<FirstFree> free_between(double from, double to) {
+    for (double beyond = guard_ / speed_; from + beyond < to; beyond *= 2) {
+      FirstFree out = last_;
+      out.s = from + beyond;
+      out.X_FM = way_.at(out.s);
+      if (!overlap(probe_, fixed_, Transform(out.X_FM), Doubt::exact)) return out;
+    }
+    return std::nullopt;
+  }
+
+  const Body& probe_;
+  const Body& fixed_;
+  const OneWay& way_;
+  Transform start_;
+  double speed_;      // m per unit of the way, of the quickest point
+  double guard_ = 0;  // m: what coordinates lose to rounding
+  FirstFree last_;
+  std::unique_ptr<PairStack<SlotPair>> stack_;
+  std::vector<Blocked> blocked_;
+  std::vector<double> events_;
+};
+
+}  // namespace
+
+std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed, const OneWay& way,
+                                      double most, const Progress& progress) {
+  return Walk(probe, fixed, way).run(most, progress);
+}
+
+}  // namespace sonde

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
+#include "engine/penetration/search/static_options.hpp"
+
+namespace sonde {
+
+/// The nearest free pose found among those that the probe reaches from X_FM by sliding
+/// perpendicularly to the normal and, where it is `turning`, by turning about it
+/// (separate_within.hpp).
+/// @pre The bodies overlap, the normal is unit, and so is X_FM.q.
+/// @throws Cancelled where `progress` returns false.
+Separation planar_separation(const Pair& pair, const Pose& X_FM, const Vec3& normal_F, bool turning,
+                             const StaticOptions& options, const Progress& progress = {});
+
+}  // namespace sonde
