@@ -2,33 +2,27 @@
 #include "app/python/pairs.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/python/bodies.hpp"
 #include "app/python/depths.hpp"
+#include "app/python/every_pose.hpp"
 #include "app/python/follower.hpp"
 #include "app/python/interruptible.hpp"
 #include "app/python/poses.hpp"
+#include "app/python/restricted.hpp"
+#include "app/python/shared_pair.hpp"
 #include "app/python/words.hpp"
-#include "engine/base/threads.hpp"
+#include "app/python/wrenches.hpp"
 
 namespace sonde::python {
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-constexpr unsigned most_threads = 1024;
-
-/// Two bodies, with what is computed once for both.
-struct SharedPair {
-  SharedBody probe, fixed;
-  Pair pair;
-};
 
 SharedPair pair_of(const SharedBody& probe, const SharedBody& fixed) {
   return {probe, fixed, interruptible(py::none(), [&](Interruptible& state) {
@@ -43,45 +37,21 @@ struct SearchWish {
   unsigned threads = 0;
 };
 
-std::size_t threads_of(unsigned asked) {
-  return std::clamp(asked == 0 ? std::thread::hardware_concurrency() : asked, 1U, most_threads);
-}
-
-/// depth() of all poses, on threads of its own: each thread's progress looks whether it is to end.
-template <class Result>
-std::vector<Result> all_of(const std::vector<Pose>& poses, unsigned threads, const py::object& told,
-                           const auto& answer) {
-  std::vector<Result> rows(poses.size());
-  interruptible(told, [&](Interruptible& state) {
-    std::atomic<std::size_t> done{0};
-    const double n = static_cast<double>(std::max<std::size_t>(1, poses.size()));
-    run_parallel(poses.size(), threads_of(threads), [&](std::size_t i) {
-      const Progress progress = state.progress(
-          [&](double part) { return std::min(1.0, (static_cast<double>(done) + part) / n); });
-      if (!progress(0)) throw Cancelled();
-      rows[i] = answer(poses[i], progress);
-      ++done;
-    });
-    return 0;
-  });
-  return rows;
-}
-
 Depths searched(const Pair& pair, const std::vector<Pose>& poses, const SearchWish& search,
                 const py::object& told) {
   if (search.knob)
     return depths_of(
-        all_of<Answer>(poses, search.threads, told, [&](const Pose& pose, const Progress&) {
+        of_every_pose<Answer>(poses, search.threads, told, [&](const Pose& pose, const Progress&) {
           return separate(pair, pose, *search.knob, search.options.method,
                           seed_of_pose(search.options.seed, pose));
         }));
-  return depths_of(all_of<Separation>(poses, search.threads, told,
-                                      [&](const Pose& pose, const Progress& progress) {
-                                        StaticOptions own = search.options;
-                                        own.seed = seed_of_pose(search.options.seed, pose);
-                                        own.two_threads = search.threads != 1 && poses.size() == 1;
-                                        return separate(pair, pose, own, progress);
-                                      }));
+  return depths_of(of_every_pose<Separation>(
+      poses, search.threads, told, [&](const Pose& pose, const Progress& progress) {
+        StaticOptions own = search.options;
+        own.seed = seed_of_pose(search.options.seed, pose);
+        own.two_threads = search.threads != 1 && poses.size() == 1;
+        return separate(pair, pose, own, progress);
+      }));
 }
 
 SearchWish search_of(const std::string& method, std::uint64_t seed, unsigned threads,
@@ -181,8 +151,8 @@ py::object pair_signed_distance(const SharedPair& pair, const py::object& given,
                                 const py::object& progress) {
   const Poses poses = poses_of(given);
   const StaticOptions options{.method = method_of(method), .seed = seed, .want_lower_bound = false};
-  const auto found =
-      all_of<double>(poses.rows, threads, progress, [&](const Pose& pose, const Progress& told) {
+  const auto found = of_every_pose<double>(
+      poses.rows, threads, progress, [&](const Pose& pose, const Progress& told) {
         StaticOptions own = options;
         own.seed = seed_of_pose(seed, pose);
         return signed_distance(pair.pair, pose, own, told).distance;
@@ -219,67 +189,6 @@ py::tuple pair_sweep(const SharedPair& pair, const py::object& start, const py::
       unless_one(contact(&Contact::on_fixed), one), unless_one(contact(&Contact::normal), one));
 }
 
-/// The wrench of rows of Depths: of their poses alone, as the coupling does without damping.
-py::array_t<double> pair_wrench(const SharedPair& pair, const py::object& of, double k,
-                                const std::string& mode, double k_t, double k_r, double max_force,
-                                double max_torque) {
-  Coupling coupling;
-  coupling.mode = chosen<Coupling::Mode>(
-      "mode", mode, {{"object", Coupling::Mode::object}, {"classic", Coupling::Mode::classic}});
-  coupling.k = k, coupling.k_t = k_t, coupling.k_r = k_r;
-  coupling.b_t = coupling.b_r = 0;
-  coupling.max_force = max_force, coupling.max_torque = max_torque;
-  for (const double x : {k, k_t, k_r})
-    if (!std::isfinite(x) || x < 0)
-      throw std::invalid_argument("a stiffness must be finite, 0 or more");
-  for (const double x : {max_force, max_torque})
-    if (!(x >= 0)) throw std::invalid_argument("a limit must be 0 or more");
-  std::vector<Separation> rows;
-  if (py::isinstance<Separation>(of)) {
-    rows.push_back(of.cast<const Separation&>());
-  } else if (py::isinstance<Depths>(of)) {
-    const auto& depths = of.cast<const Depths&>();
-    const auto status = depths.status.attr("tolist")().cast<std::vector<std::string>>();
-    for (std::size_t i = 0; i < status.size(); ++i) {
-      Separation s;
-      s.status = status[i] == "penetrating" ? Status::penetrating
-                 : status[i] == "separated" ? Status::separated
-                                            : Status::failed;
-      const auto pose = [&](const py::array_t<double>& all) {
-        const double* n = all.data() + 7 * i;
-        return Pose{Quat(n[3], n[4], n[5], n[6]), Vec3(n[0], n[1], n[2])};
-      };
-      s.device = pose(depths.device);
-      s.separated = pose(depths.pose);
-      rows.push_back(s);
-    }
-  } else {
-    throw std::invalid_argument("of must be Depths or a Separation");
-  }
-  std::vector<Wrench> felt;
-  felt.reserve(rows.size());
-  for (const Separation& row : rows) felt.push_back(wrench(pair.pair, row, coupling));
-  return rows_of(rows.size(), 6, [&](std::size_t i, std::size_t j) {
-    const auto axis = static_cast<Eigen::Index>(j % 3);
-    return j < 3 ? felt[i].force[axis] : felt[i].torque[axis];
-  });
-}
-
-/// d(depth), d(wrench) on either side, and which sides there are.
-py::tuple pair_derivative(const SharedPair& pair, const Separation& of) {
-  const WrenchDerivative d = wrench_derivative(pair.pair, of, Neighbours::all);
-  const auto matrix = [](const WrenchDerivative::Matrix& m) {
-    return rows_of(6, 6, [&](std::size_t i, std::size_t j) {
-      return m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    });
-  };
-  const char* sides = d.sides == WrenchDerivative::Sides::all   ? "all"
-                      : d.sides == WrenchDerivative::Sides::two ? "two"
-                                                                : "none";
-  return py::make_tuple(py::array_t<double>(6, d.d_depth.data()), matrix(d.d_wrench),
-                        matrix(d.d_wrench_held), sides);
-}
-
 constexpr const char* depth_words =
     "The penetration depth of the probe at each of the poses, (7,) or (n, 7):\n"
     "px,py,pz,qw,qx,qy,qz, or matrices, (4, 4) or (n, 4, 4): the probe's mesh frame in\n"
@@ -296,11 +205,10 @@ constexpr const char* depth_words =
 
 void declare_pair(py::module_& module) {
   declare_follower(module);
-  py::class_<SharedPair>(
-      module, "Pair",
-      "The probe and the fixed body, with what is computed once for both (10 to\n"
-      "200 ms): make one where many queries are to come.")
-      .def(py::init(&pair_of), "probe"_a, "fixed"_a, "Of two bodies.")
+  PairClass declared(module, "Pair",
+                     "The probe and the fixed body, with what is computed once for both (10 to\n"
+                     "200 ms): make one where many queries are to come.");
+  declared.def(py::init(&pair_of), "probe"_a, "fixed"_a, "Of two bodies.")
       .def_readonly("probe", &SharedPair::probe, "The moving body.")
       .def_readonly("fixed", &SharedPair::fixed, "The body that stays.")
       .def("depth", &pair_depth, "poses"_a, py::kw_only(), "method"_a = "pdg", "seed"_a = 1,
@@ -322,26 +230,23 @@ void declare_pair(py::module_& module) {
            "and normal of the contact: (n,), (n, 7), (n, 3), (n, 3); NaN without one. The centre\n"
            "of mass goes along a line, the turn about one axis.")
       .def(
-          "wrench", &pair_wrench, "of"_a, "k"_a = 1000.0, "mode"_a = "object", "k_t"_a = 1000.0,
-          "k_r"_a = 1.0, "max_force"_a = 1e30, "max_torque"_a = 1e30,
-          "Force (N) and torque (N m, about the probe's centre of mass) on the hand, in the fixed\n"
-          "frame, (n, 6), of Depths or a Separation of this pair. mode \"object\": k in N/m;\n"
-          "\"classic\": k_t in N/m and k_r in N m/rad, without damping.")
-      .def("derivative", &pair_derivative, "of"_a,
-           "How the depth (6,) and the wrench (6, 6), at k = 1, of a Separation of this pair "
-           "change\n"
-           "with its pose: by a displacement of the probe's centre of mass, m, and a rotation\n"
-           "vector, rad, in the fixed frame. Then the wrench's on the other side, and \"all\" "
-           "where\n"
-           "both are one, \"two\" where contacts begin or end at this pose, or \"none\" where "
-           "there\n"
-           "is no derivative.")
-      .def(
           "follower",
           [](const SharedPair& pair, const std::string& method, std::uint64_t seed) {
             return PathFollower(pair.pair, method_of(method), seed);
           },
           "method"_a = "pdg", "seed"_a = 1, "A follower of the pair.")
+      .def(
+          "write",
+          [](const SharedPair& p, const std::filesystem::path& file) { write_pair(file, p.pair); },
+          "file"_a, "Keeps what was computed for both bodies in a file, about 1 MB.")
+      .def_static(
+          "read",
+          [](const std::filesystem::path& file, const SharedBody& probe, const SharedBody& fixed) {
+            return SharedPair{probe, fixed, read_pair(file, probe.body, fixed.body)};
+          },
+          "file"_a, "probe"_a, "fixed"_a,
+          "The pair of these bodies with what write() kept: the same bits as of one made anew.\n"
+          "InputError where the file was written for other bodies or by another version.")
       .def("__repr__",
            [](const SharedPair& p) {
              return "<sonde.Pair of " + p.probe.facts.name + " and " + p.fixed.facts.name + ">";
@@ -351,6 +256,8 @@ void declare_pair(py::module_& module) {
                         return pair_of(state[0].cast<const SharedBody&>(),
                                        state[1].cast<const SharedBody&>());
                       }));
+  declare_wrenches(module, declared);
+  declare_restricted(declared);
   module.def("depth", &depth, "probe"_a, "fixed"_a, "poses"_a, py::kw_only(), "method"_a = "pdg",
              "seed"_a = 1, "threads"_a = 0, "budget_steps"_a = 0, "budget_us"_a = 0.0,
              "whole_bound"_a = false, "clearance"_a = false, "time"_a = py::none(),
@@ -358,9 +265,6 @@ void declare_pair(py::module_& module) {
   module.def("touch", &pair_touch, "pair"_a, "poses"_a, "As Pair.touch.");
   module.def("distance", &pair_distance, "pair"_a, "poses"_a, "As Pair.distance.");
   module.def("sweep", &pair_sweep, "pair"_a, "start"_a, "end"_a, "As Pair.sweep.");
-  module.def("wrench", &pair_wrench, "pair"_a, "of"_a, "k"_a = 1000.0, "mode"_a = "object",
-             "k_t"_a = 1000.0, "k_r"_a = 1.0, "max_force"_a = 1e30, "max_torque"_a = 1e30,
-             "As Pair.wrench.");
 }
 
 }  // namespace sonde::python

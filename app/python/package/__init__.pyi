@@ -188,6 +188,36 @@ class Pair:
         max_force: float = 1e30,
         max_torque: float = 1e30,
     ) -> NDArray[numpy.float64]: ...
+    def depth_along(
+        self,
+        poses: ArrayLike,
+        directions: ArrayLike,
+        *,
+        threads: int = 0,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> Depths: ...
+    def depth_about(
+        self,
+        poses: ArrayLike,
+        point: ArrayLike,
+        axis: ArrayLike,
+        *,
+        threads: int = 0,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> Depths: ...
+    def depth_in_plane(
+        self,
+        poses: ArrayLike,
+        normal: ArrayLike,
+        *,
+        turning: bool = True,
+        seed: int = 1,
+        threads: int = 0,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> Depths: ...
+    def write(self, file: Union[str, os.PathLike[str]]) -> None: ...
+    @staticmethod
+    def read(file: Union[str, os.PathLike[str]], probe: Body, fixed: Body) -> Pair: ...
     def derivative(self, of: Separation) -> Tuple[Any, Any, Any, str]: ...
     def follower(self, method: str = "pdg", seed: int = 1) -> Follower: ...
 

@@ -49,6 +49,13 @@ double OneWay::speed(const Vec3& center, double radius) const {
   return turns_ ? way_.cross(start_ * center - point_).norm() + radius : 1;
 }
 
+Corners OneWay::moved(const Corners& a, double s) const {
+  const Transform there(at(s)), back(inverse(start_));
+  Corners out = a;
+  for (Vec3& x : out) x = there * (back * x);
+  return out;
+}
+
 OneWay::Course OneWay::of_turned(const Vec3& n, const Vec3& w) const {
   const Vec3 along = way_ * way_.dot(w);
   return {n.dot(w - along), n.dot(way_.cross(w)), n.dot(along)};
@@ -73,45 +80,54 @@ OneWay::Course OneWay::of_edges(const Vec3& p, const Vec3& e, const Vec3& q, con
   return of_turned(f.cross(q - point_), e) - of_turned(f, (p - point_).cross(e));
 }
 
-void OneWay::add_roots(const Course& c, double from, double to, std::vector<double>& out) const {
+OneWay::Stretch::Stretch(double first, double last)
+    : from(first),
+      to(last),
+      cosine(std::cos(0.5 * (first + last))),
+      sine(std::sin(0.5 * (first + last))) {}
+
+void OneWay::add_roots(const Course& c, const Stretch& stretch, std::vector<double>& out) const {
   const auto add = [&](double s) {
-    if (s > from && s < to) out.push_back(s);
+    if (s > stretch.from && s < stretch.to) out.push_back(s);
   };
   if (!turns_) {
     if (c.odd != 0) add(-c.even / c.odd);
     return;
   }
-  const double size = std::hypot(c.even, c.odd);
-  if (!(size > 0) || std::abs(c.rest) > size) return;
-  const double middle = std::atan2(c.odd, c.even), half = std::acos(-c.rest / size);
-  for (const double root : {middle - half, middle + half})
+  const double size = std::sqrt(c.even * c.even + c.odd * c.odd);
+  // Most have none: from the middle on, it changes by no more than its size per radian.
+  const double at_middle = c.even * stretch.cosine + c.odd * stretch.sine + c.rest;
+  if (!(size > 0) || std::abs(c.rest) > size ||
+      std::abs(at_middle) > 0.51 * size * (stretch.to - stretch.from))
+    return;
+  const double first = std::atan2(c.odd, c.even), half = std::acos(-c.rest / size);
+  for (const double root : {first - half, first + half})
     for (const double round : {-1.0, 0.0, 1.0}) add(root + round * 2 * std::numbers::pi);
 }
 
-void OneWay::events(const Corners& a, const Corners& b, double from, double to, double flat,
+void OneWay::events(const Corners& a, const Corners& b, const Stretch& stretch, double flat,
                     std::vector<double>& out) const {
   const Vec3 n_a = normal_of(a), n_b = normal_of(b);
   for (std::size_t i = 0; i < 3; ++i) {
     Course above = of_point(n_b, a[i]);
     (turns_ ? above.rest : above.even) -= n_b.dot(b[0]);
-    add_roots(above, from, to, out);
-    add_roots(of_plane(n_a, a[0], b[i]), from, to, out);
+    add_roots(above, stretch, out);
+    add_roots(of_plane(n_a, a[0], b[i]), stretch, out);
     for (std::size_t j = 0; j < 3; ++j)
-      add_roots(of_edges(a[i], a[(i + 1) % 3] - a[i], b[j], b[(j + 1) % 3] - b[j]), from, to, out);
+      add_roots(of_edges(a[i], a[(i + 1) % 3] - a[i], b[j], b[(j + 1) % 3] - b[j]), stretch, out);
   }
-  const double middle = 0.5 * (from + to);
-  const Pose moved = at(middle), back = inverse(start_);
-  Corners then = a;
-  for (Vec3& x : then) x = moved * (back * x);
-  if (!lies_in_plane(a, b, flat) || !lies_in_plane(then, b, flat)) return;
+  // One that leaves the plane of the other, or only passes it, has its corners come into it.
+  if (!lies_in_plane(moved(a, stretch.from), b, flat) ||
+      !lies_in_plane(moved(a, stretch.to), b, flat))
+    return;
   for (std::size_t j = 0; j < 3; ++j) {
     const Vec3 side_a = n_a.cross(a[(j + 1) % 3] - a[j]);
     const Vec3 side_b = n_b.cross(b[(j + 1) % 3] - b[j]);
     for (std::size_t i = 0; i < 3; ++i) {
       Course above = of_point(side_b, a[i]);
       (turns_ ? above.rest : above.even) -= side_b.dot(b[j]);
-      add_roots(above, from, to, out);
-      add_roots(of_plane(side_a, a[j], b[i]), from, to, out);
+      add_roots(above, stretch, out);
+      add_roots(of_plane(side_a, a[j], b[i]), stretch, out);
     }
   }
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/geometry/pose.hpp"
+#include "engine/geometry/transform.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
 
 namespace sonde {
@@ -24,11 +24,17 @@ class OneWay {
   double speed(const Vec3& center, double radius) const;
   bool turns() const { return turns_; }
 
-  /// Adds to `out` all s between `from` and `to` at which two triangles may begin or cease to meet:
+  /// A part of the way.
+  struct Stretch {
+    Stretch(double first, double last);
+    double from, to;
+    double cosine, sine;  ///< of its middle
+  };
+  /// Adds to `out` all s within a stretch at which two triangles may begin or cease to meet:
   /// a corner comes into the plane of the other, or two edges into one plane, or, where both lie in
   /// one plane all along, a corner comes onto a line of the other's sides. `a` is the probe's
   /// triangle at X_FM, both are in F. `flat` (m): what is in the other's plane to that stays there.
-  void events(const Corners& a, const Corners& b, double from, double to, double flat,
+  void events(const Corners& a, const Corners& b, const Stretch& stretch, double flat,
               std::vector<double>& out) const;
 
  private:
@@ -45,7 +51,9 @@ class OneWay {
   Course of_edges(const Vec3& p, const Vec3& e, const Vec3& q, const Vec3& f) const;
   /// n · R(s) w.
   Course of_turned(const Vec3& n, const Vec3& w) const;
-  void add_roots(const Course& course, double from, double to, std::vector<double>& out) const;
+  void add_roots(const Course& course, const Stretch& stretch, std::vector<double>& out) const;
+  /// A triangle of the probe at X_FM, as it is at s.
+  Corners moved(const Corners& a, double s) const;
 
   Pose start_;
   bool turns_ = false;

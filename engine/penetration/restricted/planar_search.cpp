@@ -18,11 +18,12 @@
 namespace sonde {
 namespace {
 
-/// Of the starts, these come straight in from outside, in all directions; the others are free poses
-/// nearer than the best so far, and somewhat farther.
-constexpr double from_outside = 0.25;
+/// Of the ends that are to agree: so many starts come straight in from outside, in all directions.
+/// The others are free poses nearer than the best so far, and somewhat farther.
+constexpr double from_outside = 2;
 constexpr double farther = 1.5;
-constexpr int tries = 16;  ///< for a free pose
+constexpr double same = 1.02;  ///< of the best: ends that agree with it
+constexpr int tries = 16;      ///< for a free pose
 /// Ends that are refined to the last digit, the nearest ones.
 constexpr std::size_t refined = 3;
 
@@ -70,10 +71,11 @@ class Planar {
     leaps_.stay_within(basis_.onto());
   }
 
-  Separation run(int starts, const Progress& progress) {
-    for (int i = 0; i < starts && !(deadline_.passed() && !ends_.empty()); ++i) {
+  Separation run(int starts, int agreement, const Progress& progress) {
+    for (int i = 0; i < starts && agreeing() < agreement; ++i) {
+      if (deadline_.passed() && !ends_.empty()) break;
       report(progress, double(i) / starts);
-      const bool outside = i < from_outside * starts || ends_.empty();
+      const bool outside = i < from_outside * agreement || ends_.empty();
       if (const auto y = outside ? from_far() : nearby()) descend(*y);
     }
     return finish();
@@ -81,6 +83,9 @@ class Planar {
   const Deadline& deadline() const { return deadline_; }
 
  private:
+  std::ptrdiff_t agreeing() const {
+    return std::ranges::count_if(ends_, [&](const Vec6& y) { return y.norm() <= same * best_; });
+  }
   std::optional<Vec6> from_far() {
     const double angle = random_.uniform(0, 2 * std::numbers::pi);
     const double turn = random_.uniform(-1, 1) * basis_.most_turn;
@@ -138,7 +143,8 @@ class Planar {
 Separation planar_separation(const Pair& pair, const Pose& X_FM, const Vec3& normal_F, bool turning,
                              const StaticOptions& options, const Progress& progress) {
   Planar search(pair, X_FM, normal_F, turning, options);
-  Separation out = search.run(std::max(options.starts, 1), progress);
+  Separation out =
+      search.run(std::max(options.starts, 1), std::max(options.agreement, 1), progress);
   if (options.want_lower_bound && out.status == Status::penetrating)
     out.lower_bound = depth_lower_bound(pair.probe(), pair.fixed(), X_FM, search.deadline());
   return out;

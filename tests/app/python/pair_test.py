@@ -44,6 +44,12 @@ def spoon_and_cup():
     return sonde.Pair(*(sonde.Body.read(os.path.join(MODELS, f)) for f in ("spoon.ply", "cup.ply")))
 
 
+def turned(angle):
+    """A rotation matrix about z."""
+    c, s = math.cos(angle), math.sin(angle)
+    return numpy.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
+
+
 def at(x, y=0.0, z=0.0):
     return [x, y, z, *IDENTITY]
 
@@ -332,6 +338,49 @@ class Pair(unittest.TestCase):
             pair.depth(many)
         took = time.perf_counter() - sent[0]
         print(f"interrupted after {1e3 * took:.0f} ms", file=sys.stderr)
+
+    # Reference: where the faces of two boxes pass each other, and the corner of a turning square.
+    def test_depths_among_fewer_motions_of_boxes_are_known(self):
+        pair = boxes()
+        pose = at(1.5, 0.25, 0.5)
+        along = pair.depth_along([pose, at(5)], [[0, 3, 0], [0, 0, 1], [0, -1, 0]])
+        self.assertEqual(along.status.tolist(), ["penetrating", "separated"])
+        self.assertAlmostEqual(along.depth[0], 1.5, delta=1e-12)
+        numpy.testing.assert_allclose(along.pose[0, :3], [1.5, 0.25, 2.0], atol=1e-12)
+        slid = pair.depth_in_plane(pose, [1, 0, 0], turning=False)
+        self.assertAlmostEqual(slid.depth[0], 1.5, delta=2e-4)
+        rolled = pair.depth_in_plane(pose, [1, 0, 0])
+        self.assertLessEqual(rolled.depth[0], 1.5 + 2e-4)
+        self.assertEqual(rolled.pose[0, 0], 1.5)
+        # Hinged at its lower corner on the other's side: up and away by the angle at which the
+        # upper corner of that side, a chord of length 2, is beside the other's face.
+        hinge = [0.95, 0.0, 0.0]
+        about = pair.depth_about(at(1.9), hinge, [0, 0, 2])
+        self.assertEqual(about.status[0], "failed", "the hinge itself is within the other")
+        hinge = [1.1, -1.0, 0.0]
+        tilted = sonde.poses([0.0, 0.0, 0.0], matrix=turned(0.2))
+        tilted[:3] = numpy.array(hinge) + turned(0.2) @ [1.0, 1.0, 0.0]
+        about = pair.depth_about(tilted, hinge, [0, 0, 2])
+        angle = 0.2 - math.asin(0.1 / 2)
+        half = 2 * math.sin(angle / 2)
+        self.assertAlmostEqual(about.depth[0], half * math.sqrt(2 + 8 / 12), delta=1e-10)
+        self.assertFalse(pair.touch(about.pose[0]))
+        for wrong in ([0, 0, 0], [math.nan, 0, 1]):
+            with self.assertRaises(sonde.InputError):
+                pair.depth_along(pose, wrong)
+        with self.assertRaisesRegex(ValueError, "axis must be one"):
+            pair.depth_about(pose, hinge, [[0, 0, 1], [0, 1, 0]])
+
+    def test_a_pair_that_is_kept_answers_to_the_bit(self):
+        pair = spoon_and_cup()
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "spoon-in-cup.pair")
+            pair.write(file)
+            again = sonde.Pair.read(file, pair.probe, pair.fixed)
+            some = POSES[2900:2920]
+            numpy.testing.assert_array_equal(again.depth(some).pose, pair.depth(some).pose)
+            with self.assertRaisesRegex(sonde.InputError, "another probe"):
+                sonde.Pair.read(file, pair.fixed, pair.probe)
 
     def test_a_body_that_python_has_let_go_of_lives_as_long_as_its_pair(self):
         follower = boxes().follower()

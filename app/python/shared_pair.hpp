@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "app/python/bodies.hpp"
+#include "engine/sonde.hpp"
+
+namespace sonde::python {
+
+/// Two bodies, with what is computed once for both.
+struct SharedPair {
+  SharedBody probe, fixed;
+  Pair pair;
+};
+
+/// The class that holds it, of which each file declares its part.
+using PairClass = pybind11::class_<SharedPair>;
+
+}  // namespace sonde::python
