@@ -1,10 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Poses from rotations as other libraries hold them."""
 
+from typing import Any, Optional
+
 import numpy
+from numpy.typing import ArrayLike, NDArray
+
+Numbers = NDArray[numpy.float64]
 
 
-def poses(translation, *, rotation=None, quaternion_wxyz=None, quaternion_xyzw=None, matrix=None):
+def poses(
+    translation: ArrayLike,
+    *,
+    rotation: Any = None,
+    quaternion_wxyz: Optional[ArrayLike] = None,
+    quaternion_xyzw: Optional[ArrayLike] = None,
+    matrix: Optional[ArrayLike] = None,
+) -> Numbers:
     """Poses (n, 7), px,py,pz,qw,qx,qy,qz, of translations (n, 3) or (3,), m, and of one kind of
     rotation (of none: unturned): a scipy.spatial.transform.Rotation, quaternions with the scalar
     first or last, (n, 4) or (4,), or matrices, (n, 3, 3) or (3, 3). A single one is (7,).
@@ -44,7 +56,7 @@ def poses(translation, *, rotation=None, quaternion_wxyz=None, quaternion_xyzw=N
     )
 
 
-def _numbers(name, given, *last):
+def _numbers(name: str, given: ArrayLike, *last: int) -> Numbers:
     array = numpy.asarray(given)
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name} must be real numbers, not of type {array.dtype}")
@@ -58,7 +70,7 @@ def _numbers(name, given, *last):
     return array
 
 
-def _quaternion(matrix):
+def _quaternion(matrix: Numbers) -> Numbers:
     off = numpy.swapaxes(matrix, -1, -2) @ matrix - numpy.eye(3)
     if not (numpy.all(numpy.abs(off) <= 1e-3) and numpy.all(numpy.linalg.det(matrix) > 0)):
         raise ValueError("matrix is no rotation: its columns must be square to each other, of "
@@ -80,5 +92,5 @@ def _quaternion(matrix):
     best = numpy.argmax(numpy.abs(numpy.diagonal(forms, axis1=1, axis2=2)), axis=1)
     q = forms[numpy.arange(len(m)), best]
     q = q / numpy.linalg.norm(q, axis=-1, keepdims=True)
-    q = numpy.where(q[:, :1] < 0, -q, q)
-    return q.reshape(*matrix.shape[:-2], 4)
+    turned: Numbers = numpy.where(q[:, :1] < 0, -q, q).reshape(*matrix.shape[:-2], 4)
+    return turned
