@@ -86,7 +86,7 @@ void SeeingControl::attach(Session* session) {
   contacts_->choose(0);
   if (!session) return;
   const MassProperties& mass = session->fixed().mass;
-  contacts_->take(session->probe().mass);
+  contacts_->take(session->loaded().pair);
   panel_->set_extent(mass.com, mass.radius);
   if (first || !seeing_.cut.on) seeing_.cut.point = mass.com;
   set_seeing(seeing_);
@@ -182,15 +182,17 @@ void SeeingControl::measure(QPointF at) {
 }
 
 void SeeingControl::click(QPointF at) {
-  if (!session_ || shown_.status != Status::penetrating) return;
+  if (!session_) return;
   const ContactCluster* best = nullptr;
   double nearest = near_contact;
   for (const ContactCluster& c : shown_.clusters) {
+    if (shown_.status != Status::penetrating) break;
     const QPointF away = viewport_.on_screen(c.contact.on_fixed) - at;
     const double distance = std::hypot(away.x(), away.y());
     if (distance < nearest) nearest = distance, best = &c;
   }
-  if (best) choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
+  if (best) return choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
+  if (clicked) clicked(at);
 }
 
 void SeeingControl::choose_contact(std::uint64_t id) {

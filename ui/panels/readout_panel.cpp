@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/body/body.hpp"
+#include "engine/queries/body_queries.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/same_pose.hpp"
 #include "ui/panels/bar.hpp"
@@ -153,11 +155,12 @@ void ReadoutPanel::build_loop(QVBoxLayout& layout) {
                 QStringLiteral("Ticks that missed their deadline, since the start."));
 }
 
-void ReadoutPanel::take(const MassProperties& probe, bool any_solid) {
-  mass_ = probe;
-  const LengthUnit unit(probe.radius);
+void ReadoutPanel::take(const Pair& pair) {
+  pair_ = pair;
+  mass_ = pair.probe().mass;
+  const LengthUnit unit(mass_.radius);
   unit_ = unit;
-  any_solid_ = any_solid;
+  any_solid_ = pair.probe().solid || pair.fixed().solid;  // there can be a lower bound
   depth_plot_->set_unit(1 / unit.metres(), unit.name());
   depth_plot_->clear();
   force_plot_->clear();
@@ -198,6 +201,10 @@ QString ReadoutPanel::room_text(const Instant& now) const {
     return large(unit_.text(separation.depth)) + QStringLiteral(" deep");
   if (!now.clearance) return large(QStringLiteral("free"));
   QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
+  if (pair_ && !pair_->fixed().parts.empty()) {
+    const std::string_view part = part_at(pair_->fixed(), now.clearance->on_fixed);
+    room += QStringLiteral("<br>of %1").arg(text(std::string(part)).toHtmlEscaped());
+  }
   if (clearance_here(now)) return room;
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
 }

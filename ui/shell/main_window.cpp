@@ -25,6 +25,7 @@
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
@@ -64,6 +65,7 @@ void MainWindow::show_document() {
                                   : QStringLiteral("%1[*] – Sonde").arg(name));
   setWindowModified(document.modified());
   seeing_->show_saved();
+  parts_->show_document();
   accuracy_->show_knob();
 }
 
@@ -125,6 +127,7 @@ void MainWindow::show_nothing() {
   accuracy_->attach(nullptr);
   exporter_->attach(nullptr);
   repairs_->attach(nullptr);
+  parts_->attach(nullptr);
   force_log_.end();
   forget_shown();
   search_.forget();
@@ -154,12 +157,13 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else
     documents_->opened(now), coupling_panel_->take(now.coupling());
+  parts_->attach(&now);
   stiffness_->attach(session(), same_document);
   accuracy_->attach(session());
   // Last: it may have something to report, and a frame be drawn meanwhile.
   devices_->attach(session());
   const Session& open = *session();  // by now it may be another
-  readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
+  readout_->take(open.loaded().pair);
   const QString name = QString::fromStdString(open.loaded().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
   constexpr double step = 0.01;  // of the probe's radius, a key

@@ -34,6 +34,7 @@ class LogPanel;
 class MeasureControl;
 class MouseProbe;
 class Opener;
+class PartsControl;
 class PosePanel;
 class ReadoutPanel;
 class RepairsControl;
@@ -70,6 +71,7 @@ class MainWindow : public QMainWindow {
   AccuracyControl& accuracy() { return *accuracy_; }
   ExportControl& exporter() { return *exporter_; }
   RepairsControl& repairs() { return *repairs_; }
+  PartsControl& parts() { return *parts_; }
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -159,6 +161,7 @@ class MainWindow : public QMainWindow {
   AccuracyControl* accuracy_ = nullptr;
   ExportControl* exporter_ = nullptr;
   RepairsControl* repairs_ = nullptr;
+  PartsControl* parts_ = nullptr;
   StatusLine status_;
   EscapeKey escape_;
   QTimer frame_timer_;

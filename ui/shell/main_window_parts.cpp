@@ -16,6 +16,7 @@
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/measure_control.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
@@ -71,6 +72,8 @@ MainWindow::MainWindow(QWidget* parent)
   addDockWidget(Qt::RightDockWidgetArea, readout_);
   tabifyDockWidget(readout_, &stiffness_->panel());
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  parts_ = new PartsControl(*viewport_, *documents_, prompts_, *this, *readout_);
+  seeing_->clicked = [this](QPointF at) { parts_->click(at); };
   accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
@@ -193,6 +196,11 @@ DocumentView MainWindow::document_view() {
               [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
           .camera = [this] { return viewport_->place(); },
           .look = [this](const CameraPlace& place) { viewport_->look(place); },
+          .show_parts =
+              [this](const std::vector<PartLook>& looks) {
+                if (const auto surface = viewport_->show_parts(looks))
+                  drawn_.bodies.fixed_surface = surface;
+              },
           .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
 }
 

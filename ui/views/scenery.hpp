@@ -67,6 +67,7 @@ struct Viewport::Scenery {
   HintView* hints;
   GlyphShapes shapes;
   vtkSmartPointer<vtkActor> fixed_actor;
+  vtkNew<vtkActor> part_box;  ///< round the chosen part
   std::unique_ptr<ProbeView> probe;
   std::unique_ptr<GhostView> ghost;
   std::unique_ptr<FoundView> nearest, straight;
@@ -90,6 +91,12 @@ struct Viewport::Scenery {
 
   // Of the session on show.
   std::optional<Pair> pair;
+  vtkSmartPointer<vtkPolyData> probe_surface, fixed_surface;
+  std::vector<BodyPart> parts;  ///< of the fixed body; empty where it is one mesh
+  PartSurface part_surface;
+  std::vector<PartLook> part_looks;
+  bool fixed_is_solid = false;  ///< all that is drawn of it
+  bool software_drawn = false;
   MassProperties mass;
   LengthUnit unit;
   std::array<QString, 2> descriptions;

@@ -3,6 +3,7 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkProperty.h>
 
 #include <QEvent>
 #include <QImage>
@@ -95,6 +96,12 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
     renderer->InteractiveOff();
   }
   s.bodies->GradientBackgroundOn();
+  s.part_box->VisibilityOff();
+  s.part_box->GetProperty()->SetColor(colour::chosen.redF(), colour::chosen.greenF(),
+                                      colour::chosen.blueF());
+  s.part_box->GetProperty()->SetLineWidth(2);
+  s.part_box->GetProperty()->LightingOff();
+  s.above->AddActor(s.part_box);
   apply_theme();
   s.hints->raise();
 }
@@ -104,7 +111,7 @@ Viewport::~Viewport() = default;
 void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
-  const bool software = software_drawn(*s.widget);
+  const bool software = s.software_drawn = software_drawn(*s.widget);
   s.window->SetMultiSamples(software ? 0 : 4);
   s.bodies->SetGradientBackground(!software);
   const Body &probe = drawn.pair->probe(), &fixed = drawn.pair->fixed();
@@ -112,16 +119,24 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.unit = LengthUnit(s.mass.radius);
   s.centre = fixed.mass.com;
   s.q_FW = drawn.q_FW;
-  s.radius = fixed.mass.radius;
   s.last_device = s.last_separated = drawn.first;
-  s.probe_box = box_of(probe);
-  s.fixed_box = box_of(fixed);
+  s.parts = drawn.parts;
+  s.part_surface = drawn.part_surface;
+  s.part_looks.assign(s.parts.size(), {});
+  s.probe_surface = drawn.probe_surface;
+  s.fixed_surface = drawn.fixed_surface;
+  s.fixed_is_solid =
+      s.parts.empty()
+          ? fixed.solid
+          : std::ranges::all_of(s.parts, [](const BodyPart& part) { return part.body->solid; });
+  s.pair = drawn.pair;
+  measure_scene();
   s.descriptions = {describe("probe", probe), describe("fixed", fixed)};
 
   s.detail.clear();
   s.movement.forget();
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
-  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, fixed.solid);
+  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, s.fixed_is_solid);
   s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, probe.solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, probe.solid);
   const auto found = [&](FoundView::Way way, FoundView::Shape shape, const char* name,
@@ -134,11 +149,8 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
   s.caps = std::make_unique<CapView>(*s.bodies, drawn);
-  const int small = software ? simplify_above : simplify_above_on_card;
-  s.detail.add(*drawn.fixed_surface, small, {s.fixed_actor});
-  s.detail.add(*drawn.probe_surface, small,
-               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
-  s.pair = drawn.pair;
+  simplify_surfaces();
+  s.part_box->VisibilityOff();
   s.trail.clear();
   s.measures.clear();
   s.place.set({});
@@ -157,6 +169,31 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   else
     look_by_default();
   fit();
+}
+
+void Viewport::simplify_surfaces() {
+  Scenery& s = *scenery_;
+  const int small = s.software_drawn ? simplify_above : simplify_above_on_card;
+  s.detail.clear();
+  s.detail.add(*s.fixed_surface, small, {s.fixed_actor});
+  s.detail.add(*s.probe_surface, small,
+               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
+}
+
+/// Where the bodies are: what is felt of the fixed one, and what is only shown.
+void Viewport::measure_scene() {
+  Scenery& s = *scenery_;
+  s.probe_box = box_of(s.pair->probe());
+  s.fixed_box = box_of(s.pair->fixed());
+  s.radius = s.pair->fixed().mass.radius;
+  if (s.parts.empty() || s.fixed_surface->GetNumberOfPolys() == 0) return;
+  double b[6];
+  s.fixed_surface->GetCellsBounds(b);
+  const Eigen::AlignedBox3d shown(Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]));
+  s.fixed_box.extend(shown);
+  for (int i = 0; i < 8; ++i)
+    s.radius = std::max(s.radius,
+                        (Vec3(shown.corner(Eigen::AlignedBox3d::CornerType(i))) - s.centre).norm());
 }
 
 /// With the scene's up, which need not be the mesh's.

@@ -48,7 +48,8 @@ enum class Layer {
 /// A point of a body that is visible in the picture.
 struct Pick {
   bool on_probe = false;
-  Vec3 x;  ///< in that body's mesh frame, m
+  Vec3 x;                                ///< in that body's mesh frame, m
+  std::optional<std::size_t> part = {};  ///< of the fixed body, where that is of several
 };
 
 /// The gaps between the bodies, to paint on them.
@@ -106,6 +107,11 @@ class Viewport : public QWidget {
   const Seeing& seeing() const;
   /// The handles of the cut plane as they are drawn; none where they are not.
   std::optional<Handles> cut_handles() const;
+  /// Other looks of the fixed body's parts. Returns its surface as it is drawn now; null where it
+  /// is of one mesh.
+  vtkSmartPointer<vtkPolyData> show_parts(const std::vector<PartLook>& looks);
+  /// Puts a box round that part of the fixed body.
+  void choose_part(std::optional<std::size_t> part);
   /// Marks the contact of that cluster; 0: none.
   void choose_contact(std::uint64_t id);
   /// The nearest point of a body at a place in the view, in Qt's pixels; not on hidden or cut-away
@@ -155,6 +161,8 @@ class Viewport : public QWidget {
  private:
   struct Scenery;
   void choose_detail(const Frame& frame);
+  void simplify_surfaces();
+  void measure_scene();
   void update_text(const Instant& now);
   void update_legend();
   void update_scale();

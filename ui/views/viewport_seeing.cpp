@@ -3,7 +3,10 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkOutlineSource.h>
 #include <vtkPlane.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +43,7 @@ void Viewport::apply_seeing() {
   if (!s.probe) return;
   vtkPlane* const through_fixed = cut.on && cut.fixed ? &s.cut.plane() : nullptr;
   vtkPlane* const through_probe = cut.on && cut.probe ? &s.cut.plane() : nullptr;
-  apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.pair->fixed().solid, through_fixed);
+  apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.fixed_is_solid, through_fixed);
   apply_look(s.probe->actor(), s.seeing.probe, colour::probe, s.pair->probe().solid, through_probe);
   s.probe->set_visible(s.seeing.probe != Look::hidden);
   s.defects->set_cut(through_probe, through_fixed);
@@ -80,7 +83,8 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
   const Vec3 along = (in_scene(0) - eye).normalized();
   std::optional<Pick> best;
   double nearest = 0;
-  const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut) {
+  const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut,
+                            std::optional<std::size_t> part = {}) {
     if (look == Look::hidden) return;
     const Pose X_BF = inverse(X_FB);
     const Vec3 from = X_BF * eye;
@@ -90,11 +94,48 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
     });
     if (!hit || (best && hit->distance >= nearest)) return;
     nearest = hit->distance;
-    best = Pick{probe, from + hit->distance * direction};
+    const Vec3 x = from + hit->distance * direction;
+    best = Pick{probe, probe ? x : X_FB * x, part};
   };
-  try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
+  if (s.parts.empty()) try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
+  for (std::size_t i = 0; i < s.parts.size(); ++i)
+    if (s.part_looks[i].shown)
+      try_body(false, *s.parts[i].body, s.parts[i].X_BP, s.seeing.fixed, s.seeing.cut.fixed, i);
   try_body(true, s.pair->probe(), s.last_device, s.seeing.probe, s.seeing.cut.probe);
   return best;
+}
+
+vtkSmartPointer<vtkPolyData> Viewport::show_parts(const std::vector<PartLook>& looks) {
+  Scenery& s = *scenery_;
+  if (s.parts.empty() || looks.size() != s.parts.size()) return nullptr;
+  if (looks == s.part_looks) return s.fixed_surface;
+  s.part_looks = looks;
+  s.fixed_surface = shown_parts(s.part_surface, looks);
+  s.detail.clear();  // the actor has its own mapper again
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(s.fixed_actor->GetMapper());
+  mapper->SetInputData(s.fixed_surface);
+  simplify_surfaces();
+  measure_scene();
+  invalidate();
+  return s.fixed_surface;
+}
+
+void Viewport::choose_part(std::optional<std::size_t> part) {
+  Scenery& s = *scenery_;
+  const bool any = part && *part < s.parts.size();
+  s.part_box->SetVisibility(any);
+  invalidate();
+  if (!any) return;
+  Eigen::AlignedBox3d box;
+  const Transform X(s.parts[*part].X_BP);
+  for (const Vec3& x : s.parts[*part].body->soup.vertices) box.extend(X * x);
+  vtkNew<vtkOutlineSource> outline;
+  outline->SetBounds(box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),
+                     box.max().z());
+  outline->Update();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(outline->GetOutput());
+  s.part_box->SetMapper(mapper);
 }
 
 void Viewport::add_measured(const MeasuredPoint& point) {
