@@ -111,6 +111,11 @@ void DocumentControl::copy_pose() {
     QApplication::clipboard()->setText(QString::fromStdString(pose_text(now().here)));
 }
 
+void DocumentControl::copy_matrix() {
+  if (view_.session())
+    QApplication::clipboard()->setText(QString::fromStdString(matrix_text(now().here)));
+}
+
 void DocumentControl::paste_pose() {
   if (document_.empty()) return;
   try {

@@ -73,6 +73,7 @@ class DocumentControl : public QObject {
   void set_repair(Role role, Repair repair);
   void make_solid(Role role);  ///< its openings are closed, and its inside counts
   void copy_pose();
+  void copy_matrix();  ///< the same in NumPy's form
   void paste_pose();
   void place(const Pose& X_FM, const QString& what, bool mergeable = false);
   /// The probe was moved from that pose.

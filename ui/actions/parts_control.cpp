@@ -19,7 +19,7 @@ PartsControl::PartsControl(Viewport& viewport, DocumentControl& documents, Promp
       documents_(documents),
       prompts_(prompts),
       panel_(new PartsPanel(&window)) {
-  window.tabifyDockWidget(&beside, panel_);
+  window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   panel_->add_wanted = [this] { ask_parts(); };
   panel_->swap_wanted = [this] { documents_.swap_bodies(); };
   panel_->remove_wanted = [this](std::size_t part) { documents_.remove_part(part); };

@@ -290,14 +290,43 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
   return open_scene(scene, {std::move(probe), std::move(fixed)}, {}, pair.marks);
 }
 
-Coupling suited_coupling(const MassProperties& probe) {
+namespace {
+
+double stiffness_at_limit(const MassProperties& probe) {
+  return Coupling().max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
+}
+
+/// The largest k of the object norm that a device takes; no more than that of rotation, kÎ, where
+/// it has motors for torque. What it does not say does not count.
+double allowed_stiffness(const MassProperties& probe, const DeviceProfile& device) {
+  double k = std::numeric_limits<double>::infinity();
+  if (device.max_stiffness.value > 0) k = device.max_stiffness.value;
+  const double stiffest = probe.inertia.maxCoeff();
+  if (device.max_torque.value > 0 && device.max_rotational_stiffness.value > 0 && stiffest > 0)
+    k = std::min(k, device.max_rotational_stiffness.value / stiffest);
+  return k;
+}
+
+}  // namespace
+
+Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device) {
   Coupling coupling;
-  const double k = coupling.max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
+  double k = stiffness_at_limit(probe);
+  if (device) k = std::min(k, allowed_stiffness(probe, *device));
   set(coupling, "k", k);
   set(coupling, "k_t", k);
   // The classic spring that turns as stiffly as the object norm does: kÎ, over the mean axis.
   set(coupling, "k_r", k * probe.inertia.mean());
   return coupling;
+}
+
+std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device) {
+  const double k = stiffness_at_limit(probe);
+  if (device && allowed_stiffness(probe, *device) < k)
+    return "Stiffness: as much as " + device->name + " allows.";
+  return "Stiffness: the force limit is reached " + number_text(100 * depth_at_limit, 3) +
+         " % of the probe's radius deep" +
+         (device ? ", which " + device->name + " allows." : std::string("."));
 }
 
 Pose beside(const Body& probe, const Body& fixed, const Vec3& direction, const Quat& q_FM) {

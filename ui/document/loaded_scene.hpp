@@ -113,8 +113,11 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
 /// camera. Gains: the force limit is reached at 2 % of the probe's radius.
 LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& progress = {});
 
-/// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R.
-Coupling suited_coupling(const MassProperties& probe);
+/// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R. On a device
+/// they are no stiffer than its driver allows, in translation and in rotation.
+Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device = nullptr);
+/// Where these come from, in a sentence.
+std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device);
 
 /// A pose beside the fixed body, turned by q_FM, in the given direction from it: a plane with a gap
 /// of 5 % of the probe's radius lies between the two.

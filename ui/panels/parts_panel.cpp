@@ -34,8 +34,8 @@ PartsPanel::PartsPanel(QWidget* parent)
   rows_->setRootIsDecorated(false);
   rows_->setIndentation(0);
   rows_->setUniformRowHeights(true);
-  rows_->setHeaderLabels({QStringLiteral("Part of the fixed body"), QStringLiteral("Shown"),
-                          QStringLiteral("Felt"), QStringLiteral("Triangles")});
+  rows_->setHeaderLabels({QStringLiteral("Part"), QStringLiteral("Shown"), QStringLiteral("Felt"),
+                          QStringLiteral("Triangles")});
   rows_->headerItem()->setToolTip(
       part_name_at,
       QStringLiteral("By which contacts and reports name it. Double-click to rename it."));
@@ -128,6 +128,9 @@ void PartsPanel::show_row(QTreeWidgetItem& row, const SceneBody& part, const QCo
   row.setToolTip(part_name_at, QString::fromStdString(part.mesh.string()));
   row.setCheckState(part_shown_at, tick(part.shown));
   row.setCheckState(part_felt_at, tick(part.felt));
+  // An empty box shows on these columns, in either theme.
+  for (const int column : {part_shown_at, part_felt_at})
+    row.setBackground(column, QColor(128, 128, 128, 60));
   const Qt::ItemFlags seen = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
   row.setFlags(only ? seen : seen | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
 }

@@ -58,9 +58,10 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   number->setObjectName(QLatin1String(object));
   number->setAlignment(Qt::AlignRight);
   number->setTextFormat(Qt::RichText);
-  // As wide as the widest number: the dock keeps its width while they change.
-  number->setMinimumWidth(
-      number->fontMetrics().horizontalAdvance(QStringLiteral("88.8°, 8888.888 mm (88 %)")));
+  // As wide as nearly all numbers are: the dock keeps its width while they change.
+  const bool two = name.contains(QStringLiteral("turns"));
+  number->setMinimumWidth(number->fontMetrics().horizontalAdvance(
+      two ? QStringLiteral("88.8°, 88.888 mm (88 %)") : QStringLiteral("88.888 mm (88 %)")));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);
@@ -87,7 +88,7 @@ void ReadoutPanel::build_held(QVBoxLayout& layout) {
   rotation_ = value(*form, in_colour(colour::turn, QStringLiteral("turns")), "rotation_value",
                     QStringLiteral("How far it turns about its centre of mass, how far the turn "
                                    "moves the points, and its share of σ."));
-  screw_ = value(*form, QStringLiteral("as one screw"), "screw_value",
+  screw_ = value(*form, QStringLiteral("screw"), "screw_value",
                  QStringLiteral("The same motion as one turn about an axis and one slide along it. "
                                 "The axis is not through the centre of mass, which goes round it: "
                                 "the slide is shorter than the way of the centre of mass."));

@@ -61,13 +61,6 @@ bool software_drawn(QVTKOpenGLNativeWidget& widget) {
   return false;
 }
 
-Eigen::AlignedBox3d box_of(const Body& body) {
-  Eigen::AlignedBox3d box;
-  for (const Triangle& triangle : body.soup.triangles)
-    for (const auto index : triangle) box.extend(body.soup.vertices[index]);
-  return box;
-}
-
 void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, const Pose& pose) {
   if (box.isEmpty()) return;
   for (int i = 0; i < 8; ++i)
@@ -171,31 +164,6 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   fit();
 }
 
-void Viewport::simplify_surfaces() {
-  Scenery& s = *scenery_;
-  const int small = s.software_drawn ? simplify_above : simplify_above_on_card;
-  s.detail.clear();
-  s.detail.add(*s.fixed_surface, small, {s.fixed_actor});
-  s.detail.add(*s.probe_surface, small,
-               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
-}
-
-/// Where the bodies are: what is felt of the fixed one, and what is only shown.
-void Viewport::measure_scene() {
-  Scenery& s = *scenery_;
-  s.probe_box = box_of(s.pair->probe());
-  s.fixed_box = box_of(s.pair->fixed());
-  s.radius = s.pair->fixed().mass.radius;
-  if (s.parts.empty() || s.fixed_surface->GetNumberOfPolys() == 0) return;
-  double b[6];
-  s.fixed_surface->GetCellsBounds(b);
-  const Eigen::AlignedBox3d shown(Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]));
-  s.fixed_box.extend(shown);
-  for (int i = 0; i < 8; ++i)
-    s.radius = std::max(s.radius,
-                        (Vec3(shown.corner(Eigen::AlignedBox3d::CornerType(i))) - s.centre).norm());
-}
-
 /// With the scene's up, which need not be the mesh's.
 void Viewport::look_by_default() {
   const Quat& q_FW = scenery_->q_FW;
@@ -246,6 +214,10 @@ void Viewport::update_legend() {
     legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
     legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
+  if (shown(Layer::grid))
+    legend.push_back(
+        {colour::faint, QStringLiteral("grid, %1 %2")
+                            .arg(round_figure(s.grid.spacing() / s.unit.metres()), s.unit.name())});
   if (s.caps && s.caps->any() && shown(Layer::mended))
     legend.push_back({colour::cap, QStringLiteral("openings that were closed")});
   if (shown(Layer::crossings))
@@ -318,14 +290,32 @@ void Viewport::update_text(const Instant& now) {
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
   s.hints->set_labels(std::move(labels));
+  const ViewAxes axes = camera().axes();
+  std::array<Vec3, 3> triad;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = Vec3::Unit(i);
+    triad.at(static_cast<std::size_t>(i)) = {axis.dot(axes.right), axis.dot(axes.up),
+                                             axis.dot(axes.towards)};
+  }
+  s.hints->set_triad(triad);
 }
 
 void Viewport::set_shown(Layer layer, bool shown) {
   Scenery& s = *scenery_;
   s.shown[static_cast<std::size_t>(layer)] = shown;
-  if (layer == Layer::hint) s.hints->set_hint_visible(shown);
+  if (layer == Layer::hint) {
+    s.hints->set_hint_visible(shown);
+    s.hints->set_legend_visible(shown);
+  }
   apply_layers();
   if (s.probe) update_legend();
+  invalidate();
+}
+
+void Viewport::fade_hint() {
+  Scenery& s = *scenery_;
+  s.shown[static_cast<std::size_t>(Layer::hint)] = false;
+  s.hints->fade();
   invalidate();
 }
 

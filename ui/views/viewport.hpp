@@ -33,7 +33,7 @@ enum class Layer {
   nearest,
   straight,
   trail,
-  hint,
+  hint,  ///< how the mouse moves the probe, and the legend
   handles,
   defects,
   gaps,       ///< colours of the gap
@@ -43,6 +43,7 @@ enum class Layer {
   crossings,  ///< triangles that go through others of their mesh
   clearance,  ///< the nearest points of a probe that is free
   mended,     ///< what closes openings, and the place that is pointed out
+  grid,       ///< on the ground
 };
 
 /// A point of a body that is visible in the picture.
@@ -50,6 +51,9 @@ struct Pick {
   bool on_probe = false;
   Vec3 x;                                ///< in that body's mesh frame, m
   std::optional<std::size_t> part = {};  ///< of the fixed body, where that is of several
+  Vec3 normal = Vec3::Zero();  ///< of the triangle, to the eye's side, unit; fixed body's frame
+  /// Along the nearest of its sides where the surface has an edge, unit, in that frame; zero: none.
+  Vec3 edge = Vec3::Zero();
 };
 
 /// The gaps between the bodies, to paint on them.
@@ -99,6 +103,9 @@ class Viewport : public QWidget {
   bool shown(Layer layer) const;
 
   /// Along the probe's own axes, rather than the fixed body's.
+  /// Hint and legend go, not all at once.
+  void fade_hint();
+
   void set_handles_local(bool local);
   /// The handles of a probe there, as they are drawn; none where they are not.
   std::optional<Handles> handles(const Pose& X_FM) const;

@@ -3,13 +3,12 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
-#include <vtkOutlineSource.h>
 #include <vtkPlane.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include "engine/proximity/queries/ray_hit.hpp"
@@ -24,6 +23,45 @@ constexpr double square_part = 1.05;  // of the fixed body's radius: the outline
 constexpr double around = 2.5;        // times a place's size is in the picture, and at least
 constexpr double least_part = 0.15;   // of the body's radius
 constexpr double along_sight = 0.95;  // the cosine: such a line of sight has no up but the camera's
+
+constexpr double flat = 1e-3;  // 1 - cosine: faces that meet at less have no edge there
+
+Vec3 normal_of(const Soup& soup, const Triangle& t) {
+  const Vec3 &a = soup.vertices[t[0]], &b = soup.vertices[t[1]], &c = soup.vertices[t[2]];
+  return (b - a).cross(c - a).stableNormalized();
+}
+
+double distance_to(const Vec3& a, const Vec3& b, const Vec3& x) {
+  const double part = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + part * (b - a) - x).norm();
+}
+
+/// Whether the surface has an edge at that side: no other face goes on flat behind it.
+bool is_edge(const Soup& soup, std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
+  const Vec3 own = normal_of(soup, soup.triangles[triangle]);
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
+    const auto has = [&](std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (i != triangle && has(a) && has(b) && normal_of(soup, t).dot(own) > 1 - flat) return false;
+  }
+  return true;
+}
+
+/// Along the edge of a triangle that is nearest to x, unit; zero where none of its sides is one.
+Vec3 edge_beside(const Soup& soup, std::uint32_t triangle, const Vec3& x) {
+  const Triangle& t = soup.triangles[triangle];
+  Vec3 best = Vec3::Zero();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    const Vec3 &from = soup.vertices[a], &to = soup.vertices[b];
+    const double distance = distance_to(from, to, x);
+    if (distance >= nearest || !is_edge(soup, triangle, a, b)) continue;
+    nearest = distance;
+    best = (to - from).stableNormalized();
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -96,6 +134,9 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
     nearest = hit->distance;
     const Vec3 x = from + hit->distance * direction;
     best = Pick{probe, probe ? x : X_FB * x, part};
+    const Vec3 normal = normal_of(body.soup, body.soup.triangles[hit->triangle]);
+    best->normal = X_FB.q * Vec3(normal.dot(direction) > 0 ? Vec3(-normal) : normal);
+    best->edge = X_FB.q * edge_beside(body.soup, hit->triangle, x);
   };
   if (s.parts.empty()) try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
   for (std::size_t i = 0; i < s.parts.size(); ++i)
@@ -103,39 +144,6 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
       try_body(false, *s.parts[i].body, s.parts[i].X_BP, s.seeing.fixed, s.seeing.cut.fixed, i);
   try_body(true, s.pair->probe(), s.last_device, s.seeing.probe, s.seeing.cut.probe);
   return best;
-}
-
-vtkSmartPointer<vtkPolyData> Viewport::show_parts(const std::vector<PartLook>& looks) {
-  Scenery& s = *scenery_;
-  if (s.parts.empty() || looks.size() != s.parts.size()) return nullptr;
-  if (looks == s.part_looks) return s.fixed_surface;
-  s.part_looks = looks;
-  s.fixed_surface = shown_parts(s.part_surface, looks);
-  s.detail.clear();  // the actor has its own mapper again
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(s.fixed_actor->GetMapper());
-  mapper->SetInputData(s.fixed_surface);
-  simplify_surfaces();
-  measure_scene();
-  invalidate();
-  return s.fixed_surface;
-}
-
-void Viewport::choose_part(std::optional<std::size_t> part) {
-  Scenery& s = *scenery_;
-  const bool any = part && *part < s.parts.size();
-  s.part_box->SetVisibility(any);
-  invalidate();
-  if (!any) return;
-  Eigen::AlignedBox3d box;
-  const Transform X(s.parts[*part].X_BP);
-  for (const Vec3& x : s.parts[*part].body->soup.vertices) box.extend(X * x);
-  vtkNew<vtkOutlineSource> outline;
-  outline->SetBounds(box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),
-                     box.max().z());
-  outline->Update();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(outline->GetOutput());
-  s.part_box->SetMapper(mapper);
 }
 
 void Viewport::add_measured(const MeasuredPoint& point) {
