@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <deque>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -10,7 +11,8 @@
 #include "app/bodies.hpp"
 #include "app/commands.hpp"
 #include "app/result_table.hpp"
-#include "engine/study/assembly/clash.hpp"
+#include "engine/study/assembly/clash_picture.hpp"
+#include "engine/text/output_file.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -23,6 +25,7 @@ struct ClashFlags {
   ClashOptions options;
   unsigned threads = 0;
   OutputOptions output;
+  std::string pictures;  ///< a folder; empty: none
 };
 
 constexpr std::array<Column, 18> clash_columns{{{"a", ""},
@@ -117,8 +120,41 @@ void note(const std::vector<Clash>& found, std::size_t parts) {
   std::cerr << '\n';
 }
 
+/// "001-nut-bolt.svg": in the order of the list; of the names, what every file system takes.
+std::string picture_name(std::size_t index, const AssemblyPart& a, const AssemblyPart& b) {
+  std::string number = std::to_string(index + 1);
+  number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
+  std::string name = number + "-" + a.name + "-" + b.name;
+  for (char& c : name)
+    if (c == '/' || c == '\\' || c == ':' || static_cast<unsigned char>(c) < 0x20) c = '_';
+  constexpr std::size_t most_bytes = 200;
+  if (name.size() > most_bytes) name = number;
+  return name + ".svg";
+}
+
+void write_pictures(const std::string& folder, const std::vector<AssemblyPart>& parts,
+                    const std::vector<Clash>& found) {
+  std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const AssemblyPart &a = parts[found[i].parts[0]], &b = parts[found[i].parts[1]];
+    write_whole(std::filesystem::path(folder) / picture_name(i, a, b),
+                clash_picture(a, b, found[i]));
+  }
+}
+
+/// Nothing of others is among the pictures, and an error comes before the work.
+void check_picture_folder(const std::string& folder) {
+  std::error_code error;
+  const bool there = std::filesystem::exists(folder, error);
+  if (there && !std::filesystem::is_directory(folder, error))
+    throw InputError::in(folder, "is no folder: --pictures needs one");
+  if (there && !std::filesystem::is_empty(folder, error))
+    throw InputError::in(folder, "is not empty: --pictures needs a new folder, or an empty one");
+}
+
 void run(const ClashFlags& flags) {
   check_output(flags.output, {flags.files.begin(), flags.files.end()});
+  if (!flags.pictures.empty()) check_picture_folder(flags.pictures);
   const std::vector<AssemblyPart> parts = parts_of(flags);
   if (parts.size() < 2) throw UsageError("give at least two parts: a scene, or two meshes");
   ClashOptions options = flags.options;
@@ -133,6 +169,7 @@ void run(const ClashFlags& flags) {
   ResultTable table{{clash_columns}, {}};
   for (const Clash& clash : found) table.rows.push_back(row_of(clash, names));
   write_result(flags.output, flags.output.json ? to_json(table) : to_csv(table));
+  if (!flags.pictures.empty()) write_pictures(flags.pictures, parts, found);
   if (!flags.output.quiet) note(found, parts.size());
 }
 
@@ -171,6 +208,9 @@ Command add_clash_command(CLI::App& program) {
       ->add_option("--scale", flags->scale, "factor for their coordinates, in addition to the unit")
       ->check(check_positive)
       ->capture_default_str();
+  parser->add_option("--pictures", flags->pictures,
+                     "a new folder for a picture (SVG) of each pair in the list: a section "
+                     "through both, with the way out");
   add_within(*parser, flags->within_folder);
   parser->add_option("--seed", flags->options.search.seed, "seed of the searches' random starts")
       ->check(check_whole)

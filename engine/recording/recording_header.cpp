@@ -101,26 +101,32 @@ RecordingHeader header_in(const std::string& text, const fs::path& file) {
   return header;
 }
 
-/// Why a mesh is not what was recorded; empty where it is.
-std::string other(const fs::path& mesh, const FileMark& recorded) {
+/// Why a body's meshes are not what was recorded; empty where they are.
+std::string other(const SceneBody& body, const FileMark& recorded) {
   FileMark now;
   try {
-    now = mark_of(mesh);
+    now = mark_of(body);
   } catch (const InputError& bad) {
     return bad.what();
   }
   if (now == recorded) return {};
-  std::string reason = mesh.string() + " is another mesh than was recorded: ";
-  if (now.bytes == recorded.bytes) return reason + "its content differs";
+  const bool several = body.parts.size() > 1;
+  std::string reason = body.mesh.string();
+  reason += several ? " and the parts beside it are not the meshes that were recorded: "
+                    : " is another mesh than was recorded: ";
+  if (now.bytes == recorded.bytes)
+    return reason + (several ? "the content differs" : "its content differs");
   return reason + std::to_string(now.bytes) + " bytes instead of " + std::to_string(recorded.bytes);
 }
 
 }  // namespace
 
-FileMark mark_of(const fs::path& file) {
+namespace {
+
+/// The mark of what was marked before and that file behind it.
+FileMark continued(FileMark mark, const fs::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
-  FileMark mark;
   std::array<char, 65536> piece{};
   while (stream) {
     const std::size_t size = std::fread(piece.data(), 1, piece.size(), stream.get());
@@ -134,9 +140,17 @@ FileMark mark_of(const fs::path& file) {
   return mark;
 }
 
-MeshMarks marks_of(const Scene& scene) {
-  return {mark_of(scene.probe.mesh), mark_of(scene.fixed.mesh)};
+}  // namespace
+
+FileMark mark_of(const fs::path& file) { return continued({}, file); }
+
+FileMark mark_of(const SceneBody& body) {
+  FileMark mark;
+  for (const SceneBody& part : meshes_of(body)) mark = continued(mark, part.mesh);
+  return mark;
 }
+
+MeshMarks marks_of(const Scene& scene) { return {mark_of(scene.probe), mark_of(scene.fixed)}; }
 
 RecordingHeader header_of(const Scene& scene, double probe_radius) {
   return header_of(scene, marks_of(scene), probe_radius);
@@ -226,9 +240,9 @@ bool is_recording(const fs::path& file) {
 }
 
 void check_meshes(const RecordingHeader& header, const fs::path& recording) {
-  for (const auto& [mesh, mark] : {std::pair(header.scene.probe.mesh, header.meshes.probe),
-                                   std::pair(header.scene.fixed.mesh, header.meshes.fixed)})
-    if (const std::string reason = other(mesh, mark); !reason.empty())
+  for (const auto& [body, mark] : {std::pair(header.scene.probe, header.meshes.probe),
+                                   std::pair(header.scene.fixed, header.meshes.fixed)})
+    if (const std::string reason = other(body, mark); !reason.empty())
       throw InputError::at_byte(recording.string(), head_size, reason);
 }
 

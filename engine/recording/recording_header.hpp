@@ -18,6 +18,8 @@ struct FileMark {
 };
 /// Reads all of the file. Throws InputError.
 FileMark mark_of(const std::filesystem::path& file);
+/// That of a body's mesh, or of the meshes of all its parts behind each other.
+FileMark mark_of(const SceneBody& body);
 
 /// Identifies the meshes of a scene, as they were when they were read.
 struct MeshMarks {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/queries/pose_numbers.hpp"
+#include "engine/scene/scene_reader.hpp"
 #include "engine/settings/device_settings_file.hpp"
 #include "engine/settings/json_settings.hpp"
 #include "engine/settings/settings.hpp"
@@ -24,7 +24,6 @@ using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
 constexpr std::size_t most_scene_bytes = 1 << 20;
-constexpr int newest_format = 1;  // of scenes
 
 struct Unit {
   std::string_view name;
@@ -39,15 +38,6 @@ const Keys& scene_object_keys() {
                          "safety",  "trajectory", "coupling", "device", "servo", "view"};
   return keys;
 }
-const Keys& body_keys() {
-  static const Keys keys{"mesh", "model", "repair", "scale", "pose"};
-  return keys;
-}
-Keys part_keys() {
-  Keys keys = body_keys();
-  keys.insert(keys.begin(), "name");
-  return keys;
-}
 Keys coupling_keys() {
   Keys keys = keys_of(coupling_settings());
   keys.insert(keys.begin(), "mode");
@@ -60,150 +50,13 @@ Keys device_keys() {
   return keys;
 }
 
-/// Reads the values of one file and complains with its name and the line.
-struct Reader {
-  std::filesystem::path file;
-  std::filesystem::path within = {};  ///< the folder that its paths stay in; empty: anywhere
-  /// Keeps those that do not, instead of refusing them; then no file of gains is read.
-  std::vector<std::filesystem::path>* outside = nullptr;
-
-  [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
-    fail_at(file, line, reason);
-  }
-  void expect(const JsonNode& node, Kind kind) const { expect_kind(file, node, kind); }
-  void expect_object(const JsonNode& node, const Keys& known) const {
-    expect_keys(file, node, known);
-  }
-  void expect_format(const JsonNode& root) const {
-    expect(root, Kind::object);
-    const JsonNode* format = root.find("format");
-    if (!format) return;
-    expect(*format, Kind::number);
-    if (format->number > newest_format)
-      fail(format->line, "\"format\" is " + number_text(format->number) +
-                             ": the scene is of a newer format than this Sonde reads, which is " +
-                             std::to_string(newest_format));
-    if (format->number != newest_format)
-      fail(format->line, "\"format\" is " + number_text(format->number) + "; there is only " +
-                             std::to_string(newest_format));
-  }
-  const JsonNode& need(const JsonNode& object, std::string_view key) const {
-    return need_key(file, object, key, "the scene");
-  }
-
-  /// One of a few words; `known` as a list for the complaint.
-  template <class Value>
-  Value choice(const JsonNode& node, const std::optional<Value>& value, const Keys& known) const {
-    if (value) return *value;
-    fail(node.line, in_quotes(node.key) + " is " + in_quotes(node.text) +
-                        "; the nearest known value is " + in_quotes(nearest(node.text, known)));
-  }
-
-  std::filesystem::path path(const JsonNode& node) const {
-    expect(node, Kind::string);
-    if (node.text.empty()) fail(node.line, in_quotes(node.key) + " is an empty path");
-    if (node.text.find('\0') != std::string::npos)
-      fail(node.line, in_quotes(node.key) + " is a path with a null character");
-    auto whole = (file.parent_path() / node.text).lexically_normal();
-    if (within.empty() || lies_within(within, whole)) return whole;
-    if (!outside)
-      fail(node.line, in_quotes(node.key) + " leads out of the folder " + within.string() + ": " +
-                          in_quotes(node.text));
-    outside->push_back(whole);
-    return whole;
-  }
-
+/// Reads the values of one scene.
+struct Reader : SceneReader {
   double unit(const JsonNode& node) const {
     expect(node, Kind::string);
     Keys known;
     for (const Unit& u : units) known.push_back(u.name);
     return choice(node, unit_in_metres(node.text), known);
-  }
-
-  Pose pose(const JsonNode& node, double unit) const {
-    expect(node, Kind::array);
-    if (node.children.size() != 7)
-      fail(node.line, "\"pose\" has " + std::to_string(node.children.size()) +
-                          " numbers; expected 7: px, py, pz, qw, qx, qy, qz");
-    std::array<double, 7> numbers{};
-    for (std::size_t i = 0; i < 7; ++i) {
-      if (node.children[i].kind != Kind::number)
-        fail(node.children[i].line, std::string("\"pose\" holds ") +
-                                        name_of(node.children[i].kind) + "; expected numbers");
-      numbers[i] = node.children[i].number * (i < 3 ? unit : 1);
-    }
-    try {
-      return pose_of_numbers(numbers);
-    } catch (const std::invalid_argument& error) {
-      fail(node.line, error.what());
-    }
-  }
-
-  /// One mesh, or a list of them that stand together.
-  SceneBody body(const JsonNode& node, double unit) const {
-    if (node.kind != Kind::array) return mesh(node, unit, body_keys());
-    if (node.children.empty()) fail(node.line, in_quotes(node.key) + " has no parts");
-    SceneBody whole;
-    for (const JsonNode& part : node.children) {
-      whole.parts.push_back(mesh(part, unit, part_keys()));
-      const std::string name = part_name(whole.parts.back());
-      for (std::size_t i = 0; i + 1 < whole.parts.size(); ++i)
-        if (part_name(whole.parts[i]) == name)
-          fail(part.line, "two parts are named " + in_quotes(name) + ": give each a \"name\"");
-    }
-    whole.mesh = whole.parts.front().mesh;
-    whole.mesh_line = whole.parts.front().mesh_line;
-    return whole;
-  }
-
-  SceneBody mesh(const JsonNode& node, double unit, const Keys& known) const {
-    expect_object(node, known);
-    SceneBody body;
-    if (const JsonNode* name = node.find("name")) {
-      expect(*name, Kind::string);
-      if (name->text.empty()) fail(name->line, "\"name\" is empty");
-      body.name = name->text;
-    }
-    const JsonNode& file = need(node, "mesh");
-    body.mesh = path(file);
-    body.mesh_line = file.line;
-    if (const JsonNode* model = node.find("model")) {
-      expect(*model, Kind::string);
-      body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
-    }
-    if (const JsonNode* repair = node.find("repair")) {
-      expect(*repair, Kind::string);
-      body.repair = choice(*repair, repair_named(repair->text), {"auto", "none"});
-    }
-    if (const JsonNode* scale = node.find("scale")) {
-      expect(*scale, Kind::number);
-      body.scale = scale->number;
-      if (!(body.scale > 0))
-        fail(scale->line, "\"scale\" is " + number_text(body.scale) + "; it must be above zero");
-    }
-    if (const JsonNode* given = node.find("pose")) body.pose = pose(*given, unit);
-    return body;
-  }
-
-  /// By how much the probe is taken larger, or less than zero smaller, m.
-  double offset(const JsonNode& root, double unit) const {
-    const JsonNode* allowance = root.find("allowance");
-    const JsonNode* safety = root.find("safety");
-    double offset = 0;
-    for (const JsonNode* node : {allowance, safety}) {
-      if (!node) continue;
-      expect(*node, Kind::number);
-      if (node->number < 0)
-        fail(node->line, in_quotes(node->key) + " is " + number_text(node->number) +
-                             "; it must be zero or more (\"allowance\" takes the probe smaller, "
-                             "\"safety\" larger)");
-      if (offset != 0 && node->number != 0)
-        fail(node->line,
-             "\"allowance\" and \"safety\" at once: the one takes the probe smaller, "
-             "the other larger");
-      if (node->number != 0) offset = node->number * (node == allowance ? -unit : unit);
-    }
-    return offset;
   }
 
   /// The gains, or the path of a file with them.
@@ -247,10 +100,9 @@ struct Reader {
 
 Scene read(const Reader& reader, const std::string& text) {
   const JsonNode root = parse_json(reader.file.string(), text);
-  reader.expect_format(root);  // first: what is newer may have keys that are not known here
-  reader.expect_object(root, scene_object_keys());
-
   Scene scene;
+  scene.format = reader.format(root);  // first: what is newer may have keys not known here
+  reader.expect_object(root, scene_object_keys());
   scene.file = reader.file;
   scene.name = name_of_scene(reader.file);
   if (const JsonNode* schema = root.find("$schema")) {
@@ -284,7 +136,7 @@ std::string name_of_scene(const std::filesystem::path& file) {
 }
 
 Coupling read_coupling(const std::filesystem::path& file) {
-  return Reader{file}.coupling(parse_json(file.string(), read_text(file, most_scene_bytes)));
+  return Reader{{file}}.coupling(parse_json(file.string(), read_text(file, most_scene_bytes)));
 }
 
 Scene read_scene(const std::filesystem::path& file) {
@@ -292,7 +144,7 @@ Scene read_scene(const std::filesystem::path& file) {
 }
 
 Scene read_scene_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  return read(Reader{file, folder}, read_text(file, most_scene_bytes));
+  return read(Reader{{file, folder}}, read_text(file, most_scene_bytes));
 }
 
 std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& folder,
@@ -304,7 +156,7 @@ std::vector<std::filesystem::path> paths_out_of(const std::filesystem::path& fol
                                                 const std::string& text,
                                                 const std::filesystem::path& file) {
   std::vector<std::filesystem::path> out;
-  read(Reader{file, folder, &out}, text);
+  read(Reader{{file, folder, &out}}, text);
   return out;
 }
 
@@ -317,7 +169,7 @@ bool lies_within(const std::filesystem::path& folder, const std::filesystem::pat
 }
 
 Scene scene_in(const std::string& text, const std::filesystem::path& file) {
-  return read(Reader{file}, text);
+  return read(Reader{{file}}, text);
 }
 
 std::vector<std::string> scene_keys() {

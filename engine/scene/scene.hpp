@@ -35,7 +35,8 @@ struct Scene {
   SceneDevice device;
   /// The `view` object as JSON text, for the desktop program; "{}" where absent.
   std::string view = "{}";
-  std::string schema = {};  ///< "$schema", for editors; kept as it stands
+  std::string schema = {};         ///< "$schema", for editors; kept as it stands
+  std::optional<int> format = {};  ///< its version, where the file says one
 };
 
 /// Reads a scene. Throws InputError that names the file, the line and the reason: JSON that does

@@ -48,40 +48,64 @@ void append(PolygonSoup& all, const Body& body, const Pose& X, const std::string
       all.remarks.push_back(std::string(who).append(sentence));
 }
 
-/// Each part as it is by itself, with the scale and the repair of the whole.
+std::shared_ptr<const Body> with_offset(std::shared_ptr<const Body> nominal, double offset,
+                                        const Progress& progress) {
+  if (offset == 0) return nominal;
+  return offset_faces(*nominal, offset, progress);
+}
+
 std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, const Progress& progress) {
-  PolygonSoup all;
-  std::vector<BodyPart> parts;
-  const double n = static_cast<double>(whole.parts.size());
-  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
-    SceneBody part = whole.parts[i];
-    part.scale *= whole.scale;
-    part.pose.p *= whole.scale;
-    if (whole.repair != Repair::automatic) part.repair = whole.repair;
-    const double done = static_cast<double>(i);
-    auto body = load(part, unit, part_of(progress, 0.6 * done / n, 0.6 * (done + 1) / n));
-    const std::string name = part_name(part);
-    if (part.model == Model::surface && body->topology.closed)
-      throw InputError::in(part.mesh.string(),
-                           "is closed: as one of several parts it cannot be a "
-                           "surface, since its inside counts");
-    append(all, *body, part.pose, name);
-    parts.push_back({name, std::move(body), part.pose});
+  const auto felt = static_cast<double>(std::ranges::count(whole.parts, true, &SceneBody::felt));
+  std::vector<BodyPart> parts(whole.parts.size());
+  double done = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!whole.parts[i].felt) continue;
+    parts[i] =
+        load_part(whole, i, unit, part_of(progress, 0.6 * done / felt, 0.6 * (done + 1) / felt));
+    ++done;
   }
-  const auto body = make_body(all, Model::automatic, name_of_parts(whole.parts),
-                              part_of(progress, 0.6, 1), Repair::automatic);
-  return with_parts(*body, std::move(parts));
+  return join(whole, parts, part_of(progress, 0.6, 1));
 }
 
 }  // namespace
 
+BodyPart load_part(const SceneBody& whole, std::size_t i, double unit, const Progress& progress) {
+  SceneBody part = whole.parts[i];
+  part.scale *= whole.scale;
+  part.pose.p *= whole.scale;
+  if (whole.repair != Repair::automatic) part.repair = whole.repair;
+  return {part_name(part), load(part, unit, progress), part.pose};
+}
+
+std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyPart>& parts,
+                                 const Progress& progress) {
+  PolygonSoup all;
+  std::vector<BodyPart> felt;
+  std::vector<SceneBody> named;
+  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+    const SceneBody& part = whole.parts[i];
+    if (!part.felt) continue;
+    if (part.model == Model::surface && parts[i].body->topology.closed)
+      throw InputError::in(part.mesh.string(),
+                           "is closed: as one of several parts it cannot be a "
+                           "surface, since its inside counts");
+    append(all, *parts[i].body, parts[i].X_BP, parts[i].name);
+    felt.push_back(parts[i]);
+    named.push_back(part);
+  }
+  if (felt.empty()) throw InputError("no part is felt");
+  const Progress joining = whole.offset == 0 ? progress : part_of(progress, 0, 0.5);
+  const auto body =
+      make_body(all, Model::automatic, name_of_parts(named), joining, Repair::automatic);
+  return with_offset(with_parts(*body, std::move(felt)), whole.offset, part_of(progress, 0.5, 1));
+}
+
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
+  if (!body.parts.empty()) return joined(body, unit, progress);
   const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
-  auto nominal = body.parts.empty() ? load_body(body.mesh.string(), body.model,
-                                                mesh_scale(body, unit), reading, body.repair)
-                                    : joined(body, unit, reading);
-  if (body.offset == 0) return nominal;
-  return offset_faces(*nominal, body.offset, part_of(progress, 0.5, 1));
+  return with_offset(
+      load_body(body.mesh.string(), body.model, mesh_scale(body, unit), reading, body.repair),
+      body.offset, part_of(progress, 0.5, 1));
 }
 
 }  // namespace sonde

@@ -27,6 +27,10 @@ struct SceneBody {
   /// this body's mesh frame, which is the world's when the scene is read. Then `mesh` is that of
   /// the first, and `model` says nothing.
   std::vector<SceneBody> parts = {};
+  // Of a part:
+  std::string colour = {};  ///< in the window, "#e97d25"; empty: the window chooses
+  bool shown = true;        ///< in the window
+  bool felt = true;         ///< false: the body is joined without it, so that it costs nothing
 };
 /// The name of a part: its own, or that of its file.
 std::string part_name(const SceneBody& part);
@@ -38,8 +42,18 @@ std::vector<SceneBody> meshes_of(const SceneBody& body);
 double mesh_scale(const SceneBody& body, double unit);
 
 /// Loads one body of a scene, in metres, with its offset. One of several parts is made of what each
-/// part is by itself, joined (Body::parts). Throws as load_body and offset_faces, and InputError
-/// where a part is to be a surface though it is closed: joined to others, its inside counts.
+/// felt part is by itself, joined (Body::parts). Throws as load_body and offset_faces, and
+/// InputError where a part is to be a surface though it is closed: joined to others, its inside
+/// counts.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
+
+/// One part of a body of several, by itself, at its place in the body. Throws as load_body.
+BodyPart load_part(const SceneBody& whole, std::size_t part, double unit,
+                   const Progress& progress = {});
+/// The body that its felt parts make together, with its offset. `parts`: each of `whole.parts` as
+/// load_part has it; those that are not felt may be without a body. Throws as load, and InputError
+/// where none is felt.
+std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyPart>& parts,
+                                 const Progress& progress = {});
 
 }  // namespace sonde

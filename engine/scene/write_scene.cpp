@@ -85,7 +85,11 @@ std::string mesh_text(const SceneBody& body, double unit, const fs::path& folder
   if (body.repair != Repair::automatic)
     text += ",\n    \"repair\": " + quoted(name_of(body.repair));
   if (body.scale != 1) text += ",\n    \"scale\": " + number_text(body.scale);
-  return text + ",\n    \"pose\": " + pose_text(body.pose, unit) + "\n  }";
+  text += ",\n    \"pose\": " + pose_text(body.pose, unit);
+  if (!body.colour.empty()) text += ",\n    \"colour\": " + quoted(body.colour);
+  if (!body.shown) text += ",\n    \"shown\": false";
+  if (!body.felt) text += ",\n    \"felt\": false";
+  return text + "\n  }";
 }
 
 /// A list of parts holds what the whole is besides: its scale, its pose, what is mended.
@@ -155,6 +159,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
     text.append("  \"").append(key).append("\": ").append(value);
   };
   if (!scene.schema.empty()) add("$schema", quoted(scene.schema));
+  if (scene.format) add("format", std::to_string(*scene.format));
   add("unit", quoted(*unit));
   add("probe", body_text(scene.probe, scene.unit, folder));
   add("fixed", body_text(scene.fixed, scene.unit, folder));

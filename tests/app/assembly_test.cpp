@@ -43,6 +43,22 @@ TEST_F(Assembly, clash_lists_what_overlaps_touches_and_is_near) {
   EXPECT_THAT(all.out, HasSubstr("large.off (3)")) << "a name of its own for each";
 }
 
+TEST_F(Assembly, clash_draws_each_pair) {
+  stand_over("in.sonde.json", -0.002);
+  stand_over("over.sonde.json", 0.003);
+  const Csv in(
+      expect_done("clash in.sonde.json over.sonde.json --within 0.01 --pictures drawn").out);
+  std::size_t pictures = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder / "drawn")) {
+    EXPECT_EQ(file.path().extension(), ".svg");
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, in.rows.size());
+  EXPECT_GT(pictures, 0u);
+  expect_refused("clash in.sonde.json --pictures drawn", 3, "is not empty");
+  expect_refused("clash in.sonde.json --pictures small.off", 3, "is no folder");
+}
+
 TEST_F(Assembly, clash_refuses_what_it_cannot_use) {
   expect_refused("clash small.off", 2, "at least two parts");
   expect_refused("clash small.off missing.off", 3, "missing.off: ");

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QMouseEvent>
@@ -130,6 +131,7 @@ class WindowTest : public ::testing::Test {
         "coupling": {"mode": "object", "k": 500}})");
     window->resize(1280, 800);
     window->show();
+    find<QDockWidget>("coupling_panel")->show();
     ASSERT_TRUE(wait_until([this] { return window->isVisible(); }));
   }
 

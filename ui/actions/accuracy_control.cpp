@@ -34,7 +34,7 @@ bool lies_in(const std::filesystem::path& file, const char* folder) {
 AccuracyControl::AccuracyControl(DocumentControl& documents, QMainWindow& window,
                                  QDockWidget& beside)
     : QObject(&window), documents_(documents), panel_(new AccuracyPanel(&window)) {
-  window.tabifyDockWidget(&beside, panel_);
+  window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   panel_->kind_chosen = [this](AccuracyPanel::Knob kind) { choose(kind); };
   panel_->time_changed = [this](double time_us) { change(time_us, 0); };
   panel_->accuracy_changed = [this](double share) { change(0, share); };

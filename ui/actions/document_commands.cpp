@@ -111,6 +111,11 @@ void DocumentControl::copy_pose() {
     QApplication::clipboard()->setText(QString::fromStdString(pose_text(now().here)));
 }
 
+void DocumentControl::copy_matrix() {
+  if (view_.session())
+    QApplication::clipboard()->setText(QString::fromStdString(matrix_text(now().here)));
+}
+
 void DocumentControl::paste_pose() {
   if (document_.empty()) return;
   try {
@@ -130,7 +135,8 @@ void DocumentControl::swap_bodies() {
   const auto bodies = wanted.bodies;
   change_bodies(QStringLiteral("Swap probe and fixed body"), wanted,
                 [bodies, scene = wanted.scene](const Progress& progress) {
-                  if (scene.probe.offset != 0) return open_scene(scene, progress);
+                  if (scene.probe.offset != 0 || !scene.fixed.parts.empty())
+                    return open_scene(scene, progress);
                   return open_scene(scene,
                                     {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {},
                                     {bodies->marks.fixed, bodies->marks.probe});
@@ -215,11 +221,16 @@ void DocumentControl::take_body(Role role, const QString& what,
                   const bool is_probe = role == Role::probe;
                   const SceneBody& from = is_probe ? scene.probe : scene.fixed;
                   MeshMarks marks = bodies->marks;
-                  (is_probe ? marks.probe : marks.fixed) = mark_of(from.mesh);
-                  const auto read = load(from, scene.unit, progress);
-                  const Pair pair = is_probe ? Pair(read, shared(bodies, Role::fixed))
-                                             : Pair(shared(bodies, Role::probe), read);
-                  return suited_again(open_scene(scene, pair, bodies->trajectory, marks), suited);
+                  (is_probe ? marks.probe : marks.fixed) = mark_of(from);
+                  FixedBody fixed{shared(bodies, Role::fixed), bodies->parts};
+                  auto probe = shared(bodies, Role::probe);
+                  if (is_probe)
+                    probe = load(from, scene.unit, progress);
+                  else
+                    fixed = load_fixed(scene, {}, {}, progress);
+                  return suited_again(open_scene(scene, Pair(probe, fixed.body), bodies->trajectory,
+                                                 marks, fixed.parts),
+                                      suited);
                 });
 }
 
@@ -238,8 +249,8 @@ void DocumentControl::change_bodies(const QString& what, const Content& wanted,
         const LoadedScene& opened = drawn.session->loaded();
         Content content = wanted;
         content.scene = opened.scene;
-        content.bodies =
-            std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory, opened.marks});
+        content.bodies = std::make_shared<const Bodies>(
+            Bodies{opened.pair, opened.trajectory, opened.marks, opened.parts});
         ready_ = std::move(drawn);
         document_.change(what, content);
         ready_.reset();
@@ -261,6 +272,8 @@ void DocumentControl::apply(const Content& from, const Content& to) {
   if (from.scene.servo.budget.microseconds != to.scene.servo.budget.microseconds ||
       from.scene.servo.accuracy != to.scene.servo.accuracy)
     session->set_knob(to.scene.servo);
+  if (const auto looks = looks_of(to.scene.fixed); looks != looks_of(from.scene.fixed))
+    view_.show_parts(looks);
   session->set_start(relative_pose(to.scene));
   if (!same(from.here, to.here) && !same(session->device_pose(), to.here)) view_.place(to.here);
   tell();
@@ -274,6 +287,7 @@ void DocumentControl::show_bodies(const Content& wanted) {
     view_.show(std::move(drawn), true);
     // The session took its time: more may have been done or undone meanwhile.
     const Content& content = document_.content();
+    if (!content.bodies->parts.empty()) view_.show_parts(looks_of(content.scene.fixed));
     view_.session()->set_start(relative_pose(content.scene));
     if (!same(view_.session()->device_pose(), content.here)) view_.place(content.here);
     watch();
@@ -287,8 +301,9 @@ void DocumentControl::show_bodies(const Content& wanted) {
   opener_.make(
       QStringLiteral("Setting the bodies up again"),
       [wanted](const Progress&) {
-        LoadedScene opened = open_scene(wanted.scene, wanted.bodies->pair,
-                                        wanted.bodies->trajectory, wanted.bodies->marks);
+        LoadedScene opened =
+            open_scene(wanted.scene, wanted.bodies->pair, wanted.bodies->trajectory,
+                       wanted.bodies->marks, wanted.bodies->parts);
         opened.here = wanted.here;
         return opened;
       },

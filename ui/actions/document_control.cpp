@@ -23,6 +23,10 @@ namespace {
 
 constexpr int recovery_ms = 2000;
 
+bool is_scene(const QString& file) {
+  return file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+}
+
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 }  // namespace
@@ -66,17 +70,23 @@ bool DocumentControl::ask_meshes(const QString& first) {
 }
 
 bool DocumentControl::is_one_mesh(const QStringList& files) {
-  return files.size() == 1 && !files[0].endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+  return files.size() == 1 && !is_scene(files[0]);
 }
 
 void DocumentControl::drop(const QStringList& files) {
-  if (!is_one_mesh(files)) return open(files, std::nullopt);
-  if (document_.empty()) {
+  const bool meshes = std::ranges::none_of(files, is_scene);
+  if (document_.empty() && is_one_mesh(files)) {
     ask_meshes(files[0]);
     return;
   }
-  if (const auto role = prompts_.ask_role(QFileInfo(files[0]).fileName()))
-    replace_body(*role, files[0]);
+  if (document_.empty() || !meshes) return open(files, std::nullopt);
+  const QString name = files.size() == 1 ? QFileInfo(files[0]).fileName()
+                                         : QStringLiteral("%1 meshes").arg(files.size());
+  const auto role = prompts_.ask_role(name, static_cast<int>(files.size()));
+  if (!role) return;
+  if (*role == Role::parts) return add_parts(files);
+  if (*role == Role::pair) return open(files, std::nullopt);
+  replace_body(*role, files[0]);
 }
 
 bool DocumentControl::may_leave() {
@@ -153,8 +163,8 @@ void DocumentControl::watch() { watch_.watch(document_.empty() ? QStringList() :
 
 void DocumentControl::opened(const Session& session) {
   const LoadedScene& opened = session.loaded();
-  auto bodies =
-      std::make_shared<const Bodies>(Bodies{opened.pair, opened.trajectory, opened.marks});
+  auto bodies = std::make_shared<const Bodies>(
+      Bodies{opened.pair, opened.trajectory, opened.marks, opened.parts});
   on_show_ = bodies;
   index_on_show_ = 0;
   document_.open({opened.scene, opened.here.value_or(opened.start), std::move(bodies)});

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ui/actions/prompts.hpp"
 #include "ui/document/document.hpp"
@@ -30,7 +31,8 @@ struct DocumentView {
   std::function<void(const DeviceSettings&)> show_device_settings;
   std::function<CameraPlace()> camera;
   std::function<void(const CameraPlace&)> look;
-  std::function<void(const QString&)> say;  ///< in passing
+  std::function<void(const std::vector<PartLook>&)> show_parts;  ///< of the fixed body
+  std::function<void(const QString&)> say;                       ///< in passing
 };
 
 /// Everything about the document as a whole: opening, saving, leaving, recovering, following
@@ -71,6 +73,7 @@ class DocumentControl : public QObject {
   void set_repair(Role role, Repair repair);
   void make_solid(Role role);  ///< its openings are closed, and its inside counts
   void copy_pose();
+  void copy_matrix();  ///< the same in NumPy's form
   void paste_pose();
   void place(const Pose& X_FM, const QString& what, bool mergeable = false);
   /// The probe was moved from that pose.
@@ -78,6 +81,14 @@ class DocumentControl : public QObject {
   void set_coupling(const Coupling& coupling);
   void set_device_settings(const DeviceSettings& settings);
   void set_knob(const ServoSettings& servo);  ///< the time of a tick, or its wanted accuracy
+
+  // Of the fixed body's parts (part_commands.cpp). A body of one mesh becomes one of parts.
+  void add_parts(const QStringList& files);  ///< each where its file has it, in that body's axes
+  void remove_part(std::size_t part);
+  void rename_part(std::size_t part, const QString& name);
+  void set_part_colour(std::size_t part, const QString& colour);  ///< "#e97d25"
+  void set_part_shown(std::size_t part, bool shown);
+  void set_part_felt(std::size_t part, bool felt);
 
   /// The title, the recent files or what can be done has changed.
   std::function<void()> changed;
@@ -90,6 +101,7 @@ class DocumentControl : public QObject {
   void change_bodies(const QString& what, const Content& wanted,
                      std::function<LoadedScene(const Progress&)> open);
   void replace_body(Role role, const QString& file);
+  void change_parts(const QString& what, const std::function<void(SceneBody& fixed)>& change);
   void take_body(Role role, const QString& what, const std::function<void(SceneBody&)>& change);
   bool write(const std::filesystem::path& file);
   void watch();

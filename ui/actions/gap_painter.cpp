@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/gap_painter.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -26,6 +27,12 @@ void GapPainter::set_on(bool on) {
   asked_.reset();
   if (!on) stop();
   viewport_.set_shown(Layer::gaps, on);
+}
+
+void GapPainter::set_reach(std::optional<double> reach) {
+  stop();
+  reach_ = reach;
+  asked_.reset();
 }
 
 void GapPainter::attach(const Session* session) {
@@ -57,12 +64,15 @@ void GapPainter::take() {
 void GapPainter::begin(const Pose& separated) {
   asked_ = separated;
   stopping_ = std::make_shared<std::atomic<bool>>(false);
-  const double reach = round_down_125(reach_part * session_->probe().mass.radius);
+  const double suited = round_down_125(reach_part * session_->probe().mass.radius);
+  const double reach = reach_.value_or(suited);
+  // Not finer than suits the probe: as many places as there are gaps to be told apart.
+  const double cell = std::max(reach, suited) / cells;
   // The pair keeps its bodies for as long as the thread needs them.
-  coming_ = std::async(std::launch::async, [pair = session_->loaded().pair, separated, reach,
+  coming_ = std::async(std::launch::async, [pair = session_->loaded().pair, separated, reach, cell,
                                             stopping = stopping_] {
     const auto stop = [stopping] { return stopping->load(); };
-    const GapOptions options{.reach = reach, .cell = reach / cells};
+    const GapOptions options{.reach = reach, .cell = cell};
     return Painted{separated, gap_field(pair.probe(), pair.fixed(), separated, options, stop),
                    gap_field(pair.fixed(), pair.probe(), inverse(separated), options, stop), reach};
   });

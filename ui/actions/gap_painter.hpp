@@ -27,6 +27,8 @@ class GapPainter {
 
   void set_on(bool on);
   bool on() const { return on_; }
+  /// The gap that the last colour stands for, m; none: what suits the probe.
+  void set_reach(std::optional<double> reach);
   /// Other bodies from now on; null: none.
   void attach(const Session* session);
   /// To be called with every frame.
@@ -45,6 +47,7 @@ class GapPainter {
   Viewport& viewport_;
   const Session* session_ = nullptr;
   bool on_ = false;
+  std::optional<double> reach_;
   std::shared_ptr<std::atomic<bool>> stopping_;
   std::future<Painted> coming_;
   std::optional<Pose> asked_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions/prompts.hpp"
 
+#include <QColorDialog>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -92,13 +93,22 @@ void add_document_questions(Prompts& prompts, QWidget* parent) {
                   {{"Replace it", QMessageBox::DestructiveRole},
                    {"Keep it", QMessageBox::RejectRole}}) == 0;
   };
-  prompts.ask_role = [parent](const QString& file) -> std::optional<Role> {
-    const int role = choose(parent, "role_box", QStringLiteral("What is %1 to be?").arg(file), {},
-                            {{"The probe", QMessageBox::AcceptRole},
-                             {"The fixed body", QMessageBox::AcceptRole},
-                             {"Cancel", QMessageBox::RejectRole}});
-    if (role > 1) return std::nullopt;
-    return static_cast<Role>(role);
+  prompts.ask_role = [parent](const QString& name, int meshes) -> std::optional<Role> {
+    struct Answer {
+      Role role;
+      const char* text;
+    };
+    std::vector<Answer> answers;
+    if (meshes == 1) answers = {{Role::probe, "The probe"}, {Role::fixed, "The fixed body"}};
+    answers.push_back({Role::parts, meshes == 1 ? "A further part" : "Further parts"});
+    if (meshes == 2) answers.push_back({Role::pair, "Probe and fixed body"});
+    std::vector<Button> buttons;
+    for (const Answer& answer : answers) buttons.push_back({answer.text, QMessageBox::AcceptRole});
+    buttons.push_back({"Cancel", QMessageBox::RejectRole});
+    const QString question = meshes == 1 ? QStringLiteral("What is %1 to be?").arg(name)
+                                         : QStringLiteral("What are the %1 to be?").arg(name);
+    const auto chosen = static_cast<std::size_t>(choose(parent, "role_box", question, {}, buttons));
+    return chosen < answers.size() ? std::optional(answers[chosen].role) : std::nullopt;
   };
 }
 
@@ -126,6 +136,15 @@ Prompts dialogs(QWidget& window) {
     MeshesDialog dialog(parent, first);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return std::pair{dialog.probe(), dialog.fixed()};
+  };
+  prompts.ask_parts = [parent] {
+    return QFileDialog::getOpenFileNames(parent, QStringLiteral("Add parts to the fixed body"),
+                                         last_folder(), mesh_filter());
+  };
+  prompts.ask_colour = [parent](const QString& first) {
+    const QColor colour =
+        QColorDialog::getColor(QColor(first), parent, QStringLiteral("The part's colour"));
+    return colour.isValid() ? colour.name() : QString();
   };
   prompts.ask_path = [parent] {
     return QFileDialog::getOpenFileName(parent, QStringLiteral("Play a recorded path"),

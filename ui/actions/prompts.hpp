@@ -15,7 +15,12 @@ namespace sonde::ui {
 
 enum class Leaving { save, discard, stay };
 enum class Recovering { open, discard, later };
-enum class Role { probe, fixed };
+enum class Role {
+  probe,
+  fixed,
+  parts,  ///< further parts of the fixed body
+  pair    ///< two meshes: another probe and fixed body
+};
 enum class Consent { refused, once, kept };
 
 /// Every question and every error message of the window, so that tests and command lines can answer
@@ -35,11 +40,14 @@ struct Prompts {
   std::function<Consent(const QString& scene, const QStringList& paths)> ask_paths;
   /// A file that goes with the one that was chosen, and is there already.
   std::function<bool(const QString& file)> ask_replace;
-  /// Asks what to use a single mesh for; none: cancelled.
-  std::function<std::optional<Role>(const QString& file)> ask_role;
+  /// Asks what to use so many meshes for, one or more; none: cancelled.
+  std::function<std::optional<Role>(const QString& name, int meshes)> ask_role;
   std::function<QString()> ask_scene;  ///< empty: given up
   /// Probe and fixed body, of which one may be known.
   std::function<std::optional<std::pair<QString, QString>>(const QString& first)> ask_meshes;
+  std::function<QStringList()> ask_parts;  ///< meshes to add to the fixed body; empty: given up
+  /// A colour, "#e97d25", with one to begin with; empty: given up.
+  std::function<QString(const QString& first)> ask_colour;
   std::function<QString()> ask_recording;      ///< a recording to open; empty: given up
   std::function<QString()> ask_record;         ///< a recording to write; empty: given up
   std::function<QString()> ask_path;           ///< a recorded path to read; empty: given up

@@ -2,7 +2,6 @@
 #include "ui/actions/repairs_control.hpp"
 
 #include <QLayout>
-#include <cmath>
 
 #include "ui/actions/document_control.hpp"
 #include "ui/base/format.hpp"
@@ -12,9 +11,6 @@
 
 namespace sonde::ui {
 namespace {
-
-constexpr int flight_ms = 450;
-constexpr int pointing_ms = 8000;
 
 /// Whether a mesh has anything to be mended: as the engine sees it before it mends.
 bool is_sound(const Body& body) {
@@ -32,7 +28,11 @@ QString more_text(const RepairPlaces& places) {
 }  // namespace
 
 RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, QWidget& window)
-    : QObject(&window), viewport_(viewport), documents_(documents), bar_(new RepairsBar(&window)) {
+    : QObject(&window),
+      viewport_(viewport),
+      documents_(documents),
+      bar_(new RepairsBar(&window)),
+      flight_(viewport, this) {
   bar_->show_wanted = [this](std::size_t body) { show_next(body); };
   bar_->repair_wanted = [this](std::size_t body, bool as_in_file) {
     documents_.set_repair(body == RepairsBar::probe ? Role::probe : Role::fixed,
@@ -45,20 +45,11 @@ RepairsControl::RepairsControl(Viewport& viewport, DocumentControl& documents, Q
     set_away(true);
     viewport_.canvas()->setFocus();
   };
-  flight_.setStartValue(0.0);
-  flight_.setEndValue(1.0);
-  flight_.setDuration(flight_ms);
-  flight_.setEasingCurve(QEasingCurve::InOutCubic);
-  connect(&flight_, &QVariantAnimation::valueChanged, this,
-          [this](const QVariant& part) { fly(part.toDouble()); });
-  pointing_.setSingleShot(true);
-  connect(&pointing_, &QTimer::timeout, this, [this] { viewport_.point_out({}); });
 }
 
 void RepairsControl::attach(Session* session, bool same_document) {
   session_ = session;
   flight_.stop();
-  pointing_.stop();
   next_ = {};
   last_ = RepairsBar::probe;
   if (!same_document && away_) set_away(false);
@@ -136,32 +127,11 @@ void RepairsControl::show_next(std::size_t index) {
   const PointedPlace pointed{index == RepairsBar::probe, place.at, place.outward, place.size,
                              QStringLiteral("%1: %2").arg(in_full, words(place.kind))};
   bar_->show_places(index, count, in_full);
-  viewport_.point_out(pointed);
-  pointing_.start(pointing_ms);
-  fly_to(viewport_.before(pointed));
+  flight_.show(pointed);
   if (say)
     say(QStringLiteral("%1, %2, %3 across")
             .arg(short_name(body), pointed.text,
                  LengthUnit(body.mass.radius).text(2 * place.size)));
-}
-
-void RepairsControl::fly_to(const CameraPlace& place) {
-  flight_.stop();
-  from_ = viewport_.place();
-  to_ = place;
-  flight_.start();
-}
-
-/// Round the target, which moves in a line, at a distance that changes in proportion.
-void RepairsControl::fly(double part) {
-  const Vec3 from = from_.position - from_.target, to = to_.position - to_.target;
-  const Quat turn = Quat::FromTwoVectors(from, to);
-  const Vec3 direction = Quat::Identity().slerp(part, turn) * from.normalized();
-  const double distance = std::pow(from.norm(), 1 - part) * std::pow(to.norm(), part);
-  const Vec3 target = (1 - part) * from_.target + part * to_.target;
-  const Vec3 up = (1 - part) * from_.up + part * to_.up;
-  const bool along = direction.cross(up).norm() < 1e-3;
-  viewport_.look({target + direction * distance, target, along ? to_.up : up});
 }
 
 }  // namespace sonde::ui

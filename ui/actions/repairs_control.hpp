@@ -3,13 +3,11 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
-#include <QVariantAnimation>
 #include <array>
 #include <functional>
 #include <optional>
 
-#include "ui/document/loaded_scene.hpp"
+#include "ui/actions/flight.hpp"
 #include "ui/panels/repairs_bar.hpp"
 
 namespace sonde::ui {
@@ -34,7 +32,7 @@ class RepairsControl : public QObject {
   /// Until another document is open.
   void set_away(bool away);
   bool away() const { return away_; }
-  bool flying() const { return flight_.state() == QAbstractAnimation::Running; }
+  bool flying() const { return flight_.flying(); }
 
   std::function<void(const QString&)> say;
   std::function<void(bool away)> away_changed;
@@ -43,8 +41,6 @@ class RepairsControl : public QObject {
   const Body& body(std::size_t index) const;
   std::optional<RepairsRow> row_of(std::size_t index) const;
   void show_rows();
-  void fly_to(const CameraPlace& place);
-  void fly(double part);
 
   Viewport& viewport_;
   DocumentControl& documents_;
@@ -53,9 +49,7 @@ class RepairsControl : public QObject {
   bool away_ = false;
   std::array<std::size_t, 2> next_{};  ///< place of each body
   std::size_t last_ = 0;               ///< the body that was shown last
-  QVariantAnimation flight_;
-  CameraPlace from_{}, to_{};
-  QTimer pointing_;  ///< until the ring goes
+  Flight flight_;
 };
 
 }  // namespace sonde::ui

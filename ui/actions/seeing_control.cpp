@@ -22,6 +22,7 @@ namespace {
 constexpr double near_contact = 12;   // pixels
 constexpr double follow_part = 0.15;  // of what is left, a frame: the picture glides
 constexpr double follow_still = 0.5;  // pixels
+constexpr double least_arm = 0.05;    // of the probe's radius, beside the contact's normal
 
 /// The middle of what pushes: the contacts by what they carry.
 std::optional<Vec3> middle_of(const Separation& separation) {
@@ -51,11 +52,12 @@ SeeingControl::SeeingControl(Viewport& viewport, DocumentControl& documents, QMa
   crossings_.say = [this](const QString& what) {
     if (say) say(what);
   };
-  window.tabifyDockWidget(&beside, panel_);
-  window.tabifyDockWidget(&beside, contacts_);
+  window.addDockWidget(window.dockWidgetArea(&beside), panel_);
+  window.addDockWidget(window.dockWidgetArea(&beside), contacts_);
   panel_->changed = [this](const Seeing& seeing) { set_seeing(seeing); };
   panel_->snap_wanted = [this] { snap_cut(); };
   panel_->face_wanted = [this] { face_cut(); };
+  panel_->gap_reach_changed = [this](std::optional<double> reach) { gaps_.set_reach(reach); };
   panel_->save_wanted = [this] { save_view(); };
   panel_->view_wanted = [this](int index) { go_to_view(index); };
   panel_->forget_wanted = [this](int index) { forget_view(index); };
@@ -86,7 +88,7 @@ void SeeingControl::attach(Session* session) {
   contacts_->choose(0);
   if (!session) return;
   const MassProperties& mass = session->fixed().mass;
-  contacts_->take(session->probe().mass);
+  contacts_->take(session->loaded().pair);
   panel_->set_extent(mass.com, mass.radius);
   if (first || !seeing_.cut.on) seeing_.cut.point = mass.com;
   set_seeing(seeing_);
@@ -127,8 +129,9 @@ const ContactCluster* SeeingControl::leading() const {
   return best;
 }
 
-/// The plane holds the contact's normal and is seen as openly as that allows: one looks at the
-/// contact from the side, and what lies before it is cut away.
+/// Both bodies are cut, by a plane through the contact along its normal and through the probe's
+/// centre of mass: there both are thick. Where these are in one line, it is seen as openly as that
+/// allows. One looks at the contact from the side, and what lies before it is cut away.
 void SeeingControl::snap_cut() {
   const ContactCluster* contact = leading();
   if (!contact) {
@@ -137,11 +140,15 @@ void SeeingControl::snap_cut() {
   }
   Seeing seeing = seeing_;
   const Vec3& n = contact->contact.normal;
+  const Vec3& at = contact->contact.on_fixed;
   const Vec3 towards = viewport_.camera().axes().towards;
-  Vec3 normal = towards - n * n.dot(towards);
+  const MassProperties& mass = session_->probe().mass;
+  const Vec3 arm = (shown_.device * mass.com - at) / mass.radius;
+  Vec3 normal = n.cross(arm);
+  if (normal.norm() < least_arm) normal = towards - n * n.dot(towards);
   if (!(normal.norm() > 1e-6)) normal = any_normal(n);
-  seeing.cut = {true, seeing.cut.fixed, seeing.cut.probe, contact->contact.on_fixed,
-                normal.normalized()};
+  if (normal.dot(towards) < 0) normal = -normal;
+  seeing.cut = {true, true, true, at, normal.normalized()};
   set_seeing(seeing);
 }
 
@@ -182,15 +189,17 @@ void SeeingControl::measure(QPointF at) {
 }
 
 void SeeingControl::click(QPointF at) {
-  if (!session_ || shown_.status != Status::penetrating) return;
+  if (!session_ || (click_wanted && click_wanted(at))) return;
   const ContactCluster* best = nullptr;
   double nearest = near_contact;
   for (const ContactCluster& c : shown_.clusters) {
+    if (shown_.status != Status::penetrating) break;
     const QPointF away = viewport_.on_screen(c.contact.on_fixed) - at;
     const double distance = std::hypot(away.x(), away.y());
     if (distance < nearest) nearest = distance, best = &c;
   }
-  if (best) choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
+  if (best) return choose_contact(best->id == contacts_->chosen() ? 0 : best->id);
+  if (clicked) clicked(at);
 }
 
 void SeeingControl::choose_contact(std::uint64_t id) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointF>
 #include <functional>
 #include <vector>
 
@@ -59,6 +60,8 @@ class SeeingControl : public QObject {
   /// Called at once and whenever seeing() says something else.
   void on_change(std::function<void()> heard);
   std::function<void(const QString&)> say;
+  std::function<bool(QPointF)> click_wanted;  ///< a click in the view is somebody's: true
+  std::function<void(QPointF)> clicked;       ///< in the view, on no contact
 
  private:
   void measure(QPointF at);

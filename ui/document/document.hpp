@@ -20,6 +20,7 @@ struct Bodies {
   Pair pair;
   std::vector<TimedPose> trajectory;
   MeshMarks marks;
+  std::vector<BodyPart> parts = {};  ///< LoadedScene::parts
 };
 
 /// The open content, as a value.

@@ -117,15 +117,45 @@ LoadedScene open_scene(const Scene& scene, const Progress& progress) {
     find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
   if (scene.trajectory) trajectory = read_trajectory(*scene.trajectory);
   const MeshMarks marks = marks_of(scene);
-  std::shared_ptr<const Body> probe, fixed;
+  std::shared_ptr<const Body> probe;
+  FixedBody fixed;
   run_both(
       true, progress, [&](const Progress& half) { probe = load(scene.probe, scene.unit, half); },
-      [&](const Progress& half) { fixed = load(scene.fixed, scene.unit, half); });
-  return open_scene(scene, {std::move(probe), std::move(fixed)}, std::move(trajectory), marks);
+      [&](const Progress& half) { fixed = load_fixed(scene, {}, {}, half); });
+  return open_scene(scene, {std::move(probe), std::move(fixed.body)}, std::move(trajectory), marks,
+                    std::move(fixed.parts));
+}
+
+FixedBody load_fixed(const Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
+                     const Progress& progress) {
+  const SceneBody& whole = scene.fixed;
+  if (whole.parts.empty()) return {load(whole, scene.unit, progress), {}};
+  const bool same_whole = scene.unit == before.unit && whole.scale == before.fixed.scale &&
+                          whole.repair == before.fixed.repair &&
+                          known.size() == before.fixed.parts.size();
+  FixedBody out;
+  const auto n = static_cast<double>(whole.parts.size());
+  for (std::size_t i = 0; i < whole.parts.size(); ++i) {
+    const SceneBody& part = whole.parts[i];
+    const auto old = std::ranges::find_if(before.fixed.parts, [&](const SceneBody& p) {
+      return same_whole && p.mesh == part.mesh && p.model == part.model &&
+             p.repair == part.repair && p.scale == part.scale;
+    });
+    if (old == before.fixed.parts.end()) {
+      const double done = 0.6 * static_cast<double>(i) / n;
+      out.parts.push_back(load_part(whole, i, scene.unit, part_of(progress, done, done + 0.6 / n)));
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(old - before.fixed.parts.begin());
+    const Pose X_BP{part.pose.q, whole.scale * part.pose.p};
+    out.parts.push_back({part_name(part), known[index].body, X_BP});
+  }
+  out.body = join(whole, out.parts, part_of(progress, 0.6, 1));
+  return out;
 }
 
 LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory,
-                       const MeshMarks& marks) {
+                       const MeshMarks& marks, std::vector<BodyPart> parts) {
   std::optional<DeviceProfile> device;
   if (!scene.device.profile.empty())
     device = find_device_profile(scene.device.profile, device_profile_folders());
@@ -141,7 +171,8 @@ LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPo
           .trajectory = std::move(trajectory),
           .device = std::move(device),
           .device_settings = scene.device.settings,
-          .camera = camera_of(scene)};
+          .camera = camera_of(scene),
+          .parts = std::move(parts)};
 }
 
 MeshPair read_pair(const std::filesystem::path& probe, const std::filesystem::path& fixed,
@@ -259,14 +290,43 @@ LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& pr
   return open_scene(scene, {std::move(probe), std::move(fixed)}, {}, pair.marks);
 }
 
-Coupling suited_coupling(const MassProperties& probe) {
+namespace {
+
+double stiffness_at_limit(const MassProperties& probe) {
+  return Coupling().max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
+}
+
+/// The largest k of the object norm that a device takes; no more than that of rotation, kÎ, where
+/// it has motors for torque. What it does not say does not count.
+double allowed_stiffness(const MassProperties& probe, const DeviceProfile& device) {
+  double k = std::numeric_limits<double>::infinity();
+  if (device.max_stiffness.value > 0) k = device.max_stiffness.value;
+  const double stiffest = probe.inertia.maxCoeff();
+  if (device.max_torque.value > 0 && device.max_rotational_stiffness.value > 0 && stiffest > 0)
+    k = std::min(k, device.max_rotational_stiffness.value / stiffest);
+  return k;
+}
+
+}  // namespace
+
+Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device) {
   Coupling coupling;
-  const double k = coupling.max_force / (depth_at_limit * std::max(probe.radius, 1e-9));
+  double k = stiffness_at_limit(probe);
+  if (device) k = std::min(k, allowed_stiffness(probe, *device));
   set(coupling, "k", k);
   set(coupling, "k_t", k);
   // The classic spring that turns as stiffly as the object norm does: kÎ, over the mean axis.
   set(coupling, "k_r", k * probe.inertia.mean());
   return coupling;
+}
+
+std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device) {
+  const double k = stiffness_at_limit(probe);
+  if (device && allowed_stiffness(probe, *device) < k)
+    return "Stiffness: as much as " + device->name + " allows.";
+  return "Stiffness: the force limit is reached " + number_text(100 * depth_at_limit, 3) +
+         " % of the probe's radius deep" +
+         (device ? ", which " + device->name + " allows." : std::string("."));
 }
 
 Pose beside(const Body& probe, const Body& fixed, const Vec3& direction, const Quat& q_FM) {

@@ -38,6 +38,8 @@ struct LoadedScene {
   std::optional<DeviceSettings> device_settings =
       {};                                  ///< the scene's, before those kept for a device
   std::optional<CameraPlace> camera = {};  ///< the scene's `view`; none: the window chooses
+  /// Each of the fixed body's parts, felt or not, in the scene's order; empty where it is one mesh.
+  std::vector<BodyPart> parts = {};
 };
 
 /// Reads a scene, its meshes, its trajectory and the profile of its device. Throws InputError or
@@ -47,7 +49,16 @@ LoadedScene open_scene(const std::filesystem::path& file, const Progress& progre
 LoadedScene open_scene(const Scene& scene, const Progress& progress = {});
 /// The same from bodies in memory: reads nothing but the device's profile.
 LoadedScene open_scene(const Scene& scene, const Pair& pair, std::vector<TimedPose> trajectory,
-                       const MeshMarks& marks);
+                       const MeshMarks& marks, std::vector<BodyPart> parts = {});
+
+/// The fixed body of a scene, and its parts where it has any.
+struct FixedBody {
+  std::shared_ptr<const Body> body;
+  std::vector<BodyPart> parts;
+};
+/// Loads it; parts that are as in `before` are taken from `known`, its parts. Throws as load.
+FixedBody load_fixed(const Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
+                     const Progress& progress = {});
 
 /// The axis of a mesh file that points up.
 enum class UpAxis { x, y, z };
@@ -102,8 +113,11 @@ Scene with_setup(const Scene& scene, const PairSetup& old, const PairSetup& now)
 /// camera. Gains: the force limit is reached at 2 % of the probe's radius.
 LoadedScene build_pair(MeshPair pair, const PairSetup& setup, const Progress& progress = {});
 
-/// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R.
-Coupling suited_coupling(const MassProperties& probe);
+/// Gains that suit a probe of this size: |F| reaches its limit at a depth of 2 % of R. On a device
+/// they are no stiffer than its driver allows, in translation and in rotation.
+Coupling suited_coupling(const MassProperties& probe, const DeviceProfile* device = nullptr);
+/// Where these come from, in a sentence.
+std::string origin_of_suited(const MassProperties& probe, const DeviceProfile* device);
 
 /// A pose beside the fixed body, turned by q_FM, in the given direction from it: a plane with a gap
 /// of 5 % of the probe's radius lies between the two.

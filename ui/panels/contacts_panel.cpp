@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/body/body.hpp"
 #include "engine/haptics/coupling/contact_force.hpp"
 #include "engine/penetration/contact/contact_clusters.hpp"
+#include "engine/queries/body_queries.hpp"
 
 namespace sonde::ui {
 namespace {
 
-enum Column { name, force, share, position, normal, gap, joined };
+enum Column { name, part, force, share, position, normal, gap, joined };
 
 std::uint64_t id_of(const QTreeWidgetItem& item) {
   return item.data(name, Qt::UserRole).toULongLong();
@@ -31,12 +33,13 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   rows_->setRootIsDecorated(false);
   rows_->setIndentation(0);
   rows_->setUniformRowHeights(true);
-  rows_->setHeaderLabels({QStringLiteral("Contact"), QStringLiteral("Force"),
-                          QStringLiteral("Share"), QStringLiteral("Position"),
-                          QStringLiteral("Normal"), QStringLiteral("Gap"),
-                          QStringLiteral("Joined")});
+  rows_->setHeaderLabels({QStringLiteral("Contact"), QStringLiteral("Part"),
+                          QStringLiteral("Force"), QStringLiteral("Share"),
+                          QStringLiteral("Position"), QStringLiteral("Normal"),
+                          QStringLiteral("Gap"), QStringLiteral("Joined")});
   const char* const tips[] = {
       "A cluster of contacts, the same number from tick to tick",
+      "The part of the fixed body that it is on",
       "On the hand, along its normal: those of all contacts add up to F",
       "The size of its force, of the sum of all",
       "Of the point on the fixed body, in that body's mesh frame: x, y, z",
@@ -57,9 +60,11 @@ ContactsPanel::ContactsPanel(QWidget* parent)
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] { on_selection(); });
 }
 
-void ContactsPanel::take(const MassProperties& probe) {
-  com_ = probe.com;
-  unit_ = LengthUnit(probe.radius);
+void ContactsPanel::take(const Pair& pair) {
+  pair_ = pair;
+  com_ = pair.probe().mass.com;
+  unit_ = LengthUnit(pair.probe().mass.radius);
+  rows_->setColumnHidden(part, pair.fixed().parts.empty());
 }
 
 void ContactsPanel::show_contacts(const Separation& separation, const Wrench& wrench) {
@@ -80,8 +85,10 @@ void ContactsPanel::show_contacts(const Separation& separation, const Wrench& wr
     QTreeWidgetItem& row = *rows_->topLevelItem(static_cast<int>(i));
     row.setData(name, Qt::UserRole, QVariant::fromValue(static_cast<qulonglong>(c.id)));
     row.setText(name, QString::number(c.id));
-    const double part = 100 * share_of_force(c.contact, separation.clusters);
-    row.setText(share, part > 0 ? QStringLiteral("%1 %").arg(part, 0, 'f', 0) : QString());
+    if (pair_ && !rows_->isColumnHidden(part))
+      row.setText(part, text(std::string(part_at(pair_->fixed(), c.contact.on_fixed))));
+    const double percent = 100 * share_of_force(c.contact, separation.clusters);
+    row.setText(share, percent > 0 ? QStringLiteral("%1 %").arg(percent, 0, 'f', 0) : QString());
     row.setText(force, number(newton * c.contact.multiplier) + QStringLiteral(" N"));
     row.setText(position, unit_.text(c.contact.on_fixed));
     row.setText(normal, components_text(c.contact.normal));

@@ -4,9 +4,11 @@
 #include <QDockWidget>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/contact/separation.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "ui/base/format.hpp"
 
 class QLabel;
@@ -20,8 +22,8 @@ class ContactsPanel : public QDockWidget {
  public:
   explicit ContactsPanel(QWidget* parent = nullptr);
 
-  /// Another probe.
-  void take(const MassProperties& probe);
+  /// Other bodies.
+  void take(const Pair& pair);
   void show_contacts(const Separation& separation, const Wrench& wrench);
   /// The row of that cluster; 0: none. It stays chosen while the cluster comes and goes.
   void choose(std::uint64_t id);
@@ -34,6 +36,7 @@ class ContactsPanel : public QDockWidget {
 
   QTreeWidget* rows_;
   QLabel* summary_;
+  std::optional<Pair> pair_;
   LengthUnit unit_;
   Vec3 com_ = Vec3::Zero();  ///< of the probe, in its mesh frame
   std::uint64_t chosen_ = 0;

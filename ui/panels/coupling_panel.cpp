@@ -101,6 +101,12 @@ void CouplingPanel::build() {
   auto* defaults = new QPushButton(QStringLiteral("Gains as opened"), content);
   defaults->setObjectName(QStringLiteral("gains_as_opened"));
   layout->addWidget(defaults);
+  origin_ = new QLabel(content);
+  origin_->setObjectName(QStringLiteral("gains_origin"));
+  origin_->setWordWrap(true);
+  origin_->setTextFormat(Qt::PlainText);
+  origin_->setEnabled(false);
+  layout->addWidget(origin_);
   auto* mouse = new QGroupBox(QStringLiteral("Probe"), content);
   auto* mouse_layout = new QVBoxLayout(mouse);
   mouse_layout->setContentsMargins(0, 4, 0, 0);
@@ -124,6 +130,8 @@ void CouplingPanel::take(const Coupling& coupling) {
   coupling_ = coupling;
   show_values();
 }
+
+void CouplingPanel::show_origin(const QString& words) { origin_->setText(words); }
 
 void CouplingPanel::request(const Coupling& wanted, const char* what) {
   undo_.push(new CouplingChange(*this, wanted, what));

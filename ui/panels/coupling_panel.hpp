@@ -23,6 +23,8 @@ class CouplingPanel : public QDockWidget {
 
   /// Shows the gains of a newly opened pair; "defaults" goes back to these.
   void take(const Coupling& coupling);
+  /// Where the gains as opened come from, in a sentence.
+  void show_origin(const QString& words);
   const Coupling& coupling() const { return coupling_; }
 
   /// Changes the gains as a slider does; `what` names the change for whoever undoes it.
@@ -42,7 +44,7 @@ class CouplingPanel : public QDockWidget {
   Coupling coupling_;
   Coupling defaults_;
   QButtonGroup* modes_ = nullptr;
-  QLabel* mode_doc_ = nullptr;
+  QLabel *mode_doc_ = nullptr, *origin_ = nullptr;
   std::vector<SliderRow*> rows_;
 };
 

@@ -4,59 +4,26 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMainWindow>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "engine/scene/scene.hpp"
 #include "engine/text/number_text.hpp"
 #include "ui/document/pose_text.hpp"
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/scrolled.hpp"
 
 namespace sonde::ui {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr int digits = 7;
 constexpr double least_angle = 1e-6;  // degrees; less is rounding
-
-/// A field for a number. Letters that are no part of one stay commands of the window, as in the
-/// other docks; Enter gives the keyboard back to the view.
-class NumberField : public QLineEdit {
- public:
-  using QLineEdit::QLineEdit;
-
- protected:
-  bool event(QEvent* event) override {
-    if (event->type() == QEvent::ShortcutOverride) {
-      const auto& key = static_cast<const QKeyEvent&>(*event);
-      const bool letter = key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z;
-      const bool plain = !(key.modifiers() & ~Qt::ShiftModifier);
-      if (plain && (letter || key.key() == Qt::Key_Space) && key.key() != Qt::Key_E) {
-        event->ignore();
-        return false;
-      }
-    }
-    return QLineEdit::event(event);
-  }
-  void keyPressEvent(QKeyEvent* event) override {
-    QLineEdit::keyPressEvent(event);
-    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return;
-    for (QWidget* up = parentWidget(); up; up = up->parentWidget())
-      if (auto* main = qobject_cast<QMainWindow*>(up); main && main->centralWidget())
-        return main->centralWidget()->setFocus(Qt::OtherFocusReason);
-  }
-};
-
-QString shown(double value) {
-  if (std::abs(value) < 1e-9) value = 0;  // rounding
-  return QString::fromStdString(number_text(value, digits));
-}
 
 }  // namespace
 
@@ -79,7 +46,8 @@ void PosePanel::build() {
   unit_->setObjectName(QStringLiteral("pose_unit"));
   for (const char* name : {"m", "cm", "mm", "um", "in", "ft"}) unit_->addItem(QLatin1String(name));
   turn_->setObjectName(QStringLiteral("pose_turn"));
-  turn_->addItems({QStringLiteral("roll, pitch, yaw"), QStringLiteral("axis and angle")});
+  turn_->addItems({QStringLiteral("roll, pitch, yaw"), QStringLiteral("axis and angle"),
+                   QStringLiteral("quaternion"), QStringLiteral("matrix, metres")});
   grid->addWidget(new QLabel(QStringLiteral("Position in"), content), 0, 0);
   grid->addWidget(unit_, 0, 1);
   grid->addWidget(new QLabel(QStringLiteral("Turn as"), content), 4, 0);
@@ -103,11 +71,21 @@ void PosePanel::build() {
     });
     return button;
   };
+  matrix_ = new QPlainTextEdit(content);
+  matrix_->setObjectName(QStringLiteral("pose_matrix"));
+  matrix_->setToolTip(
+      QStringLiteral("The probe's mesh in the fixed body's, as NumPy has it. Click elsewhere to "
+                     "take what is typed."));
+  matrix_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  matrix_->setFixedHeight(6 * matrix_->fontMetrics().lineSpacing());
+  matrix_->installEventFilter(this);
+  layout->addWidget(matrix_);
   auto* buttons = new QGridLayout;
   buttons->addWidget(add("Copy pose", "pose_copy", copy_wanted), 0, 0);
   buttons->addWidget(add("Paste pose", "pose_paste", paste_wanted), 0, 1);
-  buttons->addWidget(add("Start from here", "pose_start", start_wanted), 1, 0);
-  buttons->addWidget(add("Swap the bodies", "pose_swap", swap_wanted), 1, 1);
+  buttons->addWidget(add("Copy as NumPy", "pose_copy_matrix", copy_matrix_wanted), 1, 0);
+  buttons->addWidget(add("Start from here", "pose_start", start_wanted), 1, 1);
+  buttons->addWidget(add("Swap the bodies", "pose_swap", swap_wanted), 2, 0);
   layout->addLayout(buttons);
   build_nudge(*content, *layout);
   layout->addStretch();
@@ -174,12 +152,29 @@ void PosePanel::take_nudge() {
 void PosePanel::show_nudge() {
   const double unit = unit_in_metres(unit_->currentText().toStdString()).value_or(1);
   step_label_->setText(QStringLiteral("by, %1").arg(unit_->currentText()));
-  step_->setText(shown(nudge_.step / unit));
-  step_turn_->setText(shown(nudge_.turn / degree));
+  step_->setText(number_in_field(nudge_.step / unit));
+  step_turn_->setText(number_in_field(nudge_.turn / degree));
 }
 
 bool PosePanel::is_angle(std::size_t field) const {
-  return turn() == Turn::roll_pitch_yaw ? field >= 3 : field == 6;
+  return (turn() == Turn::roll_pitch_yaw && field >= 3) ||
+         (turn() == Turn::axis_angle && field == 6);
+}
+
+/// What is typed is taken when the keyboard goes elsewhere.
+bool PosePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == matrix_ && event->type() == QEvent::FocusOut &&
+      matrix_->document()->isModified()) {
+    matrix_->document()->setModified(false);
+    try {
+      const Pose typed = pose_in(matrix_->toPlainText().toStdString());
+      pose_ = typed;
+      if (placed) placed(typed);
+    } catch (const std::invalid_argument&) {
+      show_numbers();  // what is no pose changes nothing
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
 }
 
 PosePanel::Turn PosePanel::turn() const { return static_cast<Turn>(turn_->currentIndex()); }
@@ -190,14 +185,22 @@ void PosePanel::suggest_unit(const QString& name) {
 }
 
 void PosePanel::show_labels() {
-  const bool angles = turn() == Turn::roll_pitch_yaw;
-  const char* const three[] = {
-      "x", "y", "z", "roll, about x, °", "pitch, about y, °", "yaw, about z, °", ""};
-  const char* const four[] = {"x", "y", "z", "axis x", "axis y", "axis z", "angle, °"};
-  for (std::size_t i = 0; i < labels_.size(); ++i)
-    labels_.at(i)->setText(QString::fromUtf8(angles ? three[i] : four[i]));
-  labels_[6]->setVisible(!angles);
-  fields_[6]->setVisible(!angles);
+  const char* const names[3][4] = {{"roll, about x, °", "pitch, about y, °", "yaw, about z, °", ""},
+                                   {"axis x", "axis y", "axis z", "angle, °"},
+                                   {"w", "x", "y", "z"}};
+  const char* const position[] = {"x", "y", "z"};
+  const auto kind = static_cast<std::size_t>(turn());
+  const bool matrix = turn() == Turn::matrix;
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    const bool on_show = i < 3 || (!matrix && *names[kind][i - 3] != 0);
+    if (i < 3)
+      labels_.at(i)->setText(QLatin1String(position[i]));
+    else if (!matrix)
+      labels_.at(i)->setText(QString::fromUtf8(names[kind][i - 3]));
+    labels_.at(i)->setVisible(on_show);
+    fields_.at(i)->setVisible(on_show);
+  }
+  matrix_->setVisible(matrix);
 }
 
 std::array<double, 7> PosePanel::numbers() const {
@@ -206,6 +209,10 @@ std::array<double, 7> PosePanel::numbers() const {
   if (turn() == Turn::roll_pitch_yaw) {
     const Vec3 angles = roll_pitch_yaw(pose_.q) / degree;
     n[3] = angles.x(), n[4] = angles.y(), n[5] = angles.z();
+  } else if (turn() == Turn::quaternion) {
+    const double sign = pose_.q.w() < 0 ? -1 : 1;  // one of the two that turn alike
+    n[3] = sign * pose_.q.w(), n[4] = sign * pose_.q.x();
+    n[5] = sign * pose_.q.y(), n[6] = sign * pose_.q.z();
   } else {
     const Eigen::AngleAxisd turned(pose_.q);
     n[3] = turned.axis().x(), n[4] = turned.axis().y(), n[5] = turned.axis().z();
@@ -224,10 +231,13 @@ void PosePanel::show_numbers() {
   for (std::size_t i = 0; i < n.size(); ++i) {
     QLineEdit& field = *fields_.at(i);
     const bool typed = field.hasFocus() && field.isModified();
-    const QString text =
-        is_angle(i) && std::abs(n.at(i)) < least_angle ? QStringLiteral("0") : shown(n.at(i));
+    const QString text = is_angle(i) && std::abs(n.at(i)) < least_angle ? QStringLiteral("0")
+                                                                        : number_in_field(n.at(i));
     if (!typed && field.text() != text) field.setText(text);
   }
+  if (turn() != Turn::matrix || (matrix_->hasFocus() && matrix_->document()->isModified())) return;
+  const QString text = QString::fromStdString(matrix_text(pose_)).trimmed();
+  if (matrix_->toPlainText() != text) matrix_->setPlainText(text);
 }
 
 /// One number changes; the others stay as they are to the bit, not as they are shown.
@@ -245,6 +255,10 @@ void PosePanel::take(std::size_t field) {
     wanted.p[static_cast<Eigen::Index>(field)] = *typed * unit;
   } else if (turn() == Turn::roll_pitch_yaw) {
     wanted.q = of_roll_pitch_yaw(Vec3(n[3], n[4], n[5]) * degree);
+  } else if (turn() == Turn::quaternion) {
+    const Quat q(n[3], n[4], n[5], n[6]);
+    if (!(q.norm() > 1e-12)) return show_numbers();
+    wanted.q = q.normalized();
   } else {
     const Vec3 axis(n[3], n[4], n[5]);
     if (!(axis.norm() > 0)) return show_numbers();

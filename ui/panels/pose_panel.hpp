@@ -11,6 +11,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QVBoxLayout;
 
 namespace sonde::ui {
@@ -30,10 +31,13 @@ class PosePanel : public QDockWidget {
 
   std::function<void(const Pose&)> placed;
   std::function<void(const Nudge&)> nudge_changed;
-  std::function<void()> copy_wanted, paste_wanted, start_wanted, swap_wanted;
+  std::function<void()> copy_wanted, copy_matrix_wanted, paste_wanted, start_wanted, swap_wanted;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Turn { roll_pitch_yaw, axis_angle };
+  enum class Turn { roll_pitch_yaw, axis_angle, quaternion, matrix };
   void build();
   void show_numbers();
   void show_labels();
@@ -47,8 +51,9 @@ class PosePanel : public QDockWidget {
 
   Pose pose_;
   QComboBox *unit_, *turn_;
-  std::array<QLineEdit*, 7> fields_{};  ///< x, y, z; then the angles, or the axis and the angle
+  std::array<QLineEdit*, 7> fields_{};  ///< x, y, z; then the turn
   std::array<QLabel*, 7> labels_{};
+  QPlainTextEdit* matrix_ = nullptr;
   Nudge nudge_;
   QComboBox* nudge_axes_ = nullptr;
   QLabel* step_label_ = nullptr;

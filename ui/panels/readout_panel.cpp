@@ -10,7 +10,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/queries/body_queries.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/same_pose.hpp"
 #include "ui/panels/bar.hpp"
@@ -57,9 +59,10 @@ QLabel* ReadoutPanel::value(QFormLayout& form, const QString& name, const char* 
   number->setObjectName(QLatin1String(object));
   number->setAlignment(Qt::AlignRight);
   number->setTextFormat(Qt::RichText);
-  // As wide as the widest number: the dock keeps its width while they change.
-  number->setMinimumWidth(
-      number->fontMetrics().horizontalAdvance(QStringLiteral("88.8°, 8888.888 mm (88 %)")));
+  // As wide as nearly all numbers are: the dock keeps its width while they change.
+  const bool two = name.contains(QStringLiteral("turns"));
+  number->setMinimumWidth(number->fontMetrics().horizontalAdvance(
+      two ? QStringLiteral("88.8°, 88.888 mm (88 %)") : QStringLiteral("88.888 mm (88 %)")));
   label->setToolTip(doc);
   number->setToolTip(doc);
   form.addRow(label, number);
@@ -86,7 +89,7 @@ void ReadoutPanel::build_held(QVBoxLayout& layout) {
   rotation_ = value(*form, in_colour(colour::turn, QStringLiteral("turns")), "rotation_value",
                     QStringLiteral("How far it turns about its centre of mass, how far the turn "
                                    "moves the points, and its share of σ."));
-  screw_ = value(*form, QStringLiteral("as one screw"), "screw_value",
+  screw_ = value(*form, QStringLiteral("screw"), "screw_value",
                  QStringLiteral("The same motion as one turn about an axis and one slide along it. "
                                 "The axis is not through the centre of mass, which goes round it: "
                                 "the slide is shorter than the way of the centre of mass."));
@@ -154,11 +157,12 @@ void ReadoutPanel::build_loop(QVBoxLayout& layout) {
                 QStringLiteral("Ticks that missed their deadline, since the start."));
 }
 
-void ReadoutPanel::take(const MassProperties& probe, bool any_solid) {
-  mass_ = probe;
-  const LengthUnit unit(probe.radius);
+void ReadoutPanel::take(const Pair& pair) {
+  pair_ = pair;
+  mass_ = pair.probe().mass;
+  const LengthUnit unit(mass_.radius);
   unit_ = unit;
-  any_solid_ = any_solid;
+  any_solid_ = pair.probe().solid || pair.fixed().solid;  // there can be a lower bound
   depth_plot_->set_unit(1 / unit.metres(), unit.name());
   depth_plot_->clear();
   force_plot_->clear();
@@ -199,6 +203,10 @@ QString ReadoutPanel::room_text(const Instant& now) const {
     return large(unit_.text(separation.depth)) + QStringLiteral(" deep");
   if (!now.clearance) return large(QStringLiteral("free"));
   QString room = large(unit_.text(now.clearance->distance)) + QStringLiteral(" clear");
+  if (pair_ && !pair_->fixed().parts.empty()) {
+    const std::string_view part = part_at(pair_->fixed(), now.clearance->on_fixed);
+    room += QStringLiteral("<br>of %1").arg(text(std::string(part)).toHtmlEscaped());
+  }
   if (clearance_here(now)) return room;
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(faint_text(palette()).name(), room);
 }

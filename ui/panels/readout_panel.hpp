@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <optional>
 
+#include "engine/penetration/search/pair.hpp"
 #include "engine/recording/tick_log.hpp"
 #include "ui/base/format.hpp"
 #include "ui/document/instant.hpp"
@@ -24,8 +25,8 @@ class ReadoutPanel : public QDockWidget {
  public:
   explicit ReadoutPanel(QWidget* parent = nullptr);
 
-  /// A new pair was opened. `any_solid`: there can be a lower bound.
-  void take(const MassProperties& probe, bool any_solid);
+  /// A new pair was opened.
+  void take(const Pair& pair);
   /// Adds to the curves: called with every frame.
   void sample(const Instant& now);
   /// The curves as they were at that time, of ticks that are looked back on.
@@ -45,6 +46,7 @@ class ReadoutPanel : public QDockWidget {
   void show_wrench(const Snapshot& snapshot);
   void show_loop(const Snapshot& snapshot);
 
+  std::optional<Pair> pair_;
   MassProperties mass_;
   LengthUnit unit_;
   bool any_solid_ = false;

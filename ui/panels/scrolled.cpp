@@ -14,7 +14,7 @@ Scrolled scrolled(QDockWidget& dock) {
   scroll->setMinimumWidth(160);  // on a small screen the view comes first
   auto* content = new QWidget(scroll);
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 8, 10, 8);
+  layout->setContentsMargins(6, 8, 6, 8);
   scroll->setWidget(content);
   dock.setWidget(scroll);
   return {scroll, content, layout};

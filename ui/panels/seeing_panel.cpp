@@ -6,12 +6,16 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "ui/panels/number_field.hpp"
 #include "ui/panels/scrolled.hpp"
 
 namespace sonde::ui {
@@ -35,6 +39,7 @@ SeeingPanel::SeeingPanel(QWidget* parent) : QDockWidget(QStringLiteral("Seeing")
   const Scrolled dock = scrolled(*this);
   add_looks(*dock.layout);
   add_cut(*dock.layout);
+  add_gap(*dock.layout);
   add_saved(*dock.layout);
   dock.layout->addStretch();
   show_seeing({});
@@ -111,6 +116,24 @@ void SeeingPanel::add_cut(QVBoxLayout& layout) {
   grid->addWidget(place_, 3, 0, 1, 3);
 }
 
+void SeeingPanel::add_gap(QVBoxLayout& layout) {
+  auto* row = new QHBoxLayout;
+  gap_label_ = new QLabel(this);
+  gap_ = new NumberField(this);
+  gap_->setObjectName(QStringLiteral("gap_reach"));
+  gap_->setPlaceholderText(QStringLiteral("suits the probe"));
+  gap_->setToolTip(QStringLiteral("The gap of the last colour; larger gaps are not coloured"));
+  row->addWidget(gap_label_);
+  row->addWidget(gap_, 1);
+  layout.addLayout(row);
+  connect(gap_, &QLineEdit::editingFinished, this, [this] {
+    const double typed = gap_->number() * unit_.metres();
+    const bool any = typed > 0 && std::isfinite(typed);
+    if (!any) gap_->clear();
+    if (gap_reach_changed) gap_reach_changed(any ? std::optional(typed) : std::nullopt);
+  });
+}
+
 void SeeingPanel::add_saved(QVBoxLayout& layout) {
   auto* group = new QGroupBox(QStringLiteral("Saved views"), this);
   layout.addWidget(group);
@@ -154,6 +177,8 @@ void SeeingPanel::show_seeing(const Seeing& seeing) {
 void SeeingPanel::set_extent(const Vec3& centre, double radius) {
   centre_ = centre;
   radius_ = std::max(radius, 1e-12);
+  unit_ = LengthUnit(radius_);
+  gap_label_->setText(QStringLiteral("Colours of the gap up to, %1").arg(unit_.name()));
   show_seeing(seeing_);
 }
 

@@ -4,16 +4,21 @@
 #include <QDockWidget>
 #include <QStringList>
 #include <functional>
+#include <optional>
 
+#include "ui/base/format.hpp"
 #include "ui/views/seeing.hpp"
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QListWidget;
 class QSlider;
 class QVBoxLayout;
 
 namespace sonde::ui {
+
+class NumberField;
 
 /// The dock for seeing inside: how the bodies are drawn, the plane that cuts them, and the saved
 /// views. It shows the given state and reports the user's wishes.
@@ -27,7 +32,8 @@ class SeeingPanel : public QDockWidget {
   void show_saved(const QStringList& names);
 
   std::function<void(const Seeing&)> changed;
-  std::function<void()> snap_wanted;  ///< the cut through the contact
+  std::function<void(std::optional<double>)> gap_reach_changed;  ///< m; none: as suits the probe
+  std::function<void()> snap_wanted;                             ///< the cut through the contact
   std::function<void()> face_wanted;  ///< the cut across the line of sight
   std::function<void()> save_wanted;  ///< the view as it is
   std::function<void(int)> view_wanted, forget_wanted;
@@ -35,6 +41,7 @@ class SeeingPanel : public QDockWidget {
  private:
   void add_looks(QVBoxLayout& layout);
   void add_cut(QVBoxLayout& layout);
+  void add_gap(QVBoxLayout& layout);
   void add_saved(QVBoxLayout& layout);
   void say();
   void move_cut(int place);
@@ -45,6 +52,9 @@ class SeeingPanel : public QDockWidget {
   QComboBox *fixed_ = nullptr, *probe_ = nullptr;
   QCheckBox *cut_ = nullptr, *cut_fixed_ = nullptr, *cut_probe_ = nullptr;
   QSlider* place_ = nullptr;
+  QLabel* gap_label_ = nullptr;
+  NumberField* gap_ = nullptr;
+  LengthUnit unit_;
   QListWidget* saved_ = nullptr;
   bool showing_ = false;
 };

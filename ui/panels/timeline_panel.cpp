@@ -4,14 +4,13 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/elided_label.hpp"
 #include "ui/document/playback.hpp"
 #include "ui/panels/jump_slider.hpp"
 
@@ -38,17 +37,14 @@ QString text_of(const TimelineState& state) {
 TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Timeline"), parent) {
   setObjectName(QStringLiteral("timeline_panel"));
   auto* content = new QWidget(this);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(6, 2, 6, 4);
-  layout->setSpacing(2);
+  auto* row = new QHBoxLayout(content);
+  row->setContentsMargins(6, 1, 6, 1);
   track_ = new JumpSlider(content);
   track_->setObjectName(QStringLiteral("timeline"));
   track_->setRange(0, places);
   track_->setToolTip(QStringLiteral("Looks back: the picture and the numbers show that moment"));
   connect(track_, &QSlider::valueChanged, this, [this](int place) { seek_to(place); });
-  layout->addWidget(track_);
-  auto* row = new QHBoxLayout;
-  layout->addLayout(row);
+  track_->setMinimumWidth(120);
   record_ = button(*row, "record_button", QStringLiteral("● Record"),
                    QStringLiteral("Writes the kept minutes and everything that follows"));
   record_->setCheckable(true);
@@ -81,13 +77,14 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QDockWidget(QStringLiteral("Time
   replay_->setToolTip(QStringLiteral("Shows the run with other gains instead of the recorded one"));
   connect(replay_, &QCheckBox::toggled, this, [this](bool on) { replay_shown(on); });
   row->addWidget(replay_);
-  text_ = new QLabel(content);
+  row->addWidget(track_, 1);
+  text_ = new ElidedLabel(content);
   text_->setObjectName(QStringLiteral("timeline_text"));
-  row->addWidget(text_, 1);
+  row->addWidget(text_);
   live_ = button(*row, "live", QStringLiteral("Live"), QStringLiteral("Back to the servo"));
   connect(live_, &QToolButton::clicked, this, [this] { live_wanted(); });
   content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  setTitleBarWidget(new QWidget(this));  // two rows are all that it takes from the view
+  setTitleBarWidget(new QWidget(this));  // a row is all that it takes from the view
   setWidget(content);
   show_state({});
 }
@@ -123,7 +120,7 @@ void TimelinePanel::show_state(const TimelineState& state) {
   replay_->setVisible(state.replayed);
   replay_->setChecked(state.shows_replay);
   live_->setEnabled(state.looking);
-  text_->setText(text_of(state));
+  text_->show_text(text_of(state));
 }
 
 }  // namespace sonde::ui

@@ -8,11 +8,12 @@
 class QCheckBox;
 class QDoubleSpinBox;
 class QHBoxLayout;
-class QLabel;
 class QSlider;
 class QToolButton;
 
 namespace sonde::ui {
+
+class ElidedLabel;
 
 /// What the timeline shows.
 struct TimelineState {
@@ -52,7 +53,7 @@ class TimelinePanel : public QDockWidget {
   QToolButton *record_, *back_, *play_, *on_, *live_;
   QCheckBox *loop_, *replay_;
   QDoubleSpinBox* speed_;
-  QLabel* text_;
+  ElidedLabel* text_;
 };
 
 }  // namespace sonde::ui

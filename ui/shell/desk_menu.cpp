@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
+#include <algorithm>
 #include <vector>
 
 #include "ui/actions/repairs_control.hpp"
@@ -24,12 +25,15 @@ QWidget* first_control(const QWidget& within) {
   return nullptr;
 }
 
-/// From the view through the docks, those behind another in their tabs too, then to the bar of what
-/// was mended, and back.
+/// From the view through the docks, those that are folded away too, then to the bar of what was
+/// mended, and back.
 void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
+  const std::vector<QDockWidget*> tabs = window.docks_of_sides();
   std::vector<QDockWidget*> docks;
-  for (QDockWidget* dock : all)
-    if (dock->toggleViewAction()->isChecked()) docks.push_back(dock);  // open, if behind another
+  for (QDockWidget* dock : all) {
+    const bool below = window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea;
+    if (!dock->isHidden() || (!below && std::ranges::count(tabs, dock) > 0)) docks.push_back(dock);
+  }
   std::size_t next = 0;
   RepairsBar& bar = window.repairs().bar();
   const bool in_bar = bar.isAncestorOf(QApplication::focusWidget());
@@ -39,7 +43,7 @@ void focus_next(MainWindow& window, const QList<QDockWidget*>& all) {
   // A dock that goes behind another would hand the keyboard to whoever comes next in its chain.
   window.viewport().canvas()->setFocus(Qt::TabFocusReason);
   for (; next < docks.size(); ++next) {
-    docks[next]->raise();
+    docks[next]->show();  // in the place of another, where it was folded away
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);  // its tab is on show
     const QWidget* within = docks[next]->widget();
     QWidget* control = within ? first_control(*within) : nullptr;
@@ -69,6 +73,10 @@ void add_desk_menu(MainWindow& window, QMenu& menu) {
     QObject::connect(action, &QAction::triggered, &window,
                      [theme = choice.theme] { choose_theme(*qApp, theme); });
   }
+  QAction* fold = menu.addAction(QStringLiteral("Fol&d or unfold the docks"));
+  fold->setObjectName(QStringLiteral("fold_docks"));
+  fold->setShortcut(QKeySequence(Qt::Key_F9));
+  QObject::connect(fold, &QAction::triggered, &window, [w = &window] { w->fold_docks(); });
   QAction* next = menu.addAction(QStringLiteral("&Keyboard to the next dock"));
   next->setObjectName(QStringLiteral("next_dock"));
   next->setShortcut(QKeySequence(Qt::Key_F6));

@@ -4,15 +4,11 @@
 #include <vtkPolyData.h>
 
 #include <QAction>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QImage>
-#include <QMimeData>
 #include <QPixmap>
 #include <QSaveFile>
-#include <QSettings>
 #include <QStatusBar>
-#include <QUrl>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,14 +16,17 @@
 
 #include "engine/base/error.hpp"
 #include "ui/actions/accuracy_control.hpp"
+#include "ui/actions/clash_control.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/meshes_dialog.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
+#include "ui/actions/way_in_control.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/devices/device_control.hpp"
@@ -64,6 +63,7 @@ void MainWindow::show_document() {
                                   : QStringLiteral("%1[*] – Sonde").arg(name));
   setWindowModified(document.modified());
   seeing_->show_saved();
+  parts_->show_document();
   accuracy_->show_knob();
 }
 
@@ -71,14 +71,6 @@ void MainWindow::show_document() {
 void MainWindow::complain(const QString& reason) {
   log_->add(reason);
   prompts_.report_error(reason);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->may_leave()) return event->ignore();
-  QSettings settings;
-  settings.setValue(QStringLiteral("geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("docks"), saveState());
-  QMainWindow::closeEvent(event);
 }
 
 void MainWindow::open(const QStringList& files, std::optional<double> unit) {
@@ -114,7 +106,10 @@ void MainWindow::ask_path() {
   show_device();
 }
 
-void MainWindow::show_start_page() { start_page_->present(); }
+void MainWindow::show_start_page() {
+  clear_desk();
+  start_page_->present();
+}
 
 void MainWindow::show_nothing() {
   stiffness_->keep_gains();
@@ -125,6 +120,9 @@ void MainWindow::show_nothing() {
   accuracy_->attach(nullptr);
   exporter_->attach(nullptr);
   repairs_->attach(nullptr);
+  parts_->attach(nullptr);
+  way_in_->attach(nullptr);
+  clash_->attach(nullptr);
   force_log_.end();
   forget_shown();
   search_.forget();
@@ -138,6 +136,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   accuracy_->attach(nullptr);
   statusBar()->clearMessage();
   start_page_->hide();
+  lay_desk();
   endings_.add(std::move(drawn_.session));
   drawn_ = std::move(drawn);
   force_log_.end();
@@ -154,12 +153,17 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
     coupling_panel_->apply(documents_->document().content().scene.coupling);
   else
     documents_->opened(now), coupling_panel_->take(now.coupling());
+  parts_->attach(&now);
+  way_in_->attach(&now, same_document);
+  clash_->attach(&now, same_document);
   stiffness_->attach(session(), same_document);
   accuracy_->attach(session());
   // Last: it may have something to report, and a frame be drawn meanwhile.
+  if (!same_document) suited_.reset();
   devices_->attach(session());
+  suit_gains();
   const Session& open = *session();  // by now it may be another
-  readout_->take(open.probe().mass, open.probe().solid || open.fixed().solid);
+  readout_->take(open.loaded().pair);
   const QString name = QString::fromStdString(open.loaded().name);
   pose_panel_->suggest_unit(LengthUnit(open.fixed().mass.radius).name());
   constexpr double step = 0.01;  // of the probe's radius, a key
@@ -171,11 +175,6 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
   emit force_changed(session()->force_on());
   on_frame();
   emit opened();
-}
-
-void MainWindow::show_device_dock() {
-  device_panel_->show();
-  device_panel_->raise();
 }
 
 /// What holds the probe, or how, has changed: the mouse begins where the probe is.
@@ -196,6 +195,7 @@ void MainWindow::show_holder() {
   stiffness_->set_holder({simulating ? std::optional(simulating->profile) : std::nullopt, name,
                           feels ? QString::fromStdString(connected->name) : QString()});
   show_device();
+  suit_gains();
 }
 
 void MainWindow::set_device_pose(const Pose& X_FM) {
@@ -373,20 +373,6 @@ void MainWindow::ask_picture() {
   if (file.isEmpty()) return;
   remember_folder_of(file);
   save_picture(file);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList files;
-  for (const QUrl& url : event->mimeData()->urls()) files.push_back(url.toLocalFile());
-  event->acceptProposedAction();
-  // Whoever drops is still holding a drag: answer it first, then ask and open.
-  QTimer::singleShot(0, this, [this, files] {
-    if (!open_recording(files)) documents_->drop(files);
-  });
 }
 
 }  // namespace sonde::ui

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ui/actions/prompts.hpp"
 #include "ui/document/endings.hpp"
@@ -18,10 +20,12 @@
 #include "ui/views/drawn_session.hpp"
 
 class QAction;
+class QDockWidget;
 
 namespace sonde::ui {
 
 class AccuracyControl;
+class ClashControl;
 class CouplingPanel;
 class DeviceControl;
 class DevicePanel;
@@ -34,13 +38,19 @@ class LogPanel;
 class MeasureControl;
 class MouseProbe;
 class Opener;
+class PartsControl;
 class PosePanel;
 class ReadoutPanel;
 class RepairsControl;
 class SeeingControl;
+class SideBar;
 class StartPage;
 class StiffnessControl;
 class Viewport;
+class WayInControl;
+
+/// Of the window's state as it is kept between runs: others are not taken.
+constexpr int state_version = 2;
 
 /// The window: a view and docks, which show the newest instant sixty times a second. Its parts, and
 /// which events each of them receives, are in main_window_parts.cpp.
@@ -70,6 +80,13 @@ class MainWindow : public QMainWindow {
   AccuracyControl& accuracy() { return *accuracy_; }
   ExportControl& exporter() { return *exporter_; }
   RepairsControl& repairs() { return *repairs_; }
+  PartsControl& parts() { return *parts_; }
+  WayInControl& way_in() { return *way_in_; }
+  ClashControl& clash() { return *clash_; }
+  /// Those that have a tab at a side.
+  std::vector<QDockWidget*> docks_of_sides() const;
+  /// Folds away what is open at the sides, and opens it again.
+  void fold_docks();
 
   void ask_path();  ///< a recorded path, to hold the probe
 
@@ -118,11 +135,17 @@ class MainWindow : public QMainWindow {
   DocumentView document_view();
   void add_history();
   void add_repairs();
+  void add_assembly();
+  void add_sides();
+  void clear_desk();
+  void fade_hint();
+  void lay_desk();
   void place(const Pose& X_FM);
   void show_session(DrawnSession drawn, bool same_document = false);
   void show_nothing();
   void show_document();
   void show_holder();
+  void suit_gains();
   void on_frame();
   std::optional<Instant> newest();
   void measure_clearance(Instant& now);
@@ -159,6 +182,12 @@ class MainWindow : public QMainWindow {
   AccuracyControl* accuracy_ = nullptr;
   ExportControl* exporter_ = nullptr;
   RepairsControl* repairs_ = nullptr;
+  PartsControl* parts_ = nullptr;
+  WayInControl* way_in_ = nullptr;
+  ClashControl* clash_ = nullptr;
+  SideBar *left_ = nullptr, *right_ = nullptr;
+  std::vector<QDockWidget*> folded_;  ///< by fold_docks()
+  QByteArray desk_;                   ///< the state of the docks while the start page is on show
   StatusLine status_;
   EscapeKey escape_;
   QTimer frame_timer_;
@@ -167,6 +196,8 @@ class MainWindow : public QMainWindow {
   std::optional<Snapshot> shown_;
   std::optional<Instant> instant_;  ///< the same, with all that belongs to it
   SearchSchedule search_;
+  std::optional<Coupling> suited_;  ///< the gains that were chosen for own meshes
+  bool hint_unread_ = true;         ///< nobody has dragged the probe yet
   bool force_ = true;
   bool felt_ = false;
   bool swing_ = false;

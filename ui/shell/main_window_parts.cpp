@@ -2,26 +2,27 @@
 // What the window is made of, and what of it is told what.
 #include <vtkPolyData.h>
 
-#include <QApplication>
 #include <QFileInfo>
-#include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "ui/actions/accuracy_control.hpp"
+#include "ui/actions/clash_control.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/export_control.hpp"
 #include "ui/actions/history_control.hpp"
 #include "ui/actions/measure_control.hpp"
 #include "ui/actions/opener.hpp"
+#include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
+#include "ui/actions/way_in_control.hpp"
 #include "ui/base/resources.hpp"
 #include "ui/devices/device_control.hpp"
 #include "ui/devices/mouse_probe.hpp"
+#include "ui/document/kept_gains.hpp"
 #include "ui/panels/coupling_panel.hpp"
 #include "ui/panels/device_panel.hpp"
 #include "ui/panels/grip_box.hpp"
@@ -64,23 +65,24 @@ MainWindow::MainWindow(QWidget* parent)
   setWindowTitle(QStringLiteral("Sonde"));
   setAcceptDrops(true);
   add_repairs();
-  addDockWidget(Qt::LeftDockWidgetArea, coupling_panel_);
-  tabifyDockWidget(coupling_panel_, device_panel_);
-  tabifyDockWidget(coupling_panel_, pose_panel_);
+  setDockOptions(QMainWindow::AllowNestedDocks);  // the strips at the sides are their tabs
+  for (QDockWidget* dock :
+       {static_cast<QDockWidget*>(coupling_panel_), static_cast<QDockWidget*>(device_panel_),
+        static_cast<QDockWidget*>(pose_panel_)})
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
   start_page_->hide();
   addDockWidget(Qt::RightDockWidgetArea, readout_);
-  tabifyDockWidget(readout_, &stiffness_->panel());
+  addDockWidget(Qt::RightDockWidgetArea, &stiffness_->panel());
   seeing_ = new SeeingControl(*viewport_, *documents_, *this, *readout_);
+  add_assembly();
   accuracy_ = new AccuracyControl(*documents_, *this, *coupling_panel_);
   exporter_ = new ExportControl(*viewport_, *this);
   connect_export();
   seeing_->say = [this](const QString& what) { statusBar()->showMessage(what, 4000); };
-  coupling_panel_->raise();
-  readout_->raise();
   addDockWidget(Qt::BottomDockWidgetArea, log_);
-  log_->hide();
   connect(statusBar(), &QStatusBar::messageChanged, log_, &LogPanel::add);
   add_history();
+  add_sides();
   add_menus(*this);
   mouse_->moved = [this](const Pose& pose) {
     if (session() && !history_->looking_back()) session()->set_device_pose(pose);
@@ -96,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
     if (history_->looking_back()) return;
     documents_->moved_from(before, one_of_many ? QStringLiteral("Nudge") : QStringLiteral("Drag"),
                            one_of_many);
+    if (!one_of_many) fade_hint();
   };
   connect_devices();
   connect_measuring();
@@ -157,8 +160,20 @@ void MainWindow::add_history() {
        .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }});
   // Above the timeline, which keeps the whole width.
   splitDockWidget(log_, &history_->timeline(), Qt::Vertical);
-  tabifyDockWidget(log_, &history_->plots());
-  history_->plots().hide();
+  splitDockWidget(log_, &history_->plots(), Qt::Horizontal);
+}
+
+void MainWindow::add_assembly() {
+  parts_ = new PartsControl(*viewport_, *documents_, prompts_, *this, *coupling_panel_);
+  seeing_->clicked = [this](QPointF at) { parts_->click(at); };
+  const auto place_for_way = [this](const Pose& pose) {
+    documents_->place(pose, QStringLiteral("Way in"), true);
+  };
+  way_in_ = new WayInControl(
+      *viewport_, *this, *coupling_panel_,
+      {.follow = [this](const Pose& pose) { set_device_pose(pose); }, .place = place_for_way});
+  seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at); };
+  clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
 }
 
 /// The bar above the view: nothing in the view lies below it.
@@ -193,6 +208,11 @@ DocumentView MainWindow::document_view() {
               [this](const DeviceSettings& settings) { devices_->set_settings(settings); },
           .camera = [this] { return viewport_->place(); },
           .look = [this](const CameraPlace& place) { viewport_->look(place); },
+          .show_parts =
+              [this](const std::vector<PartLook>& looks) {
+                if (const auto surface = viewport_->show_parts(looks))
+                  drawn_.bodies.fixed_surface = surface;
+              },
           .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
 }
 
@@ -205,6 +225,7 @@ void MainWindow::connect_documents() {
   };
   pose_panel_->nudge_changed = [this](const Nudge& nudge) { mouse_->set_nudge(nudge); };
   pose_panel_->copy_wanted = [documents] { documents->copy_pose(); };
+  pose_panel_->copy_matrix_wanted = [documents] { documents->copy_matrix(); };
   pose_panel_->paste_wanted = [documents] { documents->paste_pose(); };
   pose_panel_->start_wanted = [documents] { documents->start_from_here(); };
   pose_panel_->swap_wanted = [documents] { documents->swap_bodies(); };
@@ -214,7 +235,7 @@ void MainWindow::connect_documents() {
 }
 
 void MainWindow::show_start_page(const QString& reason, const QStringList& files) {
-  start_page_->present();
+  show_start_page();
   start_page_->complain(reason, [this, files] {
     const QString first = files.value(0);
     if (files.size() == 2 || DocumentControl::is_one_mesh(files))
@@ -224,14 +245,26 @@ void MainWindow::show_start_page(const QString& reason, const QStringList& files
   });
 }
 
-/// The first window leaves room for its frame and for the desktop's own bars.
-void MainWindow::restore_window() {
-  constexpr double part = 0.9;
-  resize((QApplication::primaryScreen()->availableSize() * part).boundedTo({1440, 900}));
-  resizeDocks({coupling_panel_, readout_}, {320, 345}, Qt::Horizontal);
-  const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("docks")).toByteArray());
+/// Gains of meshes without a scene suit the probe and the device, until somebody changes them.
+void MainWindow::suit_gains() {
+  if (!session()) return;
+  const LoadedScene& loaded = session()->loaded();
+  if (!loaded.scene.file.empty())
+    return coupling_panel_->show_origin(QStringLiteral("As opened: as the scene's file has them."));
+  const auto* simulating = std::get_if<SimulatedSource>(&devices_->source());
+  const DeviceProfile* device = simulating ? &simulating->profile : nullptr;
+  const MassProperties& probe = session()->probe().mass;
+  const Coupling now = session()->coupling(), suited = suited_coupling(probe, device);
+  const bool untouched = same(now, loaded.coupling) || (suited_ && same(now, *suited_));
+  suited_ = suited;
+  coupling_panel_->show_origin(text(origin_of_suited(probe, device)));
+  if (!untouched || same(now, suited)) return;
+  Document& document = documents_->document();
+  const bool modified = document.modified();
+  coupling_panel_->take(suited);
+  coupling_panel_->apply(suited);
+  if (!modified) document.set_saved_text(document.text());  // nobody has changed anything
+  show_document();
 }
 
 }  // namespace sonde::ui

@@ -192,6 +192,8 @@ void add_edit_menu(MainWindow& window) {
   const auto key = [](const char* text) { return QKeySequence(QLatin1String(text)); };
   add(window, menu, "copy_pose", QStringLiteral("&Copy pose"), key("Ctrl+C"),
       [documents](bool) { documents->copy_pose(); });
+  add(window, menu, "copy_matrix", QStringLiteral("Copy pose as a &matrix"), key("Ctrl+Alt+C"),
+      [documents](bool) { documents->copy_matrix(); });
   add(window, menu, "paste_pose", QStringLiteral("&Paste pose"), key("Ctrl+V"),
       [documents](bool) { documents->paste_pose(); });
   add(window, menu, "start_from_here", QStringLiteral("&Start from here"), key("Ctrl+R"),
@@ -291,7 +293,9 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
   add_layer(window, menu, "show_handles", QStringLiteral("Handles"), key("G"), Layer::handles);
   add_toggle(window, menu, "local_handles", QStringLiteral("Handles along the probe's axes"),
              key("L"), false, [w](bool on) { w->viewport().set_handles_local(on); });
-  add_layer(window, menu, "show_hint", QStringLiteral("Hint"), key("H"), Layer::hint);
+  add_layer(window, menu, "show_hint", QStringLiteral("Hint and legend"), key("H"), Layer::hint);
+  add_layer(window, menu, "show_grid", QStringLiteral("Grid on the ground"), key("Shift+G"),
+            Layer::grid);
   menu.addSeparator();
   bar.addAction(add(window, menu, "fit", QStringLiteral("&Fit"), key("F"),
                     [w](bool) { w->viewport().fit(); }));

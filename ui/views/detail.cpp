@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/views/simplified.hpp"
+#include "ui/views/surface.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -26,7 +27,7 @@ bool ready(const std::future<vtkSmartPointer<vtkPolyData>>& surface) {
 vtkSmartPointer<vtkMapper> mapper_like(vtkMapper& full, vtkPolyData* surface) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(surface);
-  mapper->ScalarVisibilityOff();
+  mapper->SetScalarVisibility(has_colours(*surface));
   double factor = 0, units = 0;
   full.GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();

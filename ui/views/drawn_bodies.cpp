@@ -7,6 +7,7 @@
 #include <vtkPolyData.h>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/defect_edges.hpp"
@@ -50,17 +51,22 @@ CapSurface caps_of(const Body& body) {
 
 DrawnBodies draw_bodies(const LoadedScene& loaded) {
   const Body &probe = loaded.pair.probe(), &fixed = loaded.pair.fixed();
+  PartSurface parts;
+  if (!loaded.parts.empty()) parts = make_part_surface(loaded.parts);
   return {.pair = loaded.pair,
           .first = loaded.here.value_or(loaded.start),
           .q_FW = loaded.scene.fixed.pose.q.conjugate(),
           .coupling = loaded.coupling,
           .camera = loaded.camera,
           .probe_surface = make_surface(probe.soup),
-          .fixed_surface = make_surface(fixed.soup),
+          .fixed_surface = loaded.parts.empty() ? make_surface(fixed.soup)
+                                                : shown_parts(parts, looks_of(loaded.scene.fixed)),
           .probe_defects = defects_of(probe),
           .fixed_defects = defects_of(fixed),
           .probe_caps = caps_of(probe),
-          .fixed_caps = caps_of(fixed)};
+          .fixed_caps = caps_of(fixed),
+          .parts = loaded.parts,
+          .part_surface = std::move(parts)};
 }
 
 }  // namespace sonde::ui

@@ -4,10 +4,12 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <vector>
 
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/penetration/search/pair.hpp"
 #include "ui/document/loaded_scene.hpp"
+#include "ui/views/part_surface.hpp"
 
 class vtkPolyData;
 
@@ -35,6 +37,8 @@ struct DrawnBodies {
   vtkSmartPointer<vtkPolyData> fixed_surface;
   DefectLines probe_defects, fixed_defects;
   CapSurface probe_caps, fixed_caps;
+  std::vector<BodyPart> parts;  ///< of the fixed body, felt or not; empty where it is one mesh
+  PartSurface part_surface;     ///< and as they are drawn: `fixed_surface` is what is shown of it
 };
 /// Slow for large meshes: call it in a worker.
 DrawnBodies draw_bodies(const LoadedScene& loaded);

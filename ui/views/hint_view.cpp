@@ -14,6 +14,8 @@ namespace sonde::ui {
 namespace {
 
 constexpr int margin = 14;
+constexpr int fade_ms = 600;
+constexpr double triad_size = 70;                         // pixels
 constexpr double course_width = 150, course_height = 34;  // pixels
 const QColor plate(14, 17, 21, 165), light_plate(255, 255, 255, 205);
 
@@ -77,6 +79,10 @@ HintView::HintView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
   setFont(small_font(*this));
+  fading_.setStartValue(1.0);
+  fading_.setEndValue(0.0);
+  fading_.setDuration(fade_ms);
+  connect(&fading_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
 }
 
 const std::vector<std::pair<QString, QString>>& HintView::keys() {
@@ -122,8 +128,26 @@ void HintView::set_banner(const QString& text) {
 }
 
 void HintView::set_hint_visible(bool visible) {
+  fading_.stop();
   hint_visible_ = visible;
   update();
+}
+
+void HintView::set_legend_visible(bool visible) {
+  fading_.stop();
+  legend_visible_ = visible;
+  update();
+}
+
+void HintView::fade() {
+  hint_visible_ = legend_visible_ = false;
+  fading_.start();
+}
+
+void HintView::set_triad(const std::array<Vec3, 3>& axes) {
+  if (axes == triad_) return;
+  triad_ = axes;
+  update(triad_box().toAlignedRect().adjusted(-2, -2, 2, 2));
 }
 
 void HintView::set_scale(ColourScale scale) {
@@ -136,28 +160,40 @@ void HintView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   draw_labels(painter);
-  draw_legend(painter);
-  if (hint_visible_) draw_hint(painter);
+  const bool fading = fading_.state() == QAbstractAnimation::Running;
+  if (fading) painter.setOpacity(fading_.currentValue().toDouble());
+  if (legend_visible_ || fading) draw_legend(painter);
+  if (hint_visible_ || fading) draw_hint(painter);
+  painter.setOpacity(1);
+  draw_triad(painter);
   draw_ruler(painter);
   draw_banner(painter);
   draw_scale(painter);
 }
 
-QRectF HintView::legend_box() const {
+/// Where it would be, on show or not.
+QRectF HintView::legend_plate() const {
   if (legend_.empty()) return {};
   const QFontMetricsF metrics(font());
   double width = 0;
   for (const LegendLine& entry : legend_)
     width = std::max(width, metrics.horizontalAdvance(entry.text));
-  return {margin, margin, width + 36, (metrics.height() + 2) * double(legend_.size()) + 10};
+  width += 36;
+  // Where there is no room beside the ruler, below it.
+  const QRectF ruler = ruler_box();
+  const bool beside = ruler.isEmpty() || margin + width < ruler.left() - 2 * margin;
+  const double top = beside ? margin : ruler.bottom() + margin;
+  return {margin, top, width, (metrics.height() + 2) * double(legend_.size()) + 10};
 }
+
+QRectF HintView::legend_box() const { return legend_visible_ ? legend_plate() : QRectF(); }
 
 void HintView::draw_legend(QPainter& painter) const {
   if (legend_.empty()) return;
   const QFontMetricsF metrics(font());
   const double line = metrics.height() + 2;
-  draw_plate(painter, legend_box(), palette());
-  double y = margin + 5;
+  draw_plate(painter, legend_plate(), palette());
+  double y = legend_plate().top() + 5;
   for (const LegendLine& entry : legend_) {
     draw_mark(painter, QRectF(margin + 9, y + line / 2 - 4.5, 9, 9), entry, palette());
     painter.setPen(palette().color(QPalette::WindowText));
@@ -218,6 +254,14 @@ std::vector<QRectF> HintView::clear_areas() const {
           between(legend.right(), under_banner)};
 }
 
+std::vector<QRectF> HintView::boxes() const {
+  std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_), scale_box(),
+                            triad_box()};
+  if (hint_visible_) taken.push_back(laid_out_hint().plate);
+  std::erase_if(taken, [](const QRectF& box) { return box.isEmpty(); });
+  return taken;
+}
+
 std::vector<QRectF> HintView::label_boxes() const {
   const QFontMetricsF metrics(font());
   std::vector<LabelToPlace> labels;
@@ -230,9 +274,7 @@ std::vector<QRectF> HintView::label_boxes() const {
       size = {std::max(size.width(), course_width + 12), size.height() + course_height + 4};
     labels.push_back({label.at, label.text.isEmpty() ? QSizeF(0, 0) : size, label.stroke});
   }
-  std::vector<QRectF> taken{legend_box(), ruler_box(), banner_box(banner_), scale_box()};
-  if (hint_visible_) taken.push_back(laid_out_hint().plate);
-  return place_labels(labels, taken, size());
+  return place_labels(labels, boxes(), size());
 }
 
 QRegion HintView::label_region() const {
@@ -297,8 +339,12 @@ QRectF HintView::banner_box(const QString& text) const {
   if (text.isEmpty()) return {};
   const QFontMetricsF metrics(banner_font(*this));
   const double wide = metrics.horizontalAdvance(text) + 20;
-  const double top = 2 * margin + QFontMetricsF(font()).height() + 14.0;
-  return {width() - margin - wide, top, wide, metrics.height() + 8};
+  const double left = width() - margin - wide;
+  const QRectF legend = legend_box();
+  const bool beside = legend.isEmpty() || legend.right() < left - margin;
+  const double top =
+      beside ? 2 * margin + QFontMetricsF(font()).height() + 14.0 : legend.bottom() + margin;
+  return {left, top, wide, metrics.height() + 8};
 }
 
 void HintView::draw_banner(QPainter& painter) const {
@@ -309,6 +355,38 @@ void HintView::draw_banner(QPainter& painter) const {
   painter.setPen(readable(colour::contact, palette()));
   painter.drawText(box, Qt::AlignCenter, banner_);
   painter.setFont(font());
+}
+
+/// In the lower left corner, above the hint; in the right one where the legend reaches down there.
+QRectF HintView::triad_box() const {
+  const double bottom = hint_visible_ ? laid_out_hint().plate.top() : height();
+  const QRectF box(margin, bottom - margin - triad_size, triad_size, triad_size);
+  if (!box.intersects(legend_box())) return box;
+  return box.translated(width() - 2 * margin - triad_size, 0);
+}
+
+/// The axis that is furthest from the eye first.
+void HintView::draw_triad(QPainter& painter) const {
+  struct Axis {
+    Vec3 seen;
+    QString name;
+    QColor colour;
+  };
+  std::array<Axis, 3> axes{{{triad_[0], QStringLiteral("x"), QColor(235, 90, 90)},
+                            {triad_[1], QStringLiteral("y"), QColor(110, 190, 90)},
+                            {triad_[2], QStringLiteral("z"), QColor(100, 150, 245)}}};
+  if (!(triad_[0].norm() > 0)) return;
+  std::ranges::sort(axes, {}, [](const Axis& axis) { return axis.seen.z(); });
+  const QRectF box = triad_box();
+  const double length = 0.33 * triad_size;
+  for (const Axis& axis : axes) {
+    const QPointF along(axis.seen.x() * length, -axis.seen.y() * length);
+    const QColor own = readable(axis.colour, palette());
+    painter.setPen(QPen(own, 2));
+    painter.drawLine(box.center(), box.center() + along);
+    const QPointF at = box.center() + 1.38 * along;
+    painter.drawText(QRectF(at.x() - 8, at.y() - 8, 16, 16), Qt::AlignCenter, axis.name);
+  }
 }
 
 QRectF HintView::scale_box() const {

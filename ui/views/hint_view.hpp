@@ -6,9 +6,12 @@
 #include <QPolygonF>
 #include <QString>
 #include <QStringList>
+#include <QVariantAnimation>
 #include <QWidget>
+#include <array>
 #include <vector>
 
+#include "engine/geometry/pose.hpp"
 #include "ui/views/force_note.hpp"
 
 namespace sonde::ui {
@@ -55,12 +58,20 @@ class HintView : public QWidget {
   void set_banner(const QString& text);
   const QString& banner() const { return banner_; }
   void set_hint_visible(bool visible);
+  void set_legend_visible(bool visible);
+  /// Hint and legend go in half a second. What is laid out has their room at once.
+  void fade();
+  /// The axes of the fixed body as they are seen, unit: right, up and to the eye.
+  void set_triad(const std::array<Vec3, 3>& axes);
   /// A column of colours at the right; none where there are no colours.
   void set_scale(ColourScale scale);
 
   /// The parts of the view without legend, ruler, banner or hint: below the legend, and beside it.
   /// The banner's place counts, whether or not there is a banner.
   std::vector<QRectF> clear_areas() const;
+
+  /// The plates and marks that are on show, labels apart; none of them lies on another.
+  std::vector<QRectF> boxes() const;
 
   static QString pause_banner();
   static QString stopped_banner();
@@ -74,6 +85,7 @@ class HintView : public QWidget {
  private:
   struct Hint;
   Hint laid_out_hint() const;
+  QRectF legend_plate() const;
   QRectF legend_box() const;
   QRectF ruler_box() const;
   QRectF banner_box(const QString& text) const;
@@ -84,6 +96,8 @@ class HintView : public QWidget {
   void draw_labels(QPainter& painter) const;
   void draw_ruler(QPainter& painter) const;
   void draw_banner(QPainter& painter) const;
+  QRectF triad_box() const;
+  void draw_triad(QPainter& painter) const;
   QRectF scale_box() const;
   void draw_scale(QPainter& painter) const;
 
@@ -93,7 +107,9 @@ class HintView : public QWidget {
   QString ruler_text_;
   QString banner_;
   ColourScale scale_;
-  bool hint_visible_ = true;
+  bool hint_visible_ = true, legend_visible_ = true;
+  std::array<Vec3, 3> triad_{};
+  QVariantAnimation fading_;  ///< of both, while they are seen and do not count any more
 };
 
 }  // namespace sonde::ui

@@ -10,6 +10,7 @@
 
 #include "ui/base/theme.hpp"
 #include "ui/views/glyphs.hpp"
+#include "ui/views/surface.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -22,7 +23,7 @@ vtkSmartPointer<vtkActor> body_actor(vtkRenderer& renderer, vtkPolyData& surface
                                      const QColor& colour, bool solid) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(&surface);
-  mapper->ScalarVisibilityOff();
+  mapper->SetScalarVisibility(has_colours(surface));
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->VisibilityOff();

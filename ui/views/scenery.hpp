@@ -23,6 +23,7 @@
 #include "ui/views/defect_view.hpp"
 #include "ui/views/detail.hpp"
 #include "ui/views/gap_view.hpp"
+#include "ui/views/grid_view.hpp"
 #include "ui/views/handle_view.hpp"
 #include "ui/views/hint_view.hpp"
 #include "ui/views/measure_view.hpp"
@@ -53,6 +54,7 @@ struct Viewport::Scenery {
         measures(*top, shapes),
         witness(*top, shapes),
         place(*top),
+        grid(*bodies),
         probe_gaps(*bodies),
         fixed_gaps(*bodies),
         probe_crossings(*bodies, true),
@@ -67,6 +69,7 @@ struct Viewport::Scenery {
   HintView* hints;
   GlyphShapes shapes;
   vtkSmartPointer<vtkActor> fixed_actor;
+  vtkNew<vtkActor> part_box;  ///< round the chosen part
   std::unique_ptr<ProbeView> probe;
   std::unique_ptr<GhostView> ghost;
   std::unique_ptr<FoundView> nearest, straight;
@@ -80,6 +83,7 @@ struct Viewport::Scenery {
   MeasureView measures;
   WitnessView witness;
   PlaceView place;
+  GridView grid;
   GapView probe_gaps, fixed_gaps;
   CrossingView probe_crossings, fixed_crossings;
   Tone tone;
@@ -90,6 +94,12 @@ struct Viewport::Scenery {
 
   // Of the session on show.
   std::optional<Pair> pair;
+  vtkSmartPointer<vtkPolyData> probe_surface, fixed_surface;
+  std::vector<BodyPart> parts;  ///< of the fixed body; empty where it is one mesh
+  PartSurface part_surface;
+  std::vector<PartLook> part_looks;
+  bool fixed_is_solid = false;  ///< all that is drawn of it
+  bool software_drawn = false;
   MassProperties mass;
   LengthUnit unit;
   std::array<QString, 2> descriptions;
@@ -101,10 +111,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 17> shown{true,  true,  true, true,  false, false, false, true, false,
-                             false, false, true, false, false, false, true,  true};  ///< by Layer
+  std::array<bool, 18> shown{true,  true, true,  true,  false, false, false, true, false, false,
+                             false, true, false, false, false, true,  true,  false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 19> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 20> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -123,6 +133,7 @@ struct Viewport::Scenery {
              {Layer::mended, caps.get()},
              {Layer::mended, &place},
              {Layer::bound, &witness},
+             {Layer::grid, &grid},
              {Layer::measures, &measures}}};
   }
 };

@@ -2,12 +2,19 @@
 #include "ui/views/simplified.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkQuadricClustering.h>
+#include <vtkStaticPointLocator.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "ui/views/surface.hpp"
 
@@ -38,6 +45,44 @@ vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, int divisions) {
   return clustering->GetOutput();
 }
 
+/// The points that triangles have, with their colours.
+vtkSmartPointer<vtkPolyData> coloured_points(vtkPolyData& surface, vtkDataArray& colours) {
+  vtkNew<vtkIdList> ids;
+  std::vector<bool> seen(static_cast<std::size_t>(surface.GetNumberOfPoints()));
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> own;
+  own->SetNumberOfComponents(3);
+  const auto cells = own_cells(surface);
+  for (cells->InitTraversal(); cells->GetNextCell(ids);)
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+      const vtkIdType id = ids->GetId(k);
+      if (seen[static_cast<std::size_t>(id)]) continue;
+      seen[static_cast<std::size_t>(id)] = true;
+      points->InsertNextPoint(surface.GetPoint(id));
+      own->InsertNextTuple(id, &colours);
+    }
+  auto out = vtkSmartPointer<vtkPolyData>::New();
+  out->SetPoints(points);
+  out->GetPointData()->SetScalars(own);
+  return out;
+}
+
+/// Clusters have no colours: each point takes that of the nearest one of the surface.
+void colour_as(vtkPolyData& surface, vtkPolyData& coarse) {
+  vtkDataArray* const colours = surface.GetPointData()->GetScalars();
+  if (!colours) return;
+  const auto from = coloured_points(surface, *colours);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(from);
+  locator->BuildLocator();
+  vtkNew<vtkUnsignedCharArray> own;
+  own->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < coarse.GetNumberOfPoints(); ++i)
+    own->InsertNextTuple(locator->FindClosestPoint(coarse.GetPoint(i)),
+                         from->GetPointData()->GetScalars());
+  coarse.GetPointData()->SetScalars(own);
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> simplified(vtkPolyData& surface) {
@@ -54,7 +99,9 @@ vtkSmartPointer<vtkPolyData> simplified(vtkPolyData& surface) {
   normals->SetFeatureAngle(sharp_edge_of_cells);
   normals->ConsistencyOff();
   normals->Update();
-  return normals->GetOutput();
+  vtkSmartPointer<vtkPolyData> out = normals->GetOutput();
+  colour_as(surface, *out);
+  return out;
 }
 
 }  // namespace sonde::ui

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
@@ -56,6 +57,8 @@ vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup) {
   smooth->Squeeze();
   return smooth;
 }
+
+bool has_colours(vtkPolyData& surface) { return surface.GetPointData()->GetScalars() != nullptr; }
 
 vtkSmartPointer<vtkCellArray> own_cells(vtkPolyData& surface) {
   auto cells = vtkSmartPointer<vtkCellArray>::New();

@@ -14,6 +14,9 @@ namespace sonde::ui {
 /// worker.
 vtkSmartPointer<vtkPolyData> make_surface(const Soup& soup);
 
+/// Does each of its points have a colour of its own?
+bool has_colours(vtkPolyData& surface);
+
 /// The triangles of a surface for another thread than draws it: a vtkCellArray remembers how far it
 /// was traversed, so that each thread needs one of its own, round the same indices.
 vtkSmartPointer<vtkCellArray> own_cells(vtkPolyData& surface);

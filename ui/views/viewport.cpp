@@ -3,6 +3,7 @@
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkProperty.h>
 
 #include <QEvent>
 #include <QImage>
@@ -60,13 +61,6 @@ bool software_drawn(QVTKOpenGLNativeWidget& widget) {
   return false;
 }
 
-Eigen::AlignedBox3d box_of(const Body& body) {
-  Eigen::AlignedBox3d box;
-  for (const Triangle& triangle : body.soup.triangles)
-    for (const auto index : triangle) box.extend(body.soup.vertices[index]);
-  return box;
-}
-
 void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, const Pose& pose) {
   if (box.isEmpty()) return;
   for (int i = 0; i < 8; ++i)
@@ -95,6 +89,12 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), scenery_(std::make_unique
     renderer->InteractiveOff();
   }
   s.bodies->GradientBackgroundOn();
+  s.part_box->VisibilityOff();
+  s.part_box->GetProperty()->SetColor(colour::chosen.redF(), colour::chosen.greenF(),
+                                      colour::chosen.blueF());
+  s.part_box->GetProperty()->SetLineWidth(2);
+  s.part_box->GetProperty()->LightingOff();
+  s.above->AddActor(s.part_box);
   apply_theme();
   s.hints->raise();
 }
@@ -104,7 +104,7 @@ Viewport::~Viewport() = default;
 void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   Scenery& s = *scenery_;
   // Smoothing edges by samples triples the time of a picture that the processor draws.
-  const bool software = software_drawn(*s.widget);
+  const bool software = s.software_drawn = software_drawn(*s.widget);
   s.window->SetMultiSamples(software ? 0 : 4);
   s.bodies->SetGradientBackground(!software);
   const Body &probe = drawn.pair->probe(), &fixed = drawn.pair->fixed();
@@ -112,16 +112,24 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.unit = LengthUnit(s.mass.radius);
   s.centre = fixed.mass.com;
   s.q_FW = drawn.q_FW;
-  s.radius = fixed.mass.radius;
   s.last_device = s.last_separated = drawn.first;
-  s.probe_box = box_of(probe);
-  s.fixed_box = box_of(fixed);
+  s.parts = drawn.parts;
+  s.part_surface = drawn.part_surface;
+  s.part_looks.assign(s.parts.size(), {});
+  s.probe_surface = drawn.probe_surface;
+  s.fixed_surface = drawn.fixed_surface;
+  s.fixed_is_solid =
+      s.parts.empty()
+          ? fixed.solid
+          : std::ranges::all_of(s.parts, [](const BodyPart& part) { return part.body->solid; });
+  s.pair = drawn.pair;
+  measure_scene();
   s.descriptions = {describe("probe", probe), describe("fixed", fixed)};
 
   s.detail.clear();
   s.movement.forget();
   if (s.fixed_actor) s.bodies->RemoveActor(s.fixed_actor);
-  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, fixed.solid);
+  s.fixed_actor = body_actor(*s.bodies, *drawn.fixed_surface, colour::fixed, s.fixed_is_solid);
   s.probe = std::make_unique<ProbeView>(*s.bodies, *drawn.probe_surface, probe.solid);
   s.ghost = std::make_unique<GhostView>(*s.bodies, *drawn.probe_surface, probe.solid);
   const auto found = [&](FoundView::Way way, FoundView::Shape shape, const char* name,
@@ -134,11 +142,8 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.straight = found(&BackgroundResult::pdt, FoundView::Shape::wires, "PD_t", colour::straight);
   s.defects = std::make_unique<DefectView>(*s.bodies, drawn);
   s.caps = std::make_unique<CapView>(*s.bodies, drawn);
-  const int small = software ? simplify_above : simplify_above_on_card;
-  s.detail.add(*drawn.fixed_surface, small, {s.fixed_actor});
-  s.detail.add(*drawn.probe_surface, small,
-               {&s.probe->actor(), &s.ghost->actor(), &s.nearest->actor(), &s.straight->actor()});
-  s.pair = drawn.pair;
+  simplify_surfaces();
+  s.part_box->VisibilityOff();
   s.trail.clear();
   s.measures.clear();
   s.place.set({});
@@ -209,6 +214,10 @@ void Viewport::update_legend() {
     legend.push_back({colour::hole, QStringLiteral("edges of holes, thin")});
     legend.push_back({colour::flipped, QStringLiteral("edges between flipped faces, thick")});
   }
+  if (shown(Layer::grid))
+    legend.push_back(
+        {colour::faint, QStringLiteral("grid, %1 %2")
+                            .arg(round_figure(s.grid.spacing() / s.unit.metres()), s.unit.name())});
   if (s.caps && s.caps->any() && shown(Layer::mended))
     legend.push_back({colour::cap, QStringLiteral("openings that were closed")});
   if (shown(Layer::crossings))
@@ -281,14 +290,32 @@ void Viewport::update_text(const Instant& now) {
   const double length = round_down_125(160 * pixel);
   s.hints->set_ruler(length / pixel, round_figure(length / s.unit.metres()) + ' ' + s.unit.name());
   s.hints->set_labels(std::move(labels));
+  const ViewAxes axes = camera().axes();
+  std::array<Vec3, 3> triad;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = Vec3::Unit(i);
+    triad.at(static_cast<std::size_t>(i)) = {axis.dot(axes.right), axis.dot(axes.up),
+                                             axis.dot(axes.towards)};
+  }
+  s.hints->set_triad(triad);
 }
 
 void Viewport::set_shown(Layer layer, bool shown) {
   Scenery& s = *scenery_;
   s.shown[static_cast<std::size_t>(layer)] = shown;
-  if (layer == Layer::hint) s.hints->set_hint_visible(shown);
+  if (layer == Layer::hint) {
+    s.hints->set_hint_visible(shown);
+    s.hints->set_legend_visible(shown);
+  }
   apply_layers();
   if (s.probe) update_legend();
+  invalidate();
+}
+
+void Viewport::fade_hint() {
+  Scenery& s = *scenery_;
+  s.shown[static_cast<std::size_t>(Layer::hint)] = false;
+  s.hints->fade();
   invalidate();
 }
 

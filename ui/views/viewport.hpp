@@ -33,7 +33,7 @@ enum class Layer {
   nearest,
   straight,
   trail,
-  hint,
+  hint,  ///< how the mouse moves the probe, and the legend
   handles,
   defects,
   gaps,       ///< colours of the gap
@@ -43,12 +43,17 @@ enum class Layer {
   crossings,  ///< triangles that go through others of their mesh
   clearance,  ///< the nearest points of a probe that is free
   mended,     ///< what closes openings, and the place that is pointed out
+  grid,       ///< on the ground
 };
 
 /// A point of a body that is visible in the picture.
 struct Pick {
   bool on_probe = false;
-  Vec3 x;  ///< in that body's mesh frame, m
+  Vec3 x;                                ///< in that body's mesh frame, m
+  std::optional<std::size_t> part = {};  ///< of the fixed body, where that is of several
+  Vec3 normal = Vec3::Zero();  ///< of the triangle, to the eye's side, unit; fixed body's frame
+  /// Along the nearest of its sides where the surface has an edge, unit, in that frame; zero: none.
+  Vec3 edge = Vec3::Zero();
 };
 
 /// The gaps between the bodies, to paint on them.
@@ -98,6 +103,9 @@ class Viewport : public QWidget {
   bool shown(Layer layer) const;
 
   /// Along the probe's own axes, rather than the fixed body's.
+  /// Hint and legend go, not all at once.
+  void fade_hint();
+
   void set_handles_local(bool local);
   /// The handles of a probe there, as they are drawn; none where they are not.
   std::optional<Handles> handles(const Pose& X_FM) const;
@@ -106,6 +114,11 @@ class Viewport : public QWidget {
   const Seeing& seeing() const;
   /// The handles of the cut plane as they are drawn; none where they are not.
   std::optional<Handles> cut_handles() const;
+  /// Other looks of the fixed body's parts. Returns its surface as it is drawn now; null where it
+  /// is of one mesh.
+  vtkSmartPointer<vtkPolyData> show_parts(const std::vector<PartLook>& looks);
+  /// Puts a box round that part of the fixed body.
+  void choose_part(std::optional<std::size_t> part);
   /// Marks the contact of that cluster; 0: none.
   void choose_contact(std::uint64_t id);
   /// The nearest point of a body at a place in the view, in Qt's pixels; not on hidden or cut-away
@@ -155,6 +168,8 @@ class Viewport : public QWidget {
  private:
   struct Scenery;
   void choose_detail(const Frame& frame);
+  void simplify_surfaces();
+  void measure_scene();
   void update_text(const Instant& now);
   void update_legend();
   void update_scale();

@@ -58,6 +58,7 @@ QImage Viewport::picture(const Instant& now, const PictureOptions& options) {
   s.window->SetSize(options.size.width(), options.size.height());
   s.hints->setUpdatesEnabled(false);
   s.hints->set_hint_visible(false);  // how the mouse moves the probe belongs to the window
+  s.hints->set_legend_visible(true);
   s.hints->resize(*s.picture_size);
   draw(now, options.swing);
   QImage image = drawn(*s.window, options.size);
@@ -71,6 +72,7 @@ QImage Viewport::picture(const Instant& now, const PictureOptions& options) {
   s.picture_size.reset();
   s.hints->setGeometry(rect());
   s.hints->set_hint_visible(this->shown(Layer::hint));
+  s.hints->set_legend_visible(this->shown(Layer::hint));
   s.hints->setUpdatesEnabled(true);
   s.bodies->SetGradientBackground(gradient);
   s.bodies->SetBackground(background);

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include "engine/proximity/queries/ray_hit.hpp"
@@ -21,6 +23,45 @@ constexpr double square_part = 1.05;  // of the fixed body's radius: the outline
 constexpr double around = 2.5;        // times a place's size is in the picture, and at least
 constexpr double least_part = 0.15;   // of the body's radius
 constexpr double along_sight = 0.95;  // the cosine: such a line of sight has no up but the camera's
+
+constexpr double flat = 1e-3;  // 1 - cosine: faces that meet at less have no edge there
+
+Vec3 normal_of(const Soup& soup, const Triangle& t) {
+  const Vec3 &a = soup.vertices[t[0]], &b = soup.vertices[t[1]], &c = soup.vertices[t[2]];
+  return (b - a).cross(c - a).stableNormalized();
+}
+
+double distance_to(const Vec3& a, const Vec3& b, const Vec3& x) {
+  const double part = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + part * (b - a) - x).norm();
+}
+
+/// Whether the surface has an edge at that side: no other face goes on flat behind it.
+bool is_edge(const Soup& soup, std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
+  const Vec3 own = normal_of(soup, soup.triangles[triangle]);
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
+    const auto has = [&](std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (i != triangle && has(a) && has(b) && normal_of(soup, t).dot(own) > 1 - flat) return false;
+  }
+  return true;
+}
+
+/// Along the edge of a triangle that is nearest to x, unit; zero where none of its sides is one.
+Vec3 edge_beside(const Soup& soup, std::uint32_t triangle, const Vec3& x) {
+  const Triangle& t = soup.triangles[triangle];
+  Vec3 best = Vec3::Zero();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    const Vec3 &from = soup.vertices[a], &to = soup.vertices[b];
+    const double distance = distance_to(from, to, x);
+    if (distance >= nearest || !is_edge(soup, triangle, a, b)) continue;
+    nearest = distance;
+    best = (to - from).stableNormalized();
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -40,7 +81,7 @@ void Viewport::apply_seeing() {
   if (!s.probe) return;
   vtkPlane* const through_fixed = cut.on && cut.fixed ? &s.cut.plane() : nullptr;
   vtkPlane* const through_probe = cut.on && cut.probe ? &s.cut.plane() : nullptr;
-  apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.pair->fixed().solid, through_fixed);
+  apply_look(*s.fixed_actor, s.seeing.fixed, colour::fixed, s.fixed_is_solid, through_fixed);
   apply_look(s.probe->actor(), s.seeing.probe, colour::probe, s.pair->probe().solid, through_probe);
   s.probe->set_visible(s.seeing.probe != Look::hidden);
   s.defects->set_cut(through_probe, through_fixed);
@@ -80,7 +121,8 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
   const Vec3 along = (in_scene(0) - eye).normalized();
   std::optional<Pick> best;
   double nearest = 0;
-  const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut) {
+  const auto try_body = [&](bool probe, const Body& body, const Pose& X_FB, Look look, bool cut,
+                            std::optional<std::size_t> part = {}) {
     if (look == Look::hidden) return;
     const Pose X_BF = inverse(X_FB);
     const Vec3 from = X_BF * eye;
@@ -90,9 +132,16 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
     });
     if (!hit || (best && hit->distance >= nearest)) return;
     nearest = hit->distance;
-    best = Pick{probe, from + hit->distance * direction};
+    const Vec3 x = from + hit->distance * direction;
+    best = Pick{probe, probe ? x : X_FB * x, part};
+    const Vec3 normal = normal_of(body.soup, body.soup.triangles[hit->triangle]);
+    best->normal = X_FB.q * Vec3(normal.dot(direction) > 0 ? Vec3(-normal) : normal);
+    best->edge = X_FB.q * edge_beside(body.soup, hit->triangle, x);
   };
-  try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
+  if (s.parts.empty()) try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
+  for (std::size_t i = 0; i < s.parts.size(); ++i)
+    if (s.part_looks[i].shown)
+      try_body(false, *s.parts[i].body, s.parts[i].X_BP, s.seeing.fixed, s.seeing.cut.fixed, i);
   try_body(true, s.pair->probe(), s.last_device, s.seeing.probe, s.seeing.cut.probe);
   return best;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/haptics/loop/lessened.hpp"
 #include "ui/views/force_note.hpp"
 #include "ui/views/glyphs.hpp"
 #include "ui/views/overlay.hpp"

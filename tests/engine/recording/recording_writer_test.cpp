@@ -125,6 +125,20 @@ TEST_F(Writer, it_closes_in_its_own_thread) {
   EXPECT_EQ(read_recording(folder / "a.sonderec")->cut, "");
 }
 
+TEST_F(Writer, every_part_of_a_body_is_marked) {
+  folder.write("other.off", test::text_of(scene.fixed.mesh));
+  SceneBody part = scene.fixed;
+  scene.fixed.parts = {part, part};
+  scene.fixed.parts[1].mesh = folder / "other.off";
+  scene.fixed.parts[1].name = "other";
+  EXPECT_EQ(marks_of(scene).fixed.bytes, 2 * mark_of(scene.fixed.mesh).bytes);
+  { RecordingWriter writer(folder / "a.sonderec", header_of(scene, made_up_radius)); }
+  const auto r = read_recording(folder / "a.sonderec");
+  EXPECT_NO_THROW(check_meshes(r->header, folder / "a.sonderec"));
+  folder.write("other.off", "another");
+  EXPECT_THROW(check_meshes(r->header, folder / "a.sonderec"), InputError);
+}
+
 /// The mesh that was read is the recorded one, whatever lies on the disk by now.
 TEST_F(Writer, meshes_are_those_that_were_read) {
   const MeshMarks read = marks_of(scene);

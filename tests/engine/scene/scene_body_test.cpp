@@ -119,6 +119,27 @@ TEST_F(SceneParts, the_scale_of_the_whole_is_that_of_its_parts_and_their_places)
   EXPECT_TRUE(inside(*again, {-0.9, 0, 0}));
 }
 
+// Reference: the felt part as a body of its own.
+TEST_F(SceneParts, what_is_not_felt_is_no_part_of_the_body) {
+  const Scene read = scene(R"([
+    {"mesh": "box.off", "colour": "#e97d25", "shown": false},
+    {"mesh": "ring.off", "pose": [0.5, 0, 0, 1, 0, 0, 0], "felt": false}])");
+  const auto fixed = load(read.fixed, 1), box = load(read.fixed.parts[0], 1);
+  EXPECT_EQ(fixed->soup.triangles.size(), box->soup.triangles.size());
+  EXPECT_NEAR(fixed->mass.measure, box->mass.measure, 1e-15);
+  ASSERT_EQ(fixed->parts.size(), 1u);
+  EXPECT_EQ(fixed->name, "box.off");
+  EXPECT_EQ(load_part(read.fixed, 1, 1).body->soup.triangles.size(),
+            load(read.fixed.parts[1], 1)->soup.triangles.size());
+  folder.write("again.sonde.json", scene_text(read, folder.path()));
+  const SceneBody again = read_scene(folder / "again.sonde.json").fixed;
+  EXPECT_EQ(again.parts[0].colour, "#e97d25");
+  EXPECT_FALSE(again.parts[0].shown);
+  EXPECT_TRUE(again.parts[0].felt);
+  EXPECT_TRUE(again.parts[1].shown);
+  EXPECT_FALSE(again.parts[1].felt);
+}
+
 TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
   EXPECT_THAT(complaint("[]"), HasSubstr("s.sonde.json:1: \"fixed\" has no parts"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off"}, {"mesh": "box.off"}])"),
@@ -126,6 +147,11 @@ TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
   EXPECT_THAT(complaint("[{\"mesh\": \"box.off\"},\n{\"mesh\": \"gone.off\"}]"),
               HasSubstr("s.sonde.json:2: \"mesh\" names"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off", "colour": 3}])"), HasSubstr("colour"));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off", "colour": "red"}])"),
+              HasSubstr("s.sonde.json:1: \"colour\" is \"red\"; it must be like \"#e97d25\""));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off", "felt": 1}])"), HasSubstr("felt"));
+  EXPECT_THAT(complaint(R"([{"mesh": "box.off", "felt": false}])"),
+              HasSubstr("s.sonde.json:1: no part of \"fixed\" is felt"));
   EXPECT_THAT(complaint(R"([{"name": "", "mesh": "box.off"}])"), HasSubstr("\"name\" is empty"));
   EXPECT_THAT(complaint(R"([{"mesh": "box.off", "model": "surface"},
                             {"mesh": "ring.off"}])"),

@@ -41,10 +41,10 @@ TEST(Schema, it_has_the_keys_of_the_reader_and_no_others) {
   EXPECT_THAT(keys, testing::UnorderedElementsAreArray(scene_keys()));
 }
 
-TEST(Schema, a_part_is_a_body_with_a_name) {
+TEST(Schema, a_part_is_a_body_with_a_name_a_colour_and_whether_it_is_shown_and_felt) {
   json part = schema().at("$defs").at("part");
-  EXPECT_TRUE(part.at("properties").contains("name"));
-  part["properties"].erase("name");
+  for (const char* own : {"name", "colour", "shown", "felt"})
+    EXPECT_EQ(part["properties"].erase(own), 1u) << own;
   EXPECT_EQ(part, schema().at("$defs").at("body"));
   for (const char* body : {"probe", "fixed"})
     EXPECT_EQ(schema()["properties"][body]["oneOf"][1]["items"]["$ref"], "#/$defs/part");

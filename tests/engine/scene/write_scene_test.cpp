@@ -40,6 +40,7 @@ void expect_same(const SceneBody& a, const SceneBody& b) {
 void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.unit, b.unit);
   EXPECT_EQ(a.schema, b.schema);
+  EXPECT_EQ(a.format, b.format);
   EXPECT_EQ(a.trajectory, b.trajectory);
   EXPECT_EQ(a.view, b.view);
   {
@@ -97,6 +98,14 @@ TEST(WriteScene, what_was_read_reads_the_same_again) {
   const TempFolder folder;
   const Scene scene = read_scene(folder.write("full.sonde.json", full));
   expect_same(written_and_read(scene, folder / "copy.sonde.json"), scene);
+}
+
+TEST(WriteScene, a_format_that_was_said_is_said_again) {
+  const std::string bodies = R"("probe": {"mesh": "a.off"}, "fixed": {"mesh": "a.off"}})";
+  const Scene said = scene_in(R"({"format": 1, )" + bodies, "/s.sonde.json");
+  EXPECT_EQ(scene_in(scene_text(said, "/"), "/s.sonde.json").format, 1);
+  const Scene silent = scene_in("{" + bodies, "/s.sonde.json");
+  EXPECT_EQ(scene_text(silent, "/").find("format"), std::string::npos);
 }
 
 TEST(WriteScene, so_does_an_allowance_in_any_unit) {

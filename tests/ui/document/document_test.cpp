@@ -299,7 +299,7 @@ class DropOnDocument : public DocumentTest {
 
 TEST_F(DropOnDocument, one_mesh_takes_the_place_of_a_body) {
   folder.write("other.off", cube(0.05));
-  window->prompts().ask_role = [](const QString&) { return std::optional(Role::fixed); };
+  window->prompts().ask_role = [](const QString&, int) { return std::optional(Role::fixed); };
   drop({path("other.off")});
   ASSERT_TRUE(wait_until([this] { return document().stack().count() == 1; }));
   EXPECT_NEAR(window->session()->fixed().mass.radius, 0.025 * std::sqrt(3.0), 1e-9);

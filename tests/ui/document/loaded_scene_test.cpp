@@ -16,6 +16,8 @@
 #include "engine/base/error.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/ui/window_fixture.hpp"
+#include "ui/base/resources.hpp"
+#include "ui/devices/device_control.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -153,6 +155,48 @@ TEST(Opening, of_two_meshes_can_be_cancelled) {
   folder.write("good.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_THROW(read_pair(folder / "good.off", folder / "good.off", [](double) { return false; }),
                Cancelled);
+}
+
+// Reference: by hand. 10 N at 2 % of 50 mm are 10 kN/m.
+TEST(Opening, gains_suit_the_probe_and_do_not_exceed_the_device) {
+  MassProperties probe;
+  probe.radius = 0.05;
+  probe.inertia = Vec3(1e-3, 2e-3, 4e-3);
+  EXPECT_NEAR(suited_coupling(probe).k, 1e4, 1e-9);
+  DeviceProfile device;
+  device.name = "Handle";
+  device.max_stiffness.value = 3000;
+  EXPECT_EQ(suited_coupling(probe, &device).k, 3000);
+  EXPECT_EQ(suited_coupling(probe, &device).k_t, 3000);
+  EXPECT_EQ(origin_of_suited(probe, &device), "Stiffness: as much as Handle allows.");
+  device.max_rotational_stiffness.value = 4;
+  EXPECT_EQ(suited_coupling(probe, &device).k, 3000) << "it has no motors for torque";
+  device.max_torque.value = 0.2;
+  EXPECT_NEAR(suited_coupling(probe, &device).k, 1000, 1e-9) << "kÎ at most 4 N·m/rad";
+  device.max_stiffness.value = device.max_rotational_stiffness.value = 1e6;
+  EXPECT_NEAR(suited_coupling(probe, &device).k, 1e4, 1e-9);
+  EXPECT_NE(origin_of_suited(probe, nullptr).find("2 % of the probe's radius"), std::string::npos);
+}
+
+TEST_F(WindowTest, gains_of_own_meshes_follow_the_device_until_they_are_changed) {
+  open({path("cube.off"), path("large.off")}, 1);
+  ASSERT_EQ(failed, 0);
+  const double own = window->session()->coupling().k;
+  DeviceProfile soft = find_device_profile("touch", device_profile_folders());
+  soft.max_stiffness.value = own / 4;
+  window->devices().choose(SimulatedSource{soft});
+  EXPECT_NEAR(window->session()->coupling().k, own / 4, 1e-9 * own);
+  EXPECT_TRUE(find<QLabel>("gains_origin")->text().contains("allows"));
+  EXPECT_FALSE(window->isWindowModified()) << "nobody has changed anything";
+  window->devices().choose(MouseSource{});
+  EXPECT_NEAR(window->session()->coupling().k, own, 1e-9 * own);
+  type("k_value", QStringLiteral("300"));
+  ASSERT_NEAR(window->session()->coupling().k, 300, 1e-9);
+  // Another device: that one would bring the gains that it had.
+  DeviceProfile softer = find_device_profile("sigma.7", device_profile_folders());
+  softer.max_stiffness.value = 100;
+  window->devices().choose(SimulatedSource{softer});
+  EXPECT_NEAR(window->session()->coupling().k, 300, 1e-9) << "who chose it keeps it";
 }
 
 TEST(Opening, guesses_a_unit) {

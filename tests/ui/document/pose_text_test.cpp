@@ -42,6 +42,40 @@ TEST(PoseText, takes_what_people_copy) {
     EXPECT_EQ(pose_in(text).p, Vec3(1, 2, 3)) << text;
 }
 
+// Reference: the rotation itself, on a point.
+TEST(PoseText, a_matrix_goes_to_numpy_and_comes_back) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 200; ++i) {
+    const Pose pose{
+        Quat(normal(random), normal(random), normal(random), normal(random)).normalized(),
+        Vec3(normal(random), normal(random), normal(random))};
+    const Pose back = pose_in(matrix_text(pose));
+    EXPECT_EQ(back.p, pose.p);
+    const Vec3 x(1, -2, 3);
+    EXPECT_LT((back * x - pose * x).norm(), 1e-14);
+  }
+  const std::string text = matrix_text({Quat::Identity(), {1, 2, 3}});
+  EXPECT_EQ(text,
+            "np.array([[1, 0, 0, 1],\n          [0, 1, 0, 2],\n          [0, 0, 1, 3],\n"
+            "          [0, 0, 0, 1]])\n");
+}
+
+TEST(PoseText, takes_a_matrix_as_numpy_prints_it) {
+  for (const char* text :
+       {"[[ 0. -1.  0.  1.]\n [ 1.  0.  0.  2.]\n [ 0.  0.  1.  3.]\n [ 0.  0.  0.  1.]]",
+        "array([[0., -1., 0., 1.], [1., 0., 0., 2.], [0., 0., 1., 3.]], dtype=float32)",
+        "numpy.array([[0,-1,0,1],[1,0,0,2],[0,0,1,3],[0,0,0,1]])"}) {
+    const Pose pose = pose_in(text);
+    EXPECT_EQ(pose.p, Vec3(1, 2, 3)) << text;
+    EXPECT_LT((pose.q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-15) << text;
+  }
+  EXPECT_THAT(complaint("1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1"), HasSubstr("last row"));
+  EXPECT_THAT(complaint("2 0 0 0 0 2 0 0 0 0 2 0"), HasSubstr("length 1"));
+  EXPECT_THAT(complaint("1 0 0 0 0 1 0 0 0 0 -1 0"), HasSubstr("mirrors"));
+  EXPECT_THAT(complaint("nan 0 0 0 0 1 0 0 0 0 1 0"), HasSubstr("not finite"));
+}
+
 TEST(PoseText, says_what_is_wrong) {
   EXPECT_THAT(complaint(""), HasSubstr("there are 0"));
   EXPECT_THAT(complaint("1 2 3"), HasSubstr("there are 3"));

@@ -62,7 +62,7 @@ const Opening openings[] = {
     {"replace", by_prompt([](const Prompts& p) { p.ask_replace("cubes.contacts.csv"); })},
     {"record", by_prompt([](const Prompts& p) { p.ask_record(); })},
     {"recording", by_prompt([](const Prompts& p) { p.ask_recording(); })},
-    {"role", by_prompt([](const Prompts& p) { p.ask_role("cube.off"); })},
+    {"role", by_prompt([](const Prompts& p) { p.ask_role("cube.off", 1); })},
     {"scene", by_prompt([](const Prompts& p) { p.ask_scene(); })},
     {"meshes", by_prompt([](const Prompts& p) { p.ask_meshes({}); })},
     {"path", by_prompt([](const Prompts& p) { p.ask_path(); })},

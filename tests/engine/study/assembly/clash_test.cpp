@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/study/assembly/box_pairs.hpp"
+#include "engine/study/assembly/clash_picture.hpp"
+#include "engine/study/charts/svg_elements.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -110,6 +113,53 @@ TEST(Clash, is_cancelled) {
   std::vector<AssemblyPart> parts{part("a", test::box({1, 1, 1}), Vec3::Zero()),
                                   part("b", test::box({1, 1, 1}), Vec3(0.5, 0, 0))};
   EXPECT_THROW(clashes(parts, {}, [](double) { return false; }), Cancelled);
+}
+
+/// The numbers of "M x y L x y" in a path of that colour.
+std::vector<double> numbers_of_path(const std::string& svg, std::size_t colour) {
+  const std::size_t end = svg.find("\" fill=\"none\" stroke=\"" + svg::series_color(colour));
+  const std::size_t begin = svg.rfind("d=\"", end) + 3;
+  std::string path = svg.substr(begin, end - begin);
+  std::ranges::replace_if(
+      path, [](char c) { return c == 'M' || c == 'L'; }, ' ');
+  std::istringstream in(path);
+  std::vector<double> out;
+  for (double x = 0; in >> x;) out.push_back(x);
+  return out;
+}
+
+// Reference: by hand. A small cube of 0.1 m stands 10 mm deep in a large one. In the picture up is
+// the way out, the place is in the middle, and the small one's outline is a square.
+TEST(ClashPicture, is_a_section_that_holds_the_way_out) {
+  const std::vector<AssemblyPart> parts{
+      part("large", test::box({1, 1, 0.5}), Vec3::Zero()),
+      part("small", test::box({0.1, 0.1, 0.1}), Vec3(0.02, 0.01, 0.29))};
+  const auto found = clashes(parts, {.threads = 1});
+  ASSERT_EQ(found.size(), 1u);
+  const std::string svg = clash_picture(parts[0], parts[1], found[0]);
+  EXPECT_NE(svg.find(">large</text>"), std::string::npos);
+  EXPECT_NE(svg.find("overlapping, 10 mm deep"), std::string::npos);
+  const std::vector<double> small = numbers_of_path(svg, 1), large = numbers_of_path(svg, 0);
+  ASSERT_FALSE(small.empty());
+  ASSERT_FALSE(large.empty());
+  double low = 1e9, high = -1e9;
+  for (std::size_t i = 1; i < small.size(); i += 2)
+    low = std::min(low, small[i]), high = std::max(high, small[i]);
+  const double scale = 420 / (2 * 1.3 * 0.05 * std::sqrt(3.0));  // pixels a metre
+  EXPECT_NEAR(high - low, 0.1 * scale, 0.05);
+  const double ground = *std::ranges::min_element(
+      large, {}, [&large](const double& x) { return (&x - large.data()) % 2 == 0 ? 1e9 : x; });
+  EXPECT_NEAR(high - ground, 0.01 * scale, 0.05) << "10 mm deep";
+}
+
+TEST(ClashPicture, of_no_place_says_so) {
+  const auto a = part("a & b", test::box({1, 1, 1}), Vec3::Zero());
+  Clash failed;
+  failed.reason = "a reason";
+  const std::string svg = clash_picture(a, a, failed);
+  EXPECT_NE(svg.find("a &amp; b"), std::string::npos);
+  EXPECT_NE(svg.find("failed: a reason"), std::string::npos);
+  EXPECT_NE(svg.find("no place is known"), std::string::npos);
 }
 
 }  // namespace

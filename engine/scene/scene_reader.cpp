@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/scene/scene_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+
+#include "engine/queries/pose_numbers.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/text/number_text.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr int newest_format = 1;  // of scenes
+
+/// "#e97d25", as web pages have colours.
+bool is_colour(const std::string& text) {
+  constexpr std::size_t length = 7;
+  return text.size() == length && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+}  // namespace
+
+const SceneReader::Keys& body_keys() {
+  static const SceneReader::Keys keys{"mesh", "model", "repair", "scale", "pose"};
+  return keys;
+}
+
+const SceneReader::Keys& part_keys() {
+  static const SceneReader::Keys keys{"name", "mesh",   "model", "repair", "scale",
+                                      "pose", "colour", "shown", "felt"};
+  return keys;
+}
+
+void SceneReader::fail(std::size_t line, const std::string& reason) const {
+  fail_at(file, line, reason);
+}
+
+std::optional<int> SceneReader::format(const JsonNode& root) const {
+  expect(root, Kind::object);
+  const JsonNode* format = root.find("format");
+  if (!format) return std::nullopt;
+  expect(*format, Kind::number);
+  if (format->number > newest_format)
+    fail(format->line, "\"format\" is " + number_text(format->number) +
+                           ": the scene is of a newer format than this Sonde reads, which is " +
+                           std::to_string(newest_format));
+  if (format->number != newest_format)
+    fail(format->line, "\"format\" is " + number_text(format->number) + "; there is only " +
+                           std::to_string(newest_format));
+  return newest_format;
+}
+
+std::filesystem::path SceneReader::path(const JsonNode& node) const {
+  expect(node, Kind::string);
+  if (node.text.empty()) fail(node.line, in_quotes(node.key) + " is an empty path");
+  if (node.text.find('\0') != std::string::npos)
+    fail(node.line, in_quotes(node.key) + " is a path with a null character");
+  auto whole = (file.parent_path() / node.text).lexically_normal();
+  if (within.empty() || lies_within(within, whole)) return whole;
+  if (!outside)
+    fail(node.line, in_quotes(node.key) + " leads out of the folder " + within.string() + ": " +
+                        in_quotes(node.text));
+  outside->push_back(whole);
+  return whole;
+}
+
+Pose SceneReader::pose(const JsonNode& node, double unit) const {
+  expect(node, Kind::array);
+  if (node.children.size() != 7)
+    fail(node.line, "\"pose\" has " + std::to_string(node.children.size()) +
+                        " numbers; expected 7: px, py, pz, qw, qx, qy, qz");
+  std::array<double, 7> numbers{};
+  for (std::size_t i = 0; i < 7; ++i) {
+    if (node.children[i].kind != Kind::number)
+      fail(node.children[i].line,
+           std::string("\"pose\" holds ") + name_of(node.children[i].kind) + "; expected numbers");
+    numbers[i] = node.children[i].number * (i < 3 ? unit : 1);
+  }
+  try {
+    return pose_of_numbers(numbers);
+  } catch (const std::invalid_argument& error) {
+    fail(node.line, error.what());
+  }
+}
+
+SceneBody SceneReader::body(const JsonNode& node, double unit) const {
+  if (node.kind != Kind::array) return mesh(node, unit, body_keys());
+  if (node.children.empty()) fail(node.line, in_quotes(node.key) + " has no parts");
+  SceneBody whole;
+  std::set<std::string> names;
+  for (const JsonNode& part : node.children) {
+    whole.parts.push_back(mesh(part, unit, part_keys()));
+    read_part(part, whole.parts.back());
+    const std::string name = part_name(whole.parts.back());
+    if (!names.insert(name).second)
+      fail(part.line, "two parts are named " + in_quotes(name) + ": give each a \"name\"");
+  }
+  if (std::ranges::none_of(whole.parts, &SceneBody::felt))
+    fail(node.line, "no part of " + in_quotes(node.key) + " is felt");
+  whole.mesh = whole.parts.front().mesh;
+  whole.mesh_line = whole.parts.front().mesh_line;
+  return whole;
+}
+
+/// What a part has beside a body's keys.
+void SceneReader::read_part(const JsonNode& node, SceneBody& part) const {
+  if (const JsonNode* name = node.find("name")) {
+    expect(*name, Kind::string);
+    if (name->text.empty()) fail(name->line, "\"name\" is empty");
+    part.name = name->text;
+  }
+  if (const JsonNode* colour = node.find("colour")) {
+    expect(*colour, Kind::string);
+    if (!is_colour(colour->text))
+      fail(colour->line, "\"colour\" is " + in_quotes(colour->text) +
+                             "; it must be like \"#e97d25\": red, green and blue");
+    part.colour = colour->text;
+  }
+  const auto read_flag = [&](std::string_view key, bool& flag) {
+    if (const JsonNode* given = node.find(key)) {
+      expect(*given, Kind::boolean);
+      flag = given->boolean;
+    }
+  };
+  read_flag("shown", part.shown);
+  read_flag("felt", part.felt);
+}
+
+SceneBody SceneReader::mesh(const JsonNode& node, double unit, const Keys& known) const {
+  expect_object(node, known);
+  SceneBody body;
+  const JsonNode& from = need(node, "mesh");
+  body.mesh = path(from);
+  body.mesh_line = from.line;
+  if (const JsonNode* model = node.find("model")) {
+    expect(*model, Kind::string);
+    body.model = choice(*model, model_named(model->text), {"auto", "solid", "surface"});
+  }
+  if (const JsonNode* repair = node.find("repair")) {
+    expect(*repair, Kind::string);
+    body.repair = choice(*repair, repair_named(repair->text), {"auto", "none"});
+  }
+  if (const JsonNode* scale = node.find("scale")) {
+    expect(*scale, Kind::number);
+    body.scale = scale->number;
+    if (!(body.scale > 0))
+      fail(scale->line, "\"scale\" is " + number_text(body.scale) + "; it must be above zero");
+  }
+  if (const JsonNode* given = node.find("pose")) body.pose = pose(*given, unit);
+  return body;
+}
+
+double SceneReader::offset(const JsonNode& root, double unit) const {
+  const JsonNode* allowance = root.find("allowance");
+  const JsonNode* safety = root.find("safety");
+  double offset = 0;
+  for (const JsonNode* node : {allowance, safety}) {
+    if (!node) continue;
+    expect(*node, Kind::number);
+    if (node->number < 0)
+      fail(node->line, in_quotes(node->key) + " is " + number_text(node->number) +
+                           "; it must be zero or more (\"allowance\" takes the probe smaller, "
+                           "\"safety\" larger)");
+    if (offset != 0 && node->number != 0)
+      fail(node->line,
+           "\"allowance\" and \"safety\" at once: the one takes the probe smaller, "
+           "the other larger");
+    if (node->number != 0) offset = node->number * (node == allowance ? -unit : unit);
+  }
+  return offset;
+}
+
+}  // namespace sonde

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's docks: how much room the view has, that they fold away, and that nothing overlaps
+// or is cut off at any size.
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <algorithm>
+
+#include "tests/ui/window_fixture.hpp"
+#include "ui/shell/start_page.hpp"
+#include "ui/views/hint_view.hpp"
+
+namespace sonde::ui::test {
+namespace {
+
+class DeskLayout : public WindowTest {
+ protected:
+  void TearDown() override {
+    darken();
+    WindowTest::TearDown();
+  }
+  /// As at the first start.
+  void first_window(const QSize& size) {
+    keep_settings_in(folder / ("first" + std::to_string(size.width())));
+    window = std::make_unique<MainWindow>();
+    QObject::connect(window.get(), &MainWindow::opened, [this] { ++opened; });
+    window->resize(size);
+    window->show();
+    open({QString::fromStdString(scene.string())});
+    wait(100);
+  }
+  double share_of_view() const {
+    const QSize view = window->viewport().size(), all = window->size();
+    return double(view.width()) * view.height() / (double(all.width()) * all.height());
+  }
+  /// The window's parts that are on show, in its coordinates.
+  std::vector<std::pair<std::string, QRect>> parts() const {
+    std::vector<const QWidget*> widgets{window->menuBar(), window->statusBar(),
+                                        window->centralWidget()};
+    for (const QToolBar* bar : window->findChildren<QToolBar*>()) widgets.push_back(bar);
+    for (const QDockWidget* dock : window->findChildren<QDockWidget*>()) widgets.push_back(dock);
+    std::vector<std::pair<std::string, QRect>> out;
+    for (const QWidget* widget : widgets)
+      if (widget->isVisible())
+        out.emplace_back(widget->objectName().toStdString(),
+                         QRect(widget->mapTo(window.get(), QPoint()), widget->size()));
+    return out;
+  }
+  void expect_disjoint() const {
+    const auto all = parts();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_TRUE(window->rect().contains(all[i].second)) << all[i].first;
+      for (std::size_t k = i + 1; k < all.size(); ++k)
+        EXPECT_FALSE(all[i].second.intersects(all[k].second))
+            << all[i].first << " on " << all[k].first;
+    }
+    const std::vector<QRectF> plates = hints().boxes();
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+      EXPECT_TRUE(QRectF(hints().rect()).contains(plates[i])) << "plate " << i;
+      for (std::size_t k = i + 1; k < plates.size(); ++k)
+        EXPECT_FALSE(plates[i].intersects(plates[k])) << "plates " << i << ", " << k;
+    }
+  }
+  /// Words have the room that they need, and lie in their dock, or in what scrolls there.
+  static void expect_whole(const QDockWidget& dock) {
+    for (const QScrollArea* scroll : dock.findChildren<QScrollArea*>())
+      if (scroll->isVisible() && scroll->widget()) {
+        EXPECT_LE(scroll->widget()->minimumSizeHint().width(), scroll->viewport()->width())
+            << dock.objectName().toStdString() << " is cut off at its right";
+      }
+    for (const QWidget* widget : dock.findChildren<QWidget*>()) {
+      const auto* label = qobject_cast<const QLabel*>(widget);
+      const auto* button = qobject_cast<const QAbstractButton*>(widget);
+      if (!widget->isVisible() || (!label && !button)) continue;
+      const QString words = label ? label->text() : button->text();
+      if (words.isEmpty() || (label && label->minimumSizeHint().width() <= 1)) continue;  // elided
+      const int need = label ? label->minimumSizeHint().width() : button->minimumSizeHint().width();
+      EXPECT_GE(widget->width(), need)
+          << dock.objectName().toStdString() << ": " << words.toStdString();
+    }
+  }
+  const HintView& hints() const { return *window->findChild<HintView*>("hint_view"); }
+};
+
+TEST_F(DeskLayout, at_the_first_start_the_view_is_the_largest_thing) {
+  for (const QSize size : {QSize(1152, 720), QSize(1280, 800), QSize(1440, 900)}) {
+    first_window(size);
+    ASSERT_EQ(window->size(), size);
+    EXPECT_GE(share_of_view(), 0.6) << size.width();
+    EXPECT_TRUE(find<QDockWidget>("readout_panel")->isVisible());
+  }
+}
+
+TEST_F(DeskLayout, a_tab_opens_its_dock_in_place_of_another_and_folds_it_away) {
+  first_window({1280, 800});
+  const double before = share_of_view();
+  auto* readout = find<QDockWidget>("readout_panel");
+  auto* seeing = find<QDockWidget>("seeing_panel");
+  find<QToolButton>("tab_seeing_panel")->click();
+  EXPECT_TRUE(seeing->isVisible());
+  EXPECT_FALSE(readout->isVisible());
+  EXPECT_FALSE(find<QToolButton>("tab_readout_panel")->isChecked());
+  find<QToolButton>("tab_seeing_panel")->click();
+  EXPECT_FALSE(seeing->isVisible());
+  wait(50);
+  EXPECT_GT(share_of_view(), before + 0.1) << "the view has the room";
+  find<QToolButton>("tab_parts_panel")->click();
+  find<QToolButton>("tab_readout_panel")->click();
+  EXPECT_TRUE(find<QDockWidget>("parts_panel")->isVisible()) << "another side";
+  act("fold_docks");
+  EXPECT_FALSE(readout->isVisible());
+  EXPECT_FALSE(find<QDockWidget>("parts_panel")->isVisible());
+  act("fold_docks");
+  EXPECT_TRUE(readout->isVisible());
+  EXPECT_TRUE(find<QDockWidget>("parts_panel")->isVisible());
+}
+
+TEST_F(DeskLayout, the_start_page_stands_alone_and_the_docks_come_back) {
+  first_window({1280, 800});
+  find<QToolButton>("tab_pose_panel")->click();
+  act("new");
+  ASSERT_TRUE(window->findChild<StartPage*>("start_page")->isVisible());
+  for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
+    EXPECT_FALSE(dock->isVisible()) << dock->objectName().toStdString();
+  open_cubes();
+  for (const char* dock : {"pose_panel", "readout_panel", "timeline_panel"})
+    EXPECT_TRUE(find<QDockWidget>(dock)->isVisible()) << dock;
+  act("new");
+  window->close();  // from the start page
+  window = std::make_unique<MainWindow>();
+  QObject::connect(window.get(), &MainWindow::opened, [this] { ++opened; });
+  window->show();
+  open_cubes();
+  EXPECT_TRUE(find<QDockWidget>("pose_panel")->isVisible()) << "as it was left";
+}
+
+TEST_F(DeskLayout, nothing_overlaps_or_is_cut_off_at_any_size) {
+  open_cubes();
+  for (const char* theme : {"theme_dark", "theme_light"})
+    for (const QSize size : {QSize(1152, 720), QSize(1280, 800), QSize(1600, 1000)}) {
+      act(theme);
+      window->resize(size);
+      for (QDockWidget* dock : window->docks_of_sides()) {
+        SCOPED_TRACE(theme + std::to_string(size.width()) + dock->objectName().toStdString());
+        dock->show();
+        wait(150);
+        ASSERT_EQ(window->size(), size) << "a dock wants more room than there is";
+        expect_disjoint();
+        expect_whole(*dock);
+      }
+    }
+}
+
+TEST_F(DeskLayout, hint_and_legend_go_after_the_first_drag_and_come_back_by_a_key) {
+  open_cubes();
+  const std::size_t before = hints().boxes().size();
+  ASSERT_TRUE(window->viewport().shown(Layer::hint));
+  const QPointF at = window->viewport().on_screen(com());
+  drag(Qt::LeftButton, at, {30, 0});
+  ASSERT_TRUE(wait_until([this] { return !window->viewport().shown(Layer::hint); }));
+  EXPECT_EQ(hints().boxes().size(), before - 2);
+  EXPECT_FALSE(find<QAction>("show_hint")->isChecked());
+  act("show_hint");
+  EXPECT_TRUE(window->viewport().shown(Layer::hint));
+  EXPECT_EQ(hints().boxes().size(), before);
+  drag(Qt::LeftButton, window->viewport().on_screen(com()), {-30, 0});
+  wait(100);
+  EXPECT_TRUE(window->viewport().shown(Layer::hint)) << "who wants them keeps them";
+}
+
+TEST_F(DeskLayout, both_bodies_open_whole_and_in_the_middle_of_what_is_free) {
+  for (const char* name : {"peg-in-hole", "spoon-in-cup", "nut-on-bolt"}) {
+    window->resize(1152, 720);
+    consent = Consent::once;
+    open({QStringLiteral(SONDE_RESOURCES "/scenes/%1.sonde.json").arg(name)});
+    QRectF box;
+    const auto add = [&](const Body& body, const Pose& X) {
+      for (const Vec3& x : body.soup.vertices) {
+        const QPointF at = window->viewport().on_screen(X * x);
+        box = box.isNull() ? QRectF(at, QSizeF(1e-9, 1e-9)) : box.united({at, QSizeF(1e-9, 1e-9)});
+      }
+    };
+    add(window->session()->fixed(), Pose());
+    add(window->session()->probe(), window->session()->device_pose());
+    const std::vector<QRectF> areas = hints().clear_areas();
+    const bool inside = std::ranges::any_of(areas, [&](const QRectF& area) {
+      return area.adjusted(-2, -2, 2, 2).contains(box) &&
+             std::abs(area.center().x() - box.center().x()) < 0.25 * area.width() &&
+             std::abs(area.center().y() - box.center().y()) < 0.25 * area.height();
+    });
+    EXPECT_TRUE(inside) << name << ' ' << box.left() << ' ' << box.top() << ' ' << box.right()
+                        << ' ' << box.bottom();
+  }
+}
+
+}  // namespace
+}  // namespace sonde::ui::test

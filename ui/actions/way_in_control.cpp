@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/actions/way_in_control.hpp"
+
+#include <QMainWindow>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/body/body.hpp"
+#include "engine/queries/body_queries.hpp"
+#include "ui/base/format.hpp"
+#include "ui/document/same_pose.hpp"
+#include "ui/document/session.hpp"
+#include "ui/panels/way_in_panel.hpp"
+#include "ui/views/viewport.hpp"
+
+namespace sonde::ui {
+namespace {
+
+constexpr int step_ms = 30;
+constexpr double play_seconds = 4, seek_seconds = 0.4;  // for all of the way
+constexpr double seen_about = 0.1;  // of the probe's radius: what is seen around the first contact
+
+double room_of(const InsertionStep& step) {
+  if (!step.clearance.overlapping) return step.clearance.distance;
+  return step.held.status == Status::failed ? 0 : -step.held.depth;
+}
+
+/// The part of a body there; of one mesh its short name.
+QString part_text(const Body& body, const Vec3& x) {
+  return body.parts.empty() ? short_name(body) : text(std::string(part_at(body, x)));
+}
+
+TravelCurves curves_of(const Insertion& found) {
+  TravelCurves curves;
+  for (const InsertionStep& step : found.steps) {
+    curves.travel.push_back(step.travel);
+    curves.room.push_back(room_of(step));
+    curves.force.push_back(step.wrench.force.norm());
+  }
+  if (found.first) curves.first = found.first->travel;
+  return curves;
+}
+
+}  // namespace
+
+/// What the thread is given, and what it makes of that.
+struct WayInControl::Work {
+  Pair pair;
+  WayWanted wanted;
+  Pose start;
+  std::vector<TimedPose> path;
+  Coupling coupling;
+  InsertionWay way = {};
+  Insertion found = {};
+
+  void run(const Progress& progress) {
+    std::vector<Pose> poses;
+    for (const TimedPose& at : path) poses.push_back(at.pose);
+    way = wanted.along_path ? way_through(pair, poses)
+                            : way_along(pair, start, wanted.axis, wanted.travel, wanted.twist);
+    found = insertion(pair, way, wanted.steps, coupling, progress);
+  }
+};
+
+WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside,
+                           Window hooks)
+    : QObject(&window),
+      viewport_(viewport),
+      panel_(new WayInPanel(&window)),
+      window_(std::move(hooks)),
+      job_(&window),
+      flight_(viewport, this) {
+  window.addDockWidget(window.dockWidgetArea(&beside), panel_);
+  panel_->compute_wanted = [this] { compute(); };
+  panel_->stop_wanted = [this] { stop(); };
+  panel_->first_wanted = [this] { to_first_contact(); };
+  panel_->play_wanted = [this](bool on) { play(on); };
+  panel_->sought = [this](double travel) { seek(travel); };
+  panel_->face_wanted = [this](bool on) { pick(on ? Picking::face : Picking::nothing); };
+  panel_->edge_wanted = [this](bool on) { pick(on ? Picking::edge : Picking::nothing); };
+  job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
+  steps_.setInterval(step_ms);
+  connect(&steps_, &QTimer::timeout, this, [this] { step_on(); });
+}
+
+void WayInControl::attach(Session* session, bool same_document) {
+  session_ = session;
+  job_.abandon();
+  flight_.stop();
+  play(false);
+  pick(Picking::nothing);
+  found_.reset();
+  sent_.reset();
+  panel_->show_progress({});
+  if (session && !same_document)
+    panel_->take(session->probe().mass.radius, !session->loaded().trajectory.empty());
+  else
+    panel_->show_result({}, {});
+}
+
+void WayInControl::compute() {
+  if (!session_) return;
+  play(false);
+  found_.reset();
+  const LoadedScene& loaded = session_->loaded();
+  const auto work =
+      std::make_shared<Work>(Work{loaded.pair, panel_->wanted(), session_->device_pose(),
+                                  loaded.trajectory, session_->coupling()});
+  panel_->show_reason({});
+  panel_->show_progress(0);
+  job_.start(
+      QStringLiteral("The way in"), [work](const Progress& progress) { work->run(progress); },
+      [this, work](const std::exception_ptr& error) {
+        panel_->show_progress({});
+        if (!error) return take(*work);
+        const QString reason = reason_of(error);
+        panel_->show_reason(reason.isEmpty() ? QStringLiteral("Stopped.") : reason);
+      });
+}
+
+void WayInControl::take(Work& work) {
+  way_ = std::move(work.way);
+  found_ = std::move(work.found);
+  at_ = 0;
+  sent_.reset();
+  panel_->show_result(summary(), curves_of(*found_));
+}
+
+/// In a sentence: whether it goes in, and what holds it back.
+QString WayInControl::summary() const {
+  const LengthUnit unit(session_->probe().mass.radius);
+  const auto& steps = found_->steps;
+  if (!found_->first) {
+    const auto least = std::ranges::min_element(steps, {}, room_of);
+    return QStringLiteral("It goes in: all %1 are free. The least room is %2, at %3.")
+        .arg(unit.text(way_.travel.back()), unit.text(room_of(*least)), unit.text(least->travel));
+  }
+  const FirstContact& first = *found_->first;
+  double depth = 0, force = 0;
+  for (const InsertionStep& step : steps) {
+    if (step.held.status == Status::penetrating) depth = std::max(depth, step.held.depth);
+    force = std::max(force, step.wrench.force.norm());
+  }
+  const QString part = part_text(session_->fixed(), first.contact.on_fixed);
+  return QStringLiteral(
+             "It binds at %1 of %2, on %3. Beyond, it is held back by up to %4, with %5 N by the "
+             "gains of now, without limits.")
+      .arg(unit.text(first.travel), unit.text(way_.travel.back()), part, unit.text(depth),
+           number(force));
+}
+
+QString WayInControl::words_at(double travel) const {
+  const LengthUnit unit(session_->probe().mass.radius);
+  const auto& steps = found_->steps;
+  const auto next = std::ranges::lower_bound(steps, travel, {}, &InsertionStep::travel);
+  const InsertionStep& step = next == steps.end() ? steps.back() : *next;
+  const double room = room_of(step);
+  return QStringLiteral("At %1: %2 %3, %4 N")
+      .arg(unit.text(travel), unit.text(std::abs(room)),
+           room < 0 ? QStringLiteral("deep") : QStringLiteral("of room"),
+           number(step.wrench.force.norm()));
+}
+
+/// The hand moves along the way, and the loop follows it: what holds the probe there is what the
+/// curves are about. Where it has been elsewhere meanwhile the probe begins at the beginning.
+void WayInControl::go_to(double travel, double seconds) {
+  if (!session_ || !found_) return;
+  goal_ = std::clamp(travel, 0.0, way_.travel.back());
+  pace_ = way_.travel.back() * step_ms / (1000 * seconds);
+  if (!sent_ || !same(session_->device_pose(), *sent_)) {
+    at_ = 0;
+    window_.place(pose_at(way_, session_->loaded().pair, at_));
+  }
+  steps_.start();
+  step_on();
+}
+
+void WayInControl::seek(double travel) {
+  playing_ = false;
+  panel_->show_playing(false);
+  go_to(travel, seek_seconds);
+}
+
+void WayInControl::play(bool on) {
+  playing_ = on && found_;
+  panel_->show_playing(playing_);
+  if (!playing_) return steps_.stop();
+  if (at_ >= way_.travel.back()) sent_.reset();  // once more from the beginning
+  go_to(way_.travel.back(), play_seconds);
+}
+
+void WayInControl::step_on() {
+  at_ += std::clamp(goal_ - at_, -pace_, pace_);
+  window_.follow(pose_at(way_, session_->loaded().pair, at_));
+  sent_ = session_->device_pose();
+  panel_->show_at(at_, words_at(at_));
+  if (at_ != goal_) return;
+  steps_.stop();
+  playing_ = false;
+  panel_->show_playing(false);
+}
+
+void WayInControl::to_first_contact() {
+  if (!found_ || !found_->first) return;
+  const FirstContact& first = *found_->first;
+  seek(first.travel);
+  PointedPlace place;
+  place.at = first.contact.on_fixed;
+  place.size = seen_about * session_->probe().mass.radius;
+  place.text = QStringLiteral("binds at %1")
+                   .arg(LengthUnit(session_->probe().mass.radius).text(first.travel));
+  flight_.show(place);
+}
+
+void WayInControl::pick(Picking what) {
+  picking_ = what;
+  panel_->show_picking(what == Picking::face, what == Picking::edge);
+}
+
+bool WayInControl::click(QPointF at) {
+  if (picking_ == Picking::nothing) return false;
+  const auto hit = viewport_.pick(at);
+  if (!hit) return true;
+  const Vec3 found = picking_ == Picking::face ? Vec3(-hit->normal) : hit->edge;
+  pick(Picking::nothing);
+  if (!(found.norm() > 0)) {
+    panel_->show_reason(QStringLiteral("There is no edge next to that place."));
+    return true;
+  }
+  panel_->show_axis(found);
+  return true;
+}
+
+}  // namespace sonde::ui

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "engine/study/assembly/insertion.hpp"
+#include "ui/actions/flight.hpp"
+#include "ui/base/job.hpp"
+
+class QDockWidget;
+class QMainWindow;
+
+namespace sonde::ui {
+
+class Session;
+class Viewport;
+class WayInPanel;
+
+/// The way in: what `sonde insert` says of the open scene, from where the probe is; computed beside
+/// everything else, played and sought by the probe itself.
+class WayInControl : public QObject {
+ public:
+  /// What it asks of the window.
+  struct Window {
+    std::function<void(const Pose&)> follow;  ///< the hand goes there, as it would move
+    std::function<void(const Pose&)> place;   ///< the probe is there at once: a step of undo
+  };
+  /// Its dock is added to the window, in the place of that one.
+  WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside, Window hooks);
+
+  WayInPanel& panel() { return *panel_; }
+  /// Null: nothing is open. What is being computed is given up.
+  void attach(Session* session, bool same_document = false);
+  void compute();
+  void stop() { job_.cancel(); }
+  /// Along the way, in a fraction of a second.
+  void seek(double travel);
+  void play(bool on);
+  void to_first_contact();
+  /// A click in the view; true where an axis was waited for.
+  bool click(QPointF at);
+  const std::optional<Insertion>& found() const { return found_; }
+
+ private:
+  enum class Picking { nothing, face, edge };
+  struct Work;
+  void pick(Picking what);
+  void take(Work& work);
+  QString summary() const;
+  QString words_at(double travel) const;
+  void go_to(double travel, double seconds);
+  void step_on();
+
+  Viewport& viewport_;
+  WayInPanel* panel_;
+  Window window_;
+  Session* session_ = nullptr;
+  Job job_;
+  Flight flight_;
+  Picking picking_ = Picking::nothing;
+  InsertionWay way_;
+  std::optional<Insertion> found_;
+  double at_ = 0, goal_ = 0;  ///< m along the way: where the probe is, and is to be
+  double pace_ = 0;           ///< m a step
+  std::optional<Pose> sent_;  ///< where the probe was sent last
+  bool playing_ = false;
+  QTimer steps_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDockWidget>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "engine/geometry/pose.hpp"
+#include "ui/base/format.hpp"
+#include "ui/panels/travel_plot.hpp"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace sonde::ui {
+
+class NumberField;
+class WorkRow;
+
+/// A way on which the probe is put in, as it was asked for.
+struct WayWanted {
+  bool along_path = false;       ///< the scene's recorded one, rather than an axis
+  Vec3 axis = -Vec3::UnitZ();    ///< in the fixed body's frame, of any length
+  double travel = 0, twist = 0;  ///< m, rad
+  std::size_t steps = 0;
+};
+
+/// The dock of the way in: along which axis, how far, what happens on the way, and where it binds.
+class WayInPanel : public QDockWidget {
+ public:
+  explicit WayInPanel(QWidget* parent = nullptr);
+
+  /// A scene of that size was opened; there may be a recorded path.
+  void take(double radius, bool has_path);
+  /// Values that are no number are not a number.
+  WayWanted wanted() const;
+  void show_axis(const Vec3& axis);
+  /// A click in the view is waited for.
+  void show_picking(bool face, bool edge);
+  void show_progress(std::optional<double> fraction);
+  void show_result(const QString& summary, TravelCurves curves);
+  /// Why there is none.
+  void show_reason(const QString& reason);
+  void show_at(double travel, const QString& words);
+  void show_playing(bool on);
+
+  std::function<void()> compute_wanted, stop_wanted, first_wanted;
+  std::function<void(bool)> face_wanted, edge_wanted, play_wanted;
+  std::function<void(double travel)> sought;
+
+ private:
+  void build_way(QVBoxLayout& layout);
+  void build_result(QVBoxLayout& layout);
+  QPushButton* button(const char* text, const char* object, const char* doc);
+
+  QComboBox* kind_;
+  std::array<NumberField*, 3> axis_{};
+  NumberField *travel_, *twist_, *steps_;
+  QLabel *travel_label_, *summary_, *at_;
+  QPushButton *face_, *edge_, *flip_, *play_, *first_;
+  WorkRow* work_;
+  TravelPlot* plot_;
+  LengthUnit unit_;
+};
+
+}  // namespace sonde::ui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/side_bar.hpp"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLayout>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
+#include <QToolButton>
+#include <algorithm>
+
+namespace sonde::ui {
+namespace {
+
+/// A button whose text runs along the strip.
+class Tab : public QToolButton {
+ public:
+  Tab(bool upwards, QWidget* parent) : QToolButton(parent), upwards_(upwards) {}
+  QSize sizeHint() const override { return QToolButton::sizeHint().transposed(); }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    option.rect = QRect(0, 0, height(), width());
+    QStylePainter painter(this);
+    if (upwards_) {
+      painter.translate(0, height());
+      painter.rotate(-90);
+    } else {
+      painter.translate(width(), 0);
+      painter.rotate(90);
+    }
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+  }
+
+ private:
+  bool upwards_;
+};
+
+/// What is in a dock, with a bar to scroll it, is not cut off at its right.
+int width_of(const QDockWidget& dock) {
+  const auto* scroll = qobject_cast<const QScrollArea*>(dock.widget());
+  if (!scroll || !scroll->widget()) return 0;
+  return scroll->widget()->minimumSizeHint().width() +
+         scroll->verticalScrollBar()->sizeHint().width();
+}
+
+}  // namespace
+
+SideBar::SideBar(Qt::ToolBarArea side, const QString& title, const char* object, QWidget* window)
+    : QToolBar(title, window), reads_upwards_(side == Qt::LeftToolBarArea) {
+  setObjectName(QLatin1String(object));
+  setMovable(false);
+  setFloatable(false);
+  layout()->setContentsMargins(2, 4, 2, 4);
+  layout()->setSpacing(2);
+  setContextMenuPolicy(Qt::PreventContextMenu);  // it stays: without it no dock is found
+}
+
+void SideBar::add(QDockWidget& dock) {
+  auto* tab = new Tab(reads_upwards_, this);
+  tab->setObjectName(QStringLiteral("tab_") + dock.objectName());
+  tab->setText(dock.windowTitle());
+  tab->setCheckable(true);
+  tab->setChecked(!dock.isHidden());
+  tab->setFocusPolicy(Qt::NoFocus);  // the keyboard stays where it is
+  connect(tab, &QToolButton::clicked, &dock, [&dock](bool on) { dock.setVisible(on); });
+  connect(dock.toggleViewAction(), &QAction::toggled, tab, &QToolButton::setChecked);
+  connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock](bool open) {
+    if (open)
+      on_opened(dock);
+    else if (!dock.isFloating() && dock.width() > 1)
+      width_ = dock.width();
+  });
+  addWidget(tab);
+  docks_.push_back(&dock);
+}
+
+void SideBar::add_space() {
+  auto* space = new QWidget(this);
+  space->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  addWidget(space);
+}
+
+/// In place of the one that was open, and as wide.
+void SideBar::on_opened(QDockWidget& opened) {
+  auto* window = qobject_cast<QMainWindow*>(parentWidget());
+  if (!window || opened.isFloating()) return;
+  const auto area = window->dockWidgetArea(&opened);
+  for (QDockWidget* other : docks_)
+    if (other != &opened && !other->isFloating() && !other->isHidden() &&
+        window->dockWidgetArea(other) == area)
+      other->hide();
+  const bool beside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+  if (beside) window->resizeDocks({&opened}, {std::max(width_, width_of(opened))}, Qt::Horizontal);
+}
+
+}  // namespace sonde::ui
