@@ -29,6 +29,7 @@ inline const QColor cut{120, 190, 255};       ///< the plane that bodies are cut
 inline const QColor bound{170, 160, 255};     ///< what shows the lower bound
 inline const QColor measure{255, 255, 255};   ///< what was measured
 inline const QColor clearance{255, 255, 255};  ///< the room between the bodies, measured too
+inline const QColor stiffness{255, 170, 120};  ///< what the hand feels as stiff
 inline const QColor chosen{255, 255, 255};     ///< the contact that is marked
 inline const QColor ready{140, 220, 130};
 inline const QColor text{222, 228, 235};

@@ -286,6 +286,8 @@ void add_view_menu(MainWindow& window, QToolBar& bar) {
             Layer::bound);
   add_layer(window, menu, "show_clearance", QStringLiteral("Clearance, and where it is"), key("8"),
             Layer::clearance);
+  add_layer(window, menu, "show_stiffness", QStringLiteral("Felt stiffness"), key("9"),
+            Layer::stiffness);
   add_layer(window, menu, "show_defects", QStringLiteral("Holes and flipped faces"), key("D"),
             Layer::defects);
   add_layer(window, menu, "show_mended", QStringLiteral("Closed openings, in their colour"), {},

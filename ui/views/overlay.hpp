@@ -9,6 +9,7 @@
 #include "engine/haptics/loop/background_search.hpp"
 #include "engine/haptics/loop/clearance_gauge.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "engine/penetration/search/pair.hpp"
 #include "ui/base/format.hpp"
 #include "ui/views/force_note.hpp"
 
@@ -26,7 +27,8 @@ struct Frame {
   /// a large picture for a file. VTK's widths of lines are OpenGL's.
   float density = 1;
   const GaugedClearance* clearance =
-      nullptr;  ///< at this device pose; null: it is held, or not known
+      nullptr;                 ///< at this device pose; null: it is held, or not known
+  const Pair* pair = nullptr;  ///< null: there is no session
 };
 
 /// Text at a point of the scene, and the line that leads there: an arrow, an arc. Without text, the

@@ -31,6 +31,7 @@
 #include "ui/views/place_view.hpp"
 #include "ui/views/probe_view.hpp"
 #include "ui/views/separation_view.hpp"
+#include "ui/views/stiffness_view.hpp"
 #include "ui/views/tone.hpp"
 #include "ui/views/trail_view.hpp"
 #include "ui/views/viewport.hpp"
@@ -47,6 +48,7 @@ struct Viewport::Scenery {
         screw(*above, shapes),
         contacts(*top, shapes),
         clearance(*top, shapes),
+        stiffness(*top, shapes),
         wrench(*above, shapes),
         trail(*above),
         handles(*above, shapes),
@@ -76,6 +78,7 @@ struct Viewport::Scenery {
   SeparationView screw;
   ContactView contacts;
   ClearanceView clearance;
+  StiffnessView stiffness;
   WrenchView wrench;
   TrailView trail;
   HandleView handles;
@@ -111,10 +114,10 @@ struct Viewport::Scenery {
   std::optional<QSize> picture_size;  ///< while one is drawn for a file
   Seeing seeing;
   double gap_reach = 0;  ///< m, of the gaps on show
-  std::array<bool, 18> shown{true,  true, true,  true,  false, false, false, true, false, false,
+  std::array<bool, 19> shown{true,  true, true,  true,  false, false, false, true, false, false,
                              false, true, false, false, false, true,  true,  false};  ///< by Layer
 
-  std::array<std::pair<Layer, Overlay*>, 20> overlays() {
+  std::array<std::pair<Layer, Overlay*>, 21> overlays() {
     return {{{Layer::ghost, ghost.get()},
              {Layer::nearest, nearest.get()},
              {Layer::straight, straight.get()},
@@ -123,6 +126,7 @@ struct Viewport::Scenery {
              {Layer::screw, &screw},
              {Layer::contacts, &contacts},
              {Layer::clearance, &clearance},
+             {Layer::stiffness, &stiffness},
              {Layer::handles, &handles},
              {Layer::defects, defects.get()},
              {Layer::gaps, &probe_gaps},

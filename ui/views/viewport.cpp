@@ -198,6 +198,8 @@ void Viewport::update_legend() {
   if (shown(Layer::bound))
     legend.push_back(
         {colour::bound, QStringLiteral("witness of the lower bound"), LegendMark::ring});
+  if (shown(Layer::stiffness))
+    legend.push_back({colour::stiffness, QStringLiteral("felt stiffness, by its main directions")});
   if (shown(Layer::clearance))
     legend.push_back({colour::clearance, QStringLiteral("clearance: the nearest points")});
   if (shown(Layer::contacts))
@@ -241,7 +243,8 @@ void Viewport::draw(const Instant& now, double swing) {
                     swing,
                     searched_here(now),
                     float(s.window->GetSize()[1]) / float(std::max(view_size().height(), 1)),
-                    clearance_here(now)};
+                    clearance_here(now),
+                    s.pair ? &*s.pair : nullptr};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
   // Room for the arrows too, which are about as long as the probe is large.

@@ -44,6 +44,7 @@ enum class Layer {
   clearance,  ///< the nearest points of a probe that is free
   mended,     ///< what closes openings, and the place that is pointed out
   grid,       ///< on the ground
+  stiffness,  ///< that the hand feels
 };
 
 /// A point of a body that is visible in the picture.

@@ -13,9 +13,16 @@
 namespace sonde {
 namespace {
 
-/// Of R: what the farthest point goes in one window, in which pairs are looked for at once. 0.01 and
-/// 0.1 take half as long again (knots of 1600 triangles).
-constexpr double window = 0.03;
+/// Of R: what the farthest point goes in the first stretch, in which pairs are looked for at once.
+/// (On knots of 1600 triangles 0.01 and 0.1 for all stretches took half as long again.)
+constexpr double first_stretch = 0.03;
+/// Pairs looked at in a stretch: with fewer the next is twice as long, with more half as long. So a
+/// small probe crosses a large body in few stretches, and fine meshes are not looked at all at
+/// once.
+constexpr std::size_t few_pairs = 64, many_pairs = 16384;
+constexpr double shortest_stretch = first_stretch / 64;  ///< where surfaces lie on each other
+/// Between looks at whether to go on: some milliseconds.
+constexpr std::size_t pairs_per_report = 16384;
 
 /// Two triangles meet from here to there.
 struct Blocked {
@@ -34,18 +41,24 @@ class Walk {
         stack_(std::make_unique<PairStack<SlotPair>>()) {}
 
   std::optional<FirstFree> run(double most, const Progress& progress) {
-    const double step = window * probe_.mass.radius / speed_;
-    for (double from = 0; from < most; from += step) {
-      report(progress, from / most);
+    const double whole = probe_.mass.radius / speed_;
+    double step = first_stretch * whole;
+    for (double from = 0; from < most;) {
+      const auto tell = [&] { report(progress, from / most); };
+      tell();
       const double to = std::min(most, from + step);
-      find_blocked({from, to});
+      const std::size_t looked_at = find_blocked({from, to}, tell);
       if (const auto found = first_gap(from, to)) return found;
+      from = to;
+      if (looked_at < few_pairs) step *= 2;
+      if (looked_at > many_pairs) step = std::max(0.5 * step, shortest_stretch * whole);
     }
     return std::nullopt;
   }
 
  private:
-  void find_blocked(const OneWay::Stretch& stretch) {
+  /// The number of pairs that it looked at.
+  std::size_t find_blocked(const OneWay::Stretch& stretch, const auto& tell) {
     const double from = stretch.from, to = stretch.to;
     blocked_.clear();
     const double middle = 0.5 * (from + to);
@@ -56,9 +69,11 @@ class Walk {
     stack_->clear();
     stack_->push(placement.roots());
     SlotPairs found;
+    std::size_t looked_at = 0;
     while (!stack_->empty()) {
       const SlotPair p = stack_->pop();
       if (placement.is_leaf(p)) {
+        if (++looked_at % pairs_per_report == 0) tell();
         const std::uint32_t a = placement.triangle_a(p), b = placement.triangle_b(p);
         if (closest_points(placement.corners_a(a), placement.corners_b(b), near).distance <= near)
           add_pair(a, b, stretch);
@@ -71,6 +86,7 @@ class Walk {
     std::ranges::sort(blocked_, [](const Blocked& x, const Blocked& y) {
       return std::tie(x.from, x.to, x.a, x.b) < std::tie(y.from, y.to, y.a, y.b);
     });
+    return looked_at;
   }
 
   void add_pair(std::uint32_t a, std::uint32_t b, const OneWay::Stretch& stretch) {

@@ -172,6 +172,11 @@ void expect_about(double found, double depth) {
   EXPECT_LE(found, (1 + 1e-4) * depth);
 }
 
+TEST(SeparateWithin, a_grain_crosses_a_body_a_million_times_as_large) {
+  const Pair pair = boxes({1e-6, 1e-6, 1e-6}, {1, 1, 1});
+  EXPECT_NEAR(along(pair, at({-0.4, 0.1, 0.1}), {Vec3::UnitX()}).depth, 0.9 + 0.5e-6, 1e-12);
+}
+
 // Reference: the shorter of the two ways in the plane, though the third is shorter still.
 TEST(SeparateWithin, boxes_on_a_plane_slide_out_the_shorter_way) {
   const Pair pair = boxes({0.2, 0.3, 0.1}, {0.5, 0.4, 0.7});
