@@ -73,7 +73,7 @@ struct Residuals {
   Scale scale;
   double unit;                            ///< m | rad
   std::vector<std::size_t> changes = {};  ///< samples with another command; empty: at their times
-  double prior = 0;                       ///< weight of the middle of the sample
+  double prior = 0;                       ///< weight of the logged time
 
   int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
   int values() const {
@@ -98,7 +98,7 @@ struct Residuals {
       out.segment(at, left.size()) = left / unit;
       at += left.size();
     }
-    for (Index i = parameter_count; i < p.size(); ++i) out[at++] = prior * (p[i] - 0.5);
+    for (Index i = parameter_count; i < p.size(); ++i) out[at++] = prior * p[i];
     return 0;
   }
   VectorXd at(const VectorXd& p) const {
@@ -294,6 +294,8 @@ struct Solution {
 
 constexpr double most_excess = 2;
 
+constexpr double least_apart = 0.1;  // of a sample: else they are late alike, which is a delay
+
 /// With the times of the commands as parameters, where that explains what is left.
 void doubt_times(Solution& found, double encoder_step) {
   Solution freed = found;
@@ -303,12 +305,14 @@ void doubt_times(Solution& found, double encoder_step) {
   // The prior of a share that may be anything from 0 to 1, beside residuals as they should be.
   constexpr double deviation = 0.29;
   r.prior = std::max(encoder_step / r.unit / std::sqrt(12.0), 1e-5) / deviation;
-  freed.p = VectorXd::Constant(r.inputs(), 0.25);
+  freed.p = VectorXd::Zero(r.inputs());
   freed.p.head(Index{parameter_count}) = found.p;
   freed.p = solved(r, freed.p);
   freed.left = r.at(freed.p);
   freed.excess = excess_of(r, freed.left, encoder_step);
-  if (freed.excess <= most_excess) found = freed;
+  const VectorXd shares = without_mean(freed.p.tail(std::ssize(r.changes)));
+  const double apart = std::sqrt(shares.squaredNorm() / static_cast<double>(shares.size()));
+  if (freed.excess <= most_excess && apart > least_apart) found = freed;
 }
 
 }  // namespace
