@@ -46,6 +46,7 @@ void run(const TracesOptions& options) {
   ProgressLine progress(output.quiet);
   const Pair pair = load_bodies(scene, output.quiet, progress);
   TracesRequest request{.tuning = request_of(scene, options.common, pair, device)};
+  if (!output.quiet) note_gains(scene.coupling, device, pair.probe().mass);
   request.stiffness = numbers(options.stiffness);
   request.damping = numbers(options.damping);
   if (!request.damping.empty() && main_axis(request.tuning) == GainAxis::object)

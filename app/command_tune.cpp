@@ -30,6 +30,7 @@ void run(const TuneOptions& options) {
   ProgressLine progress(output.quiet);
   const Pair pair = load_bodies(scene, output.quiet, progress);
   TuningRequest request = request_of(scene, options.common, pair, device);
+  if (!output.quiet) note_gains(scene.coupling, device, pair.probe().mass);
   request.ratio = options.ratio;
   request.trusts_friction = options.trusts_friction;
   request.always_held = options.always_held;

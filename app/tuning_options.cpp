@@ -4,7 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/study/tuning/tuning_inputs.hpp"
+#include "engine/text/number_text.hpp"
 #include "engine/text/printable.hpp"
 
 namespace sonde::app {
@@ -44,6 +46,20 @@ TuningRequest request_of(const Scene& scene, const TuningOptions& options, const
       tuning_inputs(SONDE_VERSION, {scene.probe.mesh, scene.fixed.mesh, options.trajectory},
                     pair.probe(), pair.fixed());
   return request;
+}
+
+void note_gains(const Coupling& gains, const DeviceProfile& device, const MassProperties& mass) {
+  const Coupling taken =
+      borne(gains, {device.max_stiffness.value, device.max_rotational_stiffness.value}, mass);
+  const auto note = [&](const char* key, double wanted, double most, const char* unit) {
+    if (most < wanted)
+      std::cerr << "sonde: the scene's " << key << " of " << number_text(wanted, 3) << ' ' << unit
+                << " is more than " << printable(device.name) << " bears: there it is rendered as "
+                << number_text(most, 3) << ' ' << unit << "\n";
+  };
+  if (gains.mode == Coupling::Mode::object) return note("k", gains.k, taken.k, "N/m");
+  note("k_t", gains.k_t, taken.k_t, "N/m");
+  note("k_r", gains.k_r, taken.k_r, "N·m/rad");
 }
 
 void note_skipped(const Study& study) {

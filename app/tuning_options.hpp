@@ -24,6 +24,10 @@ void add_flags(CLI::App& parser, TuningOptions& options);
 TuningRequest request_of(const Scene& scene, const TuningOptions& options, const Pair& pair,
                          const DeviceProfile& device);
 
+/// Prints, on stderr, the gains of a scene that are stiffer than the device bears by its maker's
+/// word: on it they are rendered as that (see engine/haptics/safety/borne_gains.hpp).
+void note_gains(const Coupling& gains, const DeviceProfile& device, const MassProperties& mass);
+
 /// Prints the contacts that a study is not about, on stderr.
 void note_skipped(const Study& study);
 

@@ -78,13 +78,15 @@ SixAxes DeviceMotion::in_fixed_frame(const SixAxes& in_base) const noexcept {
 }
 
 /// A damping α of the probe is Aᵀ α A in the hand, with A the map of velocities.
-DeviceTraits DeviceMotion::traits() const noexcept {
+DeviceTraits DeviceMotion::traits(const DeviceSample& sample) const noexcept {
   const WorkspaceMap::Ratios ratios = map_.largest_ratios();
   return {
       .ratio = ratios.translation,
       .turn_ratio = ratios.rotation,
       .max_damping = bearable_damping / (ratios.translation * ratios.translation),
-      .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation)};
+      .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation),
+      .max_stiffness = sample.max_stiffness / (ratios.translation * ratios.translation),
+      .force = sample.max_force > 0};
 }
 
 void DeviceMotion::anchor(const DeviceSample& sample) noexcept {
@@ -126,7 +128,7 @@ HandSample DeviceMotion::move(const DeviceSample& sample, double dt) noexcept {
           .held = !clutch_open_,
           .trusted = trusted,
           .changed = turned,
-          .device = position_ ? std::optional(traits()) : std::nullopt};
+          .device = position_ ? std::optional(traits(sample)) : std::nullopt};
 }
 
 DeviceWrench DeviceMotion::on_handle(const Wrench& wrench) const noexcept {

@@ -39,7 +39,7 @@ class DeviceMotion {
   void deflect(const SixAxes& deflection, double dt) noexcept;
   void anchor(const DeviceSample& sample) noexcept;
   Reach reach() const noexcept;
-  DeviceTraits traits() const noexcept;
+  DeviceTraits traits(const DeviceSample& sample) const noexcept;
   SixAxes in_fixed_frame(const SixAxes& in_base) const noexcept;
 
   DeviceSettings settings_;

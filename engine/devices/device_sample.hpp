@@ -41,6 +41,9 @@ struct DeviceCapabilities {
 struct DeviceSample {
   DeviceState state = DeviceState::absent;
   bool position = false;           ///< it tells poses; else deflections from rest
+  double max_force = 0;            ///< N, what it can give; 0 without force
+  double max_torque = 0;           ///< N·m
+  double max_stiffness = 0;        ///< N/m that it holds by its maker's word; 0: not known
   std::uint64_t count = 0;         ///< usable reports since the start
   std::uint32_t session = 0;       ///< another after each gap: what came before is no neighbour
   std::uint32_t buttons = 0;       ///< bit 0 is button 1

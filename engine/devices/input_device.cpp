@@ -206,7 +206,12 @@ std::optional<Connection> InputDevice::State::find() {
 
 void InputDevice::State::serve(Connection& connection) {
   const bool position = connection.capabilities().position;
-  sample = DeviceSample{.position = position, .count = sample.count, .session = sample.session};
+  sample = DeviceSample{.position = position,
+                        .max_force = connection.capabilities().max_force,
+                        .max_torque = connection.capabilities().max_torque,
+                        .max_stiffness = connection.capabilities().max_stiffness,
+                        .count = sample.count,
+                        .session = sample.session};
   complaint.clear();
   led_shown.reset();
   latency.restart();

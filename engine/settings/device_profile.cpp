@@ -197,6 +197,8 @@ SimulatedDeviceParameters simulated(const DeviceProfile& profile) {
   p.rotation.limit = profile.max_torque.value;
   p.translation.most_virtual_damping = profile.max_damping.value;
   p.rotation.most_virtual_damping = profile.max_rotational_damping.value;
+  p.translation.most_stiffness = profile.max_stiffness.value;
+  p.rotation.most_stiffness = profile.max_rotational_stiffness.value;
   p.delay = profile.delay.value;
   return p;
 }

@@ -17,8 +17,8 @@ namespace sonde::ui {
 namespace {
 
 constexpr int keep_ms = 300;            // a slider that moves writes no file for each step
-constexpr qint64 buzz_ms = 250;         // it takes milliseconds: not with each frame
-constexpr double course_seconds = 0.1;  // of the force: five swings at 50 Hz, where buzzing begins
+constexpr qint64 buzz_ms = 100;         // it takes milliseconds: not with each frame
+constexpr double course_seconds = 0.1;  // of the force: two swings at 20 Hz, where buzzing begins
 
 /// The gains of now with what the study recommends in their place.
 Coupling with_recommended(Coupling gains, const TuningResults& results) {
@@ -211,7 +211,7 @@ ForceNote StiffnessControl::note_now() const {
           QStringLiteral("by the study of %1 in %2:\n%3 in %4 contact")
               .arg(text(tuning_->results.device_id), words_of(*boundary), distance, text(contact_));
   }
-  if (!buzz_ || buzz_->chatter <= chatter_limit) return note;
+  if (!buzz_ || !buzz_->chatter.buzzes()) return note;
   note.now = QStringLiteral("buzzing");
   note.course = last_second_.forces(course_seconds);
   return note;

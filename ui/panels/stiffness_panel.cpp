@@ -13,7 +13,6 @@
 #include <cmath>
 
 #include "engine/settings/settings.hpp"
-#include "engine/study/stability/press_and_hold.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/panels/history_plot.hpp"
@@ -35,6 +34,21 @@ QString words_of(GainAxis axis) {
 QString words_of(const Coupling& gains) {
   if (gains.mode == Coupling::Mode::object) return QStringLiteral("k %1 N/m").arg(number(gains.k));
   return QStringLiteral("k_t %1 N/m\nk_r %2 N·m/rad").arg(number(gains.k_t), number(gains.k_r));
+}
+
+QString words_of(const Buzz& buzz) {
+  const Chatter& c = buzz.chatter;
+  if (!buzz.loop) return QStringLiteral("none: no force moves a mouse");
+  if (!(c.force > 0)) return QStringLiteral("none");
+  const QString swing = QStringLiteral("%1 N at %2 Hz").arg(number(c.force), number(c.frequency));
+  return c.buzzes() ? in_colour(colour::force, swing + QStringLiteral(", buzzing")) : swing;
+}
+
+QString gains_words(const Buzz& buzz) {
+  if (buzz.waiting)
+    return in_colour(colour::force, QStringLiteral("wait: unstable in this contact"));
+  if (buzz.capped) return in_colour(colour::force, QStringLiteral("as stiff as the device bears"));
+  return QStringLiteral("as set");
 }
 
 QLabel* wrapped(const char* object, QWidget* parent) {
@@ -91,15 +105,22 @@ void StiffnessPanel::build_last_second(QVBoxLayout& layout) {
     form->addRow(label, number);
     return number;
   };
-  chatter_ = value(QStringLiteral("chatter index"), "chatter_value",
-                   QStringLiteral("The share of the wrench's power above 50 Hz. Beyond %1 %, where "
-                                  "a twentieth of the wrench buzzes, a study calls it chattering.")
-                       .arg(100 * chatter_limit));
+  chatter_ = value(QStringLiteral("chatter"), "chatter_value",
+                   QStringLiteral("The force of what the loop makes swing between 20 and 500 Hz, "
+                                  "and how fast it swings. It buzzes where a hand can feel it: "
+                                  "from %1 m/s² of the handle on. What the hand itself does, and "
+                                  "knocks that ring, are none.")
+                       .arg(number(felt_acceleration)));
   energy_ = value(QStringLiteral("energy to the hand"), "energy_value",
                   QStringLiteral("Net work of force and torque on the hand. Over a whole contact a "
                                  "passive wall gives none."));
-  chatter_plot_ = new HistoryPlot(QStringLiteral("chatter index"), colour::contact, group);
-  chatter_plot_->set_unit(100, QStringLiteral("%"));
+  rendered_ =
+      value(QStringLiteral("gains"), "rendered_gains",
+            QStringLiteral("Gains stiffer than the device bears by its maker's word are "
+                           "taken as that. In a contact, gains that would be unstable in it, "
+                           "by an estimate, wait until it is left."));
+  chatter_plot_ = new HistoryPlot(QStringLiteral("chatter"), colour::contact, group);
+  chatter_plot_->set_unit(1, QStringLiteral("N"));
   form->addRow(chatter_plot_);
   layout.addWidget(group);
 }
@@ -354,14 +375,13 @@ void StiffnessPanel::show_buzz(const std::optional<Buzz>& buzz, double time) {
   if (!buzz) {
     chatter_->setText(QStringLiteral("–"));
     energy_->setText(QStringLiteral("–"));
+    rendered_->setText(QStringLiteral("–"));
     return;
   }
-  const bool buzzes = buzz->chatter > chatter_limit;
-  const QString percent = number(100 * buzz->chatter) + QStringLiteral(" %");
-  chatter_->setText(buzzes ? in_colour(colour::force, percent + QStringLiteral(", buzzing"))
-                           : percent);
+  chatter_->setText(words_of(*buzz));
+  rendered_->setText(gains_words(*buzz));
   energy_->setText(number(1e3 * buzz->energy) + QStringLiteral(" mJ"));
-  chatter_plot_->add(time, buzz->chatter);
+  chatter_plot_->add(time, buzz->chatter.force);
   chatter_plot_->update();
 }
 

@@ -82,7 +82,7 @@ class StiffnessPanel : public QDockWidget {
   StudyProgressRow* progress_;
   QWidget* map_box_;
   MapPlot* plot_;
-  QLabel *doubt_, *place_, *words_, *chatter_, *energy_;
+  QLabel *doubt_, *place_, *words_, *chatter_, *energy_, *rendered_;
   QPushButton* apply_;
   std::array<QPushButton*, 2> sets_;
   HistoryPlot* chatter_plot_;

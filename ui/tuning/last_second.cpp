@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/study/stability/chatter.hpp"
-
 namespace sonde::ui {
 namespace {
 
@@ -17,6 +15,7 @@ constexpr double longest_gap = 0.1;  // s: a pause
 
 void LastSecond::take(const MassProperties& probe) {
   length_ = std::sqrt(probe.inertia.maxCoeff());
+  com_ = probe.com;
   ticks_.clear();
 }
 
@@ -25,10 +24,12 @@ void LastSecond::add(const Snapshot& tick) {
     const double since = tick.time - ticks_.back().time;
     if (since <= 0 || since > longest_gap) ticks_.clear();
   }
-  Tick& last = ticks_.emplace_back();
-  last.time = tick.time;
-  last.wrench << tick.wrench.force, tick.wrench.torque;
-  last.given = tick.hand.energy.given;
+  const Pose& X_FM = tick.separation.device;
+  const auto& device = tick.hand.device;
+  capped_ = tick.hand.capped;
+  waiting_ = tick.hand.waiting;
+  device_ = device && device->force ? device : std::nullopt;
+  ticks_.push_back({tick.time, {X_FM.q, X_FM * com_}, tick.wrench, tick.hand.energy.given});
   while (ticks_.front().time < tick.time - span) ticks_.pop_front();
 }
 
@@ -36,18 +37,25 @@ std::optional<Buzz> LastSecond::buzz() const {
   if (ticks_.size() < 2) return {};
   const double lasted = ticks_.back().time - ticks_.front().time;
   if (lasted < nearly * span) return {};
-  std::vector<Vec6> wrenches;
-  wrenches.reserve(ticks_.size());
-  for (const Tick& tick : ticks_) wrenches.push_back(tick.wrench);
+  Buzz out{.loop = device_.has_value(),
+           .chatter = {},
+           .energy = ticks_.back().given - ticks_.front().given,
+           .capped = capped_,
+           .waiting = waiting_};
+  if (!out.loop) return out;
+  std::vector<FeltTick> felt;
+  felt.reserve(ticks_.size());
+  for (const Tick& tick : ticks_)
+    felt.push_back(felt_tick({.X_WD = tick.com}, tick.wrench, ticks_.front().com));
   const double sample_time = lasted / static_cast<double>(ticks_.size() - 1);
-  return Buzz{chatter_index(wrenches, sample_time, length_),
-              ticks_.back().given - ticks_.front().given};
+  out.chatter = chatter(felt, sample_time, felt_handle(*device_, sample_time), length_);
+  return out;
 }
 
 std::vector<double> LastSecond::forces(double seconds) const {
   std::vector<double> out;
   for (const Tick& tick : ticks_)
-    if (tick.time >= ticks_.back().time - seconds) out.push_back(tick.wrench.head<3>().norm());
+    if (tick.time >= ticks_.back().time - seconds) out.push_back(tick.wrench.force.norm());
   return out;
 }
 

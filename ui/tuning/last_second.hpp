@@ -8,13 +8,17 @@
 #include "engine/geometry/chart.hpp"
 #include "engine/geometry/mass.hpp"
 #include "engine/haptics/loop/servo.hpp"
+#include "engine/study/stability/chatter.hpp"
 
 namespace sonde::ui {
 
 /// Figures of the last second of the servo in the hand.
 struct Buzz {
-  double chatter = 0;  ///< chatter_index, 0 to 1
-  double energy = 0;   ///< J, net work on the hand; below zero where the hand gave it
+  bool loop = false;  ///< the force moves what holds the probe; with a mouse it does not
+  Chatter chatter;    ///< none without a loop
+  double energy = 0;  ///< J, net work on the hand; below zero where the hand gave it
+  // Of the last tick: see HandState.
+  bool capped = false, waiting = false;
 };
 
 /// Collects the ticks of the last second of one probe, in order, for these figures.
@@ -31,12 +35,17 @@ class LastSecond {
 
  private:
   struct Tick {
-    double time;   ///< s
-    Vec6 wrench;   ///< on the hand
-    double given;  ///< J, since the start
+    double time;    ///< s
+    Pose com;       ///< of the probe
+    Wrench wrench;  ///< on the hand
+    double given;   ///< J, since the start
   };
-  double length_ = 0;  ///< m, as in press_and_hold
+
+  Vec3 com_ = Vec3::Zero();             ///< of the probe, in its mesh frame, m
+  std::optional<DeviceTraits> device_;  ///< of the last one, where the force moves it
+  double length_ = 0;                   ///< m, as in press_and_hold
   std::deque<Tick> ticks_;
+  bool capped_ = false, waiting_ = false;
 };
 
 }  // namespace sonde::ui

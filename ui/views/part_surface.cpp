@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/geometry/transform.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/views/surface.hpp"
 

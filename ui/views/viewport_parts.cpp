@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "engine/geometry/transform.hpp"
 #include "ui/views/scenery.hpp"
 
 namespace sonde::ui {

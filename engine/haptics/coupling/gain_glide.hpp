@@ -34,6 +34,8 @@ class GainGlide {
   /// The ends of the way; the same where there is none to go.
   const Coupling& from() const noexcept { return there_ ? to_ : from_; }
   const Coupling& to() const noexcept { return to_; }
+  /// The share of it that is made.
+  double made() const noexcept { return there_ ? 1 : share_; }
 
  private:
   void blend(double share) noexcept;

@@ -21,6 +21,15 @@ struct DeviceTraits {
   // The largest virtual damping that its driver allows; 0: not known.
   double max_damping = 0;             ///< N·s/m
   double max_rotational_damping = 0;  ///< N·m·s/rad
+  double rotational_damping = 0;      ///< N·m·s/rad, of the mechanism; 0 where no motor turns it
+  // The largest stiffness that it holds by its maker's word; 0: not known.
+  double max_stiffness = 0;             ///< N/m
+  double max_rotational_stiffness = 0;  ///< N·m/rad
+  // What moves with the handle; 0: not known.
+  double mass = 0;     ///< kg
+  double inertia = 0;  ///< kg·m²
+  /// False: it has no motors, so that no force moves it.
+  bool force = true;
 };
 
 /// What a hand asks of the probe at one tick.

@@ -22,6 +22,7 @@ struct HandleMotion {
   /// N·s/m | N·m·s/rad, the largest virtual damping that the driver allows; 0: not known. It helps
   /// to choose gains; the motion does not depend on it.
   double most_virtual_damping = 0;
+  double most_stiffness = 0;  ///< N/m | N·m/rad, the same of a stiffness
 };
 
 struct SimulatedDeviceParameters {

@@ -20,9 +20,13 @@ SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double
       traits_{.damping = parameters.translation.damping,
               .delay = parameters.delay,
               .max_damping = parameters.translation.most_virtual_damping,
-              .max_rotational_damping = parameters.rotation.most_virtual_damping},
+              .max_rotational_damping = parameters.rotation.most_virtual_damping,
+              .rotational_damping = parameters.rotation.limit > 0 ? parameters.rotation.damping : 0,
+              .max_stiffness = parameters.translation.most_stiffness,
+              .max_rotational_stiffness = parameters.rotation.most_stiffness},
       com_(com),
-      pace_{SimulatedDevice(parameters, period, to_device(X_FM)), share_of(period)},
+      pace_{SimulatedDevice(parameters, period, to_device(X_FM)), share_of(period),
+            parameters.translation.inertia, parameters.rotation.inertia},
       hand_(X_FM),
       targets_(X_FM) {}
 
@@ -43,9 +47,13 @@ void SimulatedHand::follow_target() noexcept {
   hand_.p = next - hand_.q * com_;
 }
 
-void SimulatedHand::set_period(double period) {
-  paces_.write(Pace{SimulatedDevice(parameters_, period), share_of(period)});
+SimulatedHand::Pace SimulatedHand::pace_of(const SimulatedDeviceParameters& parameters,
+                                           double period) {
+  return {SimulatedDevice(parameters, period), share_of(period), parameters.translation.inertia,
+          parameters.rotation.inertia};
 }
+
+void SimulatedHand::set_period(double period) { paces_.write(pace_of(parameters_, period)); }
 
 void SimulatedHand::set_parameters(const SimulatedDeviceParameters& parameters, double period) {
   SimulatedDeviceParameters wanted = parameters_;
@@ -56,7 +64,7 @@ void SimulatedHand::set_parameters(const SimulatedDeviceParameters& parameters, 
   };
   take(wanted.translation, parameters.translation);
   take(wanted.rotation, parameters.rotation);
-  paces_.write(Pace{SimulatedDevice(wanted, period), share_of(period)});
+  paces_.write(pace_of(wanted, period));
   parameters_ = wanted;
 }
 
@@ -85,6 +93,9 @@ HandSample SimulatedHand::sample() noexcept {
   at_probe.ratio = 0;  // it goes wherever the mouse points, as fast as that
   at_probe.damping /= scaling_ * scaling_;
   at_probe.max_damping /= scaling_ * scaling_;
+  at_probe.max_stiffness /= scaling_ * scaling_;
+  at_probe.mass = pace_.mass / (scaling_ * scaling_);
+  at_probe.inertia = pace_.inertia;
   return {.X_FM = to_probe(pace_.device.measured()), .device = at_probe};
 }
 

@@ -50,8 +50,10 @@ class SimulatedHand {
   /// What depends on the period.
   struct Pace {
     SimulatedDevice device;
-    double share;  ///< of the way to the target that the hand goes in a tick
+    double share;          ///< of the way to the target that the hand goes in a tick
+    double mass, inertia;  ///< of the handle
   };
+  static Pace pace_of(const SimulatedDeviceParameters& parameters, double period);
 
   SimulatedDeviceParameters parameters_;
   double scaling_;

@@ -2,14 +2,22 @@
 #include "engine/haptics/loop/hand_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "engine/geometry/chart.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
+#include "engine/haptics/safety/borne_gains.hpp"
 #include "engine/haptics/safety/hand_trial.hpp"
 #include "engine/penetration/descent/result.hpp"
 
 namespace sonde {
+namespace {
+
+constexpr double slow_enough = 0.03;  // m/s, a third of what a handle may be moved at
+
+}  // namespace
 
 HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& coupling,
                    const HandLoopSettings& settings)
@@ -18,6 +26,7 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       least_stall_(settings.safety.stalled_after),
       stalled_after_(least_stall_),
       force_error_(settings.safety.force_error),
+      fastest_(settings.safety.runaway_speed),
       of_hand_(settings.safety.change_rate),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
@@ -30,6 +39,7 @@ void HandLoop::set_rate(double rate_hz) noexcept {
   // The rows of a slow servo are a tick old at best.
   stalled_after_ = std::max(least_stall_, 4 / rate_hz);
   passivity_.set_period(1 / rate_hz);
+  period_ = 1 / rate_hz;
 }
 
 void HandLoop::restart(const Pose& X_FM) noexcept {
@@ -38,6 +48,9 @@ void HandLoop::restart(const Pose& X_FM) noexcept {
   runaway_.restart();
   gate_.restart();
   ids_.forget();
+  way_ = way_before_ = 0;
+  leapt_ = false;
+  device_.reset();
   X_FM_ = X_FM;
   jumps_ = 0;
   released_ = 0;
@@ -82,6 +95,7 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
+  measure_way(before, dt);
   if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
   if (const HandTrial* trial = sample.trial)
@@ -94,6 +108,41 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
                    of_hand(turn, sample.device->turn_ratio), dt, pushed());
 }
 
+void HandLoop::measure_way(const Pose& before, double dt) noexcept {
+  way_before_ = way_;
+  way_ = Chart(mass_, before).coordinates(X_FM_).norm();
+  leapt_ = fastest_ > 0 && way_ > fastest_ * dt;
+  if (leapt_) way_ = 0;  // no hand did that
+  const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
+  const double force = out_.wrench.force.norm();
+  const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
+  yields_ = dt > 0 ? given / dt : 0;
+  // Going where it is pushed is no reason for more force.
+  if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
+}
+
+/// What the hand's own motion can make of the wrench, twice over, and the rate at which anything
+/// else may change it: a contact that jumps to another place, a pose that is wrong for a tick,
+/// other gains. Out of contact the wrench ends at once, unless the pose leapt there.
+void HandLoop::set_slew(double dt) noexcept {
+  constexpr double whole = 0.01;  // s, at least, for all that the device gives
+  constexpr double margin = 2;
+  if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
+  const Coupling& c = coupler_.coupling();
+  const bool object = c.mode == Coupling::Mode::object;
+  const double largest = mass_.inertia.maxCoeff();
+  const double per_turn = largest > 0 ? 1 / std::sqrt(largest) : 0;
+  const double stiff = object ? c.k : c.k_t;
+  const double turning = object ? c.k / (per_turn > 0 ? per_turn : 1) : c.k_r * per_turn;
+  const double both = (way_ + way_before_) / dt;
+  ForceGate::Slew slew{margin * (stiff * way_ + (object ? 0 : c.b_t * both)) / dt,
+                       margin * (turning * way_ + (object ? 0 : c.b_r * per_turn * both)) / dt,
+                       out_.separation.status == Status::separated && !leapt_};
+  slew.force = std::min(slew.force, c.max_force / whole) + rate_.force;
+  slew.torque = std::min(slew.torque, c.max_torque / whole) + rate_.torque;
+  gate_.set_slew(slew);
+}
+
 /// Only a known device can be thrown.
 void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   const Coupling& c = coupler_.coupling();
@@ -101,12 +150,37 @@ void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   if (sample.device && !sample.trial)
     rate_ = change_rate_at_probe(of_hand_, c.max_force, c.max_torque, sample.device->ratio,
                                  sample.device->turn_ratio);
+  // A handle that goes where it is pushed, as one that nobody holds, is pushed no harder.
+  const double share = std::clamp(1 - yields_ / slow_enough, 0.01, 1.0);
+  rate_.force *= share;
+  rate_.torque *= share;
   gate_.set_change_rate(rate_);
 }
 
-double HandLoop::most_of_glide(const GainGlide& glide, double dt) const noexcept {
+void HandLoop::set_coupling(const GainGlide::Blend& blend) noexcept {
+  GainGlide::Blend taken = blend;
+  out_.hand.capped = false;
+  if (device_) {
+    const BorneStiffness most = borne_by_device(*device_);
+    taken.now = borne(blend.now, most, mass_);
+    taken.before = borne(blend.before, most, mass_);
+    const bool object = blend.now.mode == Coupling::Mode::object;
+    out_.hand.capped = object ? taken.now.k < blend.now.k
+                              : taken.now.k_t < blend.now.k_t || taken.now.k_r < blend.now.k_r;
+  }
+  coupler_.set_coupling(taken);
+}
+
+double HandLoop::most_of_glide(const GainGlide& glide, double dt) noexcept {
   const Separation& s = out_.separation;
+  out_.hand.waiting = false;
   if (s.status != Status::penetrating || !pushed()) return 1;
+  double left = 1;
+  if (device_) {
+    const double all = share_of_way(glide, stable_by_estimate(*device_, period_), mass_);
+    left = std::max(0.0, all - glide.made());
+    out_.hand.waiting = all < 1 && left <= 0;
+  }
   const auto spring = [&](const Coupling& c) {
     if (c.mode == Coupling::Mode::object)
       return object_norm_wrench(mass_, s.device, s.separated, c.k);
@@ -114,7 +188,8 @@ double HandLoop::most_of_glide(const GainGlide& glide, double dt) const noexcept
                           Vec3::Zero(), c);
   };
   const Wrench from = spring(glide.from()), to = spring(glide.to());
-  return share_of_change({to.force - from.force, to.torque - from.torque}, rate_, dt > 0 ? dt : 0);
+  return std::min(left, share_of_change({to.force - from.force, to.torque - from.torque}, rate_,
+                                        dt > 0 ? dt : 0));
 }
 
 bool HandLoop::pushed() const noexcept {
@@ -151,6 +226,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
+  out_.hand.device = device_ = sample.device;
   if (sample.trial) {
     try_out(*sample.trial, why == Withheld::nothing ? fault(sample) : why, clock.dt);
     return out_;
@@ -163,6 +239,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
   const bool acts = reason == Withheld::nothing || reason == Withheld::unsettled;
   const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
+  set_slew(clock.dt);
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);
   passivity_.rendered(out_.wrench);
   say_gate();
@@ -173,6 +250,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 /// The energy is that of contacts: this wrench is no part of it.
 void HandLoop::try_out(HandTrial& trial, Withheld reason, double dt) noexcept {
   coupler_.forget();
+  gate_.set_slew({});
   out_.hand.asked = trial.wrench;
   out_.wrench = gate_.pass(trial.wrench, reason, trial.max_force, trial.max_torque, dt);
   passivity_.rendered(Wrench{});
@@ -184,6 +262,20 @@ void HandLoop::say_gate() noexcept {
   out_.hand.withheld = gate_.withheld();
   out_.hand.share = gate_.share();
   out_.hand.slewed = gate_.slewed();
+}
+
+const HandTick& HandLoop::fade(const HandSample& sample, double dt, double time) noexcept {
+  const bool can = sample.device && sample.trusted && sample.held && is_finite(sample.X_FM) &&
+                   out_.hand.withheld == Withheld::nothing && dt > 0 && time > 0;
+  if (!can) return rest(Withheld::shut_down);
+  const double force = out_.wrench.force.norm(), torque = out_.wrench.torque.norm();
+  const auto less = [&](const Vec3& of, double size, double rate) {
+    const double by = std::max(rate * dt, size * dt / time);
+    return size > by ? Vec3(of * (1 - by / size)) : Vec3(Vec3::Zero());
+  };
+  out_.wrench.force = less(out_.wrench.force, force, rate_.force);
+  out_.wrench.torque = less(out_.wrench.torque, torque, rate_.torque);
+  return out_;
 }
 
 const HandTick& HandLoop::rest(Withheld why) noexcept {

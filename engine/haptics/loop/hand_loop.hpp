@@ -30,7 +30,12 @@ struct HandState {
   Withheld withheld = Withheld::nothing;
   double share = 0;     ///< share of the force that the ramp lets through
   bool slewed = false;  ///< a slew limit acted
-  bool held = true;     ///< false: the clutch is open
+  bool capped =
+      false;  ///< the gains are stiffer than what the device bears, and were taken as that
+  /// The gains wait for the end of this contact, as they would be unstable in it by an estimate.
+  bool waiting = false;
+  bool held = true;                         ///< false: the clutch is open
+  std::optional<DeviceTraits> device = {};  ///< what holds the probe, as far as it is known
   HandEnergy energy;
   RowsUsed rows;
 };
@@ -56,12 +61,16 @@ class HandLoop {
 
   /// Begins at X_FM; the force rises from zero.
   void restart(const Pose& X_FM) noexcept;
-  void set_coupling(const Coupling& coupling) noexcept { coupler_.set_coupling(coupling); }
-  void set_coupling(const GainGlide::Blend& blend) noexcept { coupler_.set_coupling(blend); }
+  void set_coupling(const Coupling& coupling) noexcept {
+    set_coupling(GainGlide::Blend{.now = coupling, .before = coupling});
+  }
+  /// None stiffer than what the device bears by its maker's word.
+  void set_coupling(const GainGlide::Blend& blend) noexcept;
 
   /// The share of the way to other gains that a step of time (s) may make in the present contact,
-  /// of a hand on a known device: see ChangeRate.
-  double most_of_glide(const GainGlide& glide, double dt) const noexcept;
+  /// of a hand on a known device: see ChangeRate. Stiffer gains than stable_by_estimate() wait
+  /// until the contact is left.
+  double most_of_glide(const GainGlide& glide, double dt) noexcept;
 
   void set_rate(double rate_hz) noexcept;
   void set_passivity_control(bool on) noexcept { passivity_.set_control(on); }
@@ -79,6 +88,11 @@ class HandLoop {
   /// has answered since, within its time.
   const HandTick& rest(Withheld why) noexcept;
 
+  /// A tick on the way to the end: the last wrench falls to nothing, at the rate at which it may
+  /// change or within `time` (s) left; at once on a hand that is not a known device, or was given
+  /// nothing.
+  const HandTick& fade(const HandSample& sample, double dt, double time) noexcept;
+
   const HandTick& last() const noexcept { return out_; }
   /// The newest trusted device pose, to be passed to the geometry.
   const Pose& device() const noexcept { return X_FM_; }
@@ -94,6 +108,9 @@ class HandLoop {
   bool unsettled(const Separation& found) const noexcept;
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
+  /// How far the hand came in this tick, and how much the wrench may change for that.
+  void measure_way(const Pose& before, double dt) noexcept;
+  void set_slew(double dt) noexcept;
   /// The wrench of a hand that is being measured, past the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
@@ -105,6 +122,8 @@ class HandLoop {
   double least_stall_;                        ///< s, of the settings
   double stalled_after_;                      ///< s, at this rate
   double force_error_;                        ///< N
+  double fastest_;                            ///< m/s, of a hand
+  double period_ = 1e-3;                      ///< s
   ChangeRate of_hand_;                        ///< of the settings
   ChangeRate rate_{.force = 0, .torque = 0};  ///< at the probe, of the hand of the last tick
   Coupler coupler_;
@@ -112,6 +131,10 @@ class HandLoop {
   Runaway runaway_;
   ForceGate gate_;
   ClusterIds ids_;
+  double way_ = 0, way_before_ = 0;  ///< m, in the object norm, of the last two ticks
+  bool leapt_ = false;               ///< further than a hand moves in a tick
+  double yields_ = 0;                ///< m/s, at which the last wrench moves the hand its own way
+  std::optional<DeviceTraits> device_;  ///< of the last tick
   Pose X_FM_;
   std::uint64_t jumps_ = 0;            ///< of the rows before
   double released_ = 0;                // m²: of those rows

@@ -202,8 +202,23 @@ class Servo::State::Run {
     s_.timings.write(timing_);
   }
 
+  /// A pressed hand is not let go of at once: another scene or method begins soon.
+  void fade() noexcept {
+    constexpr double time = 0.3;  // s, at most
+    if (snapshot_.tick == 0 || snapshot_.paused || last_begin_ == 0) return;
+    if (!s_.force.load(std::memory_order_relaxed)) return;
+    const double dt = static_cast<double>(schedule_.period) * 1e-9;
+    for (double left = time; left > 0; left -= dt) {
+      const HandTick& done = s_.loop.fade(sample(monotonic_now()), dt, left);
+      render(done.wrench);
+      if (done.wrench.force.isZero(0) && done.wrench.torque.isZero(0)) return;
+      sleep_until(monotonic_now() + schedule_.period);
+    }
+  }
+
   /// The last word to the hand.
   void end() noexcept {
+    fade();
     render(Wrench{});
     if (snapshot_.tick == 0) return;
     snapshot_.wrench = Wrench{};

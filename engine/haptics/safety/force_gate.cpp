@@ -64,6 +64,10 @@ double ForceGate::rise(const Wrench& wanted, double step) const noexcept {
   return std::min(by_time, share_of_change(wanted, rate_, step));
 }
 
+double ForceGate::closer(double limit, double other) noexcept {
+  return limit > 0 && other > 0 ? std::min(limit, other) : std::max(limit, other);
+}
+
 Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, double max_torque,
                        double dt) noexcept {
   const bool finite = wanted.force.allFinite() && wanted.torque.allFinite();
@@ -83,10 +87,20 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   out.force *= share_;
   out.torque *= share_;
   slewed_ = false;
-  if (settings_.force_slew > 0)
-    out.force = towards(out.force, last_.force, settings_.force_slew * step, slewed_);
-  if (settings_.torque_slew > 0)
-    out.torque = towards(out.torque, last_.torque, settings_.torque_slew * step, slewed_);
+  const bool close = pushes || !slew_.ends_at_once;
+  // What falls may fall faster: nobody is pushed by that, and an old force must not stay.
+  const auto falling = [&](const Vec3& to, const Vec3& from) {
+    return settings_.fade_time > 0 && to.norm() < from.norm() ? from.norm() / settings_.fade_time
+                                                              : 0;
+  };
+  const double force =
+      closer(settings_.force_slew,
+             close && slew_.force > 0 ? slew_.force + falling(out.force, last_.force) : 0);
+  const double torque =
+      closer(settings_.torque_slew,
+             close && slew_.torque > 0 ? slew_.torque + falling(out.torque, last_.torque) : 0);
+  if (force > 0) out.force = towards(out.force, last_.force, force * step, slewed_);
+  if (torque > 0) out.torque = towards(out.torque, last_.torque, torque * step, slewed_);
   return last_ = limit(out, max_force, max_torque);
 }
 

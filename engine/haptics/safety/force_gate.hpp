@@ -61,6 +61,12 @@ class ForceGate {
   void restart() noexcept;  ///< the next force rises from zero
   /// How fast the ramp may raise a wrench, at the probe; at first there is no limit but its time.
   void set_change_rate(const ChangeRate& rate) noexcept { rate_ = rate; }
+  /// A closer slew limit than that of the settings; 0: none.
+  struct Slew {
+    double force = 0, torque = 0;  ///< N/s, N·m/s
+    bool ends_at_once = true;      ///< a wrench of zero is no change to be limited
+  };
+  void set_slew(const Slew& slew) noexcept { slew_ = slew; }
 
   Withheld withheld() const noexcept { return withheld_; }  ///< of the last wrench
   double share() const noexcept {
@@ -73,7 +79,11 @@ class ForceGate {
   double rise(const Wrench& wanted, double step) const noexcept;
 
   SafetySettings settings_;
+  /// The smaller of two limits, where each is one.
+  static double closer(double limit, double other) noexcept;
+
   ChangeRate rate_{.force = 0, .torque = 0};
+  Slew slew_;
   Wrench last_;
   Withheld withheld_ = Withheld::nothing;
   double share_ = 0;

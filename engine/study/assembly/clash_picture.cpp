@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/geometry/transform.hpp"
 #include "engine/study/charts/svg_elements.hpp"
 #include "engine/text/number_text.hpp"
 

@@ -109,21 +109,31 @@ AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string
   }
 }
 
+constexpr std::size_t ball_every = 50;  // ticks: neighbours are no other trial
+
 TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches& analytic,
                              double radius) {
   std::vector<double> force, torque;
+  std::vector<TorqueRealism::AtTick> equal;
   if (analytic.kind == AnalyticKind::ball)
-    for (const RenderedTick& tick : rendering)
-      if (!tick.force.isZero(0))
-        torque.push_back(tick.torque.norm() / (radius * tick.force.norm()));
+    for (std::size_t i = 0; i < rendering.size(); ++i) {
+      const RenderedTick& tick = rendering[i];
+      if (tick.force.isZero(0)) continue;
+      torque.push_back(tick.torque.norm() / (radius * tick.force.norm()));
+      if (i % ball_every == 0) equal.push_back({i, torque.back()});
+    }
   for (const AnalyticTick& want : analytic.ticks) {
     const double size = want.force.norm();
     if (want.tick >= rendering.size() || rendering[want.tick].failed || !(size > 0)) continue;
     force.push_back((rendering[want.tick].force - want.force).norm() / size);
-    torque.push_back((rendering[want.tick].torque - want.torque).norm() / (radius * size));
+    const RenderedTick& is = rendering[want.tick];
+    torque.push_back((is.torque - want.torque).norm() / (radius * size));
+    if (const double own = is.force.norm(); own > 0)
+      equal.push_back(
+          {want.tick, (is.torque * (size / own) - want.torque).norm() / (radius * size)});
   }
-  return {analytic.kind,  torque.size(),  median(force),
-          largest(force), median(torque), largest(torque)};
+  return {analytic.kind,  torque.size(),   median(force), largest(force),
+          median(torque), largest(torque), equal};
 }
 
 }  // namespace sonde

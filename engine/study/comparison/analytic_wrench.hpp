@@ -45,6 +45,13 @@ struct TorqueRealism {
   double force_error = 0, worst_force_error = 0;
   /// Half-space: |τ − τ*| / (R |F*|). Ball, in contact: |τ| / (R |F|). Median and worst.
   double torque_error = 0, worst_torque_error = 0;
+  /// The same error at ticks of the path, of the rendering made as large as the force that is known
+  /// (so that no smaller force is a nearer torque). Of a ball, at a twentieth of a second apart.
+  struct AtTick {
+    std::size_t tick = 0;
+    double error = 0;
+  };
+  std::vector<AtTick> at_equal_force = {};
 };
 TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches& analytic,
                              double radius);

@@ -68,6 +68,21 @@ TestedClaim smoother(const Comparison& c, const char* key, const char* claim,
   return decided(key, claim, for_it, against_it);
 }
 
+/// Pairs of the same tick, by a number of each: PD_g's is to be the smaller, or the larger.
+template <class Tick, class Number>
+TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg, const char* key,
+                     const char* claim, Number Tick::*number, bool larger) {
+  int for_it = 0, against_it = 0;
+  for (const Tick& one : pdt) {
+    const auto other = std::ranges::find(pdg, one.tick, &Tick::tick);
+    if (other == pdg.end()) continue;
+    const double a = one.*number, b = (*other).*number;
+    if (std::abs(a - b) <= as_good_as_same * std::max(a, b)) continue;
+    ++((b > a) == larger ? for_it : against_it);
+  }
+  return decided(key, claim, for_it, against_it);
+}
+
 }  // namespace
 
 const char* name_of(Finding finding) {
@@ -85,10 +100,16 @@ double sign_test(int one, int other) {
 }
 
 std::vector<TestedClaim> tested_claims(const Comparison& c) {
-  return {smoother(c, "smoother_force", "its force is smoother, at equal forces", &Trial::force),
-          smoother(c, "smoother_torque", "its torque is smoother, at equal forces", &Trial::torque),
-          decided("fewer_pop_throughs", "it pops through less",
-                  c.of_pdt.discontinuities.pop_throughs, c.of_pdg.discontinuities.pop_throughs)};
+  return {
+      smoother(c, "smoother_force", "its force is smoother, at equal forces", &Trial::force),
+      smoother(c, "smoother_torque", "its torque is smoother, at equal forces", &Trial::torque),
+      decided("fewer_pop_throughs", "it pops through less", c.of_pdt.discontinuities.pop_throughs,
+              c.of_pdg.discontinuities.pop_throughs),
+      by_ticks(c.of_pdt.realism.at_equal_force, c.of_pdg.realism.at_equal_force, "better_torque",
+               "its torque is nearer to the analytic one, at equal forces",
+               &TorqueRealism::AtTick::error, false),
+      by_ticks(c.of_pdt.stiffness.limits, c.of_pdg.stiffness.limits, "more_stable",
+               "it is more stable, at equal forces", &StableStiffness::ForceAtLimit::force, true)};
 }
 
 }  // namespace sonde

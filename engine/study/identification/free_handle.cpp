@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/study/identification/free_handle.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sonde {
@@ -58,16 +59,18 @@ class FreeMotion {
 }  // namespace
 
 std::vector<double> free_motion(const FreeHandle& handle, std::span<const double> times,
-                                std::span<const double> commands) {
+                                std::span<const double> commands, std::span<const double> early) {
   std::vector<double> out;
   out.reserve(times.size());
   FreeMotion motion(handle);
   double command = 0, now = times.empty() ? 0 : times.front();
   std::size_t next = 0;
   for (const double time : times) {
-    for (; next < times.size() && times[next] + handle.delay < time; ++next) {
-      motion.advance(times[next] + handle.delay - now, command);
-      now = times[next] + handle.delay;
+    for (; next < times.size(); ++next) {
+      const double given = times[next] - (early.empty() ? 0 : early[next]) + handle.delay;
+      if (!(given < time)) break;
+      motion.advance(given - now, command);
+      now = std::max(now, given);
       command = commands[next];
     }
     motion.advance(time - now, command);

@@ -20,9 +20,11 @@ struct FreeHandle {
 ///
 ///     m ẍ + b ẋ = f(t − t_d) + offset − friction
 ///
-/// Between commands, and between a start and a stop of the handle, the equation is linear: this is
-/// its exact solution, whatever the times.
+/// `early`, if there are any: s, by which each command was given before that time, less than the
+/// time since the sample before. Between commands, and between a start and a stop of the handle,
+/// the equation is linear: this is its exact solution, whatever the times.
 std::vector<double> free_motion(const FreeHandle& handle, std::span<const double> times,
-                                std::span<const double> commands);
+                                std::span<const double> commands,
+                                std::span<const double> early = {});
 
 }  // namespace sonde

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <unsupported/Eigen/NonLinearOptimization>
@@ -40,15 +41,17 @@ VectorXd within(const std::vector<double>& of, const PulseWindow& w) {
   return Eigen::Map<const VectorXd>(of.data() + w.begin, size);
 }
 /// The model's motion under the recorded commands, in parts that each begin at rest.
-std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse& r) {
+std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse& r,
+                                    std::span<const double> early = {}) {
   std::vector<double> out;
   out.reserve(r.times.size());
   for (std::size_t part = 0; part <= r.at_rest.size(); ++part) {
     const std::size_t begin = part == 0 ? 0 : r.at_rest[part - 1];
     const std::size_t end = part == r.at_rest.size() ? r.times.size() : r.at_rest[part];
     const std::span times(r.times), commands(r.commands);
-    const auto motion = free_motion(handle, times.subspan(begin, end - begin),
-                                    commands.subspan(begin, end - begin));
+    const auto motion =
+        free_motion(handle, times.subspan(begin, end - begin), commands.subspan(begin, end - begin),
+                    early.empty() ? early : early.subspan(begin, end - begin));
     out.insert(out.end(), motion.begin(), motion.end());
   }
   return out;
@@ -56,7 +59,8 @@ std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse
 
 VectorXd without_mean(const VectorXd& x) { return x.array() - x.mean(); }
 
-/// Measured less modelled motion, in shares of the whole motion's rms, for Eigen's solver.
+/// Measured less modelled motion, in shares of the whole motion's rms, for Eigen's solver. Where
+/// the times of commands are parameters too, as shares of the sample before, their prior follows.
 struct Residuals {
   using Scalar = double;
   using InputType = VectorXd;
@@ -67,22 +71,34 @@ struct Residuals {
   const AxisResponse* response;
   const std::vector<PulseWindow>* windows;
   Scale scale;
-  double unit;  ///< m | rad
+  double unit;                            ///< m | rad
+  std::vector<std::size_t> changes = {};  ///< samples with another command; empty: at their times
+  double prior = 0;                       ///< weight of the logged time
 
-  int inputs() const { return parameter_count; }
+  int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
   int values() const {
-    std::size_t n = 0;
+    std::size_t n = changes.size();
     for (const PulseWindow& w : *windows) n += w.end - w.begin;
     return static_cast<int>(n);
   }
+  std::vector<double> modelled_by(const VectorXd& p) const {
+    std::vector<double> early(changes.empty() ? 0 : response->times.size(), 0);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const std::size_t k = changes[i];
+      const double share = p[parameter_count + static_cast<Index>(i)];
+      early[k] = std::clamp(share, -0.5, 1.5) * (response->times[k] - response->times[k - 1]);
+    }
+    return modelled_motion(handle_of(p, scale), *response, early);
+  }
   int operator()(const VectorXd& p, VectorXd& out) const {
-    const std::vector<double> modelled = modelled_motion(handle_of(p, scale), *response);
+    const std::vector<double> modelled = modelled_by(p);
     Index at = 0;
     for (const PulseWindow& w : *windows) {
       const VectorXd left = without_mean(within(response->positions, w) - within(modelled, w));
       out.segment(at, left.size()) = left / unit;
       at += left.size();
     }
+    for (Index i = parameter_count; i < p.size(); ++i) out[at++] = prior * p[i];
     return 0;
   }
   VectorXd at(const VectorXd& p) const {
@@ -118,7 +134,7 @@ double first_inertia(const AxisResponse& r, const PulseWindow& w) {
 VectorXd solved(const Residuals& residuals, VectorXd p) {
   Eigen::NumericalDiff<Residuals> numeric(residuals, 1e-12);
   Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(numeric);
-  solver.parameters.maxfev = 600;
+  solver.parameters.maxfev = 100 * (residuals.inputs() + 1);
   solver.minimize(p);
   return p;
 }
@@ -145,32 +161,43 @@ VectorXd best_solution(const Residuals& residuals) {
 /// By the size of each parameter, away from zero, where the model has a kink.
 MatrixXd jacobian(const Residuals& residuals, const VectorXd& p) {
   constexpr double step = 1e-5;
-  MatrixXd J(residuals.values(), Index{parameter_count});
-  for (Index i = 0; i < parameter_count; ++i) {
+  MatrixXd J(residuals.values(), p.size());
+  for (Index i = 0; i < p.size(); ++i) {
     VectorXd less = p, more = p;
     less[i] -= std::min(step, std::abs(p[i]));
-    more[i] += step;
+    if (i < parameter_count || p[i] < 0.9) more[i] += step;
     J.col(i) = (residuals.at(more) - residuals.at(less)) / (more[i] - less[i]);
   }
   return J;
+}
+
+/// What solves normal equations, each parameter by its own size; none where they cannot tell.
+std::optional<VectorXd> solution_of(const MatrixXd& information, const VectorXd& pull) {
+  const VectorXd sizes = information.diagonal().cwiseSqrt();
+  if (!(sizes.minCoeff() > 0)) return std::nullopt;
+  const VectorXd by = sizes.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> scaled(by.asDiagonal() * information *
+                                                       by.asDiagonal());
+  if (!(scaled.eigenvalues().minCoeff() > 1e-9 * scaled.eigenvalues().maxCoeff()))
+    return std::nullopt;
+  const VectorXd inner = scaled.eigenvectors().transpose() * by.cwiseProduct(pull);
+  return by.cwiseProduct(scaled.eigenvectors() * inner.cwiseQuotient(scaled.eigenvalues()));
 }
 
 /// The covariance of the parameters: of the solutions that leave out one pulse each.
 MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
                     const std::vector<PulseWindow>& windows) {
   const MatrixXd information = J.transpose() * J;
-  MatrixXd spread = MatrixXd::Zero(Index{parameter_count}, Index{parameter_count});
+  MatrixXd spread = MatrixXd::Zero(J.cols(), J.cols());
   Index at = 0;
   for (const PulseWindow& w : windows) {
     const auto size = static_cast<Index>(w.end - w.begin);
     const MatrixXd own = J.middleRows(at, size);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> others(information - own.transpose() * own);
-    if (!(others.eigenvalues().minCoeff() > 1e-10 * others.eigenvalues().maxCoeff()))
+    const auto change =
+        solution_of(information - own.transpose() * own, own.transpose() * left.segment(at, size));
+    if (!change)
       throw std::invalid_argument("the pulses do not tell mass, damping and friction apart");
-    const VectorXd change =
-        others.eigenvectors() * others.eigenvalues().cwiseInverse().asDiagonal() *
-        others.eigenvectors().transpose() * (own.transpose() * left.segment(at, size));
-    spread += change * change.transpose();
+    spread += *change * change->transpose();
     at += size;
   }
   const auto pulses = static_cast<double>(windows.size());
@@ -182,13 +209,12 @@ MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
 MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, const VectorXd& p,
                                double step) {
   constexpr int phases = 16;
-  const AxisResponse& r = *residuals.response;
-  const std::vector<double> motion = modelled_motion(handle_of(p, residuals.scale), r);
+  const std::vector<double> motion = residuals.modelled_by(p);
   const Eigen::LDLT<MatrixXd> information(J.transpose() * J);
-  MatrixXd spread = MatrixXd::Zero(Index{parameter_count}, Index{parameter_count});
+  MatrixXd spread = MatrixXd::Zero(J.cols(), J.cols());
   for (int phase = 0; phase < phases && step > 0; ++phase) {
     const double shift = (phase + 0.5) / phases;
-    VectorXd error(J.rows());
+    VectorXd error = VectorXd::Zero(J.rows());
     Index at = 0;
     for (const PulseWindow& w : *residuals.windows) {
       const Eigen::ArrayXd steps = within(motion, w).array() / step + shift;
@@ -200,6 +226,93 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
     spread += change * change.transpose() / phases;
   }
   return spread;
+}
+
+/// What is left, over what of it is white or the encoder's: after von Neumann (1941), by second
+/// differences, which see little of what goes on from sample to sample.
+double excess_of(const Residuals& residuals, const VectorXd& left, double encoder_step) {
+  double squares = 0, bends = 0, samples = 0;
+  Index at = 0;
+  for (const PulseWindow& w : *residuals.windows) {
+    const auto size = static_cast<Index>(w.end - w.begin);
+    squares += left.segment(at, size).squaredNorm();
+    for (Index i = at + 1; i + 1 < at + size; ++i)
+      bends += std::pow(left[i - 1] - 2 * left[i] + left[i + 1], 2) / 6;
+    samples += static_cast<double>(size);
+    at += size;
+  }
+  const double rounding = encoder_step / residuals.unit;
+  constexpr double nothing = 1e-5;  // of the motion: what a model that holds leaves of exact poses
+  const double expected = std::max({bends / samples, rounding * rounding / 12, nothing * nothing});
+  return std::sqrt(squares / samples / expected);
+}
+
+/// The samples of the pulses with another command than the one before.
+std::vector<std::size_t> changes_of_command(const AxisResponse& r,
+                                            const std::vector<PulseWindow>& windows) {
+  std::vector<std::size_t> out;
+  for (const PulseWindow& w : windows)
+    for (std::size_t k = std::max<std::size_t>(w.first, 1); k <= w.last && k < w.end; ++k)
+      if (r.commands[k] != r.commands[k - 1]) out.push_back(k);
+  return out;
+}
+
+/// How far the answers of parts of the pulses lie from that of all, linearised.
+VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residuals& residuals) {
+  std::vector<double> sizes;
+  for (const PulseWindow& w : *residuals.windows) sizes.push_back(w.amplitude);
+  std::ranges::nth_element(sizes, sizes.begin() + std::ssize(sizes) / 2);
+  const double middle = sizes[sizes.size() / 2];
+  const auto& commands = residuals.response->commands;
+  VectorXd out = VectorXd::Zero(J.cols());
+  for (const int part : {0, 1, 2, 3}) {
+    MatrixXd information = MatrixXd::Zero(J.cols(), J.cols());
+    VectorXd pull = VectorXd::Zero(J.cols());
+    Index at = 0;
+    for (const PulseWindow& w : *residuals.windows) {
+      const auto size = static_cast<Index>(w.end - w.begin);
+      const bool in = part < 2 ? (w.amplitude >= middle) == (part == 0)
+                               : (commands[w.first] > 0) == (part == 2);
+      if (in) {
+        information += J.middleRows(at, size).transpose() * J.middleRows(at, size);
+        pull += J.middleRows(at, size).transpose() * left.segment(at, size);
+      }
+      at += size;
+    }
+    const auto rest = J.bottomRows(J.rows() - at);  // of the prior
+    information += rest.transpose() * rest;
+    if (const auto change = solution_of(information, pull)) out = out.cwiseMax(change->cwiseAbs());
+  }
+  return out;
+}
+
+struct Solution {
+  Residuals residuals;
+  VectorXd p, left;
+  double excess;
+};
+
+constexpr double most_excess = 2;
+
+constexpr double least_apart = 0.1;  // of a sample: else they are late alike, which is a delay
+
+/// With the times of the commands as parameters, where that explains what is left.
+void doubt_times(Solution& found, double encoder_step) {
+  Solution freed = found;
+  Residuals& r = freed.residuals;
+  r.changes = changes_of_command(*r.response, *r.windows);
+  if (r.changes.empty()) return;
+  // The prior of a share that may be anything from 0 to 1, beside residuals as they should be.
+  constexpr double deviation = 0.29;
+  r.prior = std::max(encoder_step / r.unit / std::sqrt(12.0), 1e-5) / deviation;
+  freed.p = VectorXd::Zero(r.inputs());
+  freed.p.head(Index{parameter_count}) = found.p;
+  freed.p = solved(r, freed.p);
+  freed.left = r.at(freed.p);
+  freed.excess = excess_of(r, freed.left, encoder_step);
+  const VectorXd shares = without_mean(freed.p.tail(std::ssize(r.changes)));
+  const double apart = std::sqrt(shares.squaredNorm() / static_cast<double>(shares.size()));
+  if (freed.excess <= most_excess && apart > least_apart) found = freed;
 }
 
 }  // namespace
@@ -223,17 +336,27 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const double least = std::ranges::min_element(windows, {}, &PulseWindow::amplitude)->amplitude;
   const Scale scale{seen, seen / lasts, least / 2, std::max(first_delay(response, largest), sample),
                     least / 10};
-  const Residuals residuals{&response, &windows, scale, motion_rms(response, windows)};
-  const VectorXd p = best_solution(residuals);
-  const VectorXd left = residuals.at(p);
+  Solution found{{&response, &windows, scale, motion_rms(response, windows)}, {}, {}, 1};
+  found.p = best_solution(found.residuals);
+  found.left = found.residuals.at(found.p);
+  found.excess = excess_of(found.residuals, found.left, encoder_step);
+  const VectorXd as_logged = found.p;
+  if (found.excess > most_excess) doubt_times(found, encoder_step);
+  const auto& [residuals, p, left, excess] = found;
+  const bool widened = excess > most_excess, between = !residuals.changes.empty();
   const MatrixXd J = jacobian(residuals, p);
+  VectorXd apart = VectorXd::Zero(p.size());
+  if (widened) apart = spread_of_parts(J, left, residuals);
+  if (between) apart.head(as_logged.size()) = (p.head(as_logged.size()) - as_logged).cwiseAbs();
   const MatrixXd C =
       covariance(J, left, windows) + covariance_of_encoder(J, residuals, p, encoder_step);
   const double t = student_t_99(static_cast<double>(windows.size() - 1));
   const auto estimate = [&](Parameter i) {
     const double unit = scale[static_cast<std::size_t>(i)];
     const double value = std::abs(p[i]) * unit;
-    const double half = t * std::sqrt(std::max(0.0, C(i, i))) * unit;
+    // All commands may be late alike, which looks like a delay.
+    const double late = i == delay && between ? sample / 2 : 0;
+    const double half = (t * std::sqrt(std::max(0.0, C(i, i))) + apart[i]) * unit + late;
     return Estimate{value, std::max(0.0, value - half), value + half};
   };
   return {.inertia = estimate(inertia),
@@ -241,7 +364,10 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
           .friction = estimate(friction),
           .delay = estimate(delay),
           .offset = p[offset] * scale[offset],
-          .misfit = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()))};
+          .misfit = std::sqrt(left.squaredNorm() / static_cast<double>(left.size())),
+          .excess = excess,
+          .between = between,
+          .widened = widened};
 }
 
 }  // namespace sonde

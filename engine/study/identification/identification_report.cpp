@@ -42,6 +42,16 @@ std::string about(const IdentifiedAxis& axis) {
   if (axis.with_gaps > 0)
     out +=
         "; " + std::to_string(axis.with_gaps) + " more are left out, samples are missing in them";
+  const HandleFit& fit = axis.handle;
+  if (fit.between)
+    out +=
+        "; it moves as if its commands had changed between the samples, so their times are "
+        "measured too, and the intervals hold both answers (record each sample that the device "
+        "gets)";
+  if (fit.widened)
+    out += "; what is left is " + number_text(fit.excess, 2) +
+           " times what noise and encoder do and goes on from sample to sample: the model does not "
+           "hold, and the intervals are widened to what parts of the pulses say";
   if (!axis.has_steps) out += "; no step of the encoder was seen: it may be as large as is said";
   return out + '\n';
 }
@@ -49,12 +59,21 @@ std::string about(const IdentifiedAxis& axis) {
 Json json_of(const Estimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
 
 Json json_of(const IdentifiedAxis& axis) {
-  return {{"axis", name_of_axis(axis.axis)},           {"pulses", axis.pulses},
-          {"pulses_with_gaps", axis.with_gaps},        {"largest_command", axis.most},
-          {"inertia", json_of(axis.handle.inertia)},   {"damping", json_of(axis.handle.damping)},
-          {"friction", json_of(axis.handle.friction)}, {"delay", json_of(axis.handle.delay)},
-          {"resolution", json_of(axis.resolution)},    {"steps_seen", axis.has_steps},
-          {"beside_the_command", axis.handle.offset},  {"unexplained", axis.handle.misfit}};
+  return {{"axis", name_of_axis(axis.axis)},
+          {"pulses", axis.pulses},
+          {"pulses_with_gaps", axis.with_gaps},
+          {"largest_command", axis.most},
+          {"inertia", json_of(axis.handle.inertia)},
+          {"damping", json_of(axis.handle.damping)},
+          {"friction", json_of(axis.handle.friction)},
+          {"delay", json_of(axis.handle.delay)},
+          {"resolution", json_of(axis.resolution)},
+          {"steps_seen", axis.has_steps},
+          {"beside_the_command", axis.handle.offset},
+          {"unexplained", axis.handle.misfit},
+          {"beyond_noise", axis.handle.excess},
+          {"commands_between_samples", axis.handle.between},
+          {"widened", axis.handle.widened}};
 }
 
 }  // namespace

@@ -2,53 +2,189 @@
 #include "engine/study/stability/chatter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
-/// The windowed signal of one coordinate.
-std::vector<double> windowed(std::span<const Vec6> wrenches, Eigen::Index row) {
-  std::vector<double> out(wrenches.size());
-  const double turn = 2 * std::numbers::pi / double(out.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = wrenches[i][row] * (1 - std::cos(turn * double(i)));
+using Complex = std::complex<double>;
+using Line = std::array<std::vector<double>, 3>;  // three coordinates over time
+using Lines = std::array<std::vector<Complex>, 3>;
+
+constexpr double sureness = 1.5;  // of a profile's mass, either way
+constexpr FeltHandle::Range any_mass{0.02, 2}, any_inertia{5e-6, 5e-3};
+constexpr std::size_t fewest_ticks = 64;
+constexpr std::size_t half_peak = 2;  // bins: a Hann window's main lobe
+constexpr double coherent = 0.5;      // of handle and force
+constexpr double fed = 0.02;          // of |D|: below that the motors do no work to speak of
+constexpr double lasts = 0.6;         // of the largest part: a time constant of 0.4 s or more
+constexpr std::size_t parts = 5;      // each a third of the window, half of it new
+
+double hann(std::size_t i, std::size_t n) {
+  return 1 - std::cos(2 * std::numbers::pi * double(i) / double(n));
+}
+
+/// Second differences, of which a hand's slow motion leaves little to leak into what is fast. Force
+/// and place alike, so that their ratio stays.
+Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 FeltTick::*of) {
+  Line out;
+  for (Eigen::Index c = 0; c < 3; ++c)
+    for (std::size_t i = 1; i + 1 < ticks.size(); ++i)
+      out[static_cast<std::size_t>(c)].push_back(
+          (ticks[i + 1].*of)[row + c] - 2 * (ticks[i].*of)[row + c] + (ticks[i - 1].*of)[row + c]);
   return out;
 }
 
-struct Power {
-  double all = 0, slow = 0;
+/// What second differences make of a swing of amplitude 1.
+double gain(double omega, double T) { return 2 - 2 * std::cos(omega * T); }
+
+Lines spectra(const Line& signal) {
+  Lines out;
+  Eigen::FFT<double> fft;
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> windowed = signal[c];
+    for (std::size_t i = 0; i < windowed.size(); ++i) windowed[i] *= hann(i, windowed.size());
+    fft.fwd(out[c], windowed);
+  }
+  return out;
+}
+
+/// Amplitude of what swings at omega in a part of the signal, second differences undone.
+double amplitude(const Line& signal, std::size_t from, std::size_t count, double omega, double T) {
+  double sum = 0;
+  for (const std::vector<double>& x : signal) {
+    Complex at = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      at += hann(i, count) * x[from + i] * std::polar(1.0, -omega * T * double(i));
+    sum += std::norm(at);
+  }
+  return 2 * std::sqrt(sum) / double(count) / gain(omega, T);
+}
+
+/// What force and place share about the frequency at which the force swings most.
+struct Swing {
+  double omega = 0;               // rad/s
+  double places = 0, forces = 0;  // power
+  Complex both = 0;
+  double coherence() const { return std::norm(both) / (places * forces); }
+  /// Force over place, as it acts.
+  Complex stiffness(double lag) const { return both / places * std::polar(1.0, -omega * lag); }
 };
 
-/// By Parseval: what is not below the frequency is above it.
-Power power_of(const std::vector<double>& x, std::size_t slow_bins) {
-  Power out;
-  for (const double value : x) out.all += value * value;
-  std::vector<std::complex<double>> transform;
-  Eigen::FFT<double>().fwd(transform, x);
-  for (std::size_t m = 0; m < slow_bins; ++m)
-    out.slow += (m == 0 ? 1 : 2) * std::norm(transform[m]) / double(x.size());
+Swing largest_swing(const Line& places, const Line& forces, double T) {
+  const Lines x = spectra(places), f = spectra(forces);
+  const std::size_t n = x[0].size();
+  const double bin = 2 * std::numbers::pi / (double(n) * T);
+  const auto bin_of = [&](double hertz) { return 2 * std::numbers::pi * hertz / bin; };
+  const auto power = [&](const Lines& of, std::size_t m) {
+    return std::norm(of[0][m]) + std::norm(of[1][m]) + std::norm(of[2][m]);
+  };
+  const auto first = static_cast<std::size_t>(std::ceil(bin_of(slowest_chatter)));
+  const auto last = static_cast<std::size_t>(std::min(bin_of(fastest_chatter), 0.45 * double(n)));
+  Swing out;
+  const auto own = [&](std::size_t m) {
+    return power(f, m) / std::pow(gain(bin * double(m), T), 2);
+  };
+  std::size_t peak = first;
+  for (std::size_t m = first; m <= last; ++m)
+    if (own(m) > own(peak)) peak = m;
+  if (own(peak - 1) > own(peak)) return out;  // the flank of what is slower
+  double weighted = 0, weights = 0;
+  for (std::size_t m = peak - half_peak; m <= std::min(peak + half_peak, n / 2); ++m) {
+    out.places += power(x, m);
+    out.forces += power(f, m);
+    weighted += own(m) * bin * double(m);
+    weights += own(m);
+    for (std::size_t c = 0; c < 3; ++c) out.both += std::conj(x[c][m]) * f[c][m];
+  }
+  out.omega = weights > 0 ? weighted / weights : 0;
   return out;
+}
+
+/// Whether a handle of this inertia swings so by this force and a hand that only yields.
+bool by_the_loop(const Swing& swing, const FeltHandle::Range& inertia, double lag) {
+  if (!(swing.places > 0 && swing.forces > 0) || swing.coherence() < coherent) return false;
+  const Complex D = swing.stiffness(lag);
+  const double square = swing.omega * swing.omega;
+  if (D.imag() < fed * std::abs(D)) return false;
+  return inertia.most * square + D.real() >= 0 && inertia.least * square + D.real() <= std::abs(D);
+}
+
+/// The smallest amplitude over the parts; 0 where it dies down.
+double lasting_amplitude(const Line& forces, double omega, double T) {
+  const std::size_t count = forces[0].size() / 3;
+  double least = 0, most = 0, last = 0;
+  for (std::size_t i = 0; i < parts; ++i) {
+    last = amplitude(forces, i * count / 2, count, omega, T);
+    least = i == 0 ? last : std::min(least, last);
+    most = std::max(most, last);
+  }
+  return last >= lasts * most ? least : 0;
+}
+
+/// Of three translations or three rotations; `arm` turns rotations into translations.
+Chatter chatter_of(std::span<const FeltTick> ticks, Eigen::Index row, double T,
+                   const FeltHandle::Range& inertia, double lag, double arm) {
+  const Line places = differences(ticks, row, &FeltTick::place);
+  const Line forces = differences(ticks, row, &FeltTick::wrench);
+  const Swing swing = largest_swing(places, forces, T);
+  if (!by_the_loop(swing, inertia, lag)) return {};
+  const double force = lasting_amplitude(forces, swing.omega, T);
+  if (!(force > 0)) return {};
+  const double place = force / std::abs(swing.stiffness(lag));
+  return {.force = force / arm,
+          .frequency = swing.omega / (2 * std::numbers::pi),
+          .acceleration = arm * place * swing.omega * swing.omega / std::numbers::sqrt2};
 }
 
 }  // namespace
 
-double chatter_index(std::span<const Vec6> wrenches, double sample_time, double length) {
-  if (wrenches.size() < 8) return 0;
-  const double bins = std::ceil(chatter_frequency * sample_time * double(wrenches.size()));
-  const auto slow_bins = std::min(static_cast<std::size_t>(bins), wrenches.size() / 2);
-  Power sum;
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    const Power own = power_of(windowed(wrenches, row), slow_bins);
-    const double weight = row < 3 ? 1 : length > 0 ? 1 / (length * length) : 0;
-    sum.all += weight * own.all;
-    sum.slow += weight * own.slow;
-  }
-  return sum.all > 0 ? std::clamp((sum.all - sum.slow) / sum.all, 0.0, 1.0) : 0;
+FeltHandle felt_handle(double mass, double inertia, double lag) {
+  const auto about = [](double known, const FeltHandle::Range& any) {
+    return known > 0 ? FeltHandle::Range{known / sureness, known * sureness} : any;
+  };
+  return {about(mass, any_mass), about(inertia, any_inertia), lag};
+}
+
+FeltHandle felt_handle(const DeviceTraits& device, double sample_time) {
+  FeltHandle out = felt_handle(device.mass, device.inertia, device.delay + sample_time / 2);
+  const auto at_probe = [](FeltHandle::Range& range, double ratio) {
+    range.least /= ratio * ratio;
+    range.most /= ratio * ratio;
+  };
+  if (!(device.mass > 0) && device.ratio > 0) at_probe(out.mass, device.ratio);
+  if (!(device.inertia > 0) && device.turn_ratio > 0) at_probe(out.inertia, device.turn_ratio);
+  return out;
+}
+
+FeltTick felt_tick(const HandleState& state, const Wrench& motors, const Pose& from) {
+  FeltTick out;
+  out.place << state.X_WD.p - from.p, rotation_vector(state.X_WD.q * from.q.conjugate());
+  out.wrench << motors.force, motors.torque;
+  return out;
+}
+
+FeltHandle felt_handle(const ClosedLoopSetup& setup) {
+  const SimulatedDeviceParameters& device = setup.device;
+  return felt_handle(device.translation.inertia, device.rotation.inertia, -setup.sample_time / 2);
+}
+
+Chatter chatter(std::span<const FeltTick> ticks, double sample_time, const FeltHandle& handle,
+                double length) {
+  const auto wanted = static_cast<std::size_t>(std::llround(chatter_window / sample_time));
+  if (ticks.size() > wanted) ticks = ticks.last(wanted);
+  if (ticks.size() < std::max(fewest_ticks, wanted / 2)) return {};
+  const Chatter sliding = chatter_of(ticks, 0, sample_time, handle.mass, handle.lag, 1);
+  if (!(length > 0)) return sliding;
+  const Chatter turning = chatter_of(ticks, 3, sample_time, handle.inertia, handle.lag, length);
+  return turning.acceleration > sliding.acceleration ? turning : sliding;
 }
 
 }  // namespace sonde

@@ -77,6 +77,7 @@ class Observer {
                   : std::optional(s.status == Status::penetrating
                                       ? separation_motion(mass, s.device, s.separated)
                                       : SeparationMotion{});
+    if (tick == times_.first) hold_from_ = loop_.device().state().X_WD;
     if (tick >= times_.first) look_at_hold(tick, before, s, motors);
   }
 
@@ -92,8 +93,9 @@ class Observer {
     out_.growth = still ? 0 : out_.kinetic / std::max(first, quiet);
     out_.stable = (still || out_.growth < press.decay) && out_.contact > 0.5 && out_.failures == 0;
     const double length = std::sqrt(setup.pair.probe().mass.inertia.maxCoeff());
-    out_.chatter = chatter_index(hold_, setup.sample_time, length);
-    out_.chattering = out_.chatter > chatter_limit;
+    const Chatter heard = chatter(hold_, setup.sample_time, felt_handle(setup), length);
+    out_.chattering = heard.buzzes();
+    out_.chatter = out_.chattering ? heard.force : 0;
     out_.saturated = out_.saturation > saturation_limit;
     out_.force_error = force_.value();
     out_.torque_error = torque_.value();
@@ -126,8 +128,7 @@ class Observer {
     out_.saturation += loop_.haptic_loop().wrench().saturated ? 1 : 0;
     out_.force += motors.force.norm();
     out_.torque += motors.torque.norm();
-    hold_.emplace_back();
-    hold_.back() << motors.force, motors.torque;
+    hold_.push_back(felt_tick(now, motors, hold_from_));
   }
 
   const ClosedLoop& loop_;
@@ -135,7 +136,8 @@ class Observer {
   HoldReport out_;
   Error force_, torque_;
   std::optional<SeparationMotion> before_;
-  std::vector<Vec6> hold_;
+  std::vector<FeltTick> hold_;
+  Pose hold_from_;
   double energy_[2] = {0, 0};
   RenderedTick last_;
   Pose device_;

@@ -28,9 +28,10 @@ struct HoldReport {
   /// Kinetic energy of the handle, mean of the second window over that of the first; 0 where it
   /// stands still. At 1 or above what swings does not die down.
   double growth = 0;
-  double kinetic = 0;       ///< J, its mean over the second window
-  double work = 0;          ///< J, of the motors on the handle over both windows
-  double chatter = 0;       ///< chatter_index at the hold
+  double kinetic = 0;  ///< J, its mean over the second window
+  double work = 0;     ///< J, of the motors on the handle over both windows
+  /// N, amplitude of what the loop makes swing at the end of the hold, where it is felt; else 0
+  double chatter = 0;
   double saturation = 0;    ///< share of the ticks at the hold at which the coupling's limits acted
   double force_error = 0;   ///< motors against the spring and damper commanded: rms difference over
                             ///< rms force, from the first contact to the end
@@ -43,13 +44,10 @@ struct HoldReport {
   int pop_throughs = 0;     ///< those at which the probe came out on another side (popped_through)
   int failures = 0;         ///< ticks without an answer
   bool stable = false;      ///< still, or swinging less and less; in contact; no failures
-  bool chattering = false;  ///< chatter above chatter_limit
+  bool chattering = false;  ///< something that the loop makes swing is felt (Chatter::buzzes)
   bool saturated = false;   ///< saturation above saturation_limit
 };
 
-/// A twentieth of the wrench buzzes: half of the smallest difference of force that a hand tells
-/// from none (about 7 to 10 %: Jones, 1989; Pang, Tan and Durlach, 1991).
-constexpr double chatter_limit = 0.05 * 0.05;
 constexpr double saturation_limit = 0.01;
 
 HoldReport press_and_hold(ClosedLoop& loop, const Press& press);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/haptics/hand/simulated_device.hpp"
 #include "engine/study/rendering/rendering.hpp"
@@ -23,7 +24,15 @@ struct StableStiffness {
   std::optional<double> passive_in_translation;  ///< the same with the turn of the handle held
   /// J for each m of way and rad of a turn's half range that a slow cycle can get at this coupling.
   double cycle_lever = 0;
+  /// The force, N, that the coupling renders at a tick of the path where it is as stiff as that
+  /// contact bears: at the same ticks for every method, some `limits_looked_at` of them.
+  struct ForceAtLimit {
+    std::size_t tick = 0;
+    double force = 0;
+  };
+  std::vector<ForceAtLimit> limits = {};
 };
+constexpr std::size_t limits_looked_at = 48;
 
 /// Computes it at some 200 contacts of the path. For PD_t only the translation counts, without the
 /// torque of its contacts. Throws Cancelled.

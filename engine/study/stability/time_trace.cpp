@@ -11,8 +11,7 @@ namespace sonde {
 namespace {
 
 constexpr double settled_band = 0.05;
-constexpr double last_part = 0.1;     // s
-constexpr double chatter_part = 0.2;  // s
+constexpr double last_part = 0.1;  // s
 
 std::vector<double> forces_from(const std::vector<TraceSample>& samples, double t) {
   std::vector<double> out;
@@ -27,21 +26,15 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / double(values.size());
 }
 
-double chatter_of(const TimeTrace& trace, const ClosedLoopSetup& setup) {
-  std::vector<Vec6> wrenches;
-  for (const TraceSample& sample : trace.samples) {
-    if (sample.t < course_time - chatter_part) continue;
-    wrenches.emplace_back();
-    wrenches.back() << sample.motors.force, sample.motors.torque;
-  }
+double chatter_of(const std::vector<FeltTick>& felt, const ClosedLoopSetup& setup) {
   const double length = std::sqrt(setup.pair.probe().mass.inertia.maxCoeff());
-  return chatter_index(wrenches, setup.sample_time, length);
+  const Chatter heard = chatter(felt, setup.sample_time, felt_handle(setup), length);
+  return heard.buzzes() ? heard.force : 0;
 }
 
 void measure(TimeTrace& trace, HandCourse course, const ClosedLoopSetup& setup) {
   TraceFigures& f = trace.figures;
   f.force = mean(forces_from(trace.samples, course_time - last_part));
-  f.chatter = chatter_of(trace, setup);
   if (!(f.force > 0)) return;
   const std::vector<double> steady = forces_from(trace.samples, steady_from(course));
   f.overshoot = std::max(0.0, *std::ranges::max_element(steady) / f.force - 1);
@@ -66,6 +59,8 @@ TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place) {
   const auto ticks = std::llround(course_time / setup.sample_time);
   out.samples.reserve(static_cast<std::size_t>(ticks));
   loop.reset(place.X_FM);
+  std::vector<FeltTick> felt;
+  felt.reserve(static_cast<std::size_t>(ticks));
   for (std::int64_t tick = 0; tick < ticks; ++tick) {
     const double t = double(tick) * setup.sample_time;
     const HandleState before = loop.device().state();
@@ -80,8 +75,10 @@ TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place) {
                            motors.torque.dot(before.spin + now.spin));
     out.figures.jumps += s.jumped;
     out.figures.failures += s.status == Status::failed;
+    felt.push_back(felt_tick(now, motors, place.X_FM));
     out.samples.push_back({t, motors, s.status == Status::penetrating ? s.depth : 0});
   }
+  out.figures.chatter = chatter_of(felt, setup);
   measure(out, course, setup);
   return out;
 }

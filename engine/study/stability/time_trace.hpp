@@ -25,7 +25,7 @@ struct TraceFigures {
   std::optional<double> settling_time;
   double overshoot = 0;  ///< the largest |F| from where the hand is steady, over `force`, less 1
   double energy = 0;     ///< J, net work of the motors on the handle; below 0: the hand gave it
-  double chatter = 0;    ///< chatter_index of the last 0.2 s
+  double chatter = 0;    ///< N, as HoldReport has it, at the end
   int jumps = 0;         ///< ticks that jumped to another place, as the engine reports it
   int failures = 0;      ///< ticks without an answer
 };

@@ -255,7 +255,7 @@ RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiff
 
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis) {
   if (range_of(setup, axis).most_damping == 0) return {0};
-  return {0, 0.125, 0.25, 0.5, 1};
+  return {0, 1.0 / 64, 1.0 / 16, 0.25, 1};
 }
 
 std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,

@@ -90,7 +90,7 @@ std::string figures_text(double value) {
   return number_text(parse_number(number_text(value, 3)).value_or(value));
 }
 
-bool buzzes(const Trace& t) { return t.chatter > chatter_limit; }
+bool buzzes(const Trace& t) { return t.chatter > 0; }
 
 /// What the figures say, in short.
 std::string note(const Trace& t) {

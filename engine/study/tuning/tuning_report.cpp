@@ -8,6 +8,7 @@
 
 #include "engine/settings/settings.hpp"
 #include "engine/study/tuning/assumptions.hpp"
+#include "engine/study/tuning/device_curves.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/study/tuning/tuning_map.hpp"
 #include "engine/study/tuning/tuning_words.hpp"
@@ -246,6 +247,7 @@ std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder
   std::vector<StudyFile> files{{"map.csv", map_csv(results)},
                                {"map.svg", map_svg(results)},
                                {"recommendation.json", recommendation(results)}};
+  for (StudyFile& file : device_curve_files(results)) files.push_back(std::move(file));
   if (has_recommendation(results)) files.push_back({"coupling.json", coupling_text(results)});
   return files;
 }

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/study/stability/press_and_hold.hpp"
-
 namespace sonde::ui {
 namespace {
 
@@ -26,20 +24,39 @@ class LastSecondTest : public ::testing::Test {
       tick.wrench.force.x() =
           steady + swing * std::sin(2 * std::numbers::pi * frequency * tick.time);
       tick.hand.energy.given = 0.25 * tick.time;
+      tick.hand.device = device;
+      // A free mass swings so by that force, half a tick later.
+      const double omega = 2 * std::numbers::pi * frequency;
+      if (device && frequency > 0)
+        tick.separation.device.p.x() = -swing / (device->mass * omega * omega) *
+                                       std::sin(omega * (tick.time - 0.5e-3) + lag_of_losses);
       last.add(tick);
     }
   }
+  static constexpr double lag_of_losses = 0.1;  // rad: what damps it
+  std::optional<DeviceTraits> device = DeviceTraits{.mass = 0.3};
   LastSecond last;
 };
 
-TEST_F(LastSecondTest, the_share_of_power_that_swings_is_the_chatter) {
-  // Mean squares: steady², swing²/2.
-  run(0, 3, 1, 0.2, 200);
+TEST_F(LastSecondTest, what_the_force_makes_the_handle_do_is_chatter) {
+  run(0, 3, 1, 0.2, 100);
   ASSERT_TRUE(last.buzz());
-  EXPECT_NEAR(last.buzz()->chatter, 0.02 / 1.02, 1e-4);
-  EXPECT_GT(last.buzz()->chatter, chatter_limit);
+  EXPECT_TRUE(last.buzz()->loop);
+  EXPECT_NEAR(last.buzz()->chatter.force, 0.2, 0.01);
+  EXPECT_NEAR(last.buzz()->chatter.frequency, 100, 1);
+  EXPECT_TRUE(last.buzz()->chatter.buzzes());
   run(3, 4.1, 1, 0.2, 5);  // the same swing, as slow as a hand
-  EXPECT_LT(last.buzz()->chatter, 1e-6);
+  EXPECT_FALSE(last.buzz()->chatter.buzzes());
+}
+
+TEST_F(LastSecondTest, with_a_mouse_or_a_device_without_motors_nothing_buzzes) {
+  device = DeviceTraits{.mass = 0.3, .force = false};
+  run(0, 1.1, 1, 0.2, 100);
+  EXPECT_FALSE(last.buzz()->loop);
+  EXPECT_EQ(last.buzz()->chatter.force, 0);
+  device.reset();
+  run(1.1, 2.2, 1, 0.2, 100);
+  EXPECT_FALSE(last.buzz()->loop);
 }
 
 TEST_F(LastSecondTest, the_energy_is_that_of_one_second) {

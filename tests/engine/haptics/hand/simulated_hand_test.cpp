@@ -185,6 +185,9 @@ TEST(SimulatedHand, tells_what_the_device_is_like_as_felt_at_the_probe) {
   EXPECT_EQ(traits->max_rotational_damping, 0.07);
   EXPECT_EQ(traits->delay, 0.001);
   EXPECT_EQ(traits->ratio, 0);
+  EXPECT_EQ(traits->mass, device.translation.inertia / 4);
+  EXPECT_EQ(traits->inertia, device.rotation.inertia);
+  EXPECT_TRUE(traits->force);
 }
 
 TEST(SimulatedHand, scaling_and_place_change_without_a_jump) {

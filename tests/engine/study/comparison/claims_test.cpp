@@ -62,6 +62,26 @@ TEST(Claims, what_was_not_seen_is_undecided) {
   EXPECT_EQ(tested_claims(c).at(2).finding, Finding::undecided) << "2/32";
 }
 
+TEST(Claims, a_nearer_torque_and_a_larger_stable_force_are_seen_either_way) {
+  Comparison c;
+  for (std::size_t i = 0; i < 12; ++i) {
+    c.of_pdt.realism.at_equal_force.push_back({i, 0.2});
+    c.of_pdg.realism.at_equal_force.push_back({i, i == 3 ? 0.3 : 0.1});
+    c.of_pdt.stiffness.limits.push_back({2 * i, 5.0});
+    c.of_pdg.stiffness.limits.push_back({3 * i, 4.0});
+  }
+  const TestedClaim torque = tested_claims(c).at(3), stable = tested_claims(c).at(4);
+  EXPECT_STREQ(torque.key, "better_torque");
+  EXPECT_EQ(torque.finding, Finding::supported);
+  EXPECT_EQ(torque.against_it, 1);
+  EXPECT_STREQ(stable.key, "more_stable");
+  EXPECT_EQ(stable.against_it, 4) << "ticks that both have: 0, 6, 12, 18";
+  EXPECT_EQ(stable.finding, Finding::undecided) << "2/16";
+  std::swap(c.of_pdt, c.of_pdg);
+  EXPECT_EQ(tested_claims(c).at(3).finding, Finding::refuted);
+  EXPECT_EQ(tested_claims(c).at(4).for_it, 4);
+}
+
 TEST(Claims, the_sign_test_sums_up_the_binomial) {
   EXPECT_NEAR(sign_test(6, 0), 2.0 / 64, 1e-12);
   EXPECT_NEAR(sign_test(5, 1), 2 * 7.0 / 64, 1e-12);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <map>
 
 #include "engine/base/error.hpp"
 #include "tests/engine/study/identification/bundled_profiles.hpp"
@@ -102,6 +103,68 @@ TEST(Identification, intervals_hold_the_truth_behind_noise) {
       inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
   }
   for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+/// Every second sample of a recording, the odd or the even ones.
+Response thinned(const Response& response, std::size_t first) {
+  Response out;
+  for (std::size_t k = first; k < response.size(); k += 2) out.push_back(response[k]);
+  return out;
+}
+
+/// A log of a device at 1 kHz that holds every second sample: commands change between its samples.
+TEST(Identification, a_log_with_every_second_sample_holds_the_truth) {
+  const TrueHandle truth{0.22, 0.4, 0.1, 1e-3, 1e-5};
+  PulsePlan plan = plan_along(0, device_of_mass(0.22));
+  for (Pulse& pulse : plan.pulses) pulse.part += 1 - pulse.part % 2;  // an odd number of samples
+  std::map<std::string, int> inside;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (const std::size_t first : {0u, 1u}) {
+      const Identification found = identify(thinned(test::answer(truth, plan, 0, seed), first));
+      ASSERT_EQ(found.axes.size(), 1u);
+      EXPECT_TRUE(found.axes[0].handle.between) << found.axes[0].handle.excess;
+      EXPECT_NEAR(found.translation->inertia.value, 0.22, 0.01 * 0.22);
+      for (const Figure& f : figures(truth, found.axes[0]))
+        inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
+    }
+  for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+  const Identification whole = identify(test::answer(truth, plan, 0));
+  EXPECT_FALSE(whole.axes[0].handle.between) << "every sample is there";
+  EXPECT_FALSE(whole.axes[0].handle.widened);
+}
+
+/// Times that are wrong by up to a fifth of a sample.
+TEST(Identification, a_log_with_jitter_holds_the_truth) {
+  const TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+  std::map<std::string, int> inside;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Response response = test::answer(truth, plan, 0, seed);
+    Random random(seed);
+    for (ResponseSample& s : response) s.t += 2e-4 * random.uniform(-1, 1);
+    const Identification found = identify(response);
+    for (const Figure& f : figures(truth, found.axes.at(0)))
+      if (std::string(f.name) != "resolution")
+        inside[f.name] += f.found.low <= f.truth && f.truth <= f.found.high ? 1 : 0;
+  }
+  for (const auto& [name, count] : inside) EXPECT_GE(count, 9) << name;
+}
+
+/// The model has no drag: at a fifth of what damps, its mass must lie in the interval all the same.
+TEST(Identification, a_handle_that_is_not_the_model_widens_its_intervals) {
+  TrueHandle truth{0.1, 0.4, 0.1, 1e-3, 1e-5};
+  const PulsePlan plan = plan_along(0, device_of_mass(0.1));
+  const IdentifiedAxis right = identify(test::answer(truth, plan, 0)).axes.at(0);
+  truth.drag = 0.5;
+  int inside = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const IdentifiedAxis axis = identify(test::answer(truth, plan, 0, seed)).axes.at(0);
+    EXPECT_TRUE(axis.handle.widened || axis.handle.between) << axis.handle.excess;
+    const Estimate& m = axis.handle.inertia;
+    inside += m.low <= truth.inertia && truth.inertia <= m.high;
+    EXPECT_GT(m.high - m.low, right.handle.inertia.high - right.handle.inertia.low);
+  }
+  EXPECT_GE(inside, 9);
 }
 
 TEST(Identification, axes_that_differ_lie_within_the_interval_of_their_kind) {

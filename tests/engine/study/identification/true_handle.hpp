@@ -14,6 +14,7 @@ namespace sonde::test {
 struct TrueHandle {
   double inertia = 0.1, damping = 0.4, friction = 0.05, delay = 1e-3, step = 3e-5;
   double hand = 0;  ///< N/m, of a hand that holds it where it was
+  double drag = 0;  ///< N·s²/m², of the square of its speed: what the fitted model has not
 };
 
 /// What it does under commands that hold for a sample each: Runge and Kutta's fourth order, in 100
@@ -35,7 +36,9 @@ class Integration {
 
  private:
   double force(double given, double x, double v, double way) const {
-    return (given - h_.hand * (x - start_) - h_.damping * v - way * h_.friction) / h_.inertia;
+    return (given - h_.hand * (x - start_) - h_.damping * v - h_.drag * v * std::abs(v) -
+            way * h_.friction) /
+           h_.inertia;
   }
   struct State {
     double x, v;
