@@ -145,8 +145,8 @@ TEST_F(StiffnessTest, another_scene_has_no_map) {
   EXPECT_FALSE(find<QPushButton>("apply_recommended")->isVisible());
 }
 
-// Damped with 2 N·s/m of its own and 1 of the lightest hand, one sample late: beyond some 2 kN/m, or
-// what its maker allows, gains wait or are taken as that, so that nothing buzzes.
+// Damped with 2 N·s/m of its own and 1 of the lightest hand, one sample late: beyond some 2 kN/m,
+// or what its maker allows, gains wait or are taken as that, so that nothing buzzes.
 TEST_F(StiffnessTest, gains_beyond_what_the_device_bears_wait_and_the_dock_says_so) {
   auto* sources = find<QComboBox>("holder");
   emit sources->activated(sources->findText("sigma.7 (simulated)"));
