@@ -145,7 +145,9 @@ TEST_F(StiffnessTest, another_scene_has_no_map) {
   EXPECT_FALSE(find<QPushButton>("apply_recommended")->isVisible());
 }
 
-TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_dock_shows_it) {
+// Damped with 2 N·s/m of its own and 1 of the lightest hand, one sample late: beyond some 2 kN/m,
+// or what its maker allows, gains wait or are taken as that, so that nothing buzzes.
+TEST_F(StiffnessTest, gains_beyond_what_the_device_bears_wait_and_the_dock_says_so) {
   auto* sources = find<QComboBox>("holder");
   emit sources->activated(sources->findText("sigma.7 (simulated)"));
   auto* typed = find<TypedValue>("k_value");
@@ -154,32 +156,19 @@ TEST_F(StiffnessTest, beyond_the_boundary_the_simulated_device_buzzes_and_the_do
     EXPECT_TRUE(wait_until([&] { return stiffness().buzz().has_value(); }));
     return *stiffness().buzz();
   };
-  typed->setValue(400);
+  typed->setValue(200);
   const Buzz quiet = settled();
-  EXPECT_FALSE(text("chatter_value").contains("buzzing")) << quiet.chatter.force;
-  EXPECT_EQ(shown().separation.status, Status::penetrating);
-  EXPECT_GT(shown().wrench.force.norm(), 1) << "it is quiet in contact";
-  // Damped with 2 N·s/m of its own and 5 of the hand, one sample late: without friction the end is
-  // near 2 b/(T + 2 t_d) = 4.7 kN/m.
-  // The gains glide there no faster than the force may change, which friction takes for rest: the
-  // hand moves a little.
-  typed->setValue(40'000);
-  Buzz loud = settled();
-  for (int i = 0; i < 10 && !loud.chatter.buzzes(); ++i) {
-    drag(Qt::LeftButton, {640, 400}, {i % 2 == 0 ? 12.0 : -12.0, 0});
-    loud = settled();
-  }
   EXPECT_TRUE(quiet.loop);
-  EXPECT_FALSE(quiet.chatter.buzzes());
-  EXPECT_TRUE(loud.chatter.buzzes());
-  EXPECT_TRUE(wait_until([&] { return text("chatter_value").contains("buzzing"); }));
+  EXPECT_FALSE(quiet.chatter.buzzes()) << quiet.chatter.force;
+  EXPECT_EQ(shown().separation.status, Status::penetrating);
+  typed->setValue(40'000);
+  EXPECT_TRUE(wait_until([&] {
+    const QString said = text("rendered_gains");
+    return said.contains("wait") || said.contains("bears");
+  })) << text("rendered_gains").toStdString();
+  EXPECT_FALSE(settled().chatter.buzzes());
+  EXPECT_TRUE(stiffness().note().now.isEmpty());
   EXPECT_TRUE(text("energy_value").endsWith("mJ"));
-  EXPECT_TRUE(wait_until([&] { return stiffness().note().now == "buzzing"; })) << "in the view too";
-  EXPECT_GT(stiffness().note().course.size(), 50u) << "of a tenth of a second at 1 kHz";
-  typed->setValue(400);
-  Buzz again = settled();
-  for (int i = 0; i < 10 && again.chatter.buzzes(); ++i) again = settled();
-  EXPECT_FALSE(again.chatter.buzzes()) << "and is quiet again";
 }
 
 TEST_F(StiffnessTest, the_present_contact_is_marked_on_the_map_with_its_own_boundary) {
