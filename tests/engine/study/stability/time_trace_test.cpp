@@ -63,7 +63,7 @@ const Pose on_top{Quat::Identity(), {0.003, 0.002, 0.0701}};
 TEST(Trace, ends_at_the_balance_of_forces) {
   const double k = 500, push = 3, gap = 1e-4;
   ClosedLoop loop(pressed_block(k));
-  const CoursePlace place = course_place(on_top, {{0, 0, -push}, {}}, 0.035);
+  const CoursePlace place = course_place(on_top, {{0, 0, -push}, Vec3::Zero()}, 0.035);
   for (const HandCourse course : {HandCourse::step, HandCourse::ramp}) {
     const TimeTrace found = trace(loop, course, place);
     ASSERT_EQ(found.samples.size(), 1200u);
@@ -84,7 +84,7 @@ TEST(Trace, beyond_stability_nothing_settles) {
   setup.device.translation.hand_damping = 1;
   ClosedLoop loop(setup);
   const TimeTrace found =
-      trace(loop, HandCourse::step, course_place(on_top, {{0, 0, -3}, {}}, 0.035));
+      trace(loop, HandCourse::step, course_place(on_top, {{0, 0, -3}, Vec3::Zero()}, 0.035));
   EXPECT_FALSE(found.figures.settling_time);
   EXPECT_GT(found.figures.overshoot, 1);
   EXPECT_EQ(found.figures.chatter, 0) << "it is thrown out of the contact: another fault";
@@ -92,7 +92,7 @@ TEST(Trace, beyond_stability_nothing_settles) {
 
 TEST(Trace, the_same_again_gives_the_same_bits) {
   ClosedLoop one(pressed_block(400)), other(pressed_block(400));
-  const CoursePlace place = course_place(on_top, {{0, 0, -2}, {}}, 0.035);
+  const CoursePlace place = course_place(on_top, {{0, 0, -2}, Vec3::Zero()}, 0.035);
   trace(one, HandCourse::reversal, place);
   const TimeTrace a = trace(one, HandCourse::slide, place),
                   b = trace(other, HandCourse::slide, place);
