@@ -36,6 +36,7 @@
 #include "ui/panels/log_panel.hpp"
 #include "ui/panels/pose_panel.hpp"
 #include "ui/panels/readout_panel.hpp"
+#include "ui/shell/side_bar.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/shell/status_text.hpp"
 #include "ui/views/viewport.hpp"
@@ -240,6 +241,7 @@ void MainWindow::place(const Pose& X_FM) {
 }
 
 void MainWindow::on_frame() {
+  for (SideBar* bar : {left_, right_}) bar->hold_widths(!isVisible());
   const ViewAxes view = viewport_->camera().axes();
   Mat3 R_FV;
   R_FV << view.right, view.up, view.towards;

@@ -67,6 +67,7 @@ void MainWindow::clear_desk() {
 
 void MainWindow::lay_desk() {
   if (desk_.isEmpty()) return;
+  for (SideBar* bar : {left_, right_}) bar->hold_widths(true);  // until the next frame
   restoreState(std::exchange(desk_, {}), state_version);
   layout()->activate();  // the view has its size before anything is fitted into it
 }

@@ -15,6 +15,8 @@
 namespace sonde::ui {
 namespace {
 
+constexpr int usual_width = 300;  // pixels: what comes to be in a dock later has room too
+
 /// A button whose text runs along the strip.
 class Tab : public QToolButton {
  public:
@@ -96,8 +98,20 @@ void SideBar::on_opened(QDockWidget& opened) {
     if (other != &opened && !other->isFloating() && !other->isHidden() &&
         window->dockWidgetArea(other) == area)
       other->hide();
-  const bool beside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
-  if (beside) window->resizeDocks({&opened}, {std::max(width_, width_of(opened))}, Qt::Horizontal);
+  const auto is_beside = [](Qt::DockWidgetArea a) {
+    return a == Qt::LeftDockWidgetArea || a == Qt::RightDockWidgetArea;
+  };
+  if (!is_beside(area) || held_) return;
+  // What is open at the other side keeps its width.
+  QList<QDockWidget*> docks{&opened};
+  QList<int> widths{std::max({width_, width_of(opened), usual_width})};
+  for (QDockWidget* other : window->findChildren<QDockWidget*>()) {
+    const bool open = other != &opened && other->isVisible() && !other->isFloating();
+    if (!open || !is_beside(window->dockWidgetArea(other))) continue;
+    docks << other;
+    widths << other->width();
+  }
+  window->resizeDocks(docks, widths, Qt::Horizontal);
 }
 
 }  // namespace sonde::ui

@@ -20,6 +20,8 @@ class SideBar : public QToolBar {
   void add(QDockWidget& dock);
   void add_space();
   const std::vector<QDockWidget*>& docks() const { return docks_; }
+  /// Docks that come open keep the width that they have, as at first, while a state is restored.
+  void hold_widths(bool on) { held_ = on; }
 
   static constexpr int first_width = 272;  ///< pixels, of a dock
 
@@ -27,6 +29,7 @@ class SideBar : public QToolBar {
   void on_opened(QDockWidget& opened);
 
   bool reads_upwards_;
+  bool held_ = true;
   int width_ = first_width;  ///< of what was open last
   std::vector<QDockWidget*> docks_;
 };

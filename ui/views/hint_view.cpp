@@ -243,8 +243,10 @@ void HintView::draw_hint(QPainter& painter) const {
   }
 }
 
+double HintView::hint_top() const { return hint_visible_ ? laid_out_hint().plate.top() : height(); }
+
 std::vector<QRectF> HintView::clear_areas() const {
-  const double bottom = hint_visible_ ? laid_out_hint().plate.top() : height();
+  const double bottom = hint_top();
   const QRectF legend = legend_box();
   const double under_banner = banner_box(pause_banner()).bottom();
   const auto between = [&](double left, double top) {
@@ -355,38 +357,6 @@ void HintView::draw_banner(QPainter& painter) const {
   painter.setPen(readable(colour::contact, palette()));
   painter.drawText(box, Qt::AlignCenter, banner_);
   painter.setFont(font());
-}
-
-/// In the lower left corner, above the hint; in the right one where the legend reaches down there.
-QRectF HintView::triad_box() const {
-  const double bottom = hint_visible_ ? laid_out_hint().plate.top() : height();
-  const QRectF box(margin, bottom - margin - triad_size, triad_size, triad_size);
-  if (!box.intersects(legend_box())) return box;
-  return box.translated(width() - 2 * margin - triad_size, 0);
-}
-
-/// The axis that is furthest from the eye first.
-void HintView::draw_triad(QPainter& painter) const {
-  struct Axis {
-    Vec3 seen;
-    QString name;
-    QColor colour;
-  };
-  std::array<Axis, 3> axes{{{triad_[0], QStringLiteral("x"), QColor(235, 90, 90)},
-                            {triad_[1], QStringLiteral("y"), QColor(110, 190, 90)},
-                            {triad_[2], QStringLiteral("z"), QColor(100, 150, 245)}}};
-  if (!(triad_[0].norm() > 0)) return;
-  std::ranges::sort(axes, {}, [](const Axis& axis) { return axis.seen.z(); });
-  const QRectF box = triad_box();
-  const double length = 0.33 * triad_size;
-  for (const Axis& axis : axes) {
-    const QPointF along(axis.seen.x() * length, -axis.seen.y() * length);
-    const QColor own = readable(axis.colour, palette());
-    painter.setPen(QPen(own, 2));
-    painter.drawLine(box.center(), box.center() + along);
-    const QPointF at = box.center() + 1.38 * along;
-    painter.drawText(QRectF(at.x() - 8, at.y() - 8, 16, 16), Qt::AlignCenter, axis.name);
-  }
 }
 
 QRectF HintView::scale_box() const {

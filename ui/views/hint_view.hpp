@@ -85,6 +85,7 @@ class HintView : public QWidget {
  private:
   struct Hint;
   Hint laid_out_hint() const;
+  double hint_top() const;  ///< the view's bottom where there is no hint
   QRectF legend_plate() const;
   QRectF legend_box() const;
   QRectF ruler_box() const;

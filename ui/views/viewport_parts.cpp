@@ -36,13 +36,16 @@ void Viewport::measure_scene() {
   s.probe_box = box_of(s.pair->probe());
   s.fixed_box = box_of(s.pair->fixed());
   s.radius = s.pair->fixed().mass.radius;
-  double b[6];
-  s.fixed_surface->GetCellsBounds(b);
-  const Eigen::AlignedBox3d shown(Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]));
-  s.fixed_box.extend(shown);
-  for (int i = 0; i < 8; ++i)
-    s.radius = std::max(s.radius,
-                        (Vec3(shown.corner(Eigen::AlignedBox3d::CornerType(i))) - s.centre).norm());
+  if (!s.parts.empty() && s.fixed_surface->GetNumberOfPolys() > 0) {
+    double b[6];
+    s.fixed_surface->GetCellsBounds(b);
+    const Eigen::AlignedBox3d shown(Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]));
+    s.fixed_box.extend(shown);
+    for (int i = 0; i < 8; ++i)
+      s.radius = std::max(
+          s.radius, (Vec3(shown.corner(Eigen::AlignedBox3d::CornerType(i))) - s.centre).norm());
+  }
+  s.grid.set(s.fixed_box, s.q_FW);
 }
 
 vtkSmartPointer<vtkPolyData> Viewport::show_parts(const std::vector<PartLook>& looks) {

@@ -209,18 +209,6 @@ void Viewport::set_crossings(const std::vector<std::uint32_t>& probe,
   invalidate();
 }
 
-/// The colours of the gap, with their lengths.
-void Viewport::update_scale() {
-  const Scenery& s = *scenery_;
-  if (!shown(Layer::gaps) || !(s.gap_reach > 0)) return s.hints->set_scale({});
-  ColourScale scale{QStringLiteral("gap, %1").arg(s.unit.name()), {}, {}};
-  constexpr int colours = 32, ticks = 5;
-  for (int i = 0; i < colours; ++i) scale.colours.push_back(gap_colour(i / double(colours - 1)));
-  for (int i = 0; i < ticks; ++i)
-    scale.ticks << number(s.gap_reach * i / (ticks - 1) / s.unit.metres());
-  s.hints->set_scale(std::move(scale));
-}
-
 void Viewport::set_force_note(const ForceNote& note) {
   if (note == scenery_->wrench.note()) return;
   scenery_->wrench.set_note(note);

@@ -24,7 +24,7 @@ class AccuracyTest : public WindowTest {
     WindowTest::SetUp();
     if (HasFatalFailure()) return;
     open_cubes();
-    window->accuracy().panel().raise();
+    window->accuracy().panel().show();
     ASSERT_TRUE(wait_until([this] { return window->accuracy().panel().isVisible(); }));
   }
   void click(const char* radio) {

@@ -158,7 +158,7 @@ TEST_F(SeeingTest, a_contact_is_chosen_in_the_list_and_in_the_view) {
   EXPECT_EQ(rows->topLevelItemCount(), shown().separation.clusters.size);
   double shares = 0;
   for (int i = 0; i < rows->topLevelItemCount(); ++i)
-    shares += rows->topLevelItem(i)->text(2).section(' ', 0, 0).toDouble();
+    shares += rows->topLevelItem(i)->text(3).section(' ', 0, 0).toDouble();
   EXPECT_NEAR(shares, 100, 3);
   const QImage before = picture();
   rows->topLevelItem(0)->setSelected(true);

@@ -20,7 +20,7 @@ class StiffnessTest : public WindowTest {
     write_canned_study(folder / "tuned", folder / "cube.off", folder / "cube.off");
     write_canned_study(folder / "fitting", folder / "cube.off", folder / "cube.off", "sigma.7",
                        "conforming");
-    window->stiffness().panel().raise();
+    window->stiffness().panel().show();
   }
   StiffnessControl& stiffness() { return window->stiffness(); }
   /// Ends with the tuning read, or with a complaint.

@@ -114,6 +114,7 @@ TEST_F(DropTest, takes_a_scene_or_two_meshes) {
   drop({QString::fromStdString(scene.string())});
   ASSERT_TRUE(wait_until([this] { return opened == 1; }));
   answered_unit = 1e-3;
+  window->prompts().ask_role = [](const QString&, int) { return std::optional(Role::pair); };
   drop({path("large.off"), path("open.off")});
   ASSERT_TRUE(wait_until([this] { return opened == 2; }));
   EXPECT_EQ(window->session()->probe().name, "large");

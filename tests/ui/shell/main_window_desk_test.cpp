@@ -112,9 +112,13 @@ TEST_F(DeskLayout, a_tab_opens_its_dock_in_place_of_another_and_folds_it_away) {
   EXPECT_FALSE(seeing->isVisible());
   wait(50);
   EXPECT_GT(share_of_view(), before + 0.1) << "the view has the room";
-  find<QToolButton>("tab_parts_panel")->click();
   find<QToolButton>("tab_readout_panel")->click();
-  EXPECT_TRUE(find<QDockWidget>("parts_panel")->isVisible()) << "another side";
+  wait(50);
+  const int wide = readout->width();
+  find<QToolButton>("tab_parts_panel")->click();
+  wait(50);
+  EXPECT_TRUE(readout->isVisible()) << "at another side";
+  EXPECT_EQ(readout->width(), wide);
   act("fold_docks");
   EXPECT_FALSE(readout->isVisible());
   EXPECT_FALSE(find<QDockWidget>("parts_panel")->isVisible());
@@ -174,6 +178,17 @@ TEST_F(DeskLayout, hint_and_legend_go_after_the_first_drag_and_come_back_by_a_ke
   drag(Qt::LeftButton, window->viewport().on_screen(com()), {-30, 0});
   wait(100);
   EXPECT_TRUE(window->viewport().shown(Layer::hint)) << "who wants them keeps them";
+}
+
+TEST_F(DeskLayout, a_grid_lies_on_the_ground_on_wish) {
+  open_cubes();
+  window->set_paused(true);
+  const QImage without = picture();
+  act("show_grid");
+  const QImage with = picture();
+  EXPECT_GT(pixels_between(without, with), 500);
+  act("show_grid");
+  EXPECT_LT(pixels_between(without, picture()), 20);
 }
 
 TEST_F(DeskLayout, both_bodies_open_whole_and_in_the_middle_of_what_is_free) {

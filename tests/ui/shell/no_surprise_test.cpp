@@ -171,9 +171,9 @@ TEST_F(NoSurprise, contacts_have_their_force_place_and_normal) {
   double force = 0;
   for (int i = 0; i < rows->topLevelItemCount(); ++i) {
     const QTreeWidgetItem& row = *rows->topLevelItem(i);
-    force += row.text(1).section(' ', 0, 0).toDouble();
-    EXPECT_EQ(row.text(3).count(','), 2) << row.text(3).toStdString();
-    EXPECT_EQ(row.text(4), "1.00, 0, 0") << "out of the face that is touched";
+    force += row.text(2).section(' ', 0, 0).toDouble();
+    EXPECT_EQ(row.text(4).count(','), 2) << row.text(4).toStdString();
+    EXPECT_EQ(row.text(5), "1.00, 0, 0") << "out of the face that is touched";
   }
   // 10 mm at 500 N/m.
   EXPECT_NEAR(force, 5, 0.05);
