@@ -48,7 +48,7 @@ class Walk {
       tell();
       const double to = std::min(most, from + step);
       const std::size_t looked_at = find_blocked({from, to}, tell);
-      if (const auto found = first_gap(from, to)) return found;
+      if (auto found = first_gap(from, to)) return found;
       from = to;
       if (looked_at < few_pairs) step *= 2;
       if (looked_at > many_pairs) step = std::max(0.5 * step, shortest_stretch * whole);

@@ -342,7 +342,8 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   found.excess = excess_of(found.residuals, found.left, encoder_step);
   const VectorXd as_logged = found.p;
   if (found.excess > most_excess) doubt_times(found, encoder_step);
-  const auto& [residuals, p, left, excess] = found;
+  const auto& [residuals, parameters, left, excess] = found;
+  const VectorXd& p = parameters;  // a lambda may not take a part of a binding
   const bool widened = excess > most_excess, between = !residuals.changes.empty();
   const MatrixXd J = jacobian(residuals, p);
   VectorXd apart = VectorXd::Zero(p.size());

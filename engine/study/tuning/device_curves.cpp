@@ -20,6 +20,7 @@ constexpr int points = 25;
 
 std::vector<double> evenly_by_ratio(double from, double to) {
   std::vector<double> out;
+  out.reserve(points);
   for (int i = 0; i < points; ++i) out.push_back(from * std::pow(to / from, i / (points - 1.0)));
   return out;
 }
