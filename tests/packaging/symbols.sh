@@ -26,10 +26,15 @@ sonde::make_body
 sonde::nearest_point
 sonde::offset_body
 sonde::part_at
+sonde::pose_of_matrix
 sonde::ray
 sonde::read_body
+sonde::read_pair
 sonde::seed_of_pose
 sonde::separate
+sonde::separate_about
+sonde::separate_along
+sonde::separate_in_plane
 sonde::signed_distance
 sonde::sweep
 sonde::touch
@@ -38,6 +43,7 @@ sonde::vertices
 sonde::with_mass
 sonde::wrench
 sonde::wrench_derivative
+sonde::write_pair
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.

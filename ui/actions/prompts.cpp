@@ -103,6 +103,7 @@ void add_document_questions(Prompts& prompts, QWidget* parent) {
     answers.push_back({Role::parts, meshes == 1 ? "A further part" : "Further parts"});
     if (meshes == 2) answers.push_back({Role::pair, "Probe and fixed body"});
     std::vector<Button> buttons;
+    buttons.reserve(answers.size() + 1);
     for (const Answer& answer : answers) buttons.push_back({answer.text, QMessageBox::AcceptRole});
     buttons.push_back({"Cancel", QMessageBox::RejectRole});
     const QString question = meshes == 1 ? QStringLiteral("What is %1 to be?").arg(name)

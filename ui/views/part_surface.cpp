@@ -72,6 +72,7 @@ PartSurface make_part_surface(const std::vector<BodyPart>& parts) {
   vtkNew<vtkAppendPolyData> append;
   vtkIdType points = 0, cells = 0;
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  surfaces.reserve(parts.size());
   for (const BodyPart& part : parts) surfaces.push_back(make_surface(placed(part)));
   // All with normals, or none: what is appended has what all of it have.
   const bool bare = std::ranges::any_of(
