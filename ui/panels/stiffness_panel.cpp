@@ -119,6 +119,7 @@ void StiffnessPanel::build_last_second(QVBoxLayout& layout) {
             QStringLiteral("Gains stiffer than the device bears by its maker's word are "
                            "taken as that. In a contact, gains that would be unstable in it, "
                            "by an estimate, wait until it is left."));
+  for (QLabel* words : {chatter_, rendered_}) words->setWordWrap(true);
   chatter_plot_ = new HistoryPlot(QStringLiteral("chatter"), colour::contact, group);
   chatter_plot_->set_unit(1, QStringLiteral("N"));
   form->addRow(chatter_plot_);
