@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/proximity/sketch/sketch.hpp"
@@ -39,8 +38,8 @@ TEST(Pair, keeps_its_bodies_and_shares_what_it_made) {
 
 TEST(Pair, without_a_body_there_is_none) {
   const auto body = test::body(test::box({1, 1, 1}));
-  EXPECT_THROW(Pair(nullptr, body), std::invalid_argument);
-  EXPECT_THROW(Pair(body, nullptr), std::invalid_argument);
+  EXPECT_THROW(Pair(nullptr, body), InputError);
+  EXPECT_THROW(Pair(body, nullptr), InputError);
 }
 
 }  // namespace
