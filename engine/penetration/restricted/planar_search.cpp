@@ -2,7 +2,10 @@
 #include "engine/penetration/restricted/planar_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include "engine/base/progress.hpp"
@@ -18,9 +21,7 @@
 namespace sonde {
 namespace {
 
-/// Of the ends that are to agree: so many starts come straight in from outside, in all directions.
-/// The others are free poses nearer than the best so far, and somewhat farther.
-constexpr double from_outside = 2;
+/// Of the best so far: free poses from which the later starts descend are no farther away.
 constexpr double farther = 1.5;
 constexpr double same = 1.02;  ///< of the best: ends that agree with it
 constexpr int tries = 16;      ///< for a free pose
@@ -75,8 +76,9 @@ class Planar {
     for (int i = 0; i < starts && agreeing() < agreement; ++i) {
       if (deadline_.passed() && !ends_.empty()) break;
       report(progress, double(i) / starts);
-      const bool outside = i < from_outside * agreement || ends_.empty();
+      const bool outside = i < agreement || ends_.empty();
       if (const auto y = outside ? from_far() : nearby()) descend(*y);
+      if (outside) from_outside_ = ends_.size();
     }
     return finish();
   }
@@ -84,7 +86,8 @@ class Planar {
 
  private:
   std::ptrdiff_t agreeing() const {
-    return std::ranges::count_if(ends_, [&](const Vec6& y) { return y.norm() <= same * best_; });
+    return std::ranges::count_if(std::span(ends_).subspan(from_outside_),
+                                 [&](const Vec6& y) { return y.norm() <= same * best_; });
   }
   std::optional<Vec6> from_far() {
     const double angle = random_.uniform(0, 2 * std::numbers::pi);
@@ -136,6 +139,7 @@ class Planar {
   double far_;  // m: centres so far apart are those of bodies apart
   double best_ = std::numeric_limits<double>::infinity();
   std::vector<Vec6> ends_;
+  std::size_t from_outside_ = 0;  // so many of the ends, the first
 };
 
 }  // namespace
