@@ -14,13 +14,14 @@
 #include "app/commands.hpp"
 #include "app/part_file.hpp"
 #include "app/phases.hpp"
+#include "app/query_motions.hpp"
 #include "app/query_rows.hpp"
 #include "app/static_searches.hpp"
 #include "app/study_run.hpp"
 #include "app/timed.hpp"
 #include "engine/base/threads.hpp"
-#include "engine/penetration/search/coherent.hpp"
 #include "engine/scene/poses.hpp"
+#include "engine/sonde.hpp"
 #include "engine/study/parts/study_parts.hpp"
 #include "engine/text/output_file.hpp"
 
@@ -34,12 +35,32 @@ struct QueryOptions {
   PhaseOptions phases;
   OutputOptions output;
   QueryQuestion question;
+  QueryMotions motions;
   std::string poses;
   std::string shard;  ///< "2/8"; empty: all poses
   bool resume = false;
 };
 
+void check_motions(const QueryOptions& options) {
+  check(options.motions);
+  if (!options.motions.any()) return;
+  if (options.question.touch || options.solver.coherent() || options.accuracy.turned() ||
+      options.accuracy.claim || options.accuracy.sure || options.phases.timed() ||
+      options.solver.chosen_method() == Method::pdt)
+    throw UsageError(
+        "--along, --about and --in-plane are searches of their own: leave out --method, --touch, "
+        "--mode coherent, --time, --accuracy, --sure, --claim and --phases");
+  const Budget& budget = options.solver.budget;
+  if (budget.steps > 0 || (options.motions.exact() &&
+                           (budget.microseconds > 0 || options.solver.bound.value_or(false) ||
+                            options.question.seeds > 1)))
+    throw UsageError(
+        "--along and --about are exact and have no bound: leave out --budget-us, --bound and "
+        "--seeds; --budget-steps is of none of these motions");
+}
+
 void check(const QueryOptions& options) {
+  check_motions(options);
   const bool coherent = options.solver.coherent();
   if (options.question.touch &&
       (coherent || options.accuracy.turned() || options.accuracy.claim || options.phases.timed() ||
@@ -78,16 +99,24 @@ std::string run_of(const QueryOptions& options, const Scene& scene, const Pair& 
                                {"contacts", !options.question.contacts.empty()},
                                {"json", options.output.json}};
   about["bound"] = solver.bound ? (*solver.bound ? "whole" : "none") : "some";
+  if (options.motions.any()) about["motions"] = options.motions.numbers();
   for (const Column& column : columns) about["columns"].push_back(column.name);
   return fingerprint(about.dump());
 }
 
-/// Answers the poses one by one: a search for each, or following them in their order.
+/// Answers the poses one by one, by the library's own face (engine/sonde.hpp). What else this
+/// command takes from the engine is not in it, since it answers nothing about two bodies: files of
+/// poses and scenes, threads, parts of long runs. A search for each pose, or following them in
+/// their order.
 class QueryAnswers {
  public:
-  QueryAnswers(const Pair& pair, const QueryQuestion& question, const SolverOptions& solver,
+  QueryAnswers(const Pair& pair, const QueryOptions& options, const SolverOptions& solver,
                SearchThreads threads)
-      : pair_(pair), question_(question), solver_(solver), threads_(threads) {
+      : pair_(pair),
+        question_(options.question),
+        motions_(options.motions),
+        solver_(solver),
+        threads_(threads) {
     if (!solver.coherent()) return;
     follower_.emplace(pair, solver.chosen_method());
     follower_->time_phases(solver.time_phases);
@@ -116,8 +145,8 @@ class QueryAnswers {
   }
   Separation followed(const Pose& pose) {
     // A search that failed leaves nothing to follow: search again.
-    Separation found = started_ ? follower_->tick(pose, solver_.budget)
-                                : follower_->reset(pose, solver_.static_options());
+    Separation found = started_ ? follower_->follow(pose, solver_.budget)
+                                : follower_->start(pose, solver_.static_options());
     started_ = started_ || found.status != Status::failed;
     return found;
   }
@@ -127,7 +156,8 @@ class QueryAnswers {
     Separation best;
     for (std::size_t k = 0; k < question_.seeds; ++k) {
       own.seed = seed_of_pose(solver_.seed + k, pose);
-      const Separation found = separate(pair_, pose, own);
+      const Separation found =
+          motions_.any() ? separate_within(pair_, pose, motions_, own) : separate(pair_, pose, own);
       best = k == 0 ? found : better(best, found);
       if (found.status == Status::separated) break;
     }
@@ -146,9 +176,10 @@ class QueryAnswers {
 
   const Pair& pair_;
   const QueryQuestion& question_;
+  const QueryMotions& motions_;
   const SolverOptions& solver_;
   SearchThreads threads_;
-  std::optional<CoherentSolver> follower_;
+  std::optional<Follower> follower_;
   bool started_ = false;
 };
 
@@ -254,7 +285,7 @@ void run(const QueryOptions& options) {
   share.done = lines.taken_over(share);
   const std::size_t left = share.indices.size() - share.done;
   const SearchThreads threads = threads_for(left, solver);
-  QueryAnswers answers(pair, options.question, solver, threads);
+  QueryAnswers answers(pair, options, solver, threads);
   PhasePicture picture;
   std::map<std::string, std::string, std::less<>> part_words;
   const auto name_of_part = [&](const Vec3& x) {
@@ -305,6 +336,7 @@ Command add_query_command(CLI::App& program) {
           "path, with t before them, is taken too; -: standard input")
       ->required();
   add_flags(*parser, options->question);
+  add_flags(*parser, options->motions);
   add_flags(*parser, options->solver, "static");
   add_flags(*parser, options->accuracy);
   add_flags(*parser, options->phases);

@@ -172,6 +172,8 @@ const Separation& Follower::follow(const Pose& X_FM, const Budget& budget) noexc
   return state_->solver.tick(X_FM, budget);
 }
 
+void Follower::time_phases(bool on) noexcept { state_->solver.time_phases(on); }
+
 const Separation& Follower::last() const noexcept { return state_->solver.last(); }
 
 Wrench wrench(const Pair& pair, const Separation& now, const Coupling& coupling) noexcept {

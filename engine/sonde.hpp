@@ -205,6 +205,9 @@ class Follower {
   /// continues until it has converged.
   const Separation& follow(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
+  /// From now on, says where the time of a result went (Separation::phases), or not.
+  void time_phases(bool on) noexcept;
+
   /// The newest result; Status::failed before the first.
   const Separation& last() const noexcept;
 

@@ -47,4 +47,4 @@ sonde::write_pair
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 43 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 44 sh -c "nm -D --defined-only '$library' | wc -l"

@@ -11,8 +11,6 @@
 namespace sonde {
 namespace {
 
-using Mat6 = Mat6;
-
 /// Of a row: one of which the rows that hold leave no more than that free holds with them.
 constexpr double held_with_others = 1e-4;
 /// Of the gap of a row that may be about to hold: one that touches has no more.
@@ -124,12 +122,14 @@ bool ExactOptimum::choose() noexcept {
 /// ∂²(U − Σλg)/∂Q², where all coordinates are lengths.
 Mat6 ExactOptimum::curvature() const noexcept {
   Mat6 out = at_.by_motion;
+  const Transform X(X_FQ_);
   for (std::size_t k = 0; k < active_; ++k) {
     const FeatureRowAt& row = active_row(k);
-    out.topRows<3>() -= lambda_[k] * row.d_normal;
+    const FeatureRowChange change = row_change(rows_[of_[k]], row, X);
+    out.topRows<3>() -= lambda_[k] * change.normal;
     for (Eigen::Index i = 0; i < 6; ++i)
       out.col(i).tail<3>() -=
-          lambda_[k] * (row.arm.cross(row.d_normal.col(i)) - row.normal.cross(row.d_arm.col(i)));
+          lambda_[k] * (row.arm.cross(change.normal.col(i)) - row.normal.cross(change.arm.col(i)));
   }
   out.rightCols<3>() /= turn_;
   out.bottomRows<3>() /= turn_;

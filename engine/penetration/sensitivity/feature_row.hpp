@@ -22,15 +22,20 @@ struct FeatureRow {
 /// A row at a pose. A small motion of the probe is (ξ, ψ): displacement of its centre of mass, m,
 /// and rotation vector, rad, both in F.
 struct FeatureRowAt {
-  using Change = Eigen::Matrix<double, 3, 6>;
   Vec3 normal;  ///< n, unit, from the fixed body to the probe, F
   Vec3 arm;     ///< r, from the probe's centre of mass to where the gap is measured, F, m
   double gap;   ///< m; it changes by n·ξ + (r × n)·ψ
-  Change d_normal, d_arm;  ///< the change of n and r with (ξ, ψ)
+};
+/// The change of a row's normal and arm with (ξ, ψ).
+struct FeatureRowChange {
+  Eigen::Matrix<double, 3, 6> normal, arm;
 };
 
 /// `com`: the probe's centre of mass in its mesh frame.
 FeatureRowAt row_at(const FeatureRow& row, const Transform& X_FM, const Vec3& com) noexcept;
+/// Of `at`, which is the row there.
+FeatureRowChange row_change(const FeatureRow& row, const FeatureRowAt& at,
+                            const Transform& X_FM) noexcept;
 
 /// The matrix of v ×.
 inline Mat3 cross_matrix(const Vec3& v) {

@@ -76,6 +76,7 @@ int main() {
   heavy.inertia *= 4;
   if (sonde::facts(*sonde::with_mass(*body, heavy)).mass.inertia != heavy.inertia)
     return complain("another norm");
+  follower.time_phases(true);
   follower.start(pose);
   sonde::Follower other(follower);
   other = follower;

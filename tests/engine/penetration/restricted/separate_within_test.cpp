@@ -193,6 +193,25 @@ TEST(SeparateWithin, boxes_on_a_plane_slide_out_the_shorter_way) {
   }
 }
 
+// Reference: the faces of box and post pass each other; the table below is never met.
+TEST(SeparateWithin, a_box_hardly_above_a_table_slides_out_of_a_post) {
+  for (const double above : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    PolygonSoup fixed = test::box({0.06, 0.08, 0.5});
+    PolygonSoup table = test::box({2, 2, 0.2});
+    for (Vec3& x : table.points) x.z() -= 0.15 + above;
+    const Pair pair(test::body(test::box({0.1, 0.1, 0.1})),
+                    test::body(joined(std::move(fixed), table)));
+    for (const bool turning : {false, true}) {
+      const Pose X = at({0.07, 0.01, 0});
+      const Separation found = separate_in_plane(pair, X, {Vec3::UnitZ(), turning});
+      ASSERT_EQ(found.status, Status::penetrating) << above << ' ' << found.reason;
+      EXPECT_NEAR(found.depth, 0.01, 2e-6) << above;
+      EXPECT_EQ(found.separated.p.z(), 0) << above;
+      EXPECT_FALSE(touch(pair, found.separated)) << above;
+    }
+  }
+}
+
 // Reference: the least over all turns of how far a rod's lowest corner is below the plane then, by
 // a search of one dimension that knows nothing of meshes.
 TEST(SeparateWithin, a_rod_on_a_plane_slides_and_turns_out_by_the_least_of_both) {

@@ -62,6 +62,7 @@ TEST(FeatureRow, slopes_and_curvatures_are_those_of_the_gap) {
     const FeatureRowAt at = row_at(row, Transform(X), mass.com);
     if (kind == Kind::edge_on_edge && (X.q * row.along_a).cross(row.along_b).norm() < 0.2)
       continue;  // Nearly parallel lines turn too fast for differences.
+    const FeatureRowChange change = row_change(row, at, Transform(X));
     ASSERT_NEAR(at.gap, gap_of(row, Transform(X)), 1e-12);
     const double h = 1e-5;
     for (Eigen::Index k = 0; k < 6; ++k) {
@@ -73,9 +74,9 @@ TEST(FeatureRow, slopes_and_curvatures_are_those_of_the_gap) {
                          last = row_at(row, Transform(behind), mass.com);
       const Vec3 turns = (next.normal - last.normal) / (2 * h),
                  arm = (next.arm - last.arm) / (2 * h);
-      EXPECT_LT((at.d_normal.col(k) - turns).norm(), 1e-6) << i << ' ' << k;
+      EXPECT_LT((change.normal.col(k) - turns).norm(), 1e-6) << i << ' ' << k;
       // The arm counts but for what is along the normal.
-      EXPECT_LT((at.d_arm.col(k) - arm).cross(at.normal).norm(), 1e-5) << i << ' ' << k;
+      EXPECT_LT((change.arm.col(k) - arm).cross(at.normal).norm(), 1e-5) << i << ' ' << k;
     }
   }
 }
