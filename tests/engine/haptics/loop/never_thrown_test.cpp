@@ -89,6 +89,11 @@ class Pressed {
     }
     fastest_ = 0;
   }
+  /// What the hand does by itself: no force holds it from now on. m/s.
+  double fastest_without_force(double time) {
+    for (int i = 0; i < int(time / dt); ++i) move({});
+    return fastest_;
+  }
   void run(double time) {
     for (int i = 0; i < int(time / dt); ++i) {
       const GainGlide::Blend& blend = glide_.next(dt, bench_.loop.most_of_glide(glide_, dt));
@@ -116,7 +121,7 @@ class Pressed {
  private:
   void move(const Wrench& wrench) {
     device_.step(wrench, target_);
-    fastest_ = std::max(fastest_, device_.state().velocity.z());  // the way the force pushes
+    fastest_ = std::max(fastest_, device_.state().velocity.norm());
     highest_ = std::max(highest_, device_.state().X_WD.p.z());
   }
 
@@ -181,7 +186,9 @@ class NeverThrown : public testing::TestWithParam<const char*> {};
 TEST_P(NeverThrown, by_what_is_not_its_own_motion) {
   const DeviceProfile profile = profile_named(GetParam());
   double fastest = 0, out = 0;
-  for (const Grip& grip : grips)
+  for (const Grip& grip : grips) {
+    // A force that goes off lets the hand press on: that is its own motion.
+    const double own = Pressed(profile, grip).fastest_without_force(5);
     for (const Event& event : events) {
       // What a contact that jumps pushes a handle with that nobody holds, it keeps: see the manual.
       if (grip.stiffness == 0 && event.happens == contact_jumps.happens) continue;
@@ -191,11 +198,12 @@ TEST_P(NeverThrown, by_what_is_not_its_own_motion) {
       ASSERT_GT(before, 0);
       event.happens(pressed);
       pressed.run(5);
-      EXPECT_LE(pressed.fastest(), most_speed);
+      EXPECT_LE(pressed.fastest(), std::max(most_speed, own));
       EXPECT_LE(pressed.highest(), most_out);
       fastest = std::max(fastest, pressed.fastest());
       out = std::max(out, pressed.highest());
     }
+  }
   RecordProperty("fastest", std::to_string(fastest));
   RecordProperty("out", std::to_string(out));
 }
