@@ -6,7 +6,8 @@
 namespace sonde {
 namespace {
 
-/// What there is between sixteen pairs of boxes.
+/// What there is between a box and boxes of a node.
+template <class Floats>
 struct Outside {
   Floats in_a[3], in_b[3];  ///< the gaps along the axes of either
   Floats d_a[3], d_b[3];    ///< |projections| of the line of the centres
@@ -14,11 +15,12 @@ struct Outside {
   Floats rounding;
 };
 
-SONDE_INLINE void compare(const PlacedBox& a, const Boxes& b, Outside& o) {
+template <class Floats>
+SONDE_INLINE void compare(const PlacedBox& a, const Boxes<Floats>& b, Outside<Floats>& o) {
   const Floats dx = a.center[0] - b.center.x, dy = a.center[1] - b.center.y,
                dz = a.center[2] - b.center.z;
   o.dd = dx * dx + dy * dy + dz * dz;
-  rounding({dx, dy, dz}, b, a.half[0] + a.half[1] + a.half[2], o.rounding);
+  rounding(Vectors<Floats>{dx, dy, dz}, b, a.half[0] + a.half[1] + a.half[2], o.rounding);
   for (int i = 0; i < 3; ++i) {
     const Floats along = dx * a.axis[i][0] + dy * a.axis[i][1] + dz * a.axis[i][2];
     magnitude(along, o.d_a[i]);
@@ -39,6 +41,7 @@ SONDE_INLINE void compare(const PlacedBox& a, const Boxes& b, Outside& o) {
   }
 }
 
+template <class Floats>
 SONDE_INLINE void sum_of_outer_squares(const Floats (&gap)[3], Floats& out) {
   const Floats zero{};
   Floats p[3];
@@ -46,11 +49,12 @@ SONDE_INLINE void sum_of_outer_squares(const Floats (&gap)[3], Floats& out) {
   out = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
 }
 
-SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, float scale,
-                               Lanes& out) {
-  Boxes b;
-  load(node, scale, box.origin, b);
-  Outside o;
+template <class Floats>
+SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, std::uint32_t first,
+                               float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, box.origin, b);
+  Outside<Floats> o;
   compare(box, b, o);
   Floats in_a, in_b, squared, faces;
   sum_of_outer_squares(o.in_a, in_a);
@@ -85,33 +89,37 @@ SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, flo
   for (int i = 1; i < 3; ++i) larger(depth, o.in_a[i], depth);
   for (const Floats& gap : o.in_b) larger(depth, gap, depth);
   best = best > o.rounding ? best - o.rounding : depth - o.rounding;
-  store(best, out.value);
+  store(best, out.value + first);
 }
 
-SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out) {
-  Boxes b;
-  load(node, scale, box.origin, b);
-  Outside o;
+template <class Floats>
+SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, std::uint32_t first,
+                          float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, box.origin, b);
+  Outside<Floats> o;
   compare(box, b, o);
   Floats best = o.in_a[0];
   for (int i = 1; i < 3; ++i) larger(best, o.in_a[i], best);
   for (const Floats& gap : o.in_b) larger(best, gap, best);
-  store(best - o.rounding, out.value);
+  store(best - o.rounding, out.value + first);
 }
 
 /// What a gap along an axis loses by a way, both given by their parts along it: the gap is on the
 /// side that `d` says.
+template <class Floats>
 SONDE_INLINE void lose(const Floats& d, const Floats& way, Floats& gap) {
   const Floats none{};
   const Floats closing = d > 0 ? -way : way;
   gap -= closing > 0 ? closing : none;
 }
 
-SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, float scale,
-                                 Lanes& out) {
-  Boxes b;
-  load(node, scale, box.origin, b);
-  Outside o;
+template <class Floats>
+SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, std::uint32_t first,
+                                 float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, box.origin, b);
+  Outside<Floats> o;
   compare(box, b, o);
   const Floats dx = box.center[0] - b.center.x, dy = box.center[1] - b.center.y,
                dz = box.center[2] - b.center.z;
@@ -127,20 +135,21 @@ SONDE_INLINE void gaps_on_way_of(const PlacedBox& box, const Tree::Node& node, f
       larger(best, o.in_a[i], best);
   }
   for (int j = 0; j < 3; ++j) {
-    const Vectors& axis = b.axis[j];
+    const Vectors<Floats>& axis = b.axis[j];
     const Floats along = dx * axis.x + dy * axis.y + dz * axis.z;
     const Floats way = w[0] * axis.x + w[1] * axis.y + w[2] * axis.z;
     lose(along, way, o.in_b[j]);
     larger(best, o.in_b[j], best);
   }
   const float size = __builtin_fabsf(w[0]) + __builtin_fabsf(w[1]) + __builtin_fabsf(w[2]);
-  store(best - (o.rounding + size * static_cast<float>(box_rounding)), out.value);
+  store(best - (o.rounding + size * static_cast<float>(box_rounding)), out.value + first);
 }
 
-SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node& node, float scale,
-                                     Lanes& out) {
-  Boxes b;
-  load(node, scale, point.origin, b);
+template <class Floats>
+SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node& node,
+                                     std::uint32_t first, float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, point.origin, b);
   const Floats dx = point.rest[0] - b.center.x, dy = point.rest[1] - b.center.y,
                dz = point.rest[2] - b.center.z;
   Floats gap[3];
@@ -153,16 +162,17 @@ SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node&
   Floats squared, best, off;
   sum_of_outer_squares(gap, squared);
   square_root(squared, best);
-  rounding({dx, dy, dz}, b, 0, off);
-  store(best - off, out.value);
+  rounding(Vectors<Floats>{dx, dy, dz}, b, 0, off);
+  store(best - off, out.value + first);
 }
 
 /// Separating axes of a ray and a box: the box's normals, for the end of the ray, and the cross
 /// products of its normals with the ray.
-SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, float scale,
-                              Lanes& out) {
-  Boxes b;
-  load(node, scale, ray.from.origin, b);
+template <class Floats>
+SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, std::uint32_t first,
+                              float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, ray.from.origin, b);
   const Floats dx = ray.from.rest[0] - b.center.x, dy = ray.from.rest[1] - b.center.y,
                dz = ray.from.rest[2] - b.center.z;
   Floats m[3], d[3], size[3];
@@ -186,37 +196,32 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, floa
     larger(best, beside, best);
   }
   Floats lost;
-  rounding({dx, dy, dz}, b, 0, lost);
-  store(best - lost, out.value);
+  rounding(Vectors<Floats>{dx, dy, dz}, b, 0, lost);
+  store(best - lost, out.value + first);
 }
 
 // An attribute and a name cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define SONDE_BOX_KERNELS(NAME, ATTRIBUTE)                                                     \
-  namespace NAME {                                                                             \
-  ATTRIBUTE void distances(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) { \
-    distances_of(a, b, scale, out);                                                            \
-  }                                                                                            \
-  ATTRIBUTE void gaps(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) {      \
-    gaps_of(a, b, scale, out);                                                                 \
-  }                                                                                            \
-  ATTRIBUTE void ways(const PlacedBox& a, const Tree::Node& b, float scale, Lanes& out) {      \
-    gaps_on_way_of(a, b, scale, out);                                                          \
-  }                                                                                            \
-  ATTRIBUTE void points(const PlacedPoint& a, const Tree::Node& b, float scale, Lanes& out) {  \
-    point_distances_of(a, b, scale, out);                                                      \
-  }                                                                                            \
-  ATTRIBUTE void rays(const PlacedRay& a, const Tree::Node& b, float scale, Lanes& out) {      \
-    ray_gaps_of(a, b, scale, out);                                                             \
-  }                                                                                            \
-  constexpr BoxKernels kernels{distances, gaps, ways, points, rays};                           \
+#define SONDE_BOX_KERNEL(NAME, WHAT, PLACED, FLOATS, ATTRIBUTE)                        \
+  ATTRIBUTE void NAME(const PLACED& a, const Tree::Node& b, float scale, Lanes& out) { \
+    for (std::uint32_t first = 0; first < Tree::width; first += lanes_of<FLOATS>)      \
+      WHAT<FLOATS>(a, b, first, scale, out);                                           \
+  }
+#define SONDE_BOX_KERNELS(NAME, FLOATS, ATTRIBUTE)                             \
+  namespace NAME {                                                             \
+  SONDE_BOX_KERNEL(distances, distances_of, PlacedBox, FLOATS, ATTRIBUTE)      \
+  SONDE_BOX_KERNEL(gaps, gaps_of, PlacedBox, FLOATS, ATTRIBUTE)                \
+  SONDE_BOX_KERNEL(ways, gaps_on_way_of, PlacedBox, FLOATS, ATTRIBUTE)         \
+  SONDE_BOX_KERNEL(points, point_distances_of, PlacedPoint, FLOATS, ATTRIBUTE) \
+  SONDE_BOX_KERNEL(rays, ray_gaps_of, PlacedRay, FLOATS, ATTRIBUTE)            \
+  constexpr BoxKernels kernels{distances, gaps, ways, points, rays};           \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)
-SONDE_BOX_KERNELS(plain, )
+SONDE_BOX_KERNELS(plain, FloatX4, )
 #if defined(__x86_64__)
-SONDE_BOX_KERNELS(avx2, __attribute__((target(SONDE_TARGET_AVX2))))
-SONDE_BOX_KERNELS(avx512, __attribute__((target(SONDE_TARGET_AVX512))))
+SONDE_BOX_KERNELS(avx2, FloatX8, __attribute__((target(SONDE_TARGET_AVX2))))
+SONDE_BOX_KERNELS(avx512, FloatX16, __attribute__((target(SONDE_TARGET_AVX512))))
 constexpr BoxKernels all[] = {plain::kernels, avx2::kernels, avx512::kernels};
 #else
 constexpr BoxKernels all[] = {plain::kernels};

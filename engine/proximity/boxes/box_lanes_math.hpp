@@ -15,61 +15,100 @@
 
 namespace sonde {
 
-static_assert(Tree::width == 16, "a lane for each box of a node");
-using Floats = FloatX16;
-using Ints = IntX16;
+/// How many boxes of a node a vector has a number of.
+template <class Floats>
+constexpr std::uint32_t lanes_of = sizeof(Floats) / sizeof(float);
+template <class Floats>
+struct IntsOf;
+template <>
+struct IntsOf<FloatX4> {
+  using type = IntX4;
+};
+template <>
+struct IntsOf<FloatX8> {
+  using type = IntX8;
+};
+template <>
+struct IntsOf<FloatX16> {
+  using type = IntX16;
+};
 
+template <class Floats>
 struct Vectors {
   Floats x, y, z;
 };
 
-SONDE_INLINE void load(const float* p, Floats& out) { __builtin_memcpy(&out, p, sizeof out); }
-SONDE_INLINE void store(const Floats& x, float* out) { __builtin_memcpy(out, &x, sizeof x); }
+template <class Floats>
+SONDE_INLINE void load(const float* p, Floats& out) {
+  __builtin_memcpy(&out, p, sizeof out);
+}
+template <class Floats>
+SONDE_INLINE void store(const Floats& x, float* out) {
+  __builtin_memcpy(out, &x, sizeof x);
+}
+template <class Floats>
 SONDE_INLINE void magnitude(const Floats& x, Floats& out) {
+  using Ints = typename IntsOf<Floats>::type;
   const Ints bits = reinterpret_cast<Ints>(x) & 0x7fffffff;
   out = reinterpret_cast<Floats>(bits);
 }
-SONDE_INLINE void larger(const Floats& x, const Floats& y, Floats& out) { out = x > y ? x : y; }
-SONDE_INLINE void square_root(const Floats& x, Floats& out) {
-  for (std::uint32_t k = 0; k < Tree::width; ++k) out[k] = __builtin_sqrtf(x[k]);
+template <class Floats>
+SONDE_INLINE void larger(const Floats& x, const Floats& y, Floats& out) {
+  out = x > y ? x : y;
 }
-SONDE_INLINE void dot(const Vectors& a, const float (&b)[3], Floats& out) {
+/// By way of memory: compilers make one instruction of a loop over numbers there.
+template <class Floats>
+SONDE_INLINE void square_root(const Floats& x, Floats& out) {
+  float each[lanes_of<Floats>];
+  store(x, each);
+  for (float& number : each) number = __builtin_sqrtf(number);
+  load(each, out);
+}
+template <class Floats>
+SONDE_INLINE void dot(const Vectors<Floats>& a, const float (&b)[3], Floats& out) {
   out = a.x * b[0] + a.y * b[1] + a.z * b[2];
 }
-SONDE_INLINE void dot(const Vectors& a, const Vectors& b, Floats& out) {
+template <class Floats>
+SONDE_INLINE void dot(const Vectors<Floats>& a, const Vectors<Floats>& b, Floats& out) {
   out = a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The boxes of a node, lengths times the scale, centres from the origin.
+/// Boxes of a node, lengths times the scale, centres from the origin.
+template <class Floats>
 struct Boxes {
-  Vectors center;
+  Vectors<Floats> center;
   Floats half[3];
-  Vectors axis[3];
+  Vectors<Floats> axis[3];
 };
 
-SONDE_INLINE void load(const Tree::Node& node, float scale, const float (&origin)[3], Boxes& b) {
-  load(node.center[0], b.center.x);
-  load(node.center[1], b.center.y);
-  load(node.center[2], b.center.z);
+/// Those from lane `first` on.
+template <class Floats>
+SONDE_INLINE void load(const Tree::Node& node, std::uint32_t first, float scale,
+                       const float (&origin)[3], Boxes<Floats>& b) {
+  load(node.center[0] + first, b.center.x);
+  load(node.center[1] + first, b.center.y);
+  load(node.center[2] + first, b.center.z);
   b.center.x = b.center.x * scale - origin[0];
   b.center.y = b.center.y * scale - origin[1];
   b.center.z = b.center.z * scale - origin[2];
   for (int i = 0; i < 3; ++i) {
-    load(node.half[i], b.half[i]);
+    load(node.half[i] + first, b.half[i]);
     b.half[i] *= scale;
   }
   for (int i = 0; i < 2; ++i) {
-    load(node.axis[i][0], b.axis[i].x);
-    load(node.axis[i][1], b.axis[i].y);
-    load(node.axis[i][2], b.axis[i].z);
+    load(node.axis[i][0] + first, b.axis[i].x);
+    load(node.axis[i][1] + first, b.axis[i].y);
+    load(node.axis[i][2] + first, b.axis[i].z);
   }
-  const Vectors &u = b.axis[0], &v = b.axis[1];
+  const Vectors<Floats>&u = b.axis[0], &v = b.axis[1];
   b.axis[2] = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
 /// What rounding can do to lengths made of the way d between the centres, the sides of a node's
 /// boxes and those of another box (half their sum: other).
-SONDE_INLINE void rounding(const Vectors& d, const Boxes& b, float other, Floats& out) {
+template <class Floats>
+SONDE_INLINE void rounding(const Vectors<Floats>& d, const Boxes<Floats>& b, float other,
+                           Floats& out) {
   Floats x, y, z;
   magnitude(d.x, x), magnitude(d.y, y), magnitude(d.z, z);
   out =

@@ -16,6 +16,7 @@ SONDE_INLINE float dot(const float (&a)[3], const float (&b)[3]) {
 }
 
 /// The longest that a gap along one axis lasts, and the best of those so far.
+template <class Floats>
 struct Longest {
   Floats acceleration;  // at least a little
   Floats least_gap;     // the clearance and what rounding may hide
@@ -46,12 +47,14 @@ constexpr float least = 1e-30f;
 constexpr float rounded_up = 1 + 0x1p-18f;
 constexpr float rounded_down = 1 - 0x1p-18f;
 
+template <class Floats>
 SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
-                            const PathBounds& path, const Tree::Node& node, float scale,
-                            Lanes& out) {
-  Boxes b;
-  load(node, scale, a.origin, b);
-  const Vectors d{a.center[0] - b.center.x, a.center[1] - b.center.y, a.center[2] - b.center.z};
+                            const PathBounds& path, const Tree::Node& node, std::uint32_t first,
+                            float scale, Lanes& out) {
+  Boxes<Floats> b;
+  load(node, first, scale, a.origin, b);
+  const Vectors<Floats> d{a.center[0] - b.center.x, a.center[1] - b.center.y,
+                          a.center[2] - b.center.z};
   float v[3], spin[3][3];  // velocity of the centre, and of the tips of the axes against it
   cross(velocity.angular, a.center, v);
   float arm2 = 0, half2 = 0;
@@ -63,7 +66,7 @@ SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
   }
   const float radius = __builtin_sqrtf(arm2) + __builtin_sqrtf(half2);
   const Floats zero{};
-  Longest longest{zero + (path.acceleration * radius * rounded_up + least), zero};
+  Longest<Floats> longest{zero + (path.acceleration * radius * rounded_up + least), zero};
   rounding(d, b, a.half[0] + a.half[1] + a.half[2], longest.least_gap);
   longest.least_gap += path.clearance;
   Floats reach_b[3];
@@ -94,26 +97,30 @@ SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
     }
     longest.offer(along, reach_b[j], speed, turning, path);
   }
-  store(longest.step * rounded_down, out.value);
+  store(longest.step * rounded_down, out.value + first);
 }
 
+template <class Floats>
 SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
-                             const PathBounds& path, const Tree::Node& node, float scale,
-                             Lanes& out) {
-  Boxes a;
-  load(node, scale, b.origin, a);
-  const Vectors d{a.center.x - b.center[0], a.center.y - b.center[1], a.center.z - b.center[2]};
+                             const PathBounds& path, const Tree::Node& node, std::uint32_t first,
+                             float scale, Lanes& out) {
+  Boxes<Floats> a;
+  load(node, first, scale, b.origin, a);
+  const Vectors<Floats> d{a.center.x - b.center[0], a.center.y - b.center[1],
+                          a.center.z - b.center[2]};
   const float(&w)[3] = velocity.angular;
-  const Vectors v{velocity.at_origin[0] + (w[1] * a.center.z - w[2] * a.center.y),
-                  velocity.at_origin[1] + (w[2] * a.center.x - w[0] * a.center.z),
-                  velocity.at_origin[2] + (w[0] * a.center.y - w[1] * a.center.x)};
-  const Vectors arm{a.center.x - path.com[0], a.center.y - path.com[1], a.center.z - path.com[2]};
+  const Vectors<Floats> v{velocity.at_origin[0] + (w[1] * a.center.z - w[2] * a.center.y),
+                          velocity.at_origin[1] + (w[2] * a.center.x - w[0] * a.center.z),
+                          velocity.at_origin[2] + (w[0] * a.center.y - w[1] * a.center.x)};
+  const Vectors<Floats> arm{a.center.x - path.com[0], a.center.y - path.com[1],
+                            a.center.z - path.com[2]};
   Floats arm2, arm_length, half_length;
   dot(arm, arm, arm2);
   square_root(arm2, arm_length);
   square_root(a.half[0] * a.half[0] + a.half[1] * a.half[1] + a.half[2] * a.half[2], half_length);
   const Floats zero{};
-  Longest longest{(arm_length + half_length) * (path.acceleration * rounded_up) + least, zero};
+  Longest<Floats> longest{(arm_length + half_length) * (path.acceleration * rounded_up) + least,
+                          zero};
   rounding(d, a, b.half[0] + b.half[1] + b.half[2], longest.least_gap);
   longest.least_gap += path.clearance;
   Floats reach_a[3], about[3];  // about[j]: how fast the body turns about the axis
@@ -149,29 +156,29 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
     // Of its own axes, (aⱼ × ω)·aₖ is the turn about the third.
     longest.offer(along, reach_a[j], speed, a.half[k] * about[l] + a.half[l] * about[k], path);
   }
-  store(longest.step * rounded_down, out.value);
+  store(longest.step * rounded_down, out.value + first);
 }
 
 // An attribute and a name cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define SONDE_SWEEP_KERNELS(NAME, ATTRIBUTE)                                                 \
-  namespace NAME {                                                                           \
-  ATTRIBUTE void one(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path,  \
-                     const Tree::Node& node, float scale, Lanes& out) {                      \
-    box_moves(box, v, path, node, scale, out);                                               \
-  }                                                                                          \
-  ATTRIBUTE void many(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \
+#define SONDE_SWEEP_KERNEL(NAME, WHAT, FLOATS, ATTRIBUTE)                                    \
+  ATTRIBUTE void NAME(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \
                       const Tree::Node& node, float scale, Lanes& out) {                     \
-    node_moves(box, v, path, node, scale, out);                                              \
-  }                                                                                          \
-  constexpr SweepKernels sweeps{one, many};                                                  \
+    for (std::uint32_t first = 0; first < Tree::width; first += lanes_of<FLOATS>)            \
+      WHAT<FLOATS>(box, v, path, node, first, scale, out);                                   \
+  }
+#define SONDE_SWEEP_KERNELS(NAME, FLOATS, ATTRIBUTE)      \
+  namespace NAME {                                        \
+  SONDE_SWEEP_KERNEL(one, box_moves, FLOATS, ATTRIBUTE)   \
+  SONDE_SWEEP_KERNEL(many, node_moves, FLOATS, ATTRIBUTE) \
+  constexpr SweepKernels sweeps{one, many};               \
   }
 
 // NOLINTEND(bugprone-macro-parentheses)
-SONDE_SWEEP_KERNELS(plain, )
+SONDE_SWEEP_KERNELS(plain, FloatX4, )
 #if defined(__x86_64__)
-SONDE_SWEEP_KERNELS(avx2, __attribute__((target(SONDE_TARGET_AVX2))))
-SONDE_SWEEP_KERNELS(avx512, __attribute__((target(SONDE_TARGET_AVX512))))
+SONDE_SWEEP_KERNELS(avx2, FloatX8, __attribute__((target(SONDE_TARGET_AVX2))))
+SONDE_SWEEP_KERNELS(avx512, FloatX16, __attribute__((target(SONDE_TARGET_AVX512))))
 constexpr SweepKernels all_sweeps[] = {plain::sweeps, avx2::sweeps, avx512::sweeps};
 #else
 constexpr SweepKernels all_sweeps[] = {plain::sweeps};
