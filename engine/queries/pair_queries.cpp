@@ -5,6 +5,7 @@
 #include "engine/penetration/descent/result.hpp"
 #include "engine/penetration/search/clearance_of.hpp"
 #include "engine/penetration/search/trivial_separation.hpp"
+#include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/sweep.hpp"
 #include "engine/proximity/triangles/triangle_pair.hpp"
@@ -47,7 +48,13 @@ bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)
 
 Clearance distance(const Pair& pair, const Pose& X_FM) {
   const Pose X = checked(X_FM);
-  return clearance_of(pair.probe(), pair.fixed(), X, meet(pair, X));
+  const Body &probe = pair.probe(), &fixed = pair.fixed();
+  const Clearance apart = clearance_of(probe, fixed, X, false);
+  // Where the distance is more than rounding, no two triangles meet. Else the exact test says.
+  const double rounding = rounding_guard(extent(probe), extent(fixed), X.p);
+  const bool clear = apart.distance > rounding && rounding < kept_gap * probe.mass.radius;
+  if (clear ? !component_inside(probe, fixed, Transform(X)) : !meet(pair, X)) return apart;
+  return {0, apart.on_probe, apart.on_fixed, true};
 }
 
 SweptPath sweep(const Pair& pair, const Pose& X0_FM, const Pose& X1_FM) {
