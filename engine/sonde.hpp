@@ -34,7 +34,8 @@
 #include "engine/penetration/search/pair_file.hpp"            // write_pair, read_pair
 #include "engine/penetration/search/pose_seed.hpp"            // seed_of_pose
 #include "engine/penetration/search/static_options.hpp"       // StaticOptions
-#include "engine/penetration/sensitivity/wrench_derivative.hpp"  // WrenchDerivative
+#include "engine/penetration/sensitivity/principal_stiffness.hpp"  // PrincipalStiffnesses
+#include "engine/penetration/sensitivity/wrench_derivative.hpp"    // WrenchDerivative
 #include "engine/queries/body_queries.hpp"  // inside, nearest_point, ray, part_at
 #include "engine/queries/pair_queries.hpp"  // touch, distance, sweep
 #include "engine/queries/pose_matrix.hpp"   // pose_of, matrix_of, isometry_of
@@ -234,7 +235,8 @@ Wrench wrench(const Pair& pair, const Separation& now, const Separation& before,
 // (penetration/restricted/separate_within.hpp) give the depth among fewer motions.
 
 // wrench_derivative (penetration/sensitivity/wrench_derivative.hpp) says how depth and wrench
-// change with the pose: the stiffness that the hand feels.
+// change with the pose: the stiffness that the hand feels. principal_stiffnesses
+// (penetration/sensitivity/principal_stiffness.hpp) gives its directions.
 
 // Where members lie is the same for every program, whatever flags it is compiled with: none of
 // these types is aligned by what the processor of the program has. A program for which one of these

@@ -22,6 +22,7 @@ set(allowed
     engine/penetration/search/static_options.hpp
     engine/queries/body_queries.hpp
     engine/queries/pair_queries.hpp
+    engine/penetration/sensitivity/principal_stiffness.hpp
     engine/penetration/sensitivity/wrench_derivative.hpp
     engine/penetration/restricted/separate_within.hpp
     engine/penetration/search/pair_file.hpp

@@ -16,6 +16,7 @@ sonde::Follower::follow
 sonde::Follower::last
 sonde::Follower::operator=
 sonde::Follower::start
+sonde::Follower::time_phases
 sonde::Follower::~Follower
 sonde::Pair::Pair
 sonde::Pair::exchanged
@@ -27,6 +28,7 @@ sonde::nearest_point
 sonde::offset_body
 sonde::part_at
 sonde::pose_of_matrix
+sonde::principal_stiffnesses
 sonde::ray
 sonde::read_body
 sonde::read_pair
@@ -47,4 +49,4 @@ sonde::write_pair
 END
 diff "$work/expected" "$work/shown"
 # Each only as the header declares it; constructors and destructors have two names each.
-same_output 44 sh -c "nm -D --defined-only '$library' | wc -l"
+same_output 45 sh -c "nm -D --defined-only '$library' | wc -l"

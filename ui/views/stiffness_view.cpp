@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/stiffness_view.hpp"
 
-#include "engine/penetration/sensitivity/principal_stiffness.hpp"
+#include "engine/sonde.hpp"
 #include "ui/base/format.hpp"
 #include "ui/base/theme.hpp"
 

@@ -71,16 +71,20 @@ HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X
                        X_FQ);
 }
 
-ExactOptimum::ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
-                           std::span<const FeatureRow> rows) noexcept
+ExactOptimum::ExactOptimum(const MassProperties& mass, const Pose& X_FO) noexcept
     : mass_(mass),
+      X_FO_(X_FO),
       q_MP_(mass.R_MP),
-      q_FP_(principal_at(mass, X_FO, X_FQ)),
       com_F_(X_FO * mass.com),
-      X_FQ_(X_FQ),
-      rows_(rows.first(std::min(rows.size(), most_rows))),
       turn_(std::sqrt(mass.inertia.maxCoeff())) {
   if (!(turn_ > 0)) turn_ = mass.radius > 0 ? mass.radius : 1;
+}
+
+void ExactOptimum::begin(const Pose& X_FQ, std::span<const FeatureRow> rows) noexcept {
+  q_FP_ = principal_at(mass_, X_FO_, X_FQ);
+  X_FQ_ = X_FQ;
+  rows_ = rows.first(std::min(rows.size(), most_rows));
+  active_ = strong_count_ = weak_count_ = 0;
   look();
 }
 

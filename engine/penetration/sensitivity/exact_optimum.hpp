@@ -33,10 +33,10 @@ class ExactOptimum {
  public:
   static constexpr std::size_t most_rows = FacingFeatures::capacity;
 
-  /// Refers to the rows.
-  ExactOptimum(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ,
-               std::span<const FeatureRow> rows) noexcept;
+  ExactOptimum(const MassProperties& mass, const Pose& X_FO) noexcept;
 
+  /// Begins at X_FQ. Refers to the rows.
+  void begin(const Pose& X_FQ, std::span<const FeatureRow> rows) noexcept;
   /// Goes there. False where it is further than `most` (m), or is not found.
   bool settle(double most) noexcept;
 
@@ -75,6 +75,7 @@ class ExactOptimum {
   Vec6 in_lengths(const FeatureRowAt& row) const noexcept;
 
   const MassProperties& mass_;
+  Pose X_FO_;
   Quat q_MP_, q_FP_;  // principal axes: in M, and at O in F
   Vec3 com_F_;        // at O
   Pose X_FQ_;

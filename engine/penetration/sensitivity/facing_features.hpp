@@ -15,9 +15,16 @@ namespace sonde {
 class FacingFeatures {
  public:
   static constexpr std::size_t capacity = 256;
-  /// `reach`, m: features further apart do not count.
-  FacingFeatures(const Body& probe, const Body& fixed, const Transform& X_FM, double reach) noexcept
-      : probe_(probe), fixed_(fixed), X_(X_FM), reach_(reach), close_{1e-4, 1e-3 * reach, -reach} {}
+  FacingFeatures(const Body& probe, const Body& fixed) noexcept : probe_(probe), fixed_(fixed) {}
+
+  /// None yet, of a probe at X_FM. `reach`, m: features further apart do not count.
+  void begin(const Transform& X_FM, double reach) noexcept {
+    X_ = X_FM;
+    reach_ = reach;
+    close_ = {1e-4, 1e-3 * reach, -reach};
+    size_ = 0;
+    overflowed_ = false;
+  }
 
   /// Adds those of a contact, looking at the triangles around its points: features whose gap is
   /// along the contact's normal. Where larger features lie on each other, these are at the corners
@@ -55,9 +62,9 @@ class FacingFeatures {
   void find_around(const Vec3& on_probe, const Vec3& on_fixed, Around& out) noexcept;
   /// What may be off.
   struct Slack {
-    double angle;      ///< sine: between a feature's own normal and the one it is looked for along
-    double border;     ///< m: beyond the border of a feature
-    double least = 0;  ///< m: the gap of the triangles along its normal, at least
+    double angle = 0;   ///< sine: between a feature's own normal and the one it is looked for along
+    double border = 0;  ///< m: beyond the border of a feature
+    double least = 0;   ///< m: the gap of the triangles along its normal, at least
   };
   Facing facing(const Soup& soup, std::uint32_t triangle, const Transform& X, const Vec3& normal,
                 const Slack& slack) const noexcept;
@@ -74,7 +81,7 @@ class FacingFeatures {
   const Body& probe_;
   const Body& fixed_;
   Transform X_;
-  double reach_;
+  double reach_ = 0;
   Slack close_;  ///< of features at a contact
   std::array<FeatureRow, capacity> rows_;
   std::array<Names, capacity> names_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "engine/penetration/sensitivity/wrench_derivative.hpp"
 
@@ -24,5 +25,10 @@ struct PrincipalStiffnesses {
 /// are in neither.)
 /// @pre The derivative has a side, k is finite.
 PrincipalStiffnesses principal_stiffnesses(const WrenchDerivative& derivative, double k) noexcept;
+
+static_assert(sizeof(PrincipalStiffness) == 32 && alignof(PrincipalStiffness) == 8);
+static_assert(offsetof(PrincipalStiffness, direction) == 8);
+static_assert(sizeof(PrincipalStiffnesses) == 192 &&
+              offsetof(PrincipalStiffnesses, rotation) == 96);
 
 }  // namespace sonde

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "engine/body/body.hpp"
 #include "engine/penetration/descent/descent.hpp"
@@ -33,10 +32,13 @@ WrenchDerivative without(const char* reason) {
   return out;
 }
 
-/// The exact optimum, and the features that it refers to.
+/// The exact optimum, and the features that it refers to. (60 KB that are not to be zeroed, as an
+/// empty std::optional is by g++ 12.)
 struct Place {
-  std::optional<FacingFeatures> features;
-  std::optional<ExactOptimum> optimum;
+  Place(const Pair& pair, const Pose& X_FO) noexcept
+      : features(pair.probe(), pair.fixed()), optimum(pair.probe().mass, X_FO) {}
+  FacingFeatures features;
+  ExactOptimum optimum;
 };
 
 /// Finds the exact optimum beside a separation.
@@ -55,14 +57,14 @@ class Settling {
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
     const char* problem = settle_somehow(look, place);
     // Further away, features may face each other no more, and others do.
-    for (int round = 0; !problem && moved(look.from, *place.optimum) > reach; ++round) {
+    for (int round = 0; !problem && moved(look.from, place.optimum) > reach; ++round) {
       if (round == most_looks) return "the search ended too far from an optimum";
-      look = {place.optimum->pose(), place.optimum->contacts(), reach, Where::at_contacts};
+      look = {place.optimum.pose(), place.optimum.contacts(), reach, Where::at_contacts};
       problem = settle_somehow(look, place);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
     // What it has come nearer to may hold it as well. That is seen from where it is free.
-    const double far = moved(now_.separated, *place.optimum);
+    const double far = moved(now_.separated, place.optimum);
     if (!(far > clearance_)) return nullptr;
     look = {now_.separated, now_.contacts, reach + far, look.where};
     return settle(look, place);
@@ -89,17 +91,17 @@ class Settling {
     return settle(look, place);
   }
   const char* settle(const Look& look, Place& place) const noexcept {
-    FacingFeatures& features =
-        place.features.emplace(probe_, fixed_, Transform(look.from), look.reach);
+    FacingFeatures& features = place.features;
+    features.begin(Transform(look.from), look.reach);
     for (const Contact& c : look.contacts) {
       features.add_around(c.on_probe, c.on_fixed, c.normal);
       if (look.where == Where::in_hollows) features.add_hollow(c.on_probe, c.on_fixed, c.normal);
     }
     if (neighbours_ == Neighbours::all && !add_near(look, features)) return too_many;
     if (features.overflowed()) return too_many;
-    place.optimum.emplace(probe_.mass, now_.device, look.from, features.rows());
+    place.optimum.begin(look.from, features.rows());
     const double most = std::max(most_off * now_.depth, reach_of_clearance * clearance_);
-    return place.optimum->settle(most) ? nullptr : "the contacts found do not hold the probe";
+    return place.optimum.settle(most) ? nullptr : "the contacts found do not hold the probe";
   }
 
   /// False where there are more pairs than there is room for.
@@ -131,22 +133,22 @@ WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,
   if (!now.converged) return without("the search has not converged");
   const Settling settling(pair, now, neighbours);
   if (!(now.depth > settling.clearance())) return without("the probe only touches");
-  Place place;
+  Place place(pair, now.device);
   if (const char* problem = settling.settle(place)) return without(problem);
-  std::optional<ExactOptimum>& optimum = place.optimum;
-  const int weak = optimum->find_weak(weak_push * now.depth, settling.clearance());
+  ExactOptimum& optimum = place.optimum;
+  const int weak = optimum.find_weak(weak_push * now.depth, settling.clearance());
   ExactOptimum::Change left, held;
   const bool strict =
-      optimum->derivative(false, left) && (weak == 0 || optimum->derivative(true, held));
+      optimum.derivative(false, left) && (weak == 0 || optimum.derivative(true, held));
   if (!strict) return without("the optimum is not strict");
   out.sides = weak > 0 ? WrenchDerivative::Sides::two : WrenchDerivative::Sides::all;
   if (weak > 0) out.reason = "a contact is about to begin or to end";
-  out.rows = optimum->held();
-  out.d_depth = -optimum->wrench() / optimum->depth();
+  out.rows = optimum.held();
+  out.d_depth = -optimum.wrench() / optimum.depth();
   out.d_separated = left.separated;
   out.d_wrench = left.wrench;
   out.d_wrench_held = weak > 0 ? held.wrench : left.wrench;
-  out.leaves = optimum->weak_gap_rate();
+  out.leaves = optimum.weak_gap_rate();
   return out;
 }
 

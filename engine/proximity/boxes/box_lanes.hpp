@@ -35,7 +35,7 @@ struct PlacedRay {
   float direction[3];  ///< unit, to rounding
 };
 
-/// Sixteen values, one for each box of a node (unused lanes repeat the first).
+/// Sixteen values, one for each box of a node. Those of unused lanes mean nothing.
 struct alignas(64) Lanes {
   float value[Tree::width];
 };

@@ -104,6 +104,11 @@ SONDE_INLINE void load(const Tree::Node& node, std::uint32_t first, float scale,
   b.axis[2] = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
+/// Unused lanes follow the used ones.
+SONDE_INLINE bool is_used(const Tree::Node& node, std::uint32_t first) {
+  return first < Tree::width && node.child[first] != Tree::none;
+}
+
 /// What rounding can do to lengths made of the way d between the centres, the sides of a node's
 /// boxes and those of another box (half their sum: other).
 template <class Floats>

@@ -91,5 +91,7 @@ int main() {
       sonde::wrench_derivative(pair, deep, sonde::Neighbours::all);
   if (derivative.sides == sonde::WrenchDerivative::Sides::none && !*derivative.reason)
     return complain("no derivative and no reason");
+  const sonde::PrincipalStiffnesses felt = sonde::principal_stiffnesses(derivative, 500);
+  if (felt.translation[0].value < felt.translation[2].value) return complain("stiffnesses");
   return 0;
 }

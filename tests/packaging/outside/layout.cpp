@@ -56,6 +56,8 @@ int main() {
   SAY(derivative, sides), SAY(derivative, reason), SAY(derivative, d_depth);
   SAY(derivative, d_wrench), SAY(derivative, d_separated), SAY(derivative, d_wrench_held);
   SAY(derivative, leaves);
+  const sonde::PrincipalStiffnesses felt = sonde::principal_stiffnesses(derivative, 500);
+  SAY(felt, rotation), SAY(felt.rotation[0], direction);
 
   const sonde::Clearance apart = sonde::distance(pair, {pose.q, sonde::Vec3(0.3, 0.2, 0.1)});
   SAY(apart, on_probe), SAY(apart, on_fixed), SAY(apart, overlapping);
