@@ -37,9 +37,9 @@ struct ContactTuning {
   /// the faces: a wall where there is none. With 1 - 1e-9, rounding decided, and old rows of a
   /// block that rocks on a slab erred by 2 % of the torque instead of 0.0004 %.)
   double same_gap = 0.99;
-  /// Of a row's gap, or of the margin: a pair that is further away is not held by the row's
-  /// direction but by its own.
-  double far_from_row = 100;
+  /// Of a row's gap, or of the margin: a pair further away is held by its own direction, not by
+  /// the row's. (With 100 a bore's wall held a rod that was 0.3 µm clear of it, free to leave.)
+  double far_from_row = 2;
   double same_normal = 1 - 1e-12;  ///< cosine: rows of one direction, of which the nearer may do
   /// Cosine between a face and the normal: seen more edge on, two triangles have no overlap.
   double edge_on = 0.05;

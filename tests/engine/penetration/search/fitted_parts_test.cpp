@@ -12,8 +12,8 @@
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
-#include "engine/proximity/queries/intersect.hpp"
-#include "tests/support/exact_reference.hpp"
+#include "engine/penetration/search/far_apart.hpp"
+#include "tests/engine/penetration/ways_down.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -32,35 +32,6 @@ std::vector<Separation> follow(const test::FittedScene& scene, int ticks) {
   return out;
 }
 
-/// From a separated pose, of so many random straight motions of 64 µm for each cm of R along which
-/// σ falls with a slope of a tenth at least, the steepest that is free; 0 where none is. Reference
-/// for freedom: exact predicates on all pairs of triangles.
-double steepest_way_down(const Body& probe, const Body& fixed, const Separation& s, int tries,
-                         std::mt19937_64& random) {
-  const Chart chart(probe.mass, s.device);
-  const Vec6 y = chart.coordinates(s.separated);
-  const double step = 6.4e-3 * probe.mass.radius;
-  std::normal_distribution<double> normal;
-  double steepest = 0;
-  for (int i = 0; i < tries; ++i) {
-    Vec6 way;
-    for (double& x : way) x = normal(random);
-    way.normalize();
-    const double slope = std::abs(way.dot(y)) / y.norm();
-    if (slope < 0.1 || slope <= steepest) continue;
-    if (way.dot(y) > 0) way = -way;
-    bool free = true;
-    for (const double share : {0.03, 0.1, 0.25, 0.5, 0.75, 1.0}) {
-      const Transform X(chart.pose(y + share * step * way));
-      free = free && !triangles_meet(probe, fixed, X, Doubt::contact) &&
-             !test::any_meet({probe, X}, {fixed, Transform()});
-      if (!free) break;
-    }
-    if (free) steepest = slope;
-  }
-  return steepest;
-}
-
 void expect_optima(int ticks, int every, int tries) {
   for (const test::FittedScene& scene : test::fitted_scenes()) {
     const auto probe = test::body(scene.probe), fixed = test::body(scene.fixed);
@@ -75,7 +46,7 @@ void expect_optima(int ticks, int every, int tries) {
           all[i].depth < 1e-3 * probe->mass.radius)
         continue;
       ++looked_at;
-      EXPECT_EQ(steepest_way_down(*probe, *fixed, all[i], tries, random), 0)
+      EXPECT_EQ(test::steepest_way_down(*probe, *fixed, all[i], tries, random), 0)
           << scene.name << ", tick " << i;
     }
     EXPECT_GT(looked_at, 2) << scene.name;
