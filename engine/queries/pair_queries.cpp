@@ -49,7 +49,7 @@ bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)
 Clearance distance(const Pair& pair, const Pose& X_FM) {
   const Pose X = checked(X_FM);
   const Body &probe = pair.probe(), &fixed = pair.fixed();
-  const Clearance apart = clearance_of(probe, fixed, X, false);
+  Clearance apart = clearance_of(probe, fixed, X, false);
   // Where the distance is more than rounding, no two triangles meet. Else the exact test says.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X.p);
   const bool clear = apart.distance > rounding && rounding < kept_gap * probe.mass.radius;
