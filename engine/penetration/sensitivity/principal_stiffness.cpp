@@ -17,7 +17,7 @@ std::array<PrincipalStiffness, 3> principal(const Mat3& stiffness) noexcept {
 }  // namespace
 
 PrincipalStiffnesses principal_stiffnesses(const WrenchDerivative& derivative, double k) noexcept {
-  const Mat6 stiffness = -k * derivative.d_wrench;
+  const WrenchDerivative::Matrix stiffness = -k * derivative.d_wrench;
   return {principal(stiffness.topLeftCorner<3, 3>()),
           principal(stiffness.bottomRightCorner<3, 3>())};
 }
