@@ -361,11 +361,11 @@ TEST_F(DevicePanelTest, the_hand_on_a_simulated_device_has_grips_with_names_and_
     wait(1500);
     return shown().wrench.force.norm();
   };
-  QTest::mouseClick(button("grip_light"), Qt::LeftButton);
+  button("grip_light")->click();
   EXPECT_EQ(dock.findChild<TypedValue*>("hand_stiffness_value")->value(), 200);
   EXPECT_FALSE(button("grip_usual")->isChecked());
   const double light = settled_force();
-  QTest::mouseClick(button("grip_firm"), Qt::LeftButton);
+  button("grip_firm")->click();
   EXPECT_EQ(dock.findChild<TypedValue*>("hand_damping_value")->value(), 10);
   // In series with k = 500 N/m: 143 and 333 N per metre; friction, 0.4 N, may hold either back.
   EXPECT_GT(settled_force(), light + 0.3);
