@@ -33,14 +33,16 @@ void add_flags(CLI::App& parser, QueryMotions& motions) {
       .add_option("--about", motions.about,
                   "PX,PY,PZ,X,Y,Z: only turns about the axis X,Y,Z through the point, m")
       ->delimiter(',')
-      ->expected(6)
+      ->expected(-6)
+      ->allow_extra_args(false)
       ->group(group);
   parser
       .add_option("--in-plane", motions.in_plane,
                   "X,Y,Z: only sliding square to this normal, and turns about it; the answer is an "
                   "upper bound")
       ->delimiter(',')
-      ->expected(3)
+      ->expected(-3)
+      ->allow_extra_args(false)
       ->group(group);
   parser.add_flag("--no-turn", motions.sliding, "with --in-plane: no turns")->group(group);
 }
@@ -55,10 +57,13 @@ void check(const QueryMotions& motions) {
   for (std::size_t i = 0; i < motions.along.size() / 3; ++i)
     check_vector(vector_at(motions.along, i), "the direction --along");
   if (!motions.about.empty()) {
+    if (motions.about.size() != 6) throw UsageError("--about takes PX,PY,PZ,X,Y,Z, once");
     if (!vector_at(motions.about, 0).allFinite())
       throw UsageError("the point --about must be finite");
     check_vector(vector_at(motions.about, 1), "the axis --about");
   }
+  if (!motions.in_plane.empty() && motions.in_plane.size() != 3)
+    throw UsageError("--in-plane takes X,Y,Z, once");
   if (!motions.in_plane.empty())
     check_vector(vector_at(motions.in_plane, 0), "the normal --in-plane");
 }

@@ -49,10 +49,13 @@ bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)
 Clearance distance(const Pair& pair, const Pose& X_FM) {
   const Pose X = checked(X_FM);
   const Body &probe = pair.probe(), &fixed = pair.fixed();
-  Clearance apart = clearance_of(probe, fixed, X, false);
-  // Where the distance is more than rounding, no two triangles meet. Else the exact test says.
+  // Where rounding is large, the exact test says first whether a distance means anything.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X.p);
-  const bool clear = apart.distance > rounding && rounding < kept_gap * probe.mass.radius;
+  if (!(rounding < kept_gap * probe.mass.radius))
+    return clearance_of(probe, fixed, X, meet(pair, X));
+  Clearance apart = clearance_of(probe, fixed, X, false);
+  // Where the distance is more than rounding, no two triangles meet.
+  const bool clear = apart.distance > rounding;
   if (clear ? !component_inside(probe, fixed, Transform(X)) : !meet(pair, X)) return apart;
   return {0, apart.on_probe, apart.on_fixed, true};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <set>
 
 #include "tests/app/app_test.hpp"
 
@@ -68,10 +69,25 @@ TEST_F(QueryMotions, what_makes_no_sense_is_refused) {
   expect_refused(head + "--along 0,0,1 --seeds 3", 2, "exact");
 }
 
-TEST_F(QueryMotions, a_part_of_other_motions_is_not_continued) {
-  folder.write("r.csv.part", "sonde query @other-1\n");
-  expect_refused("query boxes.sonde.json --poses one.csv --along 1,0,0 --out r.csv --resume", 3,
-                 "r.csv.part");
+// What shares and parts of one run have in common is in the column of the share.
+TEST_F(QueryMotions, shares_of_other_motions_are_not_of_one_run) {
+  std::set<std::string> runs;
+  for (const char* motions :
+       {"", "--along 1,0,0", "--along 0,1,0", "--along 1,0,0 --along 0,1,0",
+        "--about 0.19,0.05,0,0,0,1", "--in-plane 0,0,1", "--in-plane 0,0,1 --no-turn"})
+    runs.insert(query("--poses one.csv --shard 1/1 " + std::string(motions)).text(0, "shard"));
+  EXPECT_EQ(runs.size(), 7u);
+}
+
+TEST_F(QueryMotions, a_scene_may_follow_them) {
+  for (const std::string motions :
+       {"--along 1,0,0", "--about 0.19,0.05,0,0,0,1", "--in-plane 0,0,1"})
+    EXPECT_EQ(
+        Csv(expect_done("query --poses one.csv " + motions + " boxes.sonde.json").out).rows.size(),
+        1u)
+        << motions;
+  expect_refused("query boxes.sonde.json --poses one.csv --in-plane 0,0,1 --in-plane 1,0,0", 2,
+                 "once");
 }
 
 }  // namespace

@@ -202,10 +202,11 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, std:
 
 // An attribute and a name cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
-#define SONDE_BOX_KERNEL(NAME, WHAT, PLACED, FLOATS, ATTRIBUTE)                        \
-  ATTRIBUTE void NAME(const PLACED& a, const Tree::Node& b, float scale, Lanes& out) { \
-    for (std::uint32_t first = 0; is_used(b, first); first += lanes_of<FLOATS>)        \
-      WHAT<FLOATS>(a, b, first, scale, out);                                           \
+#define SONDE_BOX_KERNEL(NAME, WHAT, PLACED, FLOATS, ATTRIBUTE)                                 \
+  ATTRIBUTE void NAME(const PLACED& a, const Tree::Node& b, float scale, Lanes& out) {          \
+    std::uint32_t first = 0;                                                                    \
+    for (; is_used(b, first); first += lanes_of<FLOATS>) WHAT<FLOATS>(a, b, first, scale, out); \
+    for (; first < Tree::width; ++first) out.value[first] = 0;                                  \
   }
 #define SONDE_BOX_KERNELS(NAME, FLOATS, ATTRIBUTE)                             \
   namespace NAME {                                                             \

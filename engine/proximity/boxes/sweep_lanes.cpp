@@ -164,8 +164,10 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
 #define SONDE_SWEEP_KERNEL(NAME, WHAT, FLOATS, ATTRIBUTE)                                    \
   ATTRIBUTE void NAME(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \
                       const Tree::Node& node, float scale, Lanes& out) {                     \
-    for (std::uint32_t first = 0; is_used(node, first); first += lanes_of<FLOATS>)           \
+    std::uint32_t first = 0;                                                                 \
+    for (; is_used(node, first); first += lanes_of<FLOATS>)                                  \
       WHAT<FLOATS>(box, v, path, node, first, scale, out);                                   \
+    for (; first < Tree::width; ++first) out.value[first] = 0;                               \
   }
 #define SONDE_SWEEP_KERNELS(NAME, FLOATS, ATTRIBUTE)      \
   namespace NAME {                                        \

@@ -87,6 +87,22 @@ TEST(PairQueries, one_within_the_other_overlaps_though_no_triangles_meet) {
   EXPECT_FALSE(touch(Pair(test::body(test::box({0.01, 0.01, 0.01})), hollow), X));
 }
 
+// Reference: exact predicates (touch), on faces that meet, and are some roundings or more apart; at
+// any distance from the origin, where rounding decides which way the query goes.
+TEST(PairQueries, the_distance_overlaps_exactly_where_bodies_touch) {
+  for (const double size : {1e-7, 0.1, 1e3})
+    for (const double away : {0.0, 1.0, 1e3}) {
+      PolygonSoup fixed = test::box({size, size, size});
+      for (Vec3& x : fixed.points) x.y() += away;
+      const Pair pair(test::body(test::box({size, size, size})), test::body(std::move(fixed)));
+      for (int i = -40; i <= 40; ++i) {
+        const double off = i * std::abs(i) * 1e-16 * size;
+        const Pose X{Quat::Identity(), Vec3(size + off, 0.1 * size + away, 0.2 * size)};
+        EXPECT_EQ(distance(pair, X).overlapping, touch(pair, X)) << size << ' ' << away << ' ' << i;
+      }
+    }
+}
+
 // Reference: a box slides onto a face: its way less the gap.
 TEST(PairQueries, a_box_that_slides_to_a_wall_is_free_up_to_the_gap) {
   for (const double scale : {1e-4, 1.0, 1e3}) {

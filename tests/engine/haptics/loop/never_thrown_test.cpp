@@ -59,7 +59,7 @@ class Pressed {
     target_ = at_depth(force / 50 + (grip.stiffness > 0 ? force / grip.stiffness : 0));
     device_.reset(at_depth(force / 50), target_);
     run(4);
-    fastest_ = 0;
+    fastest_ = pushed_ = 0;
   }
 
   void set(const Coupling& coupling) { glide_.set(coupling); }
@@ -87,7 +87,7 @@ class Pressed {
       bench_.rest(Withheld::paused);
       move({});
     }
-    fastest_ = 0;
+    fastest_ = pushed_ = 0;
   }
   /// What the hand does by itself: no force holds it from now on. m/s.
   double fastest_without_force(double time) {
@@ -113,6 +113,7 @@ class Pressed {
   const Coupling& gains() const { return gains_; }
   void leave() { target_ = at_depth(-0.02); }
   double fastest() const { return fastest_; }
+  double pushed() const { return pushed_; }
   bool waiting() const { return waiting_; }
   double force() const { return bench_.loop.last().wrench.force.norm(); }
   double depth() const { return at_depth(0).p.z() - device_.state().X_WD.p.z(); }
@@ -122,6 +123,7 @@ class Pressed {
   void move(const Wrench& wrench) {
     device_.step(wrench, target_);
     fastest_ = std::max(fastest_, device_.state().velocity.norm());
+    pushed_ = std::max(pushed_, device_.state().velocity.z());  // the way the force pushes
     highest_ = std::max(highest_, device_.state().X_WD.p.z());
   }
 
@@ -134,7 +136,7 @@ class Pressed {
   HandLoopBench bench_;
   Pose target_;
   Coupling gains_;
-  double fastest_ = 0, highest_ = -1;
+  double fastest_ = 0, pushed_ = 0, highest_ = -1;
 };
 
 struct Event {
@@ -198,6 +200,7 @@ TEST_P(NeverThrown, by_what_is_not_its_own_motion) {
       ASSERT_GT(before, 0);
       event.happens(pressed);
       pressed.run(5);
+      EXPECT_LE(pressed.pushed(), most_speed);
       EXPECT_LE(pressed.fastest(), std::max(most_speed, own));
       EXPECT_LE(pressed.highest(), most_out);
       fastest = std::max(fastest, pressed.fastest());
