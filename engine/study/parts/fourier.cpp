@@ -22,9 +22,9 @@ std::size_t smallest_factor(std::size_t n) {
   return n;
 }
 
-class Transform {
+class FourierSum {
  public:
-  explicit Transform(const std::vector<double>& x) : x_(x) {
+  explicit FourierSum(const std::vector<double>& x) : x_(x) {
     const auto n = static_cast<double>(x.size());
     for (std::size_t k = 0; k < x.size(); ++k)
       roots_.push_back(elementary::polar(1, -2 * std::numbers::pi * static_cast<double>(k) / n));
@@ -58,7 +58,7 @@ class Transform {
 
 std::vector<Complex> fourier_transform(const std::vector<double>& x) {
   std::vector<Complex> out(x.size());
-  if (!x.empty()) Transform(x).run(0, x.size(), 1, out.data());
+  if (!x.empty()) FourierSum(x).run(0, x.size(), 1, out.data());
   return out;
 }
 

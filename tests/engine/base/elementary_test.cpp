@@ -172,12 +172,11 @@ TEST(Elementary, whole_powers_of_ten_are_whole) {
   }
 }
 
-/// All pairs of these, beside the C library, whose answers to them are the standard's.
+/// All pairs of these, beside the C library, whose answers to them are the standard's. Of one
+/// number only those whose answers are exact or an angle.
 TEST(Elementary, zeros_infinities_and_their_signs_are_as_c_says) {
-  const std::vector<double> values = {0.0,       -0.0,      1,
-                                      -1,        0.5,       infinity,
-                                      -infinity, no_number, std::numeric_limits<double>::max(),
-                                      5e-324,    -5e-324};
+  const std::vector<double> values = {0.0,       -0.0,      1,     -1,     infinity,
+                                      -infinity, no_number, 1e300, 5e-324, -5e-324};
   for (const double x : values) {
     for (const double y : values) {
       EXPECT_TRUE(same(elementary::atan2(y, x), std::atan2(y, x))) << y << ", " << x;
@@ -186,6 +185,7 @@ TEST(Elementary, zeros_infinities_and_their_signs_are_as_c_says) {
         EXPECT_TRUE(same(elementary::pow(x, y), std::pow(x, y))) << x << ", " << y;
       }
     }
+    if (std::abs(x) == 1) continue;
     for (const auto& [f, c] :
          std::vector<std::pair<double (*)(double) noexcept, double (*)(double)>>{
              {elementary::exp, std::exp},
