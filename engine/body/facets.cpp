@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/body/region.hpp"
 #include "engine/geometry/repeated.hpp"
@@ -97,7 +98,7 @@ class Merger {
     for_each_index(soup_.vertices.size(), part_of(progress, 0.6, 1), [&](std::size_t v) {
       const std::span<Side> at(sides.data() + start, end[v] - start);
       start = end[v];
-      std::sort(at.begin(), at.end(), [](const Side& x, const Side& y) {
+      ordering::sort(at.begin(), at.end(), [](const Side& x, const Side& y) {
         return x.other != y.other ? x.other < y.other : x.side < y.side;
       });
       for (std::size_t i = 0, j = 0; i < at.size(); i = j) {
@@ -123,7 +124,7 @@ class Merger {
       }
       if (flat) by_area.emplace_back(-area.squaredNorm(), i);
     }
-    std::sort(by_area.begin(), by_area.end());
+    ordering::sort(by_area.begin(), by_area.end());
     Triangles out;
     for (const auto& [area, i] : by_area) out.push_back(i);
     return out;
@@ -237,7 +238,7 @@ class Merger {
     Segments sides;
     for (const Triangle& t : triangles)
       for (std::size_t k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
-    std::sort(sides.begin(), sides.end());
+    ordering::sort(sides.begin(), sides.end());
     return std::all_of(segments.begin(), segments.end(), [&](const auto& segment) {
       return std::binary_search(sides.begin(), sides.end(), segment);
     });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/body/oriented_box.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "engine/geometry/principal_axes.hpp"
 #include "engine/geometry/to_float.hpp"
 
 namespace sonde {
@@ -63,9 +63,7 @@ Mat3 AreaMoments::axes() const {
   if (!(area > 0)) return Mat3::Identity();
   const Vec3 mean = first / area;
   const Mat3 covariance = second / area - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(covariance);
-  Mat3 axes = solver.eigenvectors();
+  Mat3 axes = principal_axes(covariance);
   if (!axes.allFinite()) return Mat3::Identity();
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
   return axes;

@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 
 namespace sonde {
@@ -66,7 +67,7 @@ Soup clustered(const Soup& soup, double width, const Progress& progress) {
     const Triangle c{cells.of(t[0]), cells.of(t[1]), cells.of(t[2])};
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
     Triangle sorted = c;
-    std::ranges::sort(sorted);
+    ordering::sort(sorted);
     if (seen.insert(sorted).second) out.triangles.push_back(c);
   });
   out.vertices = cells.points();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/ordering.hpp"
 #include "engine/simd/vectors.hpp"
 
 namespace sonde {
@@ -117,11 +118,11 @@ Cut cheapest_cut(std::span<const SplitItem> items, const Bins& bin_of) {
 /// Puts the `count` items that come first along an axis to the left; ties go by the triangle's
 /// number.
 std::size_t cut_at(std::span<SplitItem> items, int axis, std::size_t count) {
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count), items.end(),
-                   [axis](const SplitItem& a, const SplitItem& b) {
-                     const float x = middle(a, axis), y = middle(b, axis);
-                     return x != y ? x < y : a.triangle < b.triangle;
-                   });
+  ordering::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count),
+                        items.end(), [axis](const SplitItem& a, const SplitItem& b) {
+                          const float x = middle(a, axis), y = middle(b, axis);
+                          return x != y ? x < y : a.triangle < b.triangle;
+                        });
   return count;
 }
 
@@ -159,9 +160,10 @@ std::size_t split(std::span<SplitItem> items, SplitBy by, std::size_t whole) {
     const Cut cut = cheapest_cut(items, bin_of);
     if (cut.cost > 0 && cut.cost < std::numeric_limits<double>::infinity()) {
       if (small) return cut_at(items, cut.axis, to_whole(cut.count, items.size(), whole));
-      const auto right = std::partition(items.begin(), items.end(), [&](const SplitItem& item) {
-        return bin_of(middle(item, cut.axis), cut.axis) <= cut.bin;
-      });
+      const auto right =
+          ordering::partition(items.begin(), items.end(), [&](const SplitItem& item) {
+            return bin_of(middle(item, cut.axis), cut.axis) <= cut.bin;
+          });
       return static_cast<std::size_t>(right - items.begin());
     }
   }

@@ -6,7 +6,9 @@
 #include <iterator>
 #include <map>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/base/quantile.hpp"
 
 namespace sonde {
@@ -57,15 +59,16 @@ double kept_to(const std::vector<std::vector<double>>& of_pairs, double sure) {
   std::vector<double> all;
   for (const std::vector<double>& errors : of_pairs)
     all.insert(all.end(), errors.begin(), errors.end());
-  std::ranges::sort(all);
+  ordering::sort(all);
   return quantile(all, sure);
 }
 
 /// The point in between, both axes logarithmic.
 double between(double x, double x0, double y0, double x1, double y1) {
-  const auto up = [](double y) { return std::log(std::max(y, least_within)); };
-  const double part = (std::log(x) - std::log(x0)) / (std::log(x1) - std::log(x0));
-  return std::exp(up(y0) + part * (up(y1) - up(y0)));
+  const auto up = [](double y) { return elementary::log(std::max(y, least_within)); };
+  const double part =
+      (elementary::log(x) - elementary::log(x0)) / (elementary::log(x1) - elementary::log(x0));
+  return elementary::exp(up(y0) + part * (up(y1) - up(y0)));
 }
 
 }  // namespace
@@ -130,10 +133,11 @@ double AccuracyCurve::time_for(double accuracy) const {
   if (first == points.begin()) return first->time_us;
   const Point& before = *(first - 1);
   if (!std::isfinite(before.within)) return first->time_us;
-  const double high = std::log(before.within),
-               low = std::log(std::max(first->within, least_within));
-  const double part = (high - std::log(std::max(accuracy, least_within))) / (high - low);
-  return before.time_us * std::pow(first->time_us / before.time_us, std::clamp(part, 0.0, 1.0));
+  const double high = elementary::log(before.within),
+               low = elementary::log(std::max(first->within, least_within));
+  const double part = (high - elementary::log(std::max(accuracy, least_within))) / (high - low);
+  return before.time_us *
+         elementary::pow(first->time_us / before.time_us, std::clamp(part, 0.0, 1.0));
 }
 
 double budget_us(const Knob& knob, const AccuracyCurve& curve) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
 #include "engine/geometry/rotation.hpp"
 
 namespace sonde {
@@ -55,7 +56,7 @@ Pose rate_controlled(const Pose& X_FP, const SixAxes& mapped, const Reach& rate,
 SixAxes smoothed(const SixAxes& last, const SixAxes& target, double dt,
                  double time_constant) noexcept {
   if (time_constant <= 0) return target;
-  return target + std::exp(-dt / time_constant) * (last - target);
+  return target + elementary::exp(-dt / time_constant) * (last - target);
 }
 
 }  // namespace sonde

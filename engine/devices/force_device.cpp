@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -63,7 +65,7 @@ std::string ForceDevice::does_not_follow(const PoseReport& report) const {
   const double dt = std::min(1e-6 * static_cast<double>(report.time_us - last_->time_us), longest);
   const double moved = (report.X_BH.p - last_->X_BH.p).norm();
   if (moved > 0.02 + 5 * dt) return "its handle jumped " + millimetres(moved);
-  const double turned = report.X_BH.q.angularDistance(last_->X_BH.q);
+  const double turned = angle_between(report.X_BH.q, last_->X_BH.q);
   if (turned > 0.2 + 60 * dt) return "its handle jumped in rotation";
   return "";
 }

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/base/ordering.hpp"
 
 namespace sonde {
 namespace {
@@ -123,7 +124,7 @@ std::vector<HidInfo> list_hid() {
     if (known == all.end()) known = all.insert(known, info_of(*found));
     known->usages.push_back({found->usage_page, found->usage});
   }
-  std::ranges::sort(all, [](const HidInfo& a, const HidInfo& b) {
+  ordering::sort(all, [](const HidInfo& a, const HidInfo& b) {
     return std::pair(a.path.size(), a.path) < std::pair(b.path.size(), b.path);
   });
   return all;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/devices/hid_controls.hpp"
 
 namespace sonde {
@@ -86,7 +88,7 @@ class Controls {
     std::vector<Pair> pairs;
     for (const Pair pair : {Pair{z, rz}, Pair{rx, ry}})
       if (has(pair.across) && has(pair.along)) pairs.push_back(pair);
-    std::ranges::sort(pairs, {}, [&](const Pair& pair) { return place(pair.across); });
+    ordering::sort(pairs, {}, [&](const Pair& pair) { return place(pair.across); });
     if (pairs.empty()) return;
     // To the right turns to the right, which is backwards about an axis that points up.
     add(pairs[0].across, Kind::centred, rz, -1);
@@ -127,7 +129,8 @@ double part_of(const StickSource& source, std::int64_t value) {
     case Kind::hat_up: {
       const auto direction = direction_of(field, value);
       if (!direction) return 0;
-      return source.kind == Kind::hat_up ? std::cos(*direction) : std::sin(*direction);
+      return source.kind == Kind::hat_up ? elementary::cos(*direction)
+                                         : elementary::sin(*direction);
     }
   }
   return 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.hpp"
 #include "engine/geometry/rotation.hpp"
 
 namespace sonde {
@@ -30,8 +31,8 @@ constexpr double farthest = std::numbers::pi / 2;
 Mat3 left_jacobian(const Vec3& theta) {
   const double a = theta.norm();
   constexpr double small = 1e-4;  // from here on the series is exact to rounding
-  const double first = a < small ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a);
-  const double second = a < small ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a);
+  const double first = a < small ? 0.5 - a * a / 24 : (1 - elementary::cos(a)) / (a * a);
+  const double second = a < small ? 1.0 / 6 - a * a / 120 : (a - elementary::sin(a)) / (a * a * a);
   Mat3 cross;
   cross << 0, -theta.z(), theta.y(), theta.z(), 0, -theta.x(), -theta.y(), theta.x(), 0;
   return Mat3::Identity() + first * cross + second * cross * cross;
@@ -39,8 +40,7 @@ Mat3 left_jacobian(const Vec3& theta) {
 
 /// The largest singular value.
 double norm_of(const Mat3& map) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(map.transpose() * map, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(map.transpose() * map, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 

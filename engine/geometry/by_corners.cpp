@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 namespace {
 
@@ -36,7 +38,7 @@ std::vector<CornerTriangle> triangles_by_corners(const Soup& soup, const Progres
   });
   for_each_index(soup.vertices.size(), part_of(progress, 0.5, 1), [&](std::size_t v) {
     if (first[v + 1] - first[v] > 1)
-      std::sort(out.begin() + first[v], out.begin() + first[v + 1], is_before);
+      ordering::sort(out.begin() + first[v], out.begin() + first[v + 1], is_before);
   });
   return out;
 }

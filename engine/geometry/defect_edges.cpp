@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 namespace {
 
@@ -20,7 +22,7 @@ std::vector<Use> uses_of(const Soup& soup) {
       const std::uint32_t a = t.at(i), b = t.at((i + 1) % 3);
       if (a != b) uses.push_back({{std::min(a, b), std::max(a, b)}, a > b});
     }
-  std::ranges::sort(uses, {}, &Use::edge);
+  ordering::sort(uses, {}, &Use::edge);
   return uses;
 }
 

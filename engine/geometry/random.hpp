@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "engine/base/elementary.hpp"
 #include "engine/geometry/chart.hpp"
 
 namespace sonde {
@@ -36,8 +37,8 @@ class Random {
   Quat rotation() {
     const double u = uniform(0, 1), turn = 2 * std::numbers::pi;
     const double a = turn * uniform(0, 1), b = turn * uniform(0, 1);
-    return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
-            std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
+    return {std::sqrt(1 - u) * elementary::sin(a), std::sqrt(1 - u) * elementary::cos(a),
+            std::sqrt(u) * elementary::sin(b), std::sqrt(u) * elementary::cos(b)};
   }
 
  private:

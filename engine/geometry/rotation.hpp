@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// These stand for Eigen's AngleAxis, slerp and angularDistance, which call the C library.
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {
@@ -11,5 +12,14 @@ Vec3 rotation_vector(const Quat& q) noexcept;
 
 /// The rotation about the vector's direction by its length (rad).
 Quat rotation_by(const Vec3& vector) noexcept;
+
+/// The rotation about a unit axis by an angle (rad).
+Quat rotation_about(const Vec3& axis, double angle) noexcept;
+
+/// From `from` (part 0) to `to` (part 1) at a steady rate, the shorter way round (Shoemake, 1985).
+Quat rotation_between(const Quat& from, const Quat& to, double part) noexcept;
+
+/// rad, 0 to π.
+double angle_between(const Quat& q, const Quat& r) noexcept;
 
 }  // namespace sonde

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/geometry/ear_clipping.hpp"
 
@@ -125,8 +126,8 @@ bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (const Vec3& e : edge) unit = std::max(unit, e.cwiseAbs().maxCoeff());
   if (!(unit > 0)) return true;
   for (Vec3& e : edge) e /= unit;
-  std::sort(edge, edge + 3,
-            [](const Vec3& x, const Vec3& y) { return x.squaredNorm() < y.squaredNorm(); });
+  ordering::sort(edge, edge + 3,
+                 [](const Vec3& x, const Vec3& y) { return x.squaredNorm() < y.squaredNorm(); });
   return edge[0].cross(edge[1]).norm() <= 1e-15 * edge[2].squaredNorm();
 }
 

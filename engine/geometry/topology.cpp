@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 
@@ -52,7 +53,7 @@ void sort_into_buckets(std::size_t triangles, std::size_t buckets, const Progres
   std::size_t start = 0;
   for_each_index(buckets, part_of(progress, 0.5, 1), [&](std::size_t bucket) {
     const std::span<Value> range(values.data() + start, end[bucket] - start);
-    std::sort(range.begin(), range.end());
+    ordering::sort(range.begin(), range.end());
     use(range);
     start = end[bucket];
   });
@@ -91,7 +92,7 @@ std::size_t count_duplicates(const Soup& soup, const Progress& progress) {
   const auto corners_of = [&](std::size_t i, auto put) {
     Triangle t = soup.triangles[i];
     if (has_repeated_corner(t)) return;
-    std::sort(t.begin(), t.end());
+    ordering::sort(t.begin(), t.end());
     put(t[0], std::uint64_t{t[1]} << 32 | t[2]);
   };
   const auto count = [&](std::span<const std::uint64_t> others) {

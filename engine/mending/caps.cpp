@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 namespace {
 
@@ -39,7 +41,7 @@ std::vector<Missing> missing_sides(const std::vector<EdgeUse>& uses,
         missing.push_back(sum > 0 ? Missing{part, edge[0].high, edge[0].low}
                                   : Missing{part, edge[0].low, edge[0].high});
   });
-  std::sort(missing.begin(), missing.end(), [](const Missing& a, const Missing& b) {
+  ordering::sort(missing.begin(), missing.end(), [](const Missing& a, const Missing& b) {
     return std::tie(a.part, a.from, a.to) < std::tie(b.part, b.from, b.to);
   });
   return missing;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 
 namespace sonde {
@@ -17,11 +18,11 @@ void sort_uses(std::vector<EdgeUse>& uses, std::size_t vertices, const Progress&
   for (const EdgeUse& use : uses) sorted[end[use.low]++] = use;
   std::size_t start = 0;
   for_each_index(vertices, progress, [&](std::size_t v) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start),
-              sorted.begin() + static_cast<std::ptrdiff_t>(end[v]),
-              [](const EdgeUse& x, const EdgeUse& y) {
-                return x.high != y.high ? x.high < y.high : x.side < y.side;
-              });
+    ordering::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start),
+                   sorted.begin() + static_cast<std::ptrdiff_t>(end[v]),
+                   [](const EdgeUse& x, const EdgeUse& y) {
+                     return x.high != y.high ? x.high < y.high : x.side < y.side;
+                   });
     start = end[v];
   });
   uses.swap(sorted);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/base/ordering.hpp"
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -41,8 +44,8 @@ std::pair<std::int64_t, std::int64_t> pixels(std::int64_t low, std::int64_t high
 
 Eigen::Matrix3d line_frame(int k) {
   const Eigen::Matrix3d turned =
-      (Eigen::AngleAxisd(0.3, Vec3::UnitX()) * Eigen::AngleAxisd(0.5, Vec3::UnitY()) *
-       Eigen::AngleAxisd(0.7, Vec3::UnitZ()))
+      (rotation_about(Vec3::UnitX(), 0.3) * rotation_about(Vec3::UnitY(), 0.5) *
+       rotation_about(Vec3::UnitZ(), 0.7))
           .toRotationMatrix();
   Eigen::Matrix3d rows;
   for (int i = 0; i < 3; ++i) rows.row(i) = turned.row((i + k) % 3);
@@ -115,11 +118,11 @@ void Lines::cast(const Soup& soup) {
     hits_[next[line]++] = {at, static_cast<std::uint32_t>(i), sign};
   });
   for (std::size_t line = 0; line < size(); ++line)
-    std::sort(hits_.begin() + static_cast<std::ptrdiff_t>(start_[line]),
-              hits_.begin() + static_cast<std::ptrdiff_t>(start_[line + 1]),
-              [](const LineHit& p, const LineHit& q) {
-                return p.along != q.along ? p.along < q.along : p.triangle < q.triangle;
-              });
+    ordering::sort(hits_.begin() + static_cast<std::ptrdiff_t>(start_[line]),
+                   hits_.begin() + static_cast<std::ptrdiff_t>(start_[line + 1]),
+                   [](const LineHit& p, const LineHit& q) {
+                     return p.along != q.along ? p.along < q.along : p.triangle < q.triangle;
+                   });
 }
 
 Vec3 Lines::point(std::size_t i, double along) const {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/mending/turned_sets.hpp"
 
@@ -132,7 +133,7 @@ class Orienter {
       else
         found->second += direction(use);
     }
-    std::sort(sums.begin(), sums.end());
+    ordering::sort(sums.begin(), sums.end());
     return sums;
   }
 

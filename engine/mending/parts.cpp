@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/mending/lines.hpp"
 
@@ -101,7 +102,7 @@ class Judge {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> number;
     for (std::size_t k = start_[p]; k < start_[p + 1]; ++k)
       for (const std::uint32_t v : sealed_.soup.triangles[order_[k]]) number.emplace_back(v, 0);
-    std::sort(number.begin(), number.end());
+    ordering::sort(number.begin(), number.end());
     number.erase(std::unique(number.begin(), number.end()), number.end());
     for (auto& [v, n] : number) {
       n = static_cast<std::uint32_t>(out.soup.vertices.size());

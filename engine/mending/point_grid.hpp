@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/ordering.hpp"
 #include "engine/geometry/pose.hpp"
 
 namespace sonde {
@@ -22,7 +23,7 @@ class PointGrid {
       : low_(low), cell_(cell) {
     points_.reserve(some.size());
     for (const std::uint32_t i : some) points_.emplace_back(key(cube(points[i])), i);
-    std::sort(points_.begin(), points_.end());
+    ordering::sort(points_.begin(), points_.end());
     slots_.assign(std::bit_ceil(2 * points_.size() + 1), none);
     for (std::uint32_t k = 0; k < points_.size(); ++k)
       if (k == 0 || points_[k].first != points_[k - 1].first)

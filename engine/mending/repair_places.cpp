@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engine/base/ordering.hpp"
 #include "engine/mending/turned_sets.hpp"
 
 namespace sonde {
@@ -38,7 +39,7 @@ void add_grouped(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& x,
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t)
       if (counts(v)) corners.push_back(v);
-  std::sort(corners.begin(), corners.end());
+  ordering::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   const auto number = [&](std::uint32_t v) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(corners, v) - corners.begin());
@@ -91,8 +92,8 @@ void settle(RepairPlaces& places) {
     return std::tuple(p.kind, -p.size, p.at.x(), p.at.y(), p.at.z());
   };
   std::vector<RepairPlace>& all = places.places;
-  std::sort(all.begin(), all.end(),
-            [&](const RepairPlace& a, const RepairPlace& b) { return key(a) < key(b); });
+  ordering::sort(all.begin(), all.end(),
+                 [&](const RepairPlace& a, const RepairPlace& b) { return key(a) < key(b); });
   places.all = all.size();
   if (all.size() > RepairPlaces::most) all.resize(RepairPlaces::most);
   all.shrink_to_fit();

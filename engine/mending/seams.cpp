@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/mending/point_grid.hpp"
 #include "engine/mending/turned_sets.hpp"
@@ -42,7 +43,7 @@ OpenCorners open_corners(const Soup& soup, const Uses& uses) {
       out.shortest[v] = std::min(out.shortest[v], length);
     }
   });
-  std::sort(out.vertices.begin(), out.vertices.end());
+  ordering::sort(out.vertices.begin(), out.vertices.end());
   out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
   return out;
 }
@@ -116,8 +117,8 @@ class Attempt {
       out_.on_edges += chain.size();
       for (const EdgeUse& use : edge) add_pieces(use, chain);
     });
-    std::sort(out_.cuts.begin(), out_.cuts.end(),
-              [](const auto& x, const auto& y) { return x.side < y.side; });
+    ordering::sort(out_.cuts.begin(), out_.cuts.end(),
+                   [](const auto& x, const auto& y) { return x.side < y.side; });
   }
 
   double median_length(const Uses& uses) const {
@@ -126,7 +127,7 @@ class Attempt {
     for (const EdgeUse& use : uses) lengths.push_back((at(use.low) - at(use.high)).norm());
     if (lengths.empty()) return 0;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
+    ordering::nth_element(lengths.begin(), middle, lengths.end());
     return *middle;
   }
 
@@ -151,7 +152,7 @@ class Attempt {
       const Vec3 a = from + way * k / pieces, b = from + way * (k + 1) / pieces;
       grid.each_within(a.cwiseMin(b) - around, a.cwiseMax(b) + around, look);
     }
-    std::sort(found.begin(), found.end());
+    ordering::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::uint32_t> out;
     out.reserve(found.size());

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -103,7 +105,7 @@ Vec3 CornerPlanes::mean_normal(std::uint32_t fan) const {
       if (fans_.of[t][k] != fan) continue;
       const Vec3 a = corner(t, (k + 1) % 3) - corner(t, k);
       const Vec3 b = corner(t, (k + 2) % 3) - corner(t, k);
-      sum += std::atan2(a.cross(b).norm(), a.dot(b)) * normal_[t];
+      sum += elementary::atan2(a.cross(b).norm(), a.dot(b)) * normal_[t];
     }
   });
   return sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3(Vec3::Zero());

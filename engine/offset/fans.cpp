@@ -9,6 +9,9 @@
 #include <numeric>
 #include <tuple>
 
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 
 Sets::Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -43,8 +46,8 @@ class FanFinder {
 
   Fans find(const Progress& progress) {
     list_sides(part_of(progress, 0, 0.2));
-    std::ranges::sort(
-        sides_, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.triangle, s.corner); });
+    ordering::sort(sides_, {},
+                   [](const Side& s) { return std::tuple(s.low, s.high, s.triangle, s.corner); });
     report(progress, 0.6);
     for (std::size_t begin = 0, end = 0; begin < sides_.size(); begin = end) {
       while (end < sides_.size() && sides_[end].low == sides_[begin].low &&
@@ -103,7 +106,7 @@ class FanFinder {
     };
     std::vector<Turned> round;
     for (std::size_t i = begin; i < end; ++i) round.push_back({angle_of(sides_[i]), i});
-    std::ranges::sort(round, [&](const Turned& a, const Turned& b) {
+    ordering::sort(round, [&](const Turned& a, const Turned& b) {
       const bool a_opens = !sides_[a.side].upwards, b_opens = !sides_[b.side].upwards;
       return std::tuple(a.angle, a_opens, a.side) < std::tuple(b.angle, b_opens, b.side);
     });
@@ -132,7 +135,7 @@ class FanFinder {
     const Vec3 third = at(soup_.triangles[s.triangle][(s.corner + 2) % 3]) - at(s.low);
     // Coincident triangles have one angle, whatever the last bits.
     constexpr double grain = 1e9;
-    const double angle = std::round(std::atan2(third.dot(y), third.dot(x)) * grain);
+    const double angle = std::round(elementary::atan2(third.dot(y), third.dot(x)) * grain);
     return angle >= std::round(std::numbers::pi * grain) ? -angle : angle;
   }
 
@@ -143,7 +146,7 @@ class FanFinder {
       ends.emplace_back(sides_[i].low, low_end(sides_[i]));
       ends.emplace_back(sides_[i].high, high_end(sides_[i]));
     }
-    std::ranges::sort(ends);
+    ordering::sort(ends);
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (ends[i].first == ends[i - 1].first) corners_.join(ends[i].second, ends[i - 1].second);
   }
@@ -171,14 +174,14 @@ class FanFinder {
     for (const std::size_t i : open_)
       for (std::uint32_t k = 0; k < 2; ++k)
         ends.push_back(fans.of[sides_[i].triangle][(sides_[i].corner + k) % 3]);
-    std::ranges::sort(ends);
+    ordering::sort(ends);
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::array<std::vector<std::uint32_t>, 3> along{ends, ends, ends};
     const auto place = [&](int axis) {
       return [&, axis](std::uint32_t fan) { return at(fans.vertex[fan])[axis]; };
     };
     for (int axis = 0; axis < 3; ++axis)
-      std::ranges::sort(along.at(static_cast<std::size_t>(axis)), {}, place(axis));
+      ordering::sort(along.at(static_cast<std::size_t>(axis)), {}, place(axis));
     for (const std::size_t i : open_) {
       // By the axis along which fewest come into question.
       auto begin = along[0].cbegin(), end = along[0].cend();
@@ -197,7 +200,7 @@ class FanFinder {
         if (lies_on(fans.vertex[*fan], sides_[i]))
           fans.beside.emplace_back(*fan, sides_[i].triangle);
     }
-    std::ranges::sort(fans.beside);
+    ordering::sort(fans.beside);
   }
 
   bool lies_on(std::uint32_t vertex, const Side& s) const {

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/base/ordering.hpp"
 #include "engine/body/region.hpp"
 
 namespace sonde {
@@ -27,7 +28,7 @@ std::vector<std::array<std::uint32_t, 3>> neighbours_of(const Fans& fans) {
       const std::uint32_t a = fans.of[t][k], b = fans.of[t][(k + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), t, k});
     }
-  std::ranges::sort(sides, {}, [](const Side& s) {
+  ordering::sort(sides, {}, [](const Side& s) {
     return std::array{s.low, s.high, s.triangle, s.corner};
   });
   std::vector<std::array<std::uint32_t, 3>> neighbours(fans.of.size(), {none, none, none});

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/base/ordering.hpp"
 #include "engine/geometry/topology.hpp"
 #include "engine/offset/corner_planes.hpp"
 #include "engine/offset/flat_regions.hpp"
@@ -116,7 +117,7 @@ class Mover {
       for (const std::uint32_t t : over) join_sides(t, joined, changed);
       if (changed.empty()) return false;
       for (std::uint32_t& fan : changed) fan = joined.of(fan);
-      std::ranges::sort(changed);
+      ordering::sort(changed);
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       if (move_groups(joined, changed, over)) return true;
     }

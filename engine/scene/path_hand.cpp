@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -20,7 +22,7 @@ Pose pose_at(std::span<const TimedPose> path, double t) noexcept {
   const TimedPose& b = *after;
   const TimedPose& a = *(after - 1);
   const double part = (t - a.t) / (b.t - a.t);
-  return {a.pose.q.slerp(part, b.pose.q), a.pose.p + part * (b.pose.p - a.pose.p)};
+  return {rotation_between(a.pose.q, b.pose.q, part), a.pose.p + part * (b.pose.p - a.pose.p)};
 }
 
 PathHand::PathHand(std::vector<TimedPose> path, const Pose& X_FM) : path_(std::move(path)) {

@@ -3,13 +3,16 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
 /// A mouse tells its place some hundred times a second: without this the hand would jerk at each.
 constexpr double hand_lag = 0.025;  // s
 
-double share_of(double period) { return 1 - std::exp(-period / hand_lag); }
+double share_of(double period) { return 1 - elementary::exp(-period / hand_lag); }
 
 }  // namespace
 
@@ -43,7 +46,7 @@ void SimulatedHand::follow_target() noexcept {
   const Pose& target = targets_.front();
   const Vec3 com = hand_ * com_;
   const Vec3 next = com + pace_.share * (target * com_ - com);
-  hand_.q = hand_.q.slerp(pace_.share, target.q).normalized();
+  hand_.q = rotation_between(hand_.q, target.q, pace_.share).normalized();
   hand_.p = next - hand_.q * com_;
 }
 

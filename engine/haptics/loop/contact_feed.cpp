@@ -5,6 +5,7 @@
 
 #include "engine/base/deadline.hpp"
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/haptics/loop/loop_tuning.hpp"
 #include "engine/penetration/descent/descent.hpp"
 
@@ -146,13 +147,10 @@ void ContactFeed::mark_support(double far) noexcept {
   const Pose& device = contacts_.separation.device;
   /// The device pose turned about its centre of mass and shifted.
   const auto moved = [&](const Vec3& shift, const Vec3& turn) {
-    const Quat q = Quat(Eigen::AngleAxisd(turn.norm(), turn.norm() > 0 ? Vec3(turn.normalized())
-                                                                       : Vec3(Vec3::UnitX()))) *
-                   device.q;
+    const Quat q = rotation_by(turn) * device.q;
     return Pose{q.normalized(), device * mass.com + shift - q * mass.com};
   };
-  const Eigen::AngleAxisd turned(device.q * last_device_.q.conjugate());
-  const Vec3 turn = turned.angle() * turned.axis();
+  const Vec3 turn = rotation_vector(device.q * last_device_.q.conjugate());
   const Vec3 shift = device * mass.com - last_device_ * mass.com;
   for (const double ticks : loop_tuning.support_ticks)
     mark_holding(moved(ticks * shift, ticks * turn));

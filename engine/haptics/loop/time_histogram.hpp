@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 
 /// Counts of times by length, in bins of equal ratio, from 0.1 µs to 1 s, forty in a decade (6 %
@@ -22,13 +24,16 @@ struct TimeHistogram {
   double largest = 0;  ///< µs
 
   void add(double us) noexcept {
-    const double place = us > shortest ? per_decade * std::log10(us / shortest) : 0;  // NaN: 0
+    const double place =
+        us > shortest ? per_decade * elementary::log10(us / shortest) : 0;  // NaN: 0
     ++counts[place < bins ? static_cast<std::size_t>(place) : bins - 1];
     ++total;
     if (us > largest) largest = us;
   }
   /// µs: the upper edge of bin i.
-  static double edge(int i) noexcept { return shortest * std::pow(10, (i + 1.0) / per_decade); }
+  static double edge(int i) noexcept {
+    return shortest * elementary::pow(10, (i + 1.0) / per_decade);
+  }
   /// µs that the given share (0 to 1) of the times did not exceed: the edge of its bin, so never
   /// too low, and at most 6 % too high; the largest time where that is lower. 0 where there are no
   /// times yet.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -30,7 +32,7 @@ bool Runaway::too_fast() const noexcept {
 
 void Runaway::observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept {
   if (!(dt > 0) || !way.allFinite() || !turn.allFinite()) return;
-  const double share = 1 - std::exp(-dt / averaged_over);
+  const double share = 1 - elementary::exp(-dt / averaged_over);
   velocity_ += share * (way / dt - velocity_);
   spin_ += share * (turn / dt - spin_);
   unpushed_ = pushed ? 0 : unpushed_ + dt;

@@ -2,8 +2,8 @@
 #include "engine/penetration/bound/deep_points.hpp"
 
 #include <algorithm>
-#include <queue>
 
+#include "engine/base/ordering.hpp"
 #include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
@@ -84,8 +84,8 @@ class DeepPoints {
       }
       ++opened;
       at.open_overlapping(p, Opening::larger, found);
-      std::sort(found.begin(), found.end(),
-                [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+      ordering::sort(found.begin(), found.end(),
+                     [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
       for (const SlotPair& child : found) stack.push(child);
     }
   }
@@ -98,7 +98,7 @@ class DeepPoints {
   /// Corners of a body, those first that may be deepest.
   void corners(const Body& body, const Transform& X) {
     const Tree& tree = body.tree;
-    std::priority_queue<Slot> queue;
+    ordering::Queue<Slot> queue;
     const auto look_at = [&](std::uint32_t slot) {
       const Vec3 x = surface(body).vertices[surface(body).triangles[tree.first_triangle(slot)][0]];
       queue.push({slot, look(X, x).depth() + 2 * tree.half_diagonal(slot)});
@@ -143,7 +143,7 @@ class DeepPoints {
     const Vec3 com = depth_.X_FW().p, reach = Vec3::Constant(depth_.probe().mass.radius);
     const Box all{tree.low.cwiseMax(com - reach), tree.high.cwiseMin(com + reach), 0};
     if (!((all.high - all.low).minCoeff() > 0)) return;
-    std::priority_queue<Box> queue;
+    ordering::Queue<Box> queue;
     const auto look_at = [&](const Box& b) {
       const CommonPoint s = look(depth_.X_FW(), (b.low + b.high) / 2);
       queue.push({b.low, b.high, s.depth() + (b.high - b.low).norm()});

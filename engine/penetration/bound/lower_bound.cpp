@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 #include <vector>
 
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/penetration/bound/bound_tuning.hpp"
 #include "engine/penetration/bound/deep_points.hpp"
 #include "engine/penetration/bound/rotation_cell.hpp"
@@ -228,7 +228,7 @@ class TurnSearch {
   Vec3 inertia_;
   std::vector<Witness> witnesses_;
   std::vector<Node> nodes_;
-  std::priority_queue<Open> queue_;
+  ordering::Queue<Open> queue_;
   int cells_ = 0;
 };
 

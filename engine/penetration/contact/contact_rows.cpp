@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/base/phase_timer.hpp"
 #include "engine/penetration/contact/face_overlap.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -182,7 +183,7 @@ bool ContactRows::gather(const Chart& chart, const Vec6& y, double reach, double
   turn_ = std::max(contact_tuning.turn_per_reach * reach_ / probe_.mass.radius,
                    2 * lists_.recent_turn());
   const std::span<NearPair> pairs(pairs_.data(), add_kept(X, std::max(asked_, reach), near.count));
-  std::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
+  ordering::sort(pairs.begin(), pairs.end(), [](const NearPair& p, const NearPair& q) {
     if (p.gap != q.gap) return p.gap < q.gap;
     return std::pair(p.triangle_a, p.triangle_b) < std::pair(q.triangle_a, q.triangle_b);
   });

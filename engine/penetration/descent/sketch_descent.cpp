@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/phase_timer.hpp"
 #include "engine/penetration/descent/sketch_descent_tuning.hpp"
 
@@ -125,8 +126,9 @@ double SketchDescent::find_near(const Frame& frame, double reach, bool rough) {
     least = std::min(least, gap);
   }
   if (near_.size() > sketch_descent_tuning.most_rows) {
-    std::nth_element(near_.begin(), near_.begin() + std::ptrdiff_t{sketch_descent_tuning.most_rows},
-                     near_.end(), [](const Near& a, const Near& b) { return a.gap < b.gap; });
+    ordering::nth_element(near_.begin(),
+                          near_.begin() + std::ptrdiff_t{sketch_descent_tuning.most_rows},
+                          near_.end(), [](const Near& a, const Near& b) { return a.gap < b.gap; });
     near_.resize(sketch_descent_tuning.most_rows);
   }
   return least;

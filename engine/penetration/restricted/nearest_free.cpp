@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -83,7 +84,7 @@ class Walk {
       placement.open_by_faces(p, reach, found);
       for (const SlotPair& q : found) stack_->push(q);
     }
-    std::ranges::sort(blocked_, [](const Blocked& x, const Blocked& y) {
+    ordering::sort(blocked_, [](const Blocked& x, const Blocked& y) {
       return std::tie(x.from, x.to, x.a, x.b) < std::tie(y.from, y.to, y.a, y.b);
     });
     return looked_at;
@@ -93,7 +94,7 @@ class Walk {
     const Corners on_a = corners(surface(probe_), a), on_b = corners(surface(fixed_), b);
     events_.assign({stretch.from, stretch.to});
     way_.events(place(start_, on_a), on_b, stretch, guard_, events_);
-    std::ranges::sort(events_);
+    ordering::sort(events_);
     bool before = false;
     for (std::size_t i = 1; i < events_.size(); ++i) {
       if (!(events_[i] > events_[i - 1])) continue;

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.hpp"
+#include "engine/geometry/rotation.hpp"
+
 namespace sonde {
 namespace {
 
@@ -41,7 +44,7 @@ OneWay OneWay::back() const {
 
 Pose OneWay::at(double s) const {
   if (!turns_) return {start_.q, start_.p + s * way_};
-  const Quat turn(Eigen::AngleAxisd(s, way_));
+  const Quat turn = rotation_about(way_, s);
   return {(turn * start_.q).normalized(), point_ + turn * (start_.p - point_)};
 }
 
@@ -83,8 +86,8 @@ OneWay::Course OneWay::of_edges(const Vec3& p, const Vec3& e, const Vec3& q, con
 OneWay::Stretch::Stretch(double first, double last)
     : from(first),
       to(last),
-      cosine(std::cos(0.5 * (first + last))),
-      sine(std::sin(0.5 * (first + last))) {}
+      cosine(elementary::cos(0.5 * (first + last))),
+      sine(elementary::sin(0.5 * (first + last))) {}
 
 void OneWay::add_roots(const Course& c, const Stretch& stretch, std::vector<double>& out) const {
   const auto add = [&](double s) {
@@ -100,7 +103,7 @@ void OneWay::add_roots(const Course& c, const Stretch& stretch, std::vector<doub
   if (!(size > 0) || std::abs(c.rest) > size ||
       std::abs(at_middle) > 0.51 * size * (stretch.to - stretch.from))
     return;
-  const double first = std::atan2(c.odd, c.even), half = std::acos(-c.rest / size);
+  const double first = elementary::atan2(c.odd, c.even), half = elementary::acos(-c.rest / size);
   for (const double root : {first - half, first + half})
     for (const double round : {-1.0, 0.0, 1.0}) add(root + round * 2 * std::numbers::pi);
 }

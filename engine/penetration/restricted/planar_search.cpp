@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"
@@ -93,7 +94,7 @@ class Planar {
     const double angle = random_.uniform(0, 2 * std::numbers::pi);
     const double turn = random_.uniform(-1, 1) * basis_.most_turn;
     const double reach = far_ * (1 + 1e-6);
-    const Vec6 y = basis_.at(reach * std::cos(angle), reach * std::sin(angle), turn);
+    const Vec6 y = basis_.at(reach * elementary::cos(angle), reach * elementary::sin(angle), turn);
     return leaps_.is_free(chart_, y) ? std::optional(y) : std::nullopt;
   }
   std::optional<Vec6> nearby() {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/proximity/sketch/sketch.hpp"
 
 namespace sonde {
@@ -130,7 +131,7 @@ std::optional<Vec6> Starts::along_axes(Random& random, double farthest) const {
   };
   for (int tries = 0; tries < tuned_.tries_in_a_ball; ++tries) {
     const Vec3 axis = axis_of(fixed.R_MP), own = device.q * axis_of(probe.R_MP);
-    const Quat spin(Eigen::AngleAxisd(random.uniform(-1, 1) * std::numbers::pi, axis));
+    const Quat spin = rotation_about(axis, random.uniform(-1, 1) * std::numbers::pi);
     const Quat q = (spin * Quat::FromTwoVectors(own, axis) * device.q).normalized();
     const Vec3 centre = fixed.com + random.uniform(-1, 1) * fixed.radius * axis;
     const Vec6 y = chart_.coordinates({q, centre - q * probe.com});

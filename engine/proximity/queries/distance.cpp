@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
@@ -63,8 +64,8 @@ class Search {
         continue;
       }
       at_.open_near(p, limit, found);
-      std::sort(found.begin(), found.end(),
-                [](const SlotPair& x, const SlotPair& y) { return nearer_first(y, x); });
+      ordering::sort(found.begin(), found.end(),
+                     [](const SlotPair& x, const SlotPair& y) { return nearer_first(y, x); });
       for (const SlotPair& child : found) stack_.push(child);
     }
     return best_;
@@ -84,8 +85,8 @@ class Search {
     }
     const std::span<SlotPair> all(next_.data(), count);
     const std::size_t kept = std::min(count, abreast);
-    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
-                      nearer_first);
+    ordering::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(),
+                           nearer_first);
     return all.first(kept);
   }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/elementary.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/point_distance.hpp"
 
@@ -87,8 +88,8 @@ int winding_by_solid_angles(const Body& body, const Vec3& x) {
     const Corners t = corners(surface(body), i);
     const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum +=
-        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    sum += elementary::atan2(a.dot(b.cross(c)),
+                             la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/proximity/queries/intersect.hpp"
 
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/queries/inside.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
@@ -28,8 +29,8 @@ bool boxes_lead_to_a_meeting(const Body& a, const Body& b, const Transform& X_BA
     const Opening opening = ++opened <= straight_down ? Opening::larger : Opening::both;
     at.open_overlapping(p, opening, found);
     // The deeper overlap is looked at first: a first hit is likeliest there.
-    std::sort(found.begin(), found.end(),
-              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    ordering::sort(found.begin(), found.end(),
+                   [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : found) stack.push(child);
   }
   return false;

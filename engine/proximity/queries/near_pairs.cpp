@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -15,7 +16,7 @@ std::size_t keep_nearer_half(std::span<NearPair> out, double& reach) {
     if (x.gap != y.gap) return x.gap < y.gap;
     return std::pair(x.triangle_a, x.triangle_b) < std::pair(y.triangle_a, y.triangle_b);
   };
-  std::nth_element(out.begin(), middle, out.end(), nearer);
+  ordering::nth_element(out.begin(), middle, out.end(), nearer);
   reach = std::min(reach, middle->gap);
   return out.size() / 2;
 }
@@ -56,8 +57,8 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
     if (!effort.spend(work_to_open(children.count))) return {0, -1};
     // Where not all fit, the nearest first: what is further away need not be looked at.
     if (crowded)
-      std::sort(children.begin(), children.end(),
-                [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+      ordering::sort(children.begin(), children.end(),
+                     [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : children) stack.push(child);
   }
   look();

@@ -100,7 +100,7 @@ Placement::Placement(const Body& a, const Body& b, const Transform& X_BA)
       kernels_(box_kernels()) {
   const Vec3 shift = X * a.tree.origin - b.tree.origin;
   const double size = local_extent(a.tree) + local_extent(b.tree) + shift.cwiseAbs().maxCoeff();
-  per_unit_ = std::exp2(-std::ilogb(size));
+  per_unit_ = std::ldexp(1.0, -std::ilogb(size));
   scale_ = static_cast<float>(per_unit_);
   frames_ = frames(a.tree, b.tree, X, per_unit_);
   float_guard_ =

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/ordering.hpp"
 #include "engine/geometry/to_float.hpp"
 #include "engine/proximity/queries/placement.hpp"
 
@@ -56,7 +57,7 @@ PointFrame::PointFrame(const Body& body, const Vec3& x) {
   const Tree& tree = body.tree;
   const Vec3 local = x - tree.origin;
   const double size = (tree.high - tree.low).maxCoeff() + local.cwiseAbs().maxCoeff();
-  per_unit = std::exp2(-std::ilogb(size));
+  per_unit = std::ldexp(1.0, -std::ilogb(size));
   scale = static_cast<float>(per_unit);
   for (int i = 0; i < 3; ++i) {
     point.origin[i] = to_float(local[i] * per_unit);
@@ -103,8 +104,8 @@ NearestPoint nearest_point(const Body& body, const Vec3& x, double enough) {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
       found[count++] = {node.child[k], bounds.value[k] - frame.guard};
     }
-    std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Entry& p, const Entry& q) { return p.bound > q.bound; });
+    ordering::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+                   [](const Entry& p, const Entry& q) { return p.bound > q.bound; });
     for (std::size_t k = 0; k < count; ++k) stack.push(found[k]);
   }
   return best;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -34,8 +35,8 @@ std::size_t find_violations(const Body& a, const Body& b, const Transform& X_BA,
     at.open_near(p, limit, children);
     if (!effort.spend(work_to_open(children.count))) break;
     // What overlaps most is looked at first.
-    std::sort(children.begin(), children.end(),
-              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    ordering::sort(children.begin(), children.end(),
+                   [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : children) stack.push(child);
   }
   look();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/proximity/queries/placement.hpp"
@@ -68,8 +69,9 @@ void add_groups(std::span<Vec3> points, std::vector<PointGroup>& out) {
   Eigen::Index axis = 0;
   box.sizes().maxCoeff(&axis);
   const auto half = points.size() / 2;
-  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
-                   [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+  ordering::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half),
+                        points.end(),
+                        [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
   add_groups(points.first(half), out);
   add_groups(points.subspan(half), out);
 }

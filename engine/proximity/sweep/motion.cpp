@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -55,7 +57,7 @@ Motion::Motion(const MassProperties& mass, const Pose& from, const Pose& to)
   Quat turn = q_FP_.conjugate() * to.q * Quat(mass.R_MP);
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   const double half_sine = turn.vec().norm();
-  steady_ = 2 * std::atan2(half_sine, turn.w());
+  steady_ = 2 * elementary::atan2(half_sine, turn.w());
   if (half_sine > 0) axis_ = turn.vec() / half_sine;
   turn_ = steady_ * (1 + 1e-12);
   // An arm turns as R″ = ω² [axis]² R, and |R‴| = ω³: half of the path is half of that away.
@@ -68,8 +70,8 @@ Motion::Motion(const MassProperties& mass, const Pose& from, const Pose& to)
 
 Quat Motion::relative(double s) const {
   if (steady_ > 0) {
-    const Vec3 u = std::sin(0.5 * s * steady_) * axis_;
-    return {std::cos(0.5 * s * steady_), u.x(), u.y(), u.z()};
+    const Vec3 u = elementary::sin(0.5 * s * steady_) * axis_;
+    return {elementary::cos(0.5 * s * steady_), u.x(), u.y(), u.z()};
   }
   const Vec3 u = v_from_ + s * v_step_;
   return {std::sqrt(std::max(0.0, 1 - u.squaredNorm())), u.x(), u.y(), u.z()};

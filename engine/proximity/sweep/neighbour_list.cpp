@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/queries/triangle_batch.hpp"
 
@@ -143,11 +144,11 @@ std::size_t NeighbourList::violations(const Transform& X, double least, std::spa
       const Violation one{pair.i, pair.j, points.distance[k] > 0 ? points.gap[k] : known};
       if (found == out.size()) {
         if (!deeper(one, out[0])) return;
-        std::pop_heap(out.begin(), out.end(), deeper);
+        ordering::pop_heap(out.begin(), out.end(), deeper);
         --found;
       }
       out[found++] = one;
-      std::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
+      ordering::push_heap(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(found), deeper);
     });
   };
   each_due(displacement(last_, X, centre_), least + rounding, [&](std::size_t k) {
@@ -195,7 +196,7 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
   // What is likely to stop the path soonest comes first: then the others need be clear no further.
   const auto first = unproven_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
   const auto few = first + static_cast<std::ptrdiff_t>(std::min(open, block));
-  std::partial_sort(first, few, last, [](const UnprovenPair& x, const UnprovenPair& y) {
+  ordering::partial_sort(first, few, last, [](const UnprovenPair& x, const UnprovenPair& y) {
     return x.until != y.until ? x.until < y.until : x.item < y.item;
   });
   follow({unproven_.data(), open}, pairs, ahead, effort);

@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "engine/base/ordering.hpp"
 #include "engine/proximity/boxes/sweep_lanes.hpp"
 #include "engine/proximity/queries/placement.hpp"
 #include "engine/proximity/sweep/pair_sweep.hpp"
@@ -29,7 +30,7 @@ class Sweeper {
     const double size_a = (a.tree.high - a.tree.low).maxCoeff();
     const double size = size_a + (b.tree.high - b.tree.low).maxCoeff() +
                         shift.cwiseAbs().maxCoeff() + motion.farthest(arm);
-    per_unit_ = std::exp2(-std::ilogb(size));
+    per_unit_ = std::ldexp(1.0, -std::ilogb(size));
     scale_ = static_cast<float>(per_unit_);
     const double longest = motion.farthest(a.mass.radius) * per_unit_;
     per_path_ = static_cast<float>(0.5 / std::max(longest, 1e-30));
@@ -87,7 +88,7 @@ class Sweeper {
                                             : open_b(level[k], all, next);
       if (!effort_.spend(work_to_open(next.count))) return;
       const auto kept = std::min<std::ptrdiff_t>(next.count, abreast);
-      std::partial_sort(next.begin(), next.begin() + kept, next.end(), sooner);
+      ordering::partial_sort(next.begin(), next.begin() + kept, next.end(), sooner);
       count = 0;
       for (const SlotPair& p : std::span(next.begin(), next.begin() + kept)) {
         if (is_leaf(a_.tree, b_.tree, p))
@@ -125,8 +126,8 @@ class Sweeper {
     open(p, found);
     effort_.spend(2 * work_to_open(found.count));
     // The pair that may stop it first is looked at first: what it says rules out others.
-    std::sort(found.begin(), found.end(),
-              [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
+    ordering::sort(found.begin(), found.end(),
+                   [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& next : found) stack_.push(next);
   }
 

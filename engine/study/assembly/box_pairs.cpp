@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 
 std::vector<std::array<std::size_t, 2>> pairs_that_meet(const std::vector<AxisBox>& boxes) {
@@ -20,7 +22,7 @@ std::vector<std::array<std::size_t, 2>> pairs_that_meet(const std::vector<AxisBo
   CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
     out.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
   });
-  std::ranges::sort(out);
+  ordering::sort(out);
   return out;
 }
 

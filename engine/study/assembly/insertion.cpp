@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "engine/base/error.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupler.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/sweep/motion.hpp"
@@ -52,7 +54,7 @@ std::vector<double> rows_of(const InsertionWay& way, std::size_t steps,
   for (double off = 0.5 * step; off >= finest * step; off *= 0.5)
     for (const double at : {first->travel - off, first->travel + off})
       if (at > 0 && at < all) out.push_back(at);
-  std::ranges::sort(out);
+  ordering::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
@@ -72,7 +74,7 @@ InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, do
   InsertionWay out;
   for (std::size_t i = 0; i <= pieces; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(pieces);
-    const Quat q = (Quat(Eigen::AngleAxisd(part * twist, unit)) * start.q).normalized();
+    const Quat q = (rotation_about(unit, part * twist) * start.q).normalized();
     const Vec3 com = com_at(pair, start) + part * travel * unit;
     out.poses.push_back({q, com - q * pair.probe().mass.com});
     out.travel.push_back(part * travel);

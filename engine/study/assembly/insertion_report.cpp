@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 #include "engine/text/number_text.hpp"
 
@@ -72,7 +74,7 @@ double value_of(std::size_t i, std::size_t count, double largest) {
 InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
                    double offset, double tilt) {
   InsertionWay out = way;
-  const Quat turn(Eigen::AngleAxisd(tilt, map.axis.cross(map.lateral)));
+  const Quat turn = rotation_about(map.axis.cross(map.lateral), tilt);
   const Vec3& com = pair.probe().mass.com;
   for (Pose& X : out.poses) {
     const Vec3 at = X * com + offset * map.lateral;
@@ -157,7 +159,7 @@ std::string way_picture(const Json& way) {
     travel.push_back(to_mm * number(0));
     clearance.push_back(to_mm * number(8));
     depth.push_back(to_mm * number(9));
-    force.push_back(std::hypot(number(10), number(11), number(12)));
+    force.push_back(Vec3(number(10), number(11), number(12)).norm());
   }
   SvgChart chart{"Along the way", {}};
   const ChartAxis x{"travel, mm"};
@@ -228,7 +230,7 @@ Json summary_of(const InsertionParts& parts, const Json& about) {
     if (!row[8].is_null()) least = std::min(least, row[8].get<double>());
     if (!row[9].is_null()) deepest = std::max(deepest, row[9].get<double>());
     largest = std::max(
-        largest, std::hypot(row[10].get<double>(), row[11].get<double>(), row[12].get<double>()));
+        largest, Vec3(row[10].get<double>(), row[11].get<double>(), row[12].get<double>()).norm());
   }
   Json out{{"format", 1},
            {"travel", parts.way.at("steps").back()[0]},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -12,7 +13,7 @@ namespace {
 /// 1, 2 or 5 times a power of ten: about `count` of them make the length.
 double round_step(double length, int count) {
   const double rough = length / count;
-  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  const double decade = elementary::pow(10.0, std::floor(elementary::log10(rough)));
   for (const double mantissa : {1.0, 2.0, 5.0})
     if (mantissa * decade >= rough * (1 - 1e-9)) return mantissa * decade;
   return 10 * decade;
@@ -79,7 +80,9 @@ void ChartScale::round_ends() {
   high_ = step * std::ceil(high_ / step - 1e-9);
 }
 
-double ChartScale::raw(double value) const { return logarithmic_ ? std::log10(value) : value; }
+double ChartScale::raw(double value) const {
+  return logarithmic_ ? elementary::log10(value) : value;
+}
 
 std::optional<double> ChartScale::place(double value) const {
   if (!drawable(value, logarithmic_)) return std::nullopt;
@@ -106,11 +109,11 @@ std::vector<ChartScale::Tick> ChartScale::logarithmic_ticks() const {
   for (int decade = static_cast<int>(std::floor(low_)); decade <= std::ceil(high_);
        decade += stride)
     for (int digit = 1; digit < (length <= 5 ? 10 : 2); ++digit) {
-      const double at = decade + std::log10(digit);
+      const double at = decade + elementary::log10(digit);
       if (at < low_ - 1e-9 || at > high_ + 1e-9) continue;
       const bool named = digit == 1 || (length <= 2.1 && (digit == 2 || digit == 5));
       out.push_back({(at - low_) / length,
-                     named ? tick_text(digit * std::pow(10.0, decade)) : std::string()});
+                     named ? tick_text(digit * elementary::pow(10.0, decade)) : std::string()});
     }
   return out;
 }

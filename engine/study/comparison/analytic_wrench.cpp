@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/study/comparison/half_space.hpp"
@@ -49,7 +50,7 @@ std::vector<std::size_t> thinned(const std::vector<std::size_t>& all, std::size_
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
+  ordering::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 

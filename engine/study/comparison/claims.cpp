@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -83,6 +85,12 @@ TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg,
   return decided(key, claim, for_it, against_it);
 }
 
+double log_factorial(int n) {
+  double sum = 0;
+  for (int i = 2; i <= n; ++i) sum += elementary::log(i);
+  return sum;
+}
+
 }  // namespace
 
 const char* name_of(Finding finding) {
@@ -94,8 +102,8 @@ double sign_test(int one, int other) {
   const int n = one + other, most = std::max(one, other);
   double chance = 0;
   for (int k = most; k <= n; ++k)
-    chance += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) -
-                       n * std::log(2.0));
+    chance += elementary::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) -
+                              n * elementary::log(2));
   return std::min(1.0, 2 * chance);
 }
 

@@ -8,6 +8,9 @@
 #include <random>
 #include <vector>
 
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 namespace {
 
@@ -56,7 +59,8 @@ Point simplex_search(const TurnCost& cost, const Vec3& start, double edge) {
     s[static_cast<std::size_t>(i)] = {v, cost(v)};
   }
   const auto order = [&] {
-    std::sort(s.begin(), s.end(), [](const Point& a, const Point& b) { return a.cost < b.cost; });
+    ordering::sort(s.begin(), s.end(),
+                   [](const Point& a, const Point& b) { return a.cost < b.cost; });
   };
   const auto at = [&](const Vec3& v) { return Point{v, cost(v)}; };
   order();
@@ -86,7 +90,7 @@ Point simplex_search(const TurnCost& cost, const Vec3& start, double edge) {
 /// early.
 Point descend(const TurnCost& cost, Point from, double edge, int rounds) {
   for (int i = 0; i < rounds; ++i) {
-    const double size = edge * std::pow(0.3, i % 6);
+    const double size = edge * elementary::pow(0.3, i % 6);
     const Point found = simplex_search(cost, from.v, i % 2 == 0 ? size : -size);
     if (found.cost < from.cost) from = found;
   }
@@ -115,12 +119,12 @@ HalfSpaceSeparation half_space_separation(const Body& body, const Pose& X_FM, co
   std::vector<Point> found;
   for (int i = 0; i < starts; ++i) {
     // Where σ may still beat not turning at all; a small turn is the likeliest.
-    const double most = std::pow(uniform(random), 2);
+    const double part = uniform(random), most = part * part;
     const Vec3 v = i == 0 ? Vec3(Vec3::Zero()) : in_ball(random, most);
     found.push_back(descend(cost, {v, cost(v)}, 0.1, 3));
   }
   const auto cheaper = [](const Point& a, const Point& b) { return a.cost < b.cost; };
-  std::sort(found.begin(), found.end(), cheaper);
+  ordering::sort(found.begin(), found.end(), cheaper);
   Point best = found.front();
   for (std::size_t i = 0; i < std::min<std::size_t>(4, found.size()); ++i)
     best = std::min(best, descend(cost, found[i], 0.05, 40), cheaper);

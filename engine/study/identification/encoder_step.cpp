@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/base/ordering.hpp"
+
 namespace sonde {
 namespace {
 
@@ -27,7 +29,7 @@ std::vector<double> changes(std::span<const double> positions) {
   std::vector<double> out;
   for (std::size_t i = 1; i < positions.size(); ++i)
     out.push_back(std::abs(positions[i] - positions[i - 1]));
-  std::ranges::sort(out);
+  ordering::sort(out);
   const double nothing = out.empty() ? 0 : rounding * out.back();
   out.erase(out.begin(), std::ranges::upper_bound(out, nothing));
   return out;

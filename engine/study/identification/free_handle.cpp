@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
 /// (1 − e^−z)/z, and (z − 1 + e^−z)/z²; for small z by their series.
-double first_mean(double z) { return z < 1e-8 ? 1 - z / 2 : -std::expm1(-z) / z; }
+double first_mean(double z) { return z < 1e-8 ? 1 - z / 2 : -elementary::expm1(-z) / z; }
 double second_mean(double z) {
-  return z < 1e-3 ? 0.5 - z / 6 + z * z / 24 : (z + std::expm1(-z)) / (z * z);
+  return z < 1e-3 ? 0.5 - z / 6 + z * z / 24 : (z + elementary::expm1(-z)) / (z * z);
 }
 
 class FreeMotion {
@@ -43,7 +45,7 @@ class FreeMotion {
     const double undamped = -velocity_ / acceleration;
     const double share = rate_ * undamped;
     if (share >= 1) return HUGE_VAL;
-    return share < 1e-8 ? undamped : -std::log1p(-share) / rate_;
+    return share < 1e-8 ? undamped : -elementary::log1p(-share) / rate_;
   }
   void drift(double time, double acceleration) {
     const double z = rate_ * time;

@@ -13,6 +13,8 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/study/identification/free_handle.hpp"
 
 namespace sonde {
@@ -236,8 +238,10 @@ double excess_of(const Residuals& residuals, const VectorXd& left, double encode
   for (const PulseWindow& w : *residuals.windows) {
     const auto size = static_cast<Index>(w.end - w.begin);
     squares += left.segment(at, size).squaredNorm();
-    for (Index i = at + 1; i + 1 < at + size; ++i)
-      bends += std::pow(left[i - 1] - 2 * left[i] + left[i + 1], 2) / 6;
+    for (Index i = at + 1; i + 1 < at + size; ++i) {
+      const double bend = left[i - 1] - 2 * left[i] + left[i + 1];
+      bends += bend * bend / 6;
+    }
     samples += static_cast<double>(size);
     at += size;
   }
@@ -261,7 +265,7 @@ std::vector<std::size_t> changes_of_command(const AxisResponse& r,
 VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residuals& residuals) {
   std::vector<double> sizes;
   for (const PulseWindow& w : *residuals.windows) sizes.push_back(w.amplitude);
-  std::ranges::nth_element(sizes, sizes.begin() + std::ssize(sizes) / 2);
+  ordering::nth_element(sizes.begin(), sizes.begin() + std::ssize(sizes) / 2, sizes.end());
   const double middle = sizes[sizes.size() / 2];
   const auto& commands = residuals.response->commands;
   VectorXd out = VectorXd::Zero(J.cols());

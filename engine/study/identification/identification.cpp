@@ -5,7 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/study/identification/encoder_step.hpp"
 #include "engine/text/number_text.hpp"
 
@@ -33,7 +35,7 @@ double median_step(const Response& response) {
     steps.push_back(response[i].t - response[i - 1].t);
   if (steps.empty()) throw InputError("the recording has a single sample");
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
+  ordering::nth_element(steps.begin(), middle, steps.end());
   return *middle;
 }
 
@@ -158,7 +160,8 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
     double mean = 0;
     const auto size = static_cast<double>(w.end - w.begin);
     for (std::size_t i = w.begin; i < w.end; ++i) mean += r.positions[i] / size;
-    for (std::size_t i = w.begin; i < w.end; ++i) squares += std::pow(r.positions[i] - mean, 2);
+    for (std::size_t i = w.begin; i < w.end; ++i)
+      squares += (r.positions[i] - mean) * (r.positions[i] - mean);
     count += size;
   }
   const double most = fit.misfit * std::sqrt(12 * squares / count);

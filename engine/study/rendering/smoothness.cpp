@@ -5,7 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
+
+#include "engine/base/elementary.hpp"
+#include "engine/study/parts/fourier.hpp"
 
 namespace sonde {
 namespace {
@@ -29,8 +31,8 @@ std::vector<std::size_t> beginnings(std::size_t samples, std::size_t length) {
 std::vector<double> hann(std::size_t length) {
   std::vector<double> out(length);
   for (std::size_t i = 0; i < length; ++i)
-    out[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) /
-                                  static_cast<double>(length));
+    out[i] = 0.5 - 0.5 * elementary::cos(2 * std::numbers::pi * static_cast<double>(i) /
+                                         static_cast<double>(length));
   return out;
 }
 
@@ -42,8 +44,7 @@ void add_periodogram(std::span<const Vec3> piece, int component, const std::vect
   std::vector<double> windowed(piece.size());
   for (std::size_t i = 0; i < piece.size(); ++i)
     windowed[i] = window[i] * (piece[i][component] - mean);
-  std::vector<std::complex<double>> transform;
-  Eigen::FFT<double>().fwd(transform, windowed);
+  const std::vector<std::complex<double>> transform = fourier_transform(windowed);
   for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(transform[k + 1]);
 }
 

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "engine/base/elementary.hpp"
 #include "engine/geometry/rotation.hpp"
+#include "engine/study/parts/fourier.hpp"
 
 namespace sonde {
 namespace {
@@ -28,7 +29,7 @@ constexpr double lasts = 0.6;         // of the largest part: a time constant of
 constexpr std::size_t parts = 5;      // each a third of the window, half of it new
 
 double hann(std::size_t i, std::size_t n) {
-  return 1 - std::cos(2 * std::numbers::pi * double(i) / double(n));
+  return 1 - elementary::cos(2 * std::numbers::pi * double(i) / double(n));
 }
 
 /// Second differences, of which a hand's slow motion leaves little to leak into what is fast. Force
@@ -42,16 +43,17 @@ Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 F
   return out;
 }
 
+double square(double x) { return x * x; }
+
 /// What second differences make of a swing of amplitude 1.
-double gain(double omega, double T) { return 2 - 2 * std::cos(omega * T); }
+double gain(double omega, double T) { return 2 - 2 * elementary::cos(omega * T); }
 
 Lines spectra(const Line& signal) {
   Lines out;
-  Eigen::FFT<double> fft;
   for (std::size_t c = 0; c < 3; ++c) {
     std::vector<double> windowed = signal[c];
     for (std::size_t i = 0; i < windowed.size(); ++i) windowed[i] *= hann(i, windowed.size());
-    fft.fwd(out[c], windowed);
+    out[c] = fourier_transform(windowed);
   }
   return out;
 }
@@ -62,7 +64,7 @@ double amplitude(const Line& signal, std::size_t from, std::size_t count, double
   for (const std::vector<double>& x : signal) {
     Complex at = 0;
     for (std::size_t i = 0; i < count; ++i)
-      at += hann(i, count) * x[from + i] * std::polar(1.0, -omega * T * double(i));
+      at += hann(i, count) * x[from + i] * elementary::polar(1.0, -omega * T * double(i));
     sum += std::norm(at);
   }
   return 2 * std::sqrt(sum) / double(count) / gain(omega, T);
@@ -75,7 +77,9 @@ struct Swing {
   Complex both = 0;
   double coherence() const { return std::norm(both) / (places * forces); }
   /// Force over place, as it acts.
-  Complex stiffness(double lag) const { return both / places * std::polar(1.0, -omega * lag); }
+  Complex stiffness(double lag) const {
+    return both / places * elementary::polar(1.0, -omega * lag);
+  }
 };
 
 Swing largest_swing(const Line& places, const Line& forces, double T) {
@@ -89,9 +93,7 @@ Swing largest_swing(const Line& places, const Line& forces, double T) {
   const auto first = static_cast<std::size_t>(std::ceil(bin_of(slowest_chatter)));
   const auto last = static_cast<std::size_t>(std::min(bin_of(fastest_chatter), 0.45 * double(n)));
   Swing out;
-  const auto own = [&](std::size_t m) {
-    return power(f, m) / std::pow(gain(bin * double(m), T), 2);
-  };
+  const auto own = [&](std::size_t m) { return power(f, m) / square(gain(bin * double(m), T)); };
   std::size_t peak = first;
   for (std::size_t m = first; m <= last; ++m)
     if (own(m) > own(peak)) peak = m;
@@ -113,8 +115,9 @@ bool by_the_loop(const Swing& swing, const FeltHandle::Range& inertia, double la
   if (!(swing.places > 0 && swing.forces > 0) || swing.coherence() < coherent) return false;
   const Complex D = swing.stiffness(lag);
   const double square = swing.omega * swing.omega;
-  if (D.imag() < fed * std::abs(D)) return false;
-  return inertia.most * square + D.real() >= 0 && inertia.least * square + D.real() <= std::abs(D);
+  if (D.imag() < fed * elementary::size(D)) return false;
+  return inertia.most * square + D.real() >= 0 &&
+         inertia.least * square + D.real() <= elementary::size(D);
 }
 
 /// The smallest amplitude over the parts; 0 where it dies down.
@@ -138,7 +141,7 @@ Chatter chatter_of(std::span<const FeltTick> ticks, Eigen::Index row, double T,
   if (!by_the_loop(swing, inertia, lag)) return {};
   const double force = lasting_amplitude(forces, swing.omega, T);
   if (!(force > 0)) return {};
-  const double place = force / std::abs(swing.stiffness(lag));
+  const double place = force / elementary::size(swing.stiffness(lag));
   return {.force = force / arm,
           .frequency = swing.omega / (2 * std::numbers::pi),
           .acceleration = arm * place * swing.omega * swing.omega / std::numbers::sqrt2};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
@@ -31,9 +32,10 @@ Wrench push_as_turned(const Wrench& push, const Vec3& phi) {
   constexpr double too_far = 3;  // rad
   const double angle = phi.norm();
   if (angle > too_far) return push;
-  const double second =
-      angle < 1e-3 ? 1.0 / 12
-                   : 1 / (angle * angle) - (1 + std::cos(angle)) / (2 * angle * std::sin(angle));
+  const double second = angle < 1e-3
+                            ? 1.0 / 12
+                            : 1 / (angle * angle) - (1 + elementary::cos(angle)) /
+                                                        (2 * angle * elementary::sin(angle));
   const Vec3 across = phi.cross(push.torque);
   return {push.force, push.torque + across / 2 + second * phi.cross(across)};
 }

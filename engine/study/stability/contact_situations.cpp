@@ -8,6 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/penetration/search/coherent.hpp"
 
 namespace sonde {
@@ -48,7 +49,7 @@ Vec3 direction(Random& random) {
 
 Quat near_rotation(Random& random, const Quat& q) {
   const double angle = random.uniform(0, std::numbers::pi / 6);
-  return Quat(Eigen::AngleAxisd(angle, direction(random))) * q;
+  return rotation_about(direction(random), angle) * q;
 }
 
 /// Situations as they come in, sorted out at the end.

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -87,8 +89,9 @@ class Loop {
     const double least = 2 * std::numbers::pi * slowest * contact_.sample_time;
     double largest = 0;
     for (const auto& value : solver.eigenvalues())
-      if ((value.imag() != 0 || value.real() < 0) && std::abs(std::arg(value)) >= least)
-        largest = std::max(largest, std::abs(value));
+      if ((value.imag() != 0 || value.real() < 0) &&
+          std::abs(elementary::atan2(value.imag(), value.real())) >= least)
+        largest = std::max(largest, elementary::size(value));
     return largest;
   }
   /// Without damping a direction in which nothing resists has 1 for an eigenvalue twice, which

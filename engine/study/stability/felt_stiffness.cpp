@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.hpp"
 #include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
 #include "engine/haptics/coupling/coupling_wrench.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/sensitivity/feature_row.hpp"
@@ -17,8 +19,7 @@ namespace {
 /// The device pose moved by a small motion about its centre of mass.
 Pose moved(const MassProperties& mass, const Pose& X_FO, const Vec6& motion) {
   const Vec3 turn = motion.tail<3>();
-  const double angle = turn.norm();
-  const Quat q = angle == 0 ? Quat(Quat::Identity()) : Quat(Eigen::AngleAxisd(angle, turn / angle));
+  const Quat q = rotation_by(turn);
   const Vec3 com = X_FO * mass.com + motion.head<3>();
   const Quat turned = (q * X_FO.q).normalized();
   return {turned, com - turned * mass.com};
@@ -50,7 +51,7 @@ Mat3 by_left_turn(const Vec3& theta) {
   const double angle = theta.norm();
   const Mat3 cross = cross_matrix(theta);
   const double second =
-      angle < 1e-3 ? 1.0 / 12 : (1 - angle / (2 * std::tan(angle / 2))) / (angle * angle);
+      angle < 1e-3 ? 1.0 / 12 : (1 - angle / (2 * elementary::tan(angle / 2))) / (angle * angle);
   return Mat3::Identity() - 0.5 * cross + second * cross * cross;
 }
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/base/elementary.hpp"
+
 namespace sonde {
 namespace {
 
@@ -53,10 +55,10 @@ UnitCoast coast(double a, double h) {
   if (z < 0.01) {
     const double drift = h * (1 - z / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6)))));
     const double push = h * h / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6))));
-    return {std::exp(-z), drift, push};
+    return {elementary::exp(-z), drift, push};
   }
-  const double drift = -std::expm1(-z) / a;
-  return {std::exp(-z), drift, (h - drift) / a};
+  const double drift = -elementary::expm1(-z) / a;
+  return {elementary::exp(-z), drift, (h - drift) / a};
 }
 
 /// One sample of the loop, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...): as many forces as are
@@ -90,10 +92,11 @@ Eigen::MatrixXd transition(const ScaledLoop& loop, double stiffness) {
 }
 
 double radius(const ScaledLoop& loop, double stiffness) {
-  return Eigen::EigenSolver<Eigen::MatrixXd>(transition(loop, stiffness), false)
-      .eigenvalues()
-      .cwiseAbs()
-      .maxCoeff();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(transition(loop, stiffness), false);
+  double largest = 0;
+  for (const auto& value : solver.eigenvalues())
+    largest = std::max(largest, elementary::size(value));
+  return largest;
 }
 
 /// Rounding leaves this much on the eigenvalue of a free axis, which is 1.

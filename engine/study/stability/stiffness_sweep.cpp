@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
 
 namespace sonde {
@@ -92,8 +93,8 @@ class Sweep {
     return std::clamp(stiffness, options_.low, options_.high);
   }
   double step_after(const HoldReport& report) const {
-    const double step = std::clamp(std::pow(options_.ratio, 16), 1.1, 2.0);
-    return report.growth > slow_to_die ? std::pow(step, 0.25) : step;
+    const double step = std::clamp(elementary::pow(options_.ratio, 16), 1.1, 2.0);
+    return report.growth > slow_to_die ? elementary::pow(step, 0.25) : step;
   }
   const HoldReport& at(double stiffness) {
     const auto known = done_.find(stiffness);

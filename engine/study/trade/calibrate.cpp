@@ -6,6 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/penetration/search/static_search.hpp"
@@ -51,7 +52,7 @@ double tick_error(double got, double wanted, double deepest) {
 std::vector<double> kept(std::vector<double> errors) {
   for (double& error : errors)
     if (std::isfinite(error)) error = parse_number(number_text(std::max(error, 0.0), 3)).value();
-  std::ranges::sort(errors);
+  ordering::sort(errors);
   const std::size_t every = (errors.size() + most_kept - 1) / most_kept;
   std::vector<double> out;
   for (std::size_t i = every / 2; i < errors.size(); i += every) out.push_back(errors[i]);

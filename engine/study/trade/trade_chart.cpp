@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 
@@ -75,8 +76,8 @@ void whole_decades(ChartAxis& axis, const std::vector<ChartSeries>& all) {
       largest = std::fmax(largest, x);
     }
   if (!(least > 0) || !(least < largest)) return;
-  axis.from = std::pow(10, std::floor(std::log10(least)));
-  axis.to = std::pow(10, std::ceil(std::log10(largest)));
+  axis.from = elementary::pow(10, std::floor(elementary::log10(least)));
+  axis.to = elementary::pow(10, std::ceil(elementary::log10(largest)));
 }
 
 /// Two dots for each: what is typical, and what is bad.

@@ -9,6 +9,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/base/quantile.hpp"
 
 namespace sonde {
@@ -128,8 +129,8 @@ double share_up_to(const std::vector<double>& sorted, double most) {
 }
 
 TradeFigures figures(const TradeSetting& setting, Samples samples) {
-  std::ranges::sort(samples.errors);
-  std::ranges::sort(samples.times);
+  ordering::sort(samples.errors);
+  ordering::sort(samples.times);
   TradeFigures out{.setting = setting, .count = samples.errors.size(), .failed = samples.failed};
   out.median = quantile(samples.errors, 0.5);
   out.p90 = quantile(samples.errors, 0.9);
@@ -272,7 +273,7 @@ ExtremeFigures figures_of(const TradeExtreme& extreme) {
     else
       ++out.failed;
   }
-  std::ranges::sort(changes);
+  ordering::sort(changes);
   out.median = quantile(changes, 0.5);
   out.worst = quantile(changes, 1);
   return out;
@@ -283,7 +284,7 @@ TradeReference trade_reference(const TradeResults& results, Method method) {
   for (const TradePose& pose : results.poses)
     if (is_deep_enough(results, pose) && std::isfinite(pose.spread(method)))
       spreads.push_back(pose.spread(method));
-  std::ranges::sort(spreads);
+  ordering::sort(spreads);
   return {quantile(spreads, 0.5), quantile(spreads, 0.9), quantile(spreads, 1)};
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -86,8 +87,8 @@ std::vector<TradeSeries> trade_series(const std::vector<TradeAnswer>& answers,
   std::vector<TradeSeries> all;
   for (const TradeAnswer& answer : answers) add(all, answer, results);
   for (TradeSeries& series : all) {
-    std::ranges::sort(series.errors);
-    std::ranges::sort(series.times);
+    ordering::sort(series.errors);
+    ordering::sort(series.times);
   }
   return all;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "engine/base/elementary.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/text/number_text.hpp"
@@ -21,7 +22,8 @@ constexpr int points = 25;
 std::vector<double> evenly_by_ratio(double from, double to) {
   std::vector<double> out;
   out.reserve(points);
-  for (int i = 0; i < points; ++i) out.push_back(from * std::pow(to / from, i / (points - 1.0)));
+  for (int i = 0; i < points; ++i)
+    out.push_back(from * elementary::pow(to / from, i / (points - 1.0)));
   return out;
 }
 
@@ -33,7 +35,8 @@ std::vector<LimitAt> limits_over(const std::vector<double>& values, const AxisAt
     const auto passive = [&](double at) { return largest_passive_stiffness(axis_at(at)); };
     constexpr double step = 1.001;
     const double less = passive(value / step), more = passive(value * step);
-    const double slope = less > 0 && more > 0 ? std::log(more / less) / (2 * std::log(step)) : 0;
+    const double slope =
+        less > 0 && more > 0 ? elementary::log(more / less) / (2 * elementary::log(step)) : 0;
     out.push_back({value, largest_stable_stiffness(axis_at(value)), passive(value), slope});
   }
   return out;
@@ -175,7 +178,8 @@ void add_impedance(const Kind& kind, double stiffness, double damping, Files& ou
     const Complex handle(axis.damping, axis.inertia * omega);
     out.csv.append(kind.name).append(row({hertz, wanted.real(), wanted.imag(), rendered.real(),
                                           rendered.imag(), handle.real(), handle.imag()}));
-    const double sizes[] = {std::abs(wanted), std::abs(rendered), std::abs(handle)};
+    const double sizes[] = {elementary::size(wanted), elementary::size(rendered),
+                            elementary::size(handle)};
     for (std::size_t i = 0; i < 3; ++i) {
       panel.series[i].x.push_back(hertz);
       panel.series[i].y.push_back(sizes[i]);
@@ -187,12 +191,11 @@ void add_impedance(const Kind& kind, double stiffness, double damping, Files& ou
 }  // namespace
 
 Complex rendered_impedance(const SampledAxis& axis, double stiffness, double omega) {
-  const Complex j(0, 1);
   const double T = axis.sample_time;
-  const Complex before = std::exp(-j * omega * T);
+  const Complex before = elementary::polar(1, -omega * T);
   const Complex computed = stiffness + axis.virtual_damping * (1.0 - before) / T;
-  return computed * std::exp(-j * omega * axis.delay) * (1.0 - before) / (j * omega * T) /
-         (j * omega);
+  return computed * elementary::polar(1, -omega * axis.delay) * (1.0 - before) /
+         -(omega * T * omega);
 }
 
 Complex wanted_impedance(double stiffness, double damping, double omega) {

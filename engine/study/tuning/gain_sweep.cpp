@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/elementary.hpp"
 #include "engine/study/stability/contact_stability.hpp"
 #include "engine/text/json_numbers.hpp"
 
@@ -194,7 +195,7 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
 
 }  // namespace
 
-double coarse_ratio(double ratio) { return std::min(2.0, std::pow(ratio, 5)); }
+double coarse_ratio(double ratio) { return std::min(2.0, elementary::pow(ratio, 5)); }
 
 Press press_of(const TuningSituation& situation) {
   return {.X_FM = situation.contact.separation.separated, .push = situation.push};

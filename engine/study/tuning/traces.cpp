@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
 
@@ -18,7 +19,7 @@ constexpr double damping_of_largest[] = {0, 0.25, 1};
 
 /// To three digits, which a person can read.
 double rounded(double value) {
-  const double digits = std::pow(10, 2 - std::floor(std::log10(value)));
+  const double digits = elementary::pow(10, 2 - std::floor(elementary::log10(value)));
   return std::round(value * digits) / digits;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/elementary.hpp"
+#include "engine/base/ordering.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
 #include "engine/text/number_text.hpp"
@@ -58,7 +60,7 @@ std::vector<Stretch> stretches(const TuningColumn& column) {
 
 MapClass class_at(const TuningColumn& column, double stiffness) {
   const auto nearest = std::ranges::min_element(column.runs, {}, [&](const SweepPoint& run) {
-    return std::abs(std::log(run.stiffness / stiffness));
+    return std::abs(elementary::log(run.stiffness / stiffness));
   });
   return class_of(*nearest, column.theory_passive);
 }
@@ -176,7 +178,7 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
   std::vector<double> values;
   for (const TuningColumn* column : columns)
     for (const SweepPoint& run : column->runs) values.push_back(run.stiffness);
-  std::ranges::sort(values);
+  ordering::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   const std::vector<double> sides = stiffness_edges(values);
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/base/elementary.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/device_curves.hpp"
@@ -80,7 +81,7 @@ Json fidelity(const TuningResults& results, const AxisGains& gains) {
     if (column == line.columns.end() || column->runs.empty()) continue;
     const SweepPoint& run =
         *std::ranges::min_element(column->runs, {}, [&](const SweepPoint& each) {
-          return std::abs(std::log(each.stiffness / gains.stiffness));
+          return std::abs(elementary::log(each.stiffness / gains.stiffness));
         });
     const HoldReport& r = run.report;
     out.push_back({{"situation", line.kind},

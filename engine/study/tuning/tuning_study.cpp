@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/elementary.hpp"
 #include "engine/base/threads.hpp"
 #include "engine/settings/settings.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
@@ -43,7 +44,7 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
   return device;
 }
 
-double coarser(double ratio, int times) { return std::min(2.0, std::pow(ratio, times)); }
+double coarser(double ratio, int times) { return std::min(2.0, elementary::pow(ratio, times)); }
 /// To which limits are known where a value of the profile is varied: its ends are known no better.
 double varied_ratio(double ratio) { return coarser(ratio, 2); }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/geometry/random.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sonde {
@@ -44,6 +45,24 @@ TEST(Rotation, one_undoes_the_other_and_is_that_of_eigen) {
     EXPECT_LT((rotation_vector(q) - vector).norm(), 1e-13);
     const Eigen::AngleAxisd reference(q);
     EXPECT_LT((reference.angle() * reference.axis() - vector).norm(), 1e-7);
+  }
+}
+
+/// The reference is Eigen's, by the C library.
+TEST(Rotation, about_an_axis_between_two_and_the_angle_between_them_are_as_eigen_has_them) {
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Quat q = random.rotation(), r = random.rotation();
+    const Vec3 axis = q * Vec3::UnitX();
+    const double angle = random.uniform(-7, 7), part = random.uniform(0, 1);
+    const Quat about(Eigen::AngleAxisd(angle, axis));
+    EXPECT_LT((rotation_about(axis, angle).coeffs() - about.coeffs()).norm(), 1e-15);
+    const Quat near = rotation_by(random.uniform(0, 1e-8) * axis) * q;
+    for (const Quat& to : {r, near, q, Quat(-r.coeffs())}) {
+      EXPECT_LT((rotation_between(q, to, part).coeffs() - q.slerp(part, to).coeffs()).norm(),
+                1e-14);
+      EXPECT_NEAR(angle_between(q, to), q.angularDistance(to), 1e-14);
+    }
   }
 }
 

@@ -12,14 +12,14 @@
 namespace sonde {
 namespace {
 
-constexpr double T = 1e-3;
+constexpr double sample_time = 1e-3;
 
 /// 1 − e^(−ζωt) (cos ω_d t + ζω/ω_d sin ω_d t).
 std::vector<double> step_response(double omega, double zeta) {
   const double damped = omega * std::sqrt(1 - zeta * zeta);
   std::vector<double> out;
   for (int i = 0; i < 4000; ++i) {
-    const double t = i * T;
+    const double t = i * sample_time;
     out.push_back(1 - std::exp(-zeta * omega * t) *
                           (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t)));
   }
@@ -31,17 +31,19 @@ TEST(SettlingTime, of_a_swing_lies_below_its_envelope_by_half_a_swing_at_most) {
   for (const double zeta : {0.05, 0.1, 0.3}) {
     const double omega = 40, band = 0.05;
     const double envelope = -std::log(band * std::sqrt(1 - zeta * zeta)) / (zeta * omega);
-    const auto settled = settling_time(step_response(omega, zeta), T, 1, band);
+    const auto settled = settling_time(step_response(omega, zeta), sample_time, 1, band);
     ASSERT_TRUE(settled);
-    EXPECT_LE(*settled, envelope + T);
-    EXPECT_GE(*settled, envelope - std::numbers::pi / (omega * std::sqrt(1 - zeta * zeta)) - T);
+    EXPECT_LE(*settled, envelope + sample_time);
+    EXPECT_GE(*settled,
+              envelope - std::numbers::pi / (omega * std::sqrt(1 - zeta * zeta)) - sample_time);
   }
 }
 
 TEST(SettlingTime, of_what_never_moves_is_none_and_of_what_never_stays_there_is_none) {
-  EXPECT_EQ(settling_time(std::vector<double>(10, 2.0), T, 2, 0.05), 0);
-  EXPECT_FALSE(settling_time(std::vector<double>{2, 2, 2, 3}, T, 2, 0.05));
-  EXPECT_NEAR(*settling_time(std::vector<double>{0, 1, 2, 2}, T, 2, 0.05), 2 * T, 1e-12);
+  EXPECT_EQ(settling_time(std::vector<double>(10, 2.0), sample_time, 2, 0.05), 0);
+  EXPECT_FALSE(settling_time(std::vector<double>{2, 2, 2, 3}, sample_time, 2, 0.05));
+  EXPECT_NEAR(*settling_time(std::vector<double>{0, 1, 2, 2}, sample_time, 2, 0.05),
+              2 * sample_time, 1e-12);
 }
 
 /// A block on a large one, on an ideal device in a hand with a spring and a damper.

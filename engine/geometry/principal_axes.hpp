@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/geometry/pose.hpp"
+
+namespace sonde {
+
+/// The eigenvectors of a symmetric matrix in columns, by rising eigenvalues, in closed form (Smith,
+/// 1961): quicker than by iteration, and as exact as trees of boxes need. Of equal eigenvalues any
+/// that fit. The steps are those of Eigen's computeDirect, which calls the C library's cosines.
+Mat3 principal_axes(const Mat3& symmetric) noexcept;
+
+}  // namespace sonde

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace sonde {
+
+/// Σ x[n] e^(−2πi nk/N) for k = 0 to N − 1, of any N; quick where N has small factors (Cooley and
+/// Tukey, 1965). The same bits everywhere, which Eigen's FFT does not promise.
+std::vector<std::complex<double>> fourier_transform(const std::vector<double>& x);
+
+}  // namespace sonde
