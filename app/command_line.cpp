@@ -2,11 +2,17 @@
 #include "app/command_line.hpp"
 
 #include "app/commands.hpp"
+#include "engine/simd/instruction_set.hpp"
 
 namespace sonde::app {
 
 std::vector<Command> declare_command_line(CLI::App& program) {
   program.set_version_flag("--version", "sonde " SONDE_VERSION);
+  program.add_flag_callback(
+      "--instruction-set",
+      [] { throw CLI::CallForVersion(std::string(name_of(instruction_set())), 0); },
+      "Print which vector instructions are used, baseline, avx2 or avx512, and exit; the "
+      "environment variable SONDE_INSTRUCTION_SET chooses others, for reports of faults");
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done, 2 wrong usage, 3 bad input, 4 a fault of ours, 130 interrupted.");

@@ -57,6 +57,9 @@ void check_motions(const QueryOptions& options) {
     throw UsageError(
         "--along and --about are exact and have no bound: leave out --budget-us, --bound and "
         "--seeds; --budget-steps is of none of these motions");
+  if (options.solver.bound.value_or(false))
+    throw UsageError(
+        "--in-plane has the bound of all motions that a search makes: leave out --bound");
 }
 
 void check(const QueryOptions& options) {
@@ -284,7 +287,8 @@ void run(const QueryOptions& options) {
   QueryLines lines(options, "sonde query " + shard);
   share.done = lines.taken_over(share);
   const std::size_t left = share.indices.size() - share.done;
-  const SearchThreads threads = threads_for(left, solver);
+  // A search for the least of some motions is on one thread.
+  const SearchThreads threads = threads_for(left, solver, !options.motions.any());
   QueryAnswers answers(pair, options, solver, threads);
   PhasePicture picture;
   std::map<std::string, std::string, std::less<>> part_words;

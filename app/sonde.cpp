@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
 #include "engine/base/error.hpp"
+#include "engine/simd/instruction_set.hpp"
 #include "engine/text/printable.hpp"
 
 namespace {
@@ -46,6 +47,7 @@ int after_parse_error(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 int run(int argc, char** argv) {
+  sonde::check_instruction_set();
   CLI::App program(sonde::app::program_summary, sonde::app::program_name);
   const auto commands = sonde::app::declare_command_line(program);
   try {

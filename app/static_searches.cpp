@@ -24,10 +24,10 @@ constexpr double short_time = 5000;
 
 }  // namespace
 
-SearchThreads threads_for(std::size_t searches, const SolverOptions& options) {
+SearchThreads threads_for(std::size_t searches, const SolverOptions& options, bool by_two) {
   const std::size_t threads = thread_count(options.threads);
   const bool is_short = options.budget.microseconds > 0 && options.budget.microseconds < short_time;
-  if (is_short || searches >= many_for_a_thread * threads)
+  if (!by_two || is_short || searches >= many_for_a_thread * threads)
     return {std::clamp<std::size_t>(searches, 1, threads), false};
   return {std::clamp<std::size_t>(threads / 2, 1, std::max<std::size_t>(searches, 1)), threads > 1};
 }

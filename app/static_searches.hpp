@@ -23,8 +23,9 @@ struct SearchThreads {
   bool two_for_each = false;  ///< threads for one; the same bits
 };
 /// Two threads for each search, where there are few: each is then answered sooner. One for each
-/// where there are many or the time for one is short: all are then answered sooner.
-SearchThreads threads_for(std::size_t searches, const SolverOptions& options);
+/// where there are many, the time for one is short, or it is not made by two: all are then answered
+/// sooner.
+SearchThreads threads_for(std::size_t searches, const SolverOptions& options, bool by_two = true);
 
 /// A static search for each pose, on the requested threads. Every pose has its own seed, made from
 /// the seed and its index, so the results do not depend on the number of threads.

@@ -3,7 +3,7 @@
 // ones by system, and one system's are chosen by the processor (with FMA or without). These round
 // right but for one value in some thousands, where they are the other neighbour of the true value:
 // the error is below 0.51 units in the last place (elementary_test.cpp). Results below 2^-1022
-// round twice. The engine uses no others (packaging/check-includes refuses them).
+// round twice. The engine uses no others (packaging/check-style refuses them).
 #pragma once
 
 #include <complex>

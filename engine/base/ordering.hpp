@@ -3,7 +3,7 @@
 // the standard's own leave them where they like, and what is looked at first has its say in the
 // last bits of an answer. The steps are those of GCC's library (Musser's introsort and introselect,
 // and binary heaps), so that there nothing differs from std::sort and the others. The engine uses
-// no others of these but std::stable_sort (packaging/check-includes refuses them).
+// no others of these but std::stable_sort (packaging/check-style refuses them).
 #pragma once
 
 #include <bit>

@@ -35,6 +35,17 @@ class AppTest : public testing::Test {
 
   Outcome sonde(const std::string& arguments) const { return sonde_in(folder.path(), arguments); }
 
+  /// Runs `sonde ARGUMENTS` in the folder, after other words for the shell.
+  Outcome sonde_after(const std::string& before, const std::string& arguments) const {
+    const TempFolder outputs;
+    const std::string command =
+        "cd '" + folder.path().string() + "' && " + before + " '" SONDE_PROGRAM "' " + arguments +
+        " >'" + (outputs / "out").string() + "' 2>'" + (outputs / "err").string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(outputs / "out"),
+            text_of(outputs / "err")};
+  }
+
   /// A run that has to succeed.
   Outcome expect_done(const std::string& arguments) const {
     Outcome run = sonde(arguments);

@@ -16,17 +16,6 @@ using testing::HasSubstr;
 
 class Faults : public AppTest {
  protected:
-  /// Runs `sonde ARGUMENTS` in the folder, after other words for the shell.
-  Outcome sonde_after(const std::string& before, const std::string& arguments) const {
-    const TempFolder outputs;
-    const std::string command =
-        "cd '" + folder.path().string() + "' && " + before + " '" SONDE_PROGRAM "' " + arguments +
-        " >'" + (outputs / "out").string() + "' 2>'" + (outputs / "err").string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(outputs / "out"),
-            text_of(outputs / "err")};
-  }
-
   /// A bumpy sheet of 2 (n − 1)² triangles.
   static std::string sheet_off(int n) {
     std::string text =

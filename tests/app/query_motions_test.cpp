@@ -64,6 +64,7 @@ TEST_F(QueryMotions, what_makes_no_sense_is_refused) {
   expect_refused(head + "--about 0,0,0,1,0", 2, "--about");
   expect_refused(head + "--along 0,0,1 --in-plane 0,0,1", 2, "give one of them");
   expect_refused(head + "--no-turn", 2, "--in-plane");
+  expect_refused(head + "--in-plane 0,0,1 --bound", 2, "leave out --bound");
   expect_refused(head + "--along 0,0,1 --touch", 2, "searches of their own");
   expect_refused(head + "--along 0,0,1 --method pdt", 2, "searches of their own");
   expect_refused(head + "--along 0,0,1 --seeds 3", 2, "exact");

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/base/elementary.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "tests/support/real_meshes.hpp"
 #include "tests/support/shapes.hpp"
@@ -27,7 +28,8 @@ PolygonSoup wire_mesh(const std::vector<Station>& stations, double wire, int sid
   for (const Station& s : stations)
     for (int j = 0; j < sides; ++j) {
       const double angle = 2 * std::numbers::pi * j / sides;
-      out.points.push_back(s.at + wire * (std::cos(angle) * s.across + std::sin(angle) * s.up));
+      out.points.push_back(
+          s.at + wire * (elementary::cos(angle) * s.across + elementary::sin(angle) * s.up));
     }
   const int last = static_cast<int>(stations.size()) - 1;
   const auto at = [&](int i, int j) { return static_cast<std::size_t>(i * sides + j % sides); };
@@ -69,7 +71,7 @@ std::shared_ptr<const Body> hook(double bow, double wire, double shank, int step
     stations.push_back({Vec3(bow, shank * (1 - static_cast<double>(i) / steps), 0), Vec3::UnitX()});
   for (int i = 0; i <= 3 * steps; ++i) {
     const double angle = -1.25 * std::numbers::pi * i / (3 * steps);
-    const Vec3 outward(std::cos(angle), std::sin(angle), 0);
+    const Vec3 outward(elementary::cos(angle), elementary::sin(angle), 0);
     stations.push_back({bow * outward, outward});
   }
   return make_body(wire_mesh(stations, wire, sides), Model::solid, "hook");
@@ -80,7 +82,7 @@ std::shared_ptr<const Body> coil(double radius, double pitch, double turns, doub
   std::vector<Station> stations;
   for (int i = 0; i <= steps; ++i) {
     const double angle = 2 * std::numbers::pi * turns * i / steps;
-    const Vec3 out(std::cos(angle), std::sin(angle), 0), round(-out.y(), out.x(), 0);
+    const Vec3 out(elementary::cos(angle), elementary::sin(angle), 0), round(-out.y(), out.x(), 0);
     const Vec3 along =
         (radius * round + pitch / (2 * std::numbers::pi) * Vec3::UnitZ()).normalized();
     const double height = pitch * turns * (static_cast<double>(i) / steps - 0.5);
@@ -95,7 +97,7 @@ std::shared_ptr<const Body> lathe(const std::vector<Eigen::Vector2d>& section, i
   for (std::size_t j = 0; j < m; ++j) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(j) / sides;
     for (const Eigen::Vector2d& x : section)
-      soup.points.emplace_back(x[0] * std::cos(angle), x[0] * std::sin(angle), x[1]);
+      soup.points.emplace_back(x[0] * elementary::cos(angle), x[0] * elementary::sin(angle), x[1]);
   }
   for (std::size_t j = 0; j < m; ++j)
     for (std::size_t i = 0; i < n; ++i) {
@@ -120,7 +122,7 @@ std::shared_ptr<const Body> dumbbell(double half_length, double rod, double knob
     const double from_middle = (std::abs(x.z()) - 0.85) / 0.15;
     const double round = std::sqrt(std::max(0.0, 1 - from_middle * from_middle));
     const double radius = std::abs(x.z()) > 0.999999 ? 0 : std::max(rod, knob * round);
-    const double across = std::hypot(x.x(), x.y());
+    const double across = elementary::hypot(x.x(), x.y());
     const Vec3 outward = across > 0 ? Vec3(x.x() / across, x.y() / across, 0) : Vec3::Zero();
     x = radius * outward + Vec3(0, 0, half_length * x.z());
   }

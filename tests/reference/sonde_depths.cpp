@@ -16,13 +16,14 @@
 #include "tests/reference/more_time.hpp"
 #include "tests/reference/one_projection.hpp"
 #include "tests/reference/summary.hpp"
+#include "tests/reference/written_pair.hpp"
 
 namespace sonde::reference {
 namespace {
 
 struct Options {
   std::string in = "tests/reference/depths.csv";
-  std::string only, csv, json, calibration, add;
+  std::string only, csv, json, calibration, add, write;
   StaticOptions search;
   SearchTuning tuning;
   int every = 1;
@@ -80,6 +81,8 @@ void add_options(CLI::App& app, Options& o) {
           ->check(CLI::PositiveNumber);
   for (const char* of_one : {"--csv", "--json", "--budget-us", "--one-projection"})
     more_time->excludes(of_one);
+  app.add_option("--write", o.write,
+                 "search nothing; write the pairs and their poses to this folder, for sonde query");
   app.add_flag("--mend", o.mend, "take over into the file what is better than the reference");
 }
 
@@ -134,6 +137,20 @@ std::vector<MoreTime> measure_budgets(std::vector<Row>& rows, const Options& opt
   return out;
 }
 
+int write_all(const Options& options) {
+  std::map<std::string, std::vector<Row>> pairs;
+  for (const Row& row : read_rows(options.in))
+    if (options.only.empty() || options.only == row.pair) pairs[row.pair].push_back(row);
+  Bodies bodies;
+  bool all = true;
+  for (const auto& [pair, rows] : pairs) {
+    const bool loaded = bodies.load(pair);
+    all = all && loaded;
+    if (loaded) write_pair(options.write, bodies.bodies->probe(), bodies.bodies->fixed(), rows);
+  }
+  return all ? 0 : 1;
+}
+
 void print(const char* title, const bench::Table& table) {
   if (!table.rows.empty()) std::printf("%s\n\n%s\n", title, bench::to_text(table).c_str());
 }
@@ -181,6 +198,7 @@ int calibrate_all(const Options& options) {
 
 int run(const Options& options) {
   if (!options.calibration.empty()) return calibrate_all(options);
+  if (!options.write.empty()) return write_all(options);
   for (const std::string& file : {options.csv, options.json})
     if (!file.empty()) check_writable(file);
   std::vector<Row> rows = read_rows(options.in);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/shapes.hpp"
 
-#include <cmath>
 #include <numbers>
+
+#include "engine/base/elementary.hpp"
 
 namespace sonde::test {
 namespace {
@@ -38,8 +39,9 @@ PolygonSoup sphere(double radius, int rings, int segments) {
   for (int i = 1; i < rings; ++i)
     for (int j = 0; j < segments; ++j) {
       const double a = std::numbers::pi * i / rings, b = two_pi * j / segments;
-      out.points.push_back(radius *
-                           Vec3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)));
+      out.points.push_back(radius * Vec3(elementary::sin(a) * elementary::cos(b),
+                                         elementary::sin(a) * elementary::sin(b),
+                                         elementary::cos(a)));
     }
   out.points.push_back(Vec3(0, 0, -radius));
   const auto at = [&](int i, int j) {
@@ -59,24 +61,26 @@ PolygonSoup sphere(double radius, int rings, int segments) {
 
 PolygonSoup torus(double major, double minor, int major_steps, int minor_steps) {
   return wrapped_grid(major_steps, minor_steps, [&](double u, double v) {
-    const double r = major + minor * std::cos(v);
-    return Vec3(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
+    const double r = major + minor * elementary::cos(v);
+    return Vec3(r * elementary::cos(u), r * elementary::sin(u), minor * elementary::sin(v));
   });
 }
 
 PolygonSoup torus_knot(int p, int q, double major, double minor, double tube, int steps,
                        int sides) {
   const auto center = [&](double u) {
-    const double r = major + minor * std::cos(q * u);
-    return Vec3(r * std::cos(p * u), r * std::sin(p * u), minor * std::sin(q * u));
+    const double r = major + minor * elementary::cos(q * u);
+    return Vec3(r * elementary::cos(p * u), r * elementary::sin(p * u),
+                minor * elementary::sin(q * u));
   };
   return wrapped_grid(steps, sides, [&](double u, double v) {
     const Vec3 c = center(u);
     const Vec3 tangent = (center(u + 1e-4) - center(u - 1e-4)).normalized();
-    const Vec3 radial = (c - major * Vec3(std::cos(p * u), std::sin(p * u), 0)).normalized();
+    const Vec3 radial =
+        (c - major * Vec3(elementary::cos(p * u), elementary::sin(p * u), 0)).normalized();
     const Vec3 side = tangent.cross(radial).normalized();
     const Vec3 up = side.cross(tangent);
-    return Vec3(c + tube * (std::cos(v) * up - std::sin(v) * side));
+    return Vec3(c + tube * (elementary::cos(v) * up - elementary::sin(v) * side));
   });
 }
 

@@ -39,11 +39,12 @@ struct InPlane {
   bool turning = true;            ///< it may turn about the normal too, else only slide
 };
 
-/// The depth among the motions in a plane, by descents from random places, as many as `starts` and
-/// `agreement` say: an upper bound, and free by the exact test. `lower_bound` is that of all
-/// motions, which holds among fewer. Besides, seed, a budget of time and want_lower_bound do as in
-/// separate(); the other options have no effect. Where the contacts hold the pose, y = P Jᵀλ with P
-/// onto the motions. `pdt` is not given. Allocates; threads and X_FM.q as above.
+/// The depth among the motions in a plane, by descents from random places, first from outside, then
+/// nearby: as many as `starts` says, fewer where `agreement` of the later ones agree. An upper
+/// bound, and free by the exact test. `lower_bound` is that of all motions, which holds among
+/// fewer. Besides, seed, a budget of time and want_lower_bound do as in separate(); the other
+/// options have no effect. Where the contacts hold the pose, y = P Jᵀλ with P onto the motions.
+/// `pdt` is not given. Allocates; threads and X_FM.q as above.
 /// @throws InputError where the normal is not finite or 0.
 /// @throws Cancelled where `progress` returns false.
 Separation separate_in_plane(const Pair& pair, const Pose& X_FM, const InPlane& motions,

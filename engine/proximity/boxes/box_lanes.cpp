@@ -231,7 +231,7 @@ constexpr BoxKernels all[] = {plain::kernels};
 }  // namespace
 
 std::span<const BoxKernels> all_box_kernels() {
-  return {all, static_cast<std::size_t>(widest_instruction_set()) + 1};
+  return {all, static_cast<std::size_t>(instruction_set()) + 1};
 }
 
 const BoxKernels& box_kernels() { return all_box_kernels().back(); }

@@ -189,7 +189,7 @@ constexpr SweepKernels all_sweeps[] = {plain::sweeps};
 }  // namespace
 
 std::span<const SweepKernels> all_sweep_kernels() {
-  return {all_sweeps, static_cast<std::size_t>(widest_instruction_set()) + 1};
+  return {all_sweeps, static_cast<std::size_t>(instruction_set()) + 1};
 }
 
 const SweepKernels& sweep_kernels() { return all_sweep_kernels().back(); }

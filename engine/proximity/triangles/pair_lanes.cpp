@@ -33,12 +33,12 @@ void gaps_along_by(InstructionSet set, const PairLanes& pairs, const ArmMap& fro
 }
 
 void gaps_at(const PairLanes& pairs, const ArmMap& at, double (&gap)[8]) {
-  gaps_at_by(widest_instruction_set(), pairs, at, gap);
+  gaps_at_by(instruction_set(), pairs, at, gap);
 }
 
 void gaps_along(const PairLanes& pairs, const ArmMap& from, const ArmMap& to, const ArmMap& bend,
                 PathLanes& out) {
-  gaps_along_by(widest_instruction_set(), pairs, from, to, bend, out);
+  gaps_along_by(instruction_set(), pairs, from, to, bend, out);
 }
 
 }  // namespace sonde

@@ -25,7 +25,7 @@ void closest_points_by(InstructionSet set, const TrianglePairs8& pairs, int coun
 }
 
 void closest_points(const TrianglePairs8& pairs, int count, double limit, ClosestPoints8& out) {
-  static const Kernel chosen = kernel(widest_instruction_set());
+  static const Kernel chosen = kernel(instruction_set());
   chosen(pairs, count, limit, out);
 }
 

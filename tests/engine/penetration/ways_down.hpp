@@ -16,7 +16,7 @@
 namespace sonde::test {
 
 /// Are the poses on a straight way (in y) all free? Reference: exact predicates on all pairs of
-/// triangles, at the first places also those that the engine has.
+/// triangles, beside those of the engine.
 inline bool is_free_along(const Body& probe, const Body& fixed, const Chart& chart, const Vec6& y,
                           const Vec6& way, int samples) {
   const Placed still(fixed, Transform());
