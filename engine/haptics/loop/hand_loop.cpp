@@ -237,7 +237,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 
   const Coupling& coupling = coupler_.coupling();
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
-  const bool acts = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const bool acts = given && device_ && device_->force;
   const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   set_slew(clock.dt);
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);

@@ -73,6 +73,7 @@ class HandLoop {
   double most_of_glide(const GainGlide& glide, double dt) noexcept;
 
   void set_rate(double rate_hz) noexcept;
+  /// Of the force on a known device; nobody else holds anything that could swing.
   void set_passivity_control(bool on) noexcept { passivity_.set_control(on); }
 
   struct Clock {
