@@ -9,6 +9,8 @@
 #include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning.hpp"
+#include "engine/study/tuning/wall_hardness.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -77,6 +79,22 @@ std::string damping_ratio_text(const TuningResults& results, const AxisGains& ga
   return out.empty()
              ? out
              : "damping ratio of the handle on these springs, its own damping included: " + out;
+}
+
+/// Of translation, on the device alone. Empty where nothing is recommended.
+std::string hardness_text(const TuningResults& results, const AxisGains& gains) {
+  const auto& device = results.device;
+  const bool known = device.contains("damping") && device.contains("delay");
+  const Coupling c = coupling_of(gains, results.joint);
+  const double stiffness = gains.axis == GainAxis::object ? c.k : c.k_t;
+  if (!known || !(stiffness > 0)) return {};
+  const SampledAxis axis{device.at("mass"), device.at("damping"), c.b_t, results.sample_time,
+                         device.at("delay")};
+  const HandGrip& light = hand_grips[0];
+  return "a wall at these gains feels as hard as " + short_text(rate_hardness(axis, stiffness)) +
+         " N/m to a handle that runs into it (rate-hardness over 10 ms), and its force rises in " +
+         short_text(1e3 * rise_time(axis, stiffness, {light.stiffness, light.damping})) +
+         " ms (10 to 90 %, light hand)";
 }
 
 /// Empty where the gains cannot be damped, or are.
@@ -269,6 +287,7 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     add(passivity_text(results, *gains));
     add(beyond_theory(*gains));
     add(damping_ratio_text(results, *gains));
+    add(hardness_text(results, *gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));
     add(hands_text(results, *gains));

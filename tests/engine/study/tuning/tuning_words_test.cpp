@@ -62,6 +62,15 @@ TEST(TuningWords, state_the_damping_ratio_of_translation_and_rotation) {
               testing::Contains(HasSubstr("0.0707 of the translation, 0.101 of the rotation")));
 }
 
+TEST(TuningWords, state_how_hard_a_wall_feels_and_how_fast_its_force_rises) {
+  TuningResults r = stable_up_to({3000});
+  r.device["damping"] = 2;
+  r.device["delay"] = 1e-3;
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(testing::AllOf(HasSubstr("rate-hardness over 10 ms"),
+                                               HasSubstr("ms (10 to 90 %, light hand)"))));
+}
+
 TEST(TuningWords, compare_with_the_best_of_both_dampers_and_of_each_by_itself) {
   TuningResults r = results();
   r.joint = {1e-4, 2e-4};
