@@ -203,16 +203,17 @@ void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, doub
   axis.virtual_damping = damping;
   const std::string at =
       std::string(kind.name) + ", damping " + number_text(damping, 3) + ' ' + kind.damping;
-  const auto panel = [&](const char* what, const std::string& unit) {
+  const auto panel = [&](const char* what, const ChartAxis& y) {
     return ChartPanel{at + ": " + what,
                       log_axis(std::string("stiffness, ") + kind.stiffness),
-                      log_axis(unit),
-                      {{"classic or object norm"}, {"recommended"}},
+                      y,
+                      {{"at this damping"}, {"recommended"}},
                       {},
                       {}};
   };
-  ChartPanel hardness = panel("rate-hardness", std::string("over 10 ms, ") + kind.stiffness);
-  ChartPanel rise = panel("rise of the force", "10 to 90 %, s");
+  ChartPanel hardness =
+      panel("rate-hardness", log_axis(std::string("over 10 ms, ") + kind.stiffness));
+  ChartPanel rise = panel("rise of the force", {"10 to 90 %, s"});
   const auto add = [](ChartSeries& series, double x, double y) {
     series.x.push_back(x);
     series.y.push_back(y);
