@@ -73,13 +73,13 @@ Command add_traces_command(CLI::App& program) {
       ->add_option("--k", options->stiffness,
                    "stiffnesses, N/m: 200,400; without it shares of what theory allows")
       ->delimiter(',')
-      ->check(check_positive);
+      ->check(check_gain("k"));
   parser
       ->add_option("--b", options->damping,
                    "dampings of the classic coupling, N·s/m: 0,2; without it shares of the "
                    "device's largest")
       ->delimiter(',')
-      ->check(check_not_negative);
+      ->check(check_gain("b_t"));
   parser
       ->add_option("--kind", options->kind,
                    "kind of the contact; without it the one that theory finds hardest")

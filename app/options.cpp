@@ -47,6 +47,14 @@ std::string check_whole(const std::string& text) {
   return whole ? "" : "\"" + text + "\" must be a whole number, zero or more, below 2^64";
 }
 
+std::function<std::string(const std::string&)> check_gain(const char* key) {
+  const Setting& setting = *find_setting(coupling_settings(), key);
+  return [&setting](const std::string& text) {
+    return check_number(
+        text, [&](double x) { return allowed(setting, x); }, range_text(setting));
+  };
+}
+
 void add_flags(CLI::App& parser, SolverOptions& options, const std::string& default_mode) {
   options.mode = default_mode;
   parser.add_option("--method", options.method, "pdg: all six degrees; pdt: translation only")

@@ -92,5 +92,7 @@ inline constexpr unsigned most_threads = 1024;
 std::string check_positive(const std::string& text);
 std::string check_not_negative(const std::string& text);
 std::string check_whole(const std::string& text);
+/// A gain of the coupling, by its key: within the range that a scene may give it.
+std::function<std::string(const std::string&)> check_gain(const char* key);
 
 }  // namespace sonde::app

@@ -11,7 +11,7 @@
 namespace sonde::app {
 
 void TuningNotes::tell_first_look() const {
-  const GainAxis axis = main_axis(plan_->request);
+  const GainAxis axis = plan_->axis;
   if (tuning_so_far(options_.out, read_study(options_.out), axis)) return;
   std::cerr << "sonde: first look, in large steps: "
             << gains_in_words(read_tuning("", plan_->first_look)) << "; the study goes on\n";
@@ -20,7 +20,7 @@ void TuningNotes::tell_first_look() const {
 void TuningNotes::look_again(ProgressLine& progress) {
   const StudyFolder study = read_study(options_.out);
   if (study.complete()) return;
-  const auto results = tuning_so_far(options_.out, study, main_axis(plan_->request));
+  const auto results = tuning_so_far(options_.out, study, plan_->axis);
   if (!results) return;
   const std::string words = gains_in_words(*results);
   if (words == last_) return;

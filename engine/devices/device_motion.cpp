@@ -86,6 +86,8 @@ DeviceTraits DeviceMotion::traits(const DeviceSample& sample) const noexcept {
       .max_damping = bearable_damping / (ratios.translation * ratios.translation),
       .max_rotational_damping = bearable_rotational_damping / (ratios.rotation * ratios.rotation),
       .max_stiffness = sample.max_stiffness / (ratios.translation * ratios.translation),
+      .max_force = sample.max_force / ratios.translation,
+      .max_torque = sample.max_torque / ratios.rotation,
       .force = sample.max_force > 0};
 }
 

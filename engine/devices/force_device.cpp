@@ -63,8 +63,10 @@ std::string ForceDevice::does_not_follow(const PoseReport& report) const {
   // A clock that lies must not excuse a jump: a pause longer than this is one.
   constexpr double longest = 0.05;
   const double dt = std::min(1e-6 * static_cast<double>(report.time_us - last_->time_us), longest);
+  // Reports come unevenly; of a small device, a glitch is small too.
+  const double uneven = std::min(0.02, 0.1 * limits_.reach.maxCoeff());
   const double moved = (report.X_BH.p - last_->X_BH.p).norm();
-  if (moved > 0.02 + 5 * dt) return "its handle jumped " + millimetres(moved);
+  if (moved > uneven + 5 * dt) return "its handle jumped " + millimetres(moved);
   const double turned = angle_between(report.X_BH.q, last_->X_BH.q);
   if (turned > 0.2 + 60 * dt) return "its handle jumped in rotation";
   return "";

@@ -17,9 +17,10 @@ namespace sonde {
 ///
 /// It refuses a report, and the device is faulty from that moment (no force), where a number is not
 /// finite, the quaternion is not of unit length (by more than 1 %), the handle is outside the
-/// working volume, it has moved further from the report before than a hand moves (20 mm and 5 m/s,
-/// 0.2 rad and 60 rad/s), or the sequence goes back. The device is ready again after a run of
-/// reports that agree with each other. The same holds at the start and after silence.
+/// working volume, it has moved further from the report before than a hand moves (a tenth of the
+/// longest reach, at most 20 mm, and 5 m/s; 0.2 rad and 60 rad/s), or the sequence goes back. The
+/// device is ready again after a run of reports that agree with each other. The same holds at the
+/// start and after silence.
 class ForceDevice {
  public:
   /// Reports in a row that must agree before the device is ready.

@@ -95,7 +95,7 @@ constexpr std::array<Row<ServoSettings>, 9> servo_rows{{
      [](ServoSettings& s, double value) { s.safety.force_error = value; }},
     {{"passivity_control", "Passivity control", "", 0, 1,
       double(ServoSettings{}.passivity.control), false,
-      "1: damps away the energy that the loop gives to the hand; 0: only observes it.", true},
+      "1: damps away the energy that the loop gives to a force device; 0: only observes it.", true},
      [](const ServoSettings& s) { return double(s.passivity.control); },
      [](ServoSettings& s, double value) { s.passivity.control = value > 0; }},
 }};

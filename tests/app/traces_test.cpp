@@ -37,6 +37,11 @@ TEST_F(Traces, bad_gains_are_refused_before_any_work) {
         sonde(std::string("traces boxes.sonde.json --device sigma.7 --out o --k=") + k).exit_code,
         2)
         << k;
+  const std::string classic =
+      "traces boxes.sonde.json --device sigma.7 --out o --coupling classic ";
+  expect_refused(classic + "--k 1e12", 2, "between 1 and 100000 N/m");
+  expect_refused(classic + "--b 1e12", 2, "between 0 and 100 N·s/m");
+  expect_refused(classic + "--b=-1", 2, "between 0 and 100 N·s/m");
   expect_refused("traces boxes.sonde.json --device sigma.7 --out o --b 1", 2, "no damping");
   expect_refused("traces boxes.sonde.json --device none.7 --out o", 3, "none.7");
   EXPECT_FALSE(std::filesystem::exists(folder / "o"));

@@ -153,10 +153,8 @@ std::string parts_in_10000(const std::optional<double>& share) {
 
 std::string table_head() {
   return "| pair | contact, s | ∑\\|ΔF\\|, N | >50 Hz of F, ‱ | ∑\\|Δτ\\|, mN·m | >50 Hz of τ, ‱ | "
-         "steps of F | steps of τ | jumps | pop-throughs | error of τ, % | stable k, N/m | "
-         "smoother F | smoother τ "
-         "| fewer steps | better τ | fewer pop-throughs |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+         "steps of F | steps of τ | jumps | pop-throughs | error of τ, % | stable k, N/m |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 std::string table_row(const std::string& name, const Comparison& c) {
@@ -179,9 +177,6 @@ std::string table_row(const std::string& name, const Comparison& c) {
   cell(pair_of(c, [](M m) {
     return m.stiffness.stable ? short_number(*m.stiffness.stable) : std::string("none");
   }));
-  for (const Verdict verdict : {smoother_force(c), smoother_torque(c), fewer_steps(c),
-                                better_torque(c), fewer_pop_throughs(c)})
-    cell(name_of(verdict));
   return out + " |\n";
 }
 

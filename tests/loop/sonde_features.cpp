@@ -101,8 +101,8 @@ std::vector<double> servo_ticks(const TickCase& c, const Pair& pair, bool contro
     ++clock.tick;
     clock.now += clock.dt;
     const LocalContacts& rows = feed.refresh(at.pose, clock.tick, clock.now, {});
-    out.push_back(
-        processor_time_us([&] { loop.tick({.X_FM = at.pose}, rows, clock, Withheld::nothing); }));
+    const HandSample sample{.X_FM = at.pose, .device = DeviceTraits{}};  // else it does nothing
+    out.push_back(processor_time_us([&] { loop.tick(sample, rows, clock, Withheld::nothing); }));
   }
   return out;
 }

@@ -211,7 +211,7 @@ void DevicePanel::build_loop(QVBoxLayout& layout) {
   passivity_ = new QCheckBox(text(control.label), group);
   passivity_->setObjectName(text(control.key));
   passivity_->setToolTip(QStringLiteral(
-      "Damps away the energy that the loop gives to the hand; off, it only observes it."));
+      "Damps away the energy that the loop gives to a force device; off, it only observes it."));
   connect(passivity_, &QCheckBox::toggled, this,
           [this](bool on) { change([&](DeviceSettings& s) { s.passivity_control = on; }); });
   box->addWidget(passivity_);

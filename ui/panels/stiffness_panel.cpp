@@ -28,6 +28,8 @@ namespace {
 QString words_of(GainAxis axis) {
   if (axis == GainAxis::object) return QStringLiteral("object norm");
   if (axis == GainAxis::together) return QStringLiteral("all gains together");
+  if (axis == GainAxis::together_b_t) return QStringLiteral("all, b_t by itself");
+  if (axis == GainAxis::together_b_r) return QStringLiteral("all, b_r by itself");
   return QLatin1String(name_of(axis)) + QStringLiteral(" alone");
 }
 

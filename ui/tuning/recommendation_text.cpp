@@ -44,10 +44,13 @@ QString where(const GainLimit& limit) {
 
 /// Of all gains together the rotational ones, which follow.
 QString rotational_values(const AxisGains& gains, const JointGains& joint) {
-  if (gains.axis != GainAxis::together) return {};
-  return QStringLiteral(", k_r = %1, b_r = %2")
-      .arg(with_unit(gains.stiffness * joint.stiffness, stiffness_unit(GainAxis::rotation)),
-           with_unit(gains.damping * joint.damping, damping_unit(GainAxis::rotation)));
+  if (!is_joint(gains.axis)) return {};
+  const Coupling c = coupling_of(gains, joint);
+  const QString stiffness =
+      QStringLiteral(", k_r = %1").arg(with_unit(c.k_r, stiffness_unit(GainAxis::rotation)));
+  if (gains.axis != GainAxis::together) return stiffness;
+  return stiffness +
+         QStringLiteral(", b_r = %1").arg(with_unit(c.b_r, damping_unit(GainAxis::rotation)));
 }
 
 QString values(const AxisGains& gains) {
@@ -126,9 +129,9 @@ QString lasting_swings(const TuningResults& results, const AxisGains& gains) {
 
 /// Why a coupling that could be damped is best without it; empty where it is not.
 QString why_no_damping(const TuningResults& results, const AxisGains& best) {
-  const std::vector<AxisGains> each = recommend_at_each_damping(results, best.axis);
-  if (best.damping > 0 || best.stiffness <= 0 || each.size() < 2) return {};
-  const AxisGains& next = each[1];
+  const auto damped = best_damped(results, best);
+  if (best.damping > 0 || best.stiffness <= 0 || !damped) return {};
+  const AxisGains& next = *damped;
   return QStringLiteral("No virtual damping is best: at %1 = %2 the stiffness may be %3, by %4%5.")
       .arg(QLatin1String(damping_key(next.axis)), with_unit(next.damping, damping_unit(next.axis)),
            with_unit(next.stiffness, stiffness_unit(next.axis)), words_of(next.limit.reason),

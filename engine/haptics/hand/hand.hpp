@@ -25,6 +25,9 @@ struct DeviceTraits {
   // The largest stiffness that it holds by its maker's word; 0: not known.
   double max_stiffness = 0;             ///< N/m
   double max_rotational_stiffness = 0;  ///< N·m/rad
+  // What its motors can give; 0: not known, or nothing.
+  double max_force = 0;   ///< N
+  double max_torque = 0;  ///< N·m
   // What moves with the handle; 0: not known.
   double mass = 0;     ///< kg
   double inertia = 0;  ///< kg·m²

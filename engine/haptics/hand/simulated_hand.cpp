@@ -26,7 +26,9 @@ SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double
               .max_rotational_damping = parameters.rotation.most_virtual_damping,
               .rotational_damping = parameters.rotation.limit > 0 ? parameters.rotation.damping : 0,
               .max_stiffness = parameters.translation.most_stiffness,
-              .max_rotational_stiffness = parameters.rotation.most_stiffness},
+              .max_rotational_stiffness = parameters.rotation.most_stiffness,
+              .max_force = parameters.translation.limit,
+              .max_torque = parameters.rotation.limit},
       com_(com),
       pace_{SimulatedDevice(parameters, period, to_device(X_FM)), share_of(period),
             parameters.translation.inertia, parameters.rotation.inertia},
@@ -97,6 +99,7 @@ HandSample SimulatedHand::sample() noexcept {
   at_probe.damping /= scaling_ * scaling_;
   at_probe.max_damping /= scaling_ * scaling_;
   at_probe.max_stiffness /= scaling_ * scaling_;
+  at_probe.max_force /= scaling_;
   at_probe.mass = pace_.mass / (scaling_ * scaling_);
   at_probe.inertia = pace_.inertia;
   return {.X_FM = to_probe(pace_.device.measured()), .device = at_probe};

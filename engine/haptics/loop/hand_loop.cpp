@@ -26,11 +26,11 @@ HandLoop::HandLoop(const MassProperties& mass, Method method, const Coupling& co
       least_stall_(settings.safety.stalled_after),
       stalled_after_(least_stall_),
       force_error_(settings.safety.force_error),
-      fastest_(settings.safety.runaway_speed),
+      fastest_{settings.safety.runaway_speed, settings.safety.runaway_turn},
       of_hand_(settings.safety.change_rate),
       coupler_(mass, coupling),
       passivity_(mass, settings.passivity, 1 / settings.rate_hz),
-      runaway_(settings.safety.runaway_speed, settings.safety.runaway_turn),
+      runaway_(fastest_),
       gate_(settings.safety) {
   set_rate(settings.rate_hz);
 }
@@ -95,7 +95,12 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
-  measure_way(before, dt);
+  const bool can_throw = sample.device && !sample.trial;
+  const ThrownSpeed fastest = can_throw ? thrown_speed(*sample.device, fastest_) : fastest_;
+  // Of a hand that the mouse leads the ratio is not known.
+  const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
+  measure_way(before, fastest.way * ratio, dt);
+  runaway_.set_fastest(fastest);
   if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();
   if (const HandTrial* trial = sample.trial)
@@ -108,10 +113,10 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
                    of_hand(turn, sample.device->turn_ratio), dt, pushed());
 }
 
-void HandLoop::measure_way(const Pose& before, double dt) noexcept {
+void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexcept {
   way_before_ = way_;
   way_ = Chart(mass_, before).coordinates(X_FM_).norm();
-  leapt_ = fastest_ > 0 && way_ > fastest_ * dt;
+  leapt_ = fastest > 0 && way_ > fastest * dt;
   if (leapt_) way_ = 0;  // no hand did that
   const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
   const double force = out_.wrench.force.norm();
@@ -138,17 +143,26 @@ void HandLoop::set_slew(double dt) noexcept {
   ForceGate::Slew slew{margin * (stiff * way_ + (object ? 0 : c.b_t * both)) / dt,
                        margin * (turning * way_ + (object ? 0 : c.b_r * per_turn * both)) / dt,
                        out_.separation.status == Status::separated && !leapt_};
-  slew.force = std::min(slew.force, c.max_force / whole) + rate_.force;
-  slew.torque = std::min(slew.torque, c.max_torque / whole) + rate_.torque;
+  slew.force = std::min(slew.force, most_force() / whole) + rate_.force;
+  slew.torque = std::min(slew.torque, most_torque() / whole) + rate_.torque;
   gate_.set_slew(slew);
+}
+
+double HandLoop::most_force() const noexcept {
+  const double most = coupler_.coupling().max_force;
+  return device_ && device_->max_force > 0 ? std::min(most, device_->max_force) : most;
+}
+
+double HandLoop::most_torque() const noexcept {
+  const double most = coupler_.coupling().max_torque;
+  return device_ && device_->max_torque > 0 ? std::min(most, device_->max_torque) : most;
 }
 
 /// Only a known device can be thrown.
 void HandLoop::set_change_rate(const HandSample& sample) noexcept {
-  const Coupling& c = coupler_.coupling();
   rate_ = {.force = 0, .torque = 0};
   if (sample.device && !sample.trial)
-    rate_ = change_rate_at_probe(of_hand_, c.max_force, c.max_torque, sample.device->ratio,
+    rate_ = change_rate_at_probe(of_hand_, most_force(), most_torque(), sample.device->ratio,
                                  sample.device->turn_ratio);
   // A handle that goes where it is pushed, as one that nobody holds, is pushed no harder.
   const double share = std::clamp(1 - yields_ / slow_enough, 0.01, 1.0);
@@ -220,13 +234,14 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
                                const Clock& clock, Withheld why) noexcept {
   if (std::exchange(resting_, false)) resumed_ = clock.now;
   follow(sample, clock.dt);
+  device_ = sample.device;
   set_change_rate(sample);
   passivity_.set_device(sample.device);
   passivity_.observe(X_FM_, clock.dt);
   separate(contacts, clock);
   if (out_.separation.status == Status::separated) runaway_.release();
   out_.hand.held = sample.held;
-  out_.hand.device = device_ = sample.device;
+  out_.hand.device = sample.device;
   if (sample.trial) {
     try_out(*sample.trial, why == Withheld::nothing ? fault(sample) : why, clock.dt);
     return out_;
@@ -237,7 +252,8 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
 
   const Coupling& coupling = coupler_.coupling();
   out_.hand.asked = coupler_.wrench(out_.separation, clock.dt);
-  const bool acts = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const bool given = reason == Withheld::nothing || reason == Withheld::unsettled;
+  const bool acts = given && device_ && device_->force;
   const Wrench damped = acts ? passivity_.control(out_.hand.asked) : out_.hand.asked;
   set_slew(clock.dt);
   out_.wrench = gate_.pass(damped, reason, coupling.max_force, coupling.max_torque, clock.dt);

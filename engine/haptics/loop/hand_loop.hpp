@@ -73,6 +73,7 @@ class HandLoop {
   double most_of_glide(const GainGlide& glide, double dt) noexcept;
 
   void set_rate(double rate_hz) noexcept;
+  /// Of the force on a known device; nobody else holds anything that could swing.
   void set_passivity_control(bool on) noexcept { passivity_.set_control(on); }
 
   struct Clock {
@@ -109,8 +110,12 @@ class HandLoop {
   void follow(const HandSample& sample, double dt) noexcept;
   void set_change_rate(const HandSample& sample) noexcept;
   /// How far the hand came in this tick, and how much the wrench may change for that.
-  void measure_way(const Pose& before, double dt) noexcept;
+  /// `fastest`: of the probe, m/s; 0: no limit.
+  void measure_way(const Pose& before, double fastest, double dt) noexcept;
   void set_slew(double dt) noexcept;
+  /// What the wrench is limited to: by the gains, and by the device where that is known.
+  double most_force() const noexcept;
+  double most_torque() const noexcept;
   /// The wrench of a hand that is being measured, past the gate.
   void try_out(HandTrial& trial, Withheld reason, double dt) noexcept;
   void say_gate() noexcept;
@@ -122,7 +127,7 @@ class HandLoop {
   double least_stall_;                        ///< s, of the settings
   double stalled_after_;                      ///< s, at this rate
   double force_error_;                        ///< N
-  double fastest_;                            ///< m/s, of a hand
+  ThrownSpeed fastest_;                       ///< of the settings
   double period_ = 1e-3;                      ///< s
   ChangeRate of_hand_;                        ///< of the settings
   ChangeRate rate_{.force = 0, .torque = 0};  ///< at the probe, of the hand of the last tick

@@ -13,7 +13,7 @@
 namespace sonde {
 
 struct PassivitySettings {
-  bool control = false;       ///< take the energy that the loop has added out of the hand's motion
+  bool control = true;        ///< take the energy that the loop has added out of the hand's motion
   double max_damping = 5;     ///< N·s/m, the largest damping of the controller
   double device_damping = 0;  ///< N·s/m, of the mechanism: at least this much leaves by itself
   double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/safety/runaway.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/elementary.hpp"
@@ -11,8 +12,26 @@ namespace {
 constexpr double averaged_over = 0.02;  // s
 /// A handle that was thrown out of the contact is on its way still.
 constexpr double just_after = 0.05;  // s
+// What moves with the handle of the lightest device that ships a profile.
+constexpr double light_mass = 0.05;     // kg
+constexpr double light_inertia = 5e-5;  // kg·m²
+
+double reached(double push, double inertia, double light, double most) {
+  if (!(push > 0) || !(most > 0)) return most;
+  return std::min(most, push * averaged_over / (inertia > 0 ? inertia : light));
+}
 
 }  // namespace
+
+/// At the probe a force is 1/ratio, a mass 1/ratio² and a speed `ratio` times what the hand has.
+ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept {
+  const auto of_hand = [](double force, double ratio) { return ratio > 0 ? force * ratio : 0; };
+  return {
+      reached(of_hand(device.max_force, device.ratio), device.mass * device.ratio * device.ratio,
+              light_mass, most.way),
+      reached(of_hand(device.max_torque, device.turn_ratio),
+              device.inertia * device.turn_ratio * device.turn_ratio, light_inertia, most.turn)};
+}
 
 void Runaway::restart() noexcept {
   lose_track();
@@ -26,8 +45,8 @@ void Runaway::lose_track() noexcept {
 }
 
 bool Runaway::too_fast() const noexcept {
-  return (fastest_ > 0 && velocity_.norm() > fastest_) ||
-         (fastest_turn_ > 0 && spin_.norm() > fastest_turn_);
+  return (fastest_.way > 0 && velocity_.norm() > fastest_.way) ||
+         (fastest_.turn > 0 && spin_.norm() > fastest_.turn);
 }
 
 void Runaway::observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept {
@@ -40,8 +59,8 @@ void Runaway::observe(const Vec3& way, const Vec3& turn, double dt, bool pushed)
 }
 
 void Runaway::release() noexcept {
-  const bool slow = fastest_ <= 0 || velocity_.norm() < 0.5 * fastest_;
-  const bool turns_slowly = fastest_turn_ <= 0 || spin_.norm() < 0.5 * fastest_turn_;
+  const bool slow = fastest_.way <= 0 || velocity_.norm() < 0.5 * fastest_.way;
+  const bool turns_slowly = fastest_.turn <= 0 || spin_.norm() < 0.5 * fastest_.turn;
   if (slow && turns_slowly) seen_ = false;
 }
 

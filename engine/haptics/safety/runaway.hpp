@@ -2,8 +2,20 @@
 #pragma once
 
 #include "engine/geometry/pose.hpp"
+#include "engine/haptics/hand/hand.hpp"
 
 namespace sonde {
+
+/// How fast a handle goes that is thrown: m/s and rad/s, in the hand; 0: no limit.
+struct ThrownSpeed {
+  double way = 0;
+  double turn = 0;
+};
+
+/// What all of the device's force (torque) makes of its handle's mass (inertia) in the time over
+/// which Runaway averages, and no more than `most`. A mass that is not known is that of a light
+/// arm.
+ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept;
 
 /// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to what
 /// the device can. So a loop that is slightly unstable only buzzes, which one feels and sees; this
@@ -16,11 +28,10 @@ namespace sonde {
 /// device slower than the servo do not add up.
 class Runaway {
  public:
-  /// Limits of the hand: m/s, and rad/s. 0: no limit.
-  explicit Runaway(double fastest, double fastest_turn = 0)
-      : fastest_(fastest), fastest_turn_(fastest_turn) {
-    restart();
-  }
+  explicit Runaway(const ThrownSpeed& fastest) : fastest_(fastest) { restart(); }
+
+  /// From the next sample on.
+  void set_fastest(const ThrownSpeed& fastest) noexcept { fastest_ = fastest; }
 
   /// Another hand, or another scene.
   void restart() noexcept;
@@ -38,7 +49,7 @@ class Runaway {
  private:
   bool too_fast() const noexcept;
 
-  double fastest_, fastest_turn_;
+  ThrownSpeed fastest_;
   Vec3 velocity_ = Vec3::Zero();  ///< m/s, averaged
   Vec3 spin_ = Vec3::Zero();      ///< rad/s, averaged
   double unpushed_ = 0;           ///< s without a force

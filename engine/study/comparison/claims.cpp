@@ -85,6 +85,10 @@ TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg,
   return decided(key, claim, for_it, against_it);
 }
 
+int steps(const MethodMeasures& m) {
+  return m.discontinuities.force_steps + m.discontinuities.torque_steps;
+}
+
 double log_factorial(int n) {
   double sum = 0;
   for (int i = 2; i <= n; ++i) sum += elementary::log(i);
@@ -111,6 +115,7 @@ std::vector<TestedClaim> tested_claims(const Comparison& c) {
   return {
       smoother(c, "smoother_force", "its force is smoother, at equal forces", &Trial::force),
       smoother(c, "smoother_torque", "its torque is smoother, at equal forces", &Trial::torque),
+      decided("fewer_steps", "force and torque have fewer steps", steps(c.of_pdt), steps(c.of_pdg)),
       decided("fewer_pop_throughs", "it pops through less", c.of_pdt.discontinuities.pop_throughs,
               c.of_pdg.discontinuities.pop_throughs),
       by_ticks(c.of_pdt.realism.at_equal_force, c.of_pdg.realism.at_equal_force, "better_torque",

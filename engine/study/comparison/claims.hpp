@@ -29,7 +29,8 @@ constexpr double significant = 0.05;
 /// - Smoother force, smoother torque: by the total variation, trial by trial: a quarter of a second
 ///   in which both are in contact all the time. Both renderings are scaled to the same mean force
 ///   in it, since a softer one is not a smoother one; the torque goes with its force.
-/// - Fewer pop-throughs: each is a trial.
+/// - Fewer steps, fewer pop-throughs: each is a trial. What counts as a step goes by the way of the
+///   device, not by the size of the force.
 /// - A torque nearer to the one that is known (TorqueRealism): tick by tick, at equal forces.
 /// - More stable: contact by contact, the force at the same device pose where the coupling is as
 ///   stiff as the contact bears on the device. The one that renders more before it swings is the

@@ -81,23 +81,6 @@ MethodMeasures measure(const Rendering& rendering, const AnalyticWrenches& analy
   return out;
 }
 
-/// Whether less is found of PD_g than of PD_t.
-Verdict less(double pdg, double pdt) {
-  if (pdg == pdt || std::abs(pdg - pdt) <= 0.02 * std::max(pdg, pdt)) return Verdict::same;
-  return pdg < pdt ? Verdict::holds : Verdict::fails;
-}
-
-Verdict both(Verdict a, Verdict b) {
-  if (a == b || b == Verdict::same || b == Verdict::none) return a;
-  if (a == Verdict::same || a == Verdict::none) return b;
-  return Verdict::mixed;
-}
-
-Verdict less(const std::optional<double>& pdg, const std::optional<double>& pdt) {
-  if (!pdg && !pdt) return Verdict::none;
-  return less(pdg.value_or(0), pdt.value_or(0));  // no share: nothing at all was felt
-}
-
 }  // namespace
 
 Study compare_study(const CompareSetup& setup) {
@@ -156,48 +139,6 @@ Comparison comparison_of(const std::string& folder, const StudyFolder& study) {
   out.of_pdt.stiffness = stable_stiffness_of(part("stiffness-pdt"), folder);
   out.of_pdg.stiffness = stable_stiffness_of(part("stiffness-pdg"), folder);
   return out;
-}
-
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return "holds";
-    case Verdict::fails:
-      return "fails";
-    case Verdict::same:
-      return "same";
-    case Verdict::mixed:
-      return "mixed";
-    case Verdict::none:
-      break;
-  }
-  return "none";
-}
-
-Verdict smoother_force(const Comparison& c) {
-  return both(less(c.of_pdg.force_above_50, c.of_pdt.force_above_50),
-              less(c.of_pdg.force_variation, c.of_pdt.force_variation));
-}
-
-Verdict smoother_torque(const Comparison& c) {
-  return both(less(c.of_pdg.torque_above_50, c.of_pdt.torque_above_50),
-              less(c.of_pdg.torque_variation, c.of_pdt.torque_variation));
-}
-
-Verdict fewer_steps(const Comparison& c) {
-  const auto steps = [](const MethodMeasures& m) {
-    return m.discontinuities.force_steps + m.discontinuities.torque_steps;
-  };
-  return less(steps(c.of_pdg), steps(c.of_pdt));
-}
-
-Verdict better_torque(const Comparison& c) {
-  if (c.of_pdg.realism.ticks == 0) return Verdict::none;
-  return less(c.of_pdg.realism.torque_error, c.of_pdt.realism.torque_error);
-}
-
-Verdict fewer_pop_throughs(const Comparison& c) {
-  return less(c.of_pdg.discontinuities.pop_throughs, c.of_pdt.discontinuities.pop_throughs);
 }
 
 }  // namespace sonde

@@ -61,22 +61,6 @@ struct Comparison {
   MethodMeasures of_pdt, of_pdg;
 };
 
-/// Whether a claim about PD_g holds. `same`: within 2 %; `mixed`: one measure confirms it, the
-/// other contradicts it; `none`: there is no measure.
-enum class Verdict { holds, fails, same, mixed, none };
-const char* name_of(Verdict verdict);
-
-/// "PD_g is smoother": by the share of the force's spectrum above 50 Hz and by its total variation;
-/// the same for the torque. The first does not depend on the size of the force, the second does.
-Verdict smoother_force(const Comparison& comparison);
-Verdict smoother_torque(const Comparison& comparison);
-/// "PD_g has fewer steps": force steps and torque steps together.
-Verdict fewer_steps(const Comparison& comparison);
-/// "PD_g's torque is more realistic": by the median torque error.
-Verdict better_torque(const Comparison& comparison);
-/// "PD_g pops through less": by the count.
-Verdict fewer_pop_throughs(const Comparison& comparison);
-
 /// The result of a complete folder of the study; `folder` is for error messages. Throws InputError
 /// where a part is missing or was not written by the study.
 Comparison comparison_of(const std::string& folder, const StudyFolder& study);

@@ -70,22 +70,44 @@ struct WithoutGaps {
   std::size_t gaps = 0;              ///< in the others
 };
 
-/// The first sample of a pulse, from the one before it to the one after, that comes too late. None:
-/// the size of the recording.
-std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step) {
+double change(const AxisResponse& r, std::size_t k) { return r.positions[k] - r.positions[k - 1]; }
+
+/// A logger that got no new pose writes the last one again: it stands still for one sample, and
+/// goes on the same way by far more than a step of the encoder, and than the slow end of a motion.
+bool is_stale(const AxisResponse& r, const PulseWindow& w, std::size_t k, double encoder) {
+  if (k < w.begin + 2 || k + 1 >= w.end || change(r, k) != 0) return false;
+  double most = 0;
+  for (std::size_t i = w.begin + 1; i < w.end; ++i) most = std::max(most, std::abs(change(r, i)));
+  const double before = change(r, k - 1), after = change(r, k + 1);
+  return before * after > 0 &&
+         std::min(std::abs(before), std::abs(after)) > std::max(3 * encoder, 0.1 * most);
+}
+
+/// The first sample of a pulse, from the one before it to the one after, that comes too late, or
+/// that only repeats the one before. None: the size of the recording.
+std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step, double encoder) {
   for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k)
-    if (r.times[k] - r.times[k - 1] > longest_gap * step) return k;
+    if (r.times[k] - r.times[k - 1] > longest_gap * step || is_stale(r, w, k, encoder)) return k;
   return r.times.size();
+}
+
+std::string what_is_missing(const AxisResponse& r, std::size_t late, double step) {
+  const double gap = r.times[late] - r.times[late - 1];
+  const std::string at = "t = " + number_text(r.times[late]) + " s";
+  return gap > longest_gap * step
+             ? "no sample for " + number_text(1e3 * gap, 3) + " ms before " + at
+             : "the sample at " + at + " repeats the one before, while the handle moves";
 }
 
 /// Where a sample is missing, what was commanded meanwhile is not known: that pulse tells nothing.
 /// (A longer gap cuts a pulse in two, with the gap between them.)
-WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step) {
+WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step,
+                         double encoder) {
   WithoutGaps out;
   std::size_t last = r.times.size();
   bool after_gap = false;
   for (const PulseWindow& w : windows) {
-    const std::size_t late = late_sample(r, w, step);
+    const std::size_t late = late_sample(r, w, step, encoder);
     if (late == r.times.size()) {
       if (after_gap) out.at_rest.push_back(w.begin);
       out.windows.push_back(w);
@@ -96,11 +118,10 @@ WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double s
     after_gap = late != r.times.size();
   }
   if (out.gaps > 0 && out.windows.size() < least_pulses)
-    throw std::invalid_argument(
-        "no sample for " + number_text(1e3 * (r.times[last] - r.times[last - 1]), 3) +
-        " ms before t = " + number_text(r.times[last]) + " s, and samples are missing in " +
-        std::to_string(out.gaps) + " pulses: " + std::to_string(out.windows.size()) +
-        " are whole; it takes " + std::to_string(least_pulses));
+    throw std::invalid_argument(what_is_missing(r, last, step) + ", and samples are missing in " +
+                                std::to_string(out.gaps) +
+                                " pulses: " + std::to_string(out.windows.size()) +
+                                " are whole; it takes " + std::to_string(least_pulses));
   return out;
 }
 
@@ -171,15 +192,16 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
 /// Throws std::invalid_argument, saying why, where the pulses cannot tell.
 IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis,
                           double sample_time) {
-  const auto [whole, at_rest, gaps] = without_gaps(r, all, sample_time);
+  const std::optional<Estimate> step = encoder_step(r.positions);
+  const double encoder = step ? step->value : 0;
+  const auto [whole, at_rest, gaps] = without_gaps(r, all, sample_time, encoder);
   r.at_rest = at_rest;
   check_pulses(r, whole);
-  const std::optional<Estimate> step = encoder_step(r.positions);
-  const double grain = std::max(step ? step->value : 0, grain_of_noise(r, whole));
+  const double grain = std::max(encoder, grain_of_noise(r, whole));
   const Windows windows = telling(r, whole, grain, axis);
   check_amplitudes(windows, axis);
   IdentifiedAxis out{.axis = axis,
-                     .handle = fit_handle(r, windows, step ? step->value : 0),
+                     .handle = fit_handle(r, windows, encoder),
                      .resolution = {},
                      .has_steps = step.has_value(),
                      .pulses = windows.size(),

@@ -115,6 +115,8 @@ double error_of(const HoldReport& report, GainAxis axis) {
     case GainAxis::rotation:
       return report.torque_error;
     case GainAxis::together:
+    case GainAxis::together_b_t:
+    case GainAxis::together_b_r:
       return std::max(report.force_error, report.torque_error);
     case GainAxis::object:
     case GainAxis::translation:
@@ -131,8 +133,18 @@ const char* name_of(HoldFault fault) {
 }
 
 const char* name_of(GainAxis axis) {
-  constexpr std::array names{"object", "together", "translation", "rotation"};
+  constexpr std::array names{"object",   "together",     "translation",
+                             "rotation", "together_b_t", "together_b_r"};
   return names[static_cast<std::size_t>(axis)];
+}
+
+bool is_joint(GainAxis axis) {
+  return axis == GainAxis::together || axis == GainAxis::together_b_t ||
+         axis == GainAxis::together_b_r;
+}
+
+bool damps_turns(GainAxis axis) {
+  return axis == GainAxis::rotation || axis == GainAxis::together_b_r;
 }
 
 HoldFault fault_of(const HoldReport& report, GainAxis axis) {

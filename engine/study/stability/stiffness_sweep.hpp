@@ -11,9 +11,13 @@
 namespace sonde {
 
 /// The gains that a sweep changes: the one k of the object norm; of the classic coupling k_t with
-/// b_t, k_r with b_r, or all four together.
-enum class GainAxis { object, together, translation, rotation };
+/// b_t, k_r with b_r, all four together, or both springs with b_t or with b_r alone.
+enum class GainAxis { object, together, translation, rotation, together_b_t, together_b_r };
 const char* name_of(GainAxis axis);
+/// Both springs of the classic coupling, so that what holds can be recommended.
+bool is_joint(GainAxis axis);
+/// The damping is b_r, N·m·s/rad; else b_t, N·s/m.
+bool damps_turns(GainAxis axis);
 
 /// The faults that end the range of useful stiffness in a hold.
 enum class HoldFault { none, unstable, saturated, chattering, unfaithful };

@@ -10,6 +10,8 @@
 #include "engine/base/elementary.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning.hpp"
+#include "engine/study/tuning/wall_hardness.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -188,6 +190,47 @@ void add_impedance(const Kind& kind, double stiffness, double damping, Files& ou
   out.chart.panels.push_back(panel);
 }
 
+/// In the light hand; for a rotation the same times inertia over mass.
+AxisHand light_hand(const Kind& kind, double mass) {
+  const double per = kind.axis.inertia / mass;
+  return {hand_grips[0].stiffness * per, hand_grips[0].damping * per};
+}
+
+/// Up to twice what is recommended: rate-hardness and rise time, at the recommended damping.
+void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, double damping,
+                  Files& out) {
+  SampledAxis axis = kind.axis;
+  axis.virtual_damping = damping;
+  const std::string at =
+      std::string(kind.name) + ", damping " + number_text(damping, 3) + ' ' + kind.damping;
+  const auto panel = [&](const char* what, const ChartAxis& y) {
+    return ChartPanel{at + ": " + what,
+                      log_axis(std::string("stiffness, ") + kind.stiffness),
+                      y,
+                      {{"at this damping"}, {"recommended"}},
+                      {},
+                      {}};
+  };
+  ChartPanel hardness =
+      panel("rate-hardness", log_axis(std::string("over 10 ms, ") + kind.stiffness));
+  ChartPanel rise = panel("rise of the force", {"10 to 90 %, s"});
+  const auto add = [](ChartSeries& series, double x, double y) {
+    series.x.push_back(x);
+    series.y.push_back(y);
+  };
+  for (const double k : evenly_by_ratio(stiffness / 16, 2 * stiffness)) {
+    const double hard = rate_hardness(axis, k), time = rise_time(axis, k, hand);
+    out.csv.append(kind.name).append(row({k, damping, hard, time}));
+    if (hard > 0) add(hardness.series[0], k, hard);
+    add(rise.series[0], k, time);
+  }
+  hardness.series[1].form = rise.series[1].form = ChartSeries::Form::points;
+  add(hardness.series[1], stiffness, rate_hardness(axis, stiffness));
+  add(rise.series[1], stiffness, rise_time(axis, stiffness, hand));
+  out.chart.panels.push_back(hardness);
+  out.chart.panels.push_back(rise);
+}
+
 }  // namespace
 
 Complex rendered_impedance(const SampledAxis& axis, double stiffness, double omega) {
@@ -261,6 +304,8 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
   Files impedance{
       "axis,frequency,wanted_re,wanted_im,rendered_re,rendered_im,handle_re,handle_im\n",
       {"Impedance of a wall, wanted and rendered", {}}};
+  Files hardness{"axis,stiffness,damping,rate_hardness,rise_time\n",
+                 {"How hard a wall on the device feels", {}}};
   const Coupling gains = recommended_coupling(results);
   const bool object = gains.mode == Coupling::Mode::object;
   for (const Kind& kind : kinds_of(results)) {
@@ -269,8 +314,10 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
     add_limits(kind, limits);
     if (turns && object) continue;  // what is felt there depends on the probe, not on k alone
     const double stiffness = turns ? gains.k_r : object ? gains.k : gains.k_t;
-    if (has_recommendation(results) && stiffness > 0)
-      add_impedance(kind, stiffness, object ? 0 : turns ? gains.b_r : gains.b_t, impedance);
+    const double damping = object ? 0 : turns ? gains.b_r : gains.b_t;
+    if (!has_recommendation(results) || !(stiffness > 0)) continue;
+    add_impedance(kind, stiffness, damping, impedance);
+    add_hardness(kind, light_hand(kind, results.device.at("mass")), stiffness, damping, hardness);
   }
   std::vector<StudyFile> out;
   const auto add = [&](const char* name, const Files& files) {
@@ -281,6 +328,7 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
   add("z_width", width);
   add("limits", limits);
   add("impedance", impedance);
+  add("hardness", hardness);
   return out;
 }
 

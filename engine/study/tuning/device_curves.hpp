@@ -42,9 +42,10 @@ std::vector<LimitAt> limits_by_hand_damping(const SampledAxis& axis);
 /// Okamura, 2005), or the limit without a step where that is less.
 std::vector<LimitAt> limits_by_step(const SampledAxis& axis, double step, double friction);
 
-/// z_width.csv, z_width.svg; limits.csv, limits.svg; impedance.csv, impedance.svg: of the device of
-/// a study, for its translation and, where it has motors for it, its rotation; the impedance at
-/// the gains that are recommended.
+/// z_width.csv, z_width.svg; limits.csv, limits.svg; impedance.csv, impedance.svg; hardness.csv,
+/// hardness.svg: of the device of a study, for its translation and, where it has motors for it, its
+/// rotation; the impedance at the gains that are recommended, and how hard a wall is up to twice
+/// their stiffness.
 std::vector<StudyFile> device_curve_files(const TuningResults& results);
 
 }  // namespace sonde

@@ -42,8 +42,10 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
   const double T = results.sample_time;
   // As the felt stiffness was measured, whatever value is varied here.
   const double per = results.device.at("inertia") / results.device.at("mass");
-  const bool joint = axis == GainAxis::together;
-  const double turning_damping = joint ? damping * results.joint.damping : damping;
+  const bool joint = is_joint(axis);
+  Coupling at;
+  at.b_t = at.b_r = 0;
+  set_gains(at, axis, 0, damping, results.joint);
   for (const TuningLine* line : lines) {
     TuningResults::Felt felt = results.felt[line->situation];
     if (axis != GainAxis::object) felt.rotation *= (joint ? results.joint.stiffness : 1) / per;
@@ -54,7 +56,7 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
       add("driver", device.at("max_stiffness"), felt.translation);
       add("resolution",
           resolved_stiffness(device.at("friction"), device.at("max_force"), device.at("resolution"),
-                             damping, T),
+                             at.b_t, T),
           felt.translation);
     }
     if (axis != GainAxis::translation && device.at("max_torque") > 0) {
@@ -62,7 +64,7 @@ void add_profile_limits(const TuningResults& results, const Lines& lines, const 
         add("driver", device.at("max_rotational_stiffness"), felt.rotation);
       add("resolution",
           resolved_stiffness(device.at("rotational_friction"), device.at("max_torque"),
-                             device.at("rotational_resolution"), turning_damping, T),
+                             device.at("rotational_resolution"), at.b_r, T),
           felt.rotation);
     }
   }
@@ -213,6 +215,25 @@ bool has_column(const Lines& lines, double damping) {
 
 }  // namespace
 
+Coupling coupling_of(const AxisGains& gains, const JointGains& joint) {
+  Coupling out;
+  out.k = out.k_t = out.k_r = out.b_t = out.b_r = 0;
+  set_gains(out, gains.axis, gains.stiffness, gains.damping, joint);
+  return out;
+}
+
+DampingRatios damping_ratios(const TuningResults& results, const AxisGains& gains) {
+  const Coupling c = coupling_of(gains, results.joint);
+  const auto ratio = [&](const char* own, const char* inertia, double stiffness, double damping) {
+    const auto found = results.device.find(own);
+    if (found == results.device.end() || !(stiffness > 0)) return std::optional<double>();
+    return std::optional((found->second + damping) /
+                         (2 * std::sqrt(stiffness * results.device.at(inertia))));
+  };
+  return {ratio("damping", "mass", gains.axis == GainAxis::object ? c.k : c.k_t, c.b_t),
+          ratio("rotational_damping", "inertia", c.k_r, c.b_r)};
+}
+
 std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed, double times) {
   const Lines lines = lines_where(results, [&](const TuningLine& line) {
@@ -234,6 +255,16 @@ std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, G
   if (lines.empty()) return out;
   for (const TuningColumn& column : lines.front()->columns)
     out.push_back(gains_at(results, lines, results.device, axis, column.damping));
+  return out;
+}
+
+std::optional<AxisGains> best_damped(const TuningResults& results, const AxisGains& best) {
+  std::vector<GainAxis> axes{best.axis};
+  if (is_joint(best.axis)) axes = joint_axes(results);
+  std::optional<AxisGains> out;
+  for (const GainAxis axis : axes)
+    for (const AxisGains& each : recommend_at_each_damping(results, axis))
+      if (each.damping > 0 && (!out || each.stiffness > out->stiffness)) out = each;
   return out;
 }
 
@@ -278,10 +309,15 @@ std::vector<GainAxis> axes_of(const TuningResults& results) {
   return out;
 }
 
+std::vector<GainAxis> joint_axes(const TuningResults& results) {
+  std::vector<GainAxis> out = axes_of(results);
+  std::erase_if(out, [](GainAxis axis) { return !is_joint(axis); });
+  return out;
+}
+
 std::vector<GainAxis> recommended_axes(const TuningResults& results) {
-  std::vector<GainAxis> axes = axes_of(results);
-  if (std::ranges::find(axes, GainAxis::together) != axes.end()) return {GainAxis::together};
-  return axes;
+  const std::vector<GainAxis> joint = joint_axes(results);
+  return joint.empty() ? axes_of(results) : std::vector{joint.front()};
 }
 
 bool has_recommendation(const TuningResults& results) {

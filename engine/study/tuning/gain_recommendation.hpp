@@ -53,6 +53,16 @@ struct AxisGains {
   double margin() const { return stiffness > 0 ? boundary / stiffness : 0; }
 };
 
+/// The gains of the classic coupling that these are; of the object norm, its k.
+Coupling coupling_of(const AxisGains& gains, const JointGains& joint);
+
+/// ζ of the handle held by the springs alone, its own damping and the virtual one together; no
+/// value where there is no such spring.
+struct DampingRatios {
+  std::optional<double> translation, rotation;
+};
+DampingRatios damping_ratios(const TuningResults& results, const AxisGains& gains);
+
 /// From the lines of one axis. Where the study has a ladder of it, the damping is the ladder's, and
 /// the stiffness the largest rung below the least limit that everything came to rest on. With
 /// `assumed`, from those for a profile value at `times` itself alone, which are of one situation;
@@ -61,7 +71,9 @@ std::optional<AxisGains> recommend(const TuningResults& results, GainAxis axis,
                                    const std::string& assumed = {}, double times = 1);
 /// The gains of the lines of one axis at each damping that was swept, the least damping first.
 std::vector<AxisGains> recommend_at_each_damping(const TuningResults& results, GainAxis axis);
-/// The same from only the situation and hand in which the assumed values are varied, at their
+/// Of all dampings swept beside these gains, with both dampers or one, that which allows most.
+std::optional<AxisGains> best_damped(const TuningResults& results, const AxisGains& gains);
+/// The gains from only the situation and hand in which the assumed values are varied, at their
 /// damping: the reference for these.
 std::optional<AxisGains> recommend_as_varied(const TuningResults& results, GainAxis axis);
 
@@ -77,7 +89,10 @@ bool trusts_friction(const TuningResults& results);
 
 /// The axes studied.
 std::vector<GainAxis> axes_of(const TuningResults& results);
-/// Those of them whose gains are recommended: all gains together, where the study swept them so.
+/// The springs of the classic coupling with both dampers, and with each by itself; the one of them
+/// that is recommended is first.
+std::vector<GainAxis> joint_axes(const TuningResults& results);
+/// Of axes_of those whose gains are recommended: the first of joint_axes, where there is any.
 std::vector<GainAxis> recommended_axes(const TuningResults& results);
 
 /// True where some stiffness is good on each axis that is recommended.

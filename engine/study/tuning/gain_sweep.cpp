@@ -33,7 +33,9 @@ Range range_of(const TuningSetup& setup, GainAxis axis) {
     const double per = setup.rotation_per_translation;
     return {setup.low * per, setup.high * per, setup.most_rotational_damping};
   }
-  return {setup.low, setup.high, axis == GainAxis::object ? 0 : setup.most_damping};
+  if (axis == GainAxis::object) return {setup.low, setup.high, 0};
+  return {setup.low, setup.high,
+          damps_turns(axis) ? setup.most_rotational_damping : setup.most_damping};
 }
 
 /// The linear contact at one damping: `stiffness` at one N/m (N·m/rad) of the axis.
@@ -203,7 +205,7 @@ Press press_of(const TuningSituation& situation) {
 
 Press press_of(const TuningSetup& setup, GainAxis axis) {
   Press out = press_of(setup.situation);
-  if (axis != GainAxis::rotation && axis != GainAxis::together) return out;
+  if (axis != GainAxis::rotation && !is_joint(axis)) return out;
   const Mat3 felt = setup.situation.contact.stiffness.classic.bottomRightCorner<3, 3>();
   const Eigen::SelfAdjointEigenSolver<Mat3> solver((felt + felt.transpose()) / 2);
   out.jolt.torque = jolt_share * setup.loop.device.rotation.limit * solver.eigenvectors().col(2);
@@ -217,9 +219,15 @@ void set_gains(Coupling& c, GainAxis axis, double stiffness, double damping,
       c.k = stiffness;
       break;
     case GainAxis::together:
+    case GainAxis::together_b_t:
+    case GainAxis::together_b_r:
+      c.k_t = stiffness;
       c.k_r = stiffness * joint.stiffness;
-      c.b_r = damping * joint.damping;
-      [[fallthrough]];
+      c.b_t = axis == GainAxis::together_b_r ? 0 : damping;
+      c.b_r = axis == GainAxis::together_b_r   ? damping
+              : axis == GainAxis::together_b_t ? 0
+                                               : damping * joint.damping;
+      break;
     case GainAxis::translation:
       c.k_t = stiffness;
       c.b_t = damping;
@@ -254,9 +262,25 @@ RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiff
   return press_until_rest(closed, press_of(setup, axis, knock));
 }
 
+double most_damping(const TuningSetup& setup, GainAxis axis) {
+  return range_of(setup, axis).most_damping;
+}
+
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis) {
-  if (range_of(setup, axis).most_damping == 0) return {0};
-  return {0, 1.0 / 64, 1.0 / 16, 0.25, 1};
+  constexpr double step = 4;
+  constexpr double light_hand = 200;  // N/m: a softer spring than the hand's own is of no use
+  const double most = most_damping(setup, axis);
+  if (most == 0) return {0};
+  const SimulatedDeviceParameters& device = setup.loop.device;
+  const bool turns = damps_turns(axis);
+  const double inertia = turns ? device.rotation.inertia : device.translation.inertia;
+  const double soft = turns ? light_hand * setup.rotation_per_translation : light_hand;
+  const double little = 0.1 * 2 * std::sqrt(soft * inertia) / most;
+  std::vector<double> out{1};
+  while (!(out.back() < little)) out.push_back(out.back() / step);
+  if (axis != GainAxis::together_b_t && axis != GainAxis::together_b_r) out.push_back(0);
+  std::ranges::reverse(out);
+  return out;
 }
 
 std::string sweep_gains(const TuningSetup& setup, GainAxis axis, const std::vector<double>& shares,

@@ -25,7 +25,8 @@ struct JointGains {
   double damping = 0;
 };
 
-/// Sets the gains of an axis; all four by the translational ones.
+/// Sets the gains of an axis; where both springs are swept, k_r by k_t, and a damper that is not
+/// swept to none.
 void set_gains(Coupling& coupling, GainAxis axis, double stiffness, double damping,
                const JointGains& joint);
 
@@ -93,7 +94,12 @@ TheoryLimits theory_limits(const TuningSetup& setup, GainAxis axis, double share
 RestReport hold_until_rest(const TuningSetup& setup, GainAxis axis, double stiffness,
                            double damping, double knock);
 
-/// The shares of the largest damping at which an axis is swept; only zero where it has none.
+/// The largest damping of an axis, N·s/m | N·m·s/rad; 0 where it has none.
+double most_damping(const TuningSetup& setup, GainAxis axis);
+
+/// The shares of the largest damping at which an axis is swept, evenly spaced by ratio: from one at
+/// which it damps a spring as soft as a light hand with less than a tenth of the critical damping;
+/// zero too, and only that where it has none. Without zero where one damper alone is swept.
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis);
 
 /// Sweeps the stiffness of one axis at each share of the largest damping. JSON: {"columns":

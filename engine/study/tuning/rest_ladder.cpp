@@ -47,7 +47,7 @@ std::vector<HandGrip> hands() {
 
 double damping_of(const TuningPlan& plan) {
   const TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
-  return main_axis(plan.request) == GainAxis::object ? 0 : plan.damping_share * setup.most_damping;
+  return plan.damping_share * most_damping(setup, plan.axis);
 }
 
 /// Fills in the first swing, if any.
@@ -56,7 +56,7 @@ class Climb {
   Climb(const TuningPlan& plan, const Stop& stop)
       : plan_(plan),
         stop_(stop),
-        axis_(main_axis(plan.request)),
+        axis_(plan.axis),
         damping_(damping_of(plan)),
         conditions_(conditions(plan)) {}
 
@@ -120,8 +120,8 @@ Swing swing_of(const Json& json) {
 }
 
 GainAxis axis_named(const std::string& name) {
-  for (const GainAxis axis :
-       {GainAxis::object, GainAxis::together, GainAxis::translation, GainAxis::rotation})
+  for (const GainAxis axis : {GainAxis::object, GainAxis::together, GainAxis::translation,
+                              GainAxis::rotation, GainAxis::together_b_t, GainAxis::together_b_r})
     if (name == name_of(axis)) return axis;
   throw std::invalid_argument("unknown name " + name);
 }
@@ -155,7 +155,7 @@ const Rung* RestLadder::failed(double over, double stiffness) const {
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop) {
   const Climb climb(plan, stop);
   const double first = plan.held_stiffness;
-  RestLadder out{main_axis(plan.request), damping_of(plan), {}};
+  RestLadder out{plan.axis, damping_of(plan), {}};
   if (!(first > 0)) return out;
   for (double k = above_first_look * first; k > lowest * first;) {
     out.rungs.push_back(climb.at(k));

@@ -232,6 +232,7 @@ Json about(const TuningPlan& plan) {
           {"device", about(r.device)},
           {"rotational_stiffness_per_translational", plan.joint.stiffness},
           {"rotational_damping_per_translational", plan.joint.damping},
+          {"axis_in_full", name_of(plan.axis)},
           {"damping_share_in_full", plan.damping_share},
           {"situations", situations},
           {"skipped", skipped}};
@@ -275,18 +276,27 @@ TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& si
 
 std::vector<GainAxis> axes_of(const TuningRequest& request) {
   if (request.coupling.mode == Coupling::Mode::object) return {GainAxis::object};
-  if (request.device.max_torque.value > 0)
-    return {GainAxis::together, GainAxis::translation, GainAxis::rotation};
-  return {GainAxis::translation};
+  if (!(request.device.max_torque.value > 0)) return {GainAxis::translation};
+  std::vector<GainAxis> out{GainAxis::together};
+  if (request.device.max_damping.value > 0 && request.device.max_rotational_damping.value > 0)
+    out.insert(out.end(), {GainAxis::together_b_t, GainAxis::together_b_r});
+  out.insert(out.end(), {GainAxis::translation, GainAxis::rotation});
+  return out;
 }
 
-GainAxis main_axis(const TuningRequest& request) { return axes_of(request).front(); }
+std::vector<GainAxis> main_axes(const TuningRequest& request) {
+  std::vector<GainAxis> out = axes_of(request);
+  if (out.size() > 1) std::erase_if(out, [](GainAxis axis) { return !is_joint(axis); });
+  return out;
+}
+
+GainAxis main_axis(const TuningRequest& request) { return main_axes(request).front(); }
 
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
                        const std::function<void(double)>& progress) {
   TuningContacts contacts = tuning_contacts(request, stop, progress);
   const JointGains joint = joint_gains(request, contacts.situations);
-  return {request, std::move(contacts), joint};
+  return {request, std::move(contacts), joint, main_axis(request)};
 }
 
 std::size_t hardest(const TuningPlan& plan) {

@@ -78,6 +78,7 @@ struct TuningPlan {
   TuningRequest request;
   TuningContacts contacts;
   JointGains joint = {};  ///< where all gains of the classic coupling are changed together
+  GainAxis axis = GainAxis::object;  ///< what is recommended: of main_axes, what allows most
   /// Of the largest damping: what is searched in full, where assumed values are varied, and where
   /// the first look is taken.
   double damping_share = 0;
@@ -90,11 +91,12 @@ struct TuningPlan {
 /// Looks for the situations. Errors as tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
                        const std::function<void(double)>& progress = {});
-/// What a study of these gains sweeps: what is recommended comes first.
+/// What a study of these gains sweeps, main_axes first.
 std::vector<GainAxis> axes_of(const TuningRequest& request);
-/// The gains that are recommended: of the object norm, of the classic coupling together, or of its
-/// translation where the device has no torque.
-GainAxis main_axis(const TuningRequest& request);
+/// The gains that may be recommended: of the object norm, of the classic coupling together (with
+/// both dampers, and with each by itself), or of its translation where the device has no torque.
+std::vector<GainAxis> main_axes(const TuningRequest& request);
+GainAxis main_axis(const TuningRequest& request);  ///< the first of them
 /// The situation whose stiffness theory limits most.
 std::size_t hardest(const TuningPlan& plan);
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip);

@@ -74,7 +74,7 @@ std::vector<const TuningLine*> nominal_lines(const TuningResults& results, GainA
 
 const char* unit_of(GainAxis axis) { return axis == GainAxis::rotation ? "N·m/rad" : "N/m"; }
 std::string stiffness_label(GainAxis axis) {
-  constexpr std::array symbols{"k", "k_t", "k_t", "k_r"};
+  constexpr std::array symbols{"k", "k_t", "k_t", "k_r", "k_t", "k_t"};
   return std::string("stiffness ") + symbols[static_cast<std::size_t>(axis)] + ", " + unit_of(axis);
 }
 
@@ -196,9 +196,12 @@ void add_cells(ChartPanel& panel, const std::vector<const TuningColumn*>& column
 std::string title_of(const TuningResults& results, GainAxis axis) {
   if (axis == GainAxis::translation) return "Translation alone, worst of all situations";
   if (axis == GainAxis::rotation) return "Rotation alone, worst of all situations";
-  return "All gains together, worst of all situations; k_r = " +
-         number_text(results.joint.stiffness, 3) +
-         " m² k_t, b_r = " + number_text(results.joint.damping, 3) + " m² b_t";
+  const std::string springs =
+      ", worst of all situations; k_r = " + number_text(results.joint.stiffness, 3) + " m² k_t";
+  if (axis == GainAxis::together_b_t) return "Both springs with b_t by itself" + springs;
+  if (axis == GainAxis::together_b_r) return "Both springs with b_r by itself" + springs;
+  return "All gains together" + springs + ", b_r = " + number_text(results.joint.damping, 3) +
+         " m² b_t";
 }
 
 /// Stiffness by damping, the worst of all situations.
@@ -208,7 +211,7 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   ChartPanel panel;
   panel.title = title_of(results, axis);
   panel.x = {stiffness_label(axis), true};
-  panel.y = {turns ? "damping b_r, N·m·s/rad" : "damping b_t, N·s/m"};
+  panel.y = {damps_turns(axis) ? "damping b_r, N·m·s/rad" : "damping b_t, N·s/m"};
   panel.kinds = class_colors;
   ChartSeries measured = step("measured limit of stability", 7, ChartSeries::Form::line);
   ChartSeries theory = step("limit in theory", 1, ChartSeries::Form::dashed);
@@ -239,12 +242,13 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   panel.series = {measured, theory, passive};
   if (!frictionless.x.empty()) panel.series.push_back(frictionless);
   const Coupling gains = recommended_coupling(results);
-  if (axis == GainAxis::together && has_recommendation(results))
+  const bool recommended = recommended_axes(results).front() == axis;
+  if (is_joint(axis) && recommended && has_recommendation(results))
     panel.title += remark(*recommend(results, axis));
-  if (has_recommendation(results))
+  if (has_recommendation(results) && (recommended || !is_joint(axis)))
     panel.series.push_back({"recommended",
                             {turns ? gains.k_r : gains.k_t},
-                            {turns ? gains.b_r : gains.b_t},
+                            {damps_turns(axis) ? gains.b_r : gains.b_t},
                             ChartSeries::Form::points,
                             0});
   return panel;
@@ -319,6 +323,8 @@ std::string map_svg(const TuningResults& results) {
   for (const GainAxis axis : axes_of(results)) {
     chart.panels.push_back(axis == GainAxis::object ? object_panel(results)
                                                     : classic_panel(results, axis));
+    const auto joint = joint_axes(results);
+    if (is_joint(axis) && axis != joint.front()) continue;  // the same springs
     if (axis != GainAxis::rotation) chart.panels.push_back(fidelity_panel(results, axis, false));
     if (axis != GainAxis::translation) chart.panels.push_back(fidelity_panel(results, axis, true));
   }

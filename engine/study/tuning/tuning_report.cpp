@@ -137,25 +137,27 @@ Json limiting_assumption(const TuningResults& results, GainAxis axis) {
   return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
 }
 
-/// ζ of the handle against the spring alone, the device's own damping included; null where nothing
-/// is good.
-Json damping_ratio(const TuningResults& results, const AxisGains& gains) {
+/// Null where nothing is good.
+void add_damping_ratios(Json& json, const TuningResults& results, const AxisGains& gains) {
+  const DampingRatios ratios = damping_ratios(results, gains);
+  const auto ratio = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
   const bool turns = gains.axis == GainAxis::rotation;
-  const auto own = results.device.find(turns ? "rotational_damping" : "damping");
-  if (own == results.device.end() || !(gains.stiffness > 0)) return nullptr;
-  const double inertia = results.device.at(turns ? "inertia" : "mass");
-  return (own->second + gains.damping) / (2 * std::sqrt(gains.stiffness * inertia));
+  json["damping_ratio"] = ratio(turns ? ratios.rotation : ratios.translation);
+  if (is_joint(gains.axis)) json["rotational_damping_ratio"] = ratio(ratios.rotation);
 }
 
 /// What each damping allows: why the recommended one is.
 Json dampings(const TuningResults& results, GainAxis axis) {
   Json out = Json::array();
-  for (const AxisGains& gains : recommend_at_each_damping(results, axis))
-    out.push_back({{"damping", gains.damping},
-                   {"stiffness", gains.stiffness},
-                   {"damping_ratio", damping_ratio(results, gains)},
-                   {"boundary", number_or_null(gains.boundary)},
-                   {"limited_by", json_of(gains.limit)}});
+  for (const AxisGains& gains : recommend_at_each_damping(results, axis)) {
+    Json each{{"damping", gains.damping}, {"stiffness", gains.stiffness}};
+    add_damping_ratios(each, results, gains);
+    each["boundary"] = number_or_null(gains.boundary);
+    each["limited_by"] = json_of(gains.limit);
+    out.push_back(each);
+  }
   return out;
 }
 
@@ -176,12 +178,16 @@ Json json_of(const TuningResults& results, GainAxis axis) {
   const auto recommended = recommended_axes(results);
   Json out{{"axis", name_of(axis)},
            {"unit", axis == GainAxis::rotation ? "N·m/rad" : "N/m"},
+           {"damping_unit", damps_turns(axis) ? "N·m·s/rad" : "N·s/m"},
            {"recommended", std::ranges::find(recommended, axis) != recommended.end()}};
   if (!gains) return out;
   out.update(json_of(*gains));
-  if (axis == GainAxis::together) {
-    out["rotational_stiffness"] = gains->stiffness * results.joint.stiffness;
-    out["rotational_damping"] = gains->damping * results.joint.damping;
+  add_damping_ratios(out, results, *gains);
+  if (is_joint(axis)) {
+    const Coupling c = coupling_of(*gains, results.joint);
+    out["rotational_stiffness"] = c.k_r;
+    out["translational_damping"] = c.b_t;
+    out["rotational_damping"] = c.b_r;
   }
   out["fidelity"] = fidelity(results, *gains);
   out["dampings"] = dampings(results, axis);

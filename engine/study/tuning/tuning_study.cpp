@@ -67,6 +67,11 @@ bool has_friction(const DeviceProfile& device) {
   return device.friction.value > 0 || device.rotational_friction.value > 0;
 }
 
+bool is_alone(const TuningPlan& plan, GainAxis axis) {
+  const std::vector<GainAxis> main = main_axes(plan.request);
+  return std::ranges::find(main, axis) == main.end();
+}
+
 StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf& part) {
   return {part_name(*plan, part), [plan, part](const Stop& stop) {
             const DeviceProfile device = changed(plan->request.device, part);
@@ -74,14 +79,16 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool nominal = part.assumed == nullptr;
             TuningSetup setup = tuning_setup(*plan, part.situation, *part.grip, device);
             if (part.first_look) setup.ratio = std::max(setup.ratio, first_look_ratio);
-            // What an axis could do alone is for the map, and nothing is recommended by it.
-            const bool alone = part.axis != main_axis(plan->request);
-            if (alone) setup.ratio = coarser(setup.ratio, 16);
+            // What an axis could do alone, or with another damper, is for the map, and nothing is
+            // recommended by it.
+            const bool alone = is_alone(*plan, part.axis);
+            const bool aside = !part.first_look && part.axis != plan->axis;
+            if (aside) setup.ratio = coarser(setup.ratio, 16);
             if (!nominal) setup.ratio = varied_ratio(setup.ratio);
             // Parts that vary a friction go by the limit without any of the profile as it is.
             const bool varies_friction = !nominal && is_friction(part.assumed);
             const bool rubs = !alone && has_friction(device);
-            const bool in_full = nominal && !alone && !part.first_look;
+            const bool in_full = nominal && !aside && !part.first_look;
             SweepExtent extent{.beyond = in_full,
                                .without_friction = rubs && !varies_friction,
                                .harder_knocks = nominal && !alone};
@@ -102,14 +109,15 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
 
 std::vector<PartOf> parts_of(const TuningPlan& plan) {
   std::vector<PartOf> parts;
-  const std::vector<GainAxis> axes = axes_of(plan.request);
+  // What is recommended comes first.
+  std::vector<GainAxis> axes = axes_of(plan.request);
+  std::rotate(axes.begin(), std::ranges::find(axes, plan.axis), axes.end());
   for (const GainAxis axis : axes)
     for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
       for (const HandGrip& grip : hand_grips) {
-        const bool alone = axis != axes.front();
-        if (alone && &grip != &hand_grips[0]) continue;  // the firm hand goes further
+        if (axis != plan.axis && &grip != &hand_grips[0]) continue;  // the firm hand goes further
         std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
-        if (alone && shares.size() > 1) shares = {0, 1};
+        if (is_alone(plan, axis) && shares.size() > 1) shares = {0, 1};
         parts.push_back({i, &grip, axis, shares});
       }
   // What is recommended is varied, not what each axis could do alone.
@@ -117,19 +125,14 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
   for (const ProfileKey& key : profile_keys())
     for (const VariedEnd& end :
          varied_ends(plan.request.device.*key.value, varied_ratio(plan.request.ratio)))
-      parts.push_back({where,
-                       &hand_grips[0],
-                       axes.front(),
-                       {plan.damping_share},
-                       key.key,
-                       end.times,
-                       end.name});
+      parts.push_back(
+          {where, &hand_grips[0], plan.axis, {plan.damping_share}, key.key, end.times, end.name});
   return parts;
 }
 
 /// Coarse, in a light hand.
-PartOf first_look_at(const TuningPlan& plan, std::size_t situation, std::vector<double> shares) {
-  PartOf part{situation, &hand_grips[0], main_axis(plan.request), std::move(shares)};
+PartOf first_look_at(std::size_t situation, GainAxis axis, double share) {
+  PartOf part{situation, &hand_grips[0], axis, {share}};
   part.first_look = true;
   return part;
 }
@@ -142,24 +145,28 @@ Study study_of(const std::shared_ptr<const TuningPlan>& plan, const std::vector<
 
 /// A first look at one contact, at one damping.
 struct Look {
+  GainAxis axis = GainAxis::object;
   double share = 0;    ///< of the largest damping
   StudyFolder result;  ///< of one part
   double allowed = 0;  ///< N/m
 };
 
 /// Looks at the hardest situation at each damping: that which allows most comes first, of equal
-/// ones the least. Theory alone would take dampings at which the real loop chatters.
+/// ones the least, and both dampers before each by itself. Theory alone would take dampings at
+/// which the real loop chatters.
 std::vector<Look> looks_at_hardest(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
                                    const Stop& stop) {
-  const GainAxis axis = main_axis(plan->request);
   const std::size_t where = hardest(*plan);
   const TuningSetup setup = tuning_setup(*plan, where, hand_grips[0]);
-  const std::vector<double> shares = damping_shares(setup, axis);
-  std::vector<Look> looks(shares.size());
-  run_parallel(shares.size(), threads, [&](std::size_t i) {
-    const Study study = study_of(plan, {first_look_at(*plan, where, {shares[i]})});
-    looks[i] = {shares[i], compute_at_once(study, 1, stop), 0};
-    looks[i].allowed = recommend(read_tuning("", looks[i].result), axis)->stiffness;
+  std::vector<Look> looks;
+  for (const GainAxis axis : main_axes(plan->request))
+    for (const double share : damping_shares(setup, axis))
+      looks.push_back({.axis = axis, .share = share, .result = {}});
+  run_parallel(looks.size(), threads, [&](std::size_t i) {
+    Look& look = looks[i];
+    const Study study = study_of(plan, {first_look_at(where, look.axis, look.share)});
+    look.result = compute_at_once(study, 1, stop);
+    look.allowed = recommend(read_tuning("", look.result), look.axis)->stiffness;
   });
   std::ranges::stable_sort(looks, std::greater{}, &Look::allowed);
   return looks;
@@ -170,7 +177,7 @@ StudyFolder first_look(const std::shared_ptr<const TuningPlan>& plan, const Look
                        unsigned threads, const Stop& stop) {
   std::vector<PartOf> others;
   for (std::size_t i = 0; i < plan->contacts.situations.size(); ++i)
-    if (i != hardest(*plan)) others.push_back(first_look_at(*plan, i, {at_hardest.share}));
+    if (i != hardest(*plan)) others.push_back(first_look_at(i, at_hardest.axis, at_hardest.share));
   StudyFolder out = compute_at_once(study_of(plan, others), threads, stop);
   out.names.push_back(at_hardest.result.names.front());
   out.results.push_back(at_hardest.result.results.front());
@@ -191,15 +198,16 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5)));
   const std::vector<Look> looks = looks_at_hardest(plan, threads, stop);
   part(0.5, 1)(0.5);
-  // What is best in the hardest contact may be good in no other.
+  // What is best in the hardest contact may be good in no other; and no other allows more there.
   for (const Look& look : looks) {
+    if (&look != &looks.front() && look.allowed <= plan->held_stiffness) break;
     StudyFolder all = first_look(plan, look, threads, stop);
-    const double stiffness = recommend(read_tuning("", all), main_axis(plan->request))->stiffness;
-    if (&look != &looks.front() && stiffness == 0) continue;
+    const double stiffness = recommend(read_tuning("", all), look.axis)->stiffness;
+    if (&look != &looks.front() && stiffness <= plan->held_stiffness) continue;
+    plan->axis = look.axis;
     plan->damping_share = look.share;
     plan->held_stiffness = stiffness;
     plan->first_look = std::move(all);
-    if (stiffness > 0) break;
   }
   return plan;
 }

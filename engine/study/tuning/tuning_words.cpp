@@ -9,6 +9,8 @@
 #include "engine/settings/device_profile.hpp"
 #include "engine/study/tuning/assumptions.hpp"
 #include "engine/study/tuning/gain_recommendation.hpp"
+#include "engine/study/tuning/tuning.hpp"
+#include "engine/study/tuning/wall_hardness.hpp"
 #include "engine/text/number_text.hpp"
 
 namespace sonde {
@@ -47,7 +49,7 @@ const char* stiffness_unit(GainAxis axis) {
   return axis == GainAxis::rotation ? " N·m/rad" : " N/m";
 }
 std::string damping_text(const AxisGains& gains) {
-  const bool turns = gains.axis == GainAxis::rotation;
+  const bool turns = damps_turns(gains.axis);
   return (turns ? "b_r " : "b_t ") + short_text(gains.damping) + (turns ? " N·m·s/rad" : " N·s/m");
 }
 std::string stiffness_text(const AxisGains& gains) {
@@ -57,22 +59,51 @@ std::string stiffness_text(const AxisGains& gains) {
 std::string gains_text(const AxisGains& gains, const JointGains& joint) {
   if (gains.axis == GainAxis::object) return "k " + stiffness_text(gains);
   std::string out = (gains.axis == GainAxis::rotation ? "k_r " : "k_t ") + stiffness_text(gains);
-  if (gains.axis == GainAxis::together)
-    out += ", k_r " + short_text(gains.stiffness * joint.stiffness) + " N·m/rad";
+  const Coupling c = coupling_of(gains, joint);
+  if (is_joint(gains.axis)) out += ", k_r " + short_text(c.k_r) + " N·m/rad";
   if (gains.damping == 0) return out + ", no damping";
   out += ", " + damping_text(gains);
-  if (gains.axis == GainAxis::together)
-    out += ", b_r " + short_text(gains.damping * joint.damping) + " N·m·s/rad";
+  if (gains.axis == GainAxis::together) out += ", b_r " + short_text(c.b_r) + " N·m·s/rad";
   return out;
+}
+
+/// Empty where nothing is recommended.
+std::string damping_ratio_text(const TuningResults& results, const AxisGains& gains) {
+  const DampingRatios ratio = damping_ratios(results, gains);
+  std::string out;
+  const auto add = [&](const std::optional<double>& zeta, const char* what) {
+    if (zeta) out += (out.empty() ? "" : ", ") + short_text(*zeta) + what;
+  };
+  add(ratio.translation, " of the translation");
+  if (results.device.at("max_torque") > 0) add(ratio.rotation, " of the rotation");
+  return out.empty()
+             ? out
+             : "damping ratio of the handle on these springs, its own damping included: " + out;
+}
+
+/// Of translation, on the device alone. Empty where nothing is recommended.
+std::string hardness_text(const TuningResults& results, const AxisGains& gains) {
+  const auto& device = results.device;
+  const bool known = device.contains("damping") && device.contains("delay");
+  const Coupling c = coupling_of(gains, results.joint);
+  const double stiffness = gains.axis == GainAxis::object ? c.k : c.k_t;
+  if (!known || !(stiffness > 0)) return {};
+  const SampledAxis axis{device.at("mass"), device.at("damping"), c.b_t, results.sample_time,
+                         device.at("delay")};
+  const HandGrip& light = hand_grips[0];
+  return "a wall at these gains feels as hard as " + short_text(rate_hardness(axis, stiffness)) +
+         " N/m to a handle that runs into it (rate-hardness over 10 ms), and its force rises in " +
+         short_text(1e3 * rise_time(axis, stiffness, {light.stiffness, light.damping})) +
+         " ms (10 to 90 %, light hand)";
 }
 
 /// Empty where the gains cannot be damped, or are.
 std::string why_no_damping(const TuningResults& results, const AxisGains& best) {
-  const auto each = recommend_at_each_damping(results, best.axis);
-  if (best.damping > 0 || best.stiffness <= 0 || each.size() < 2) return {};
-  const AxisGains& next = each[1];
-  return "no virtual damping is best: at " + damping_text(next) + " the stiffness may be " +
-         stiffness_text(next) + ", " + why(next.limit);
+  const auto next = best_damped(results, best);
+  if (best.damping > 0 || best.stiffness <= 0 || !next) return {};
+  const bool by_itself = is_joint(next->axis) && next->axis != GainAxis::together;
+  return "no virtual damping is best: at " + damping_text(*next) + (by_itself ? " by itself" : "") +
+         " the stiffness may be " + stiffness_text(*next) + ", " + why(next->limit);
 }
 
 std::string beyond_theory(const AxisGains& gains) {
@@ -255,6 +286,8 @@ std::vector<std::string> recommendation_in_words(const TuningResults& results) {
     add(let_go_text(results, *gains));
     add(passivity_text(results, *gains));
     add(beyond_theory(*gains));
+    add(damping_ratio_text(results, *gains));
+    add(hardness_text(results, *gains));
     add(why_no_damping(results, *gains));
     add(limiting_assumption_text(results, axis));
     add(hands_text(results, *gains));

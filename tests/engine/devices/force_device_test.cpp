@@ -97,6 +97,19 @@ TEST(ForceDevice, a_clock_that_lies_does_not_excuse_a_jump) {
   EXPECT_THAT(session.driver.complaint(), HasSubstr("jumped 400 mm"));
 }
 
+// 12 mm in a millisecond: a tenth of the reach and what a hand moves is 10 mm of this, 25 mm of
+// that.
+TEST(ForceDevice, what_is_a_jump_follows_the_reach_of_the_device) {
+  for (const double reach : {0.05, 0.2}) {
+    Session session;
+    session.driver =
+        ForceDevice(Limits{.max_force = 3, .max_torque = 0, .reach = Vec3::Constant(reach)});
+    session.begin();
+    session.next.X_BH.p.x() = 0.012;
+    EXPECT_EQ(session.step() == Heard::refused, reach < 0.1) << reach;
+  }
+}
+
 TEST(ForceDevice, a_fast_hand_is_no_jump) {
   Session session;
   session.begin();

@@ -260,21 +260,21 @@ TEST_F(SimulatedDeviceTest, the_loop_runs_as_the_device_wants_and_else_as_the_sc
   const auto rate = [this] { return window->session()->loaded().servo.rate_hz; };
   auto* box = window->findChild<QCheckBox*>("passivity_control");
   choose("sigma.7 (simulated)");
-  EXPECT_FALSE(passive());
+  EXPECT_TRUE(passive());
   EXPECT_EQ(rate(), 1000);
   box->click();
   window->findChild<TypedValue*>("rate_hz_value")->setValue(2000);
-  EXPECT_TRUE(passive());
+  EXPECT_FALSE(passive());
   EXPECT_EQ(rate(), 2000);
   choose("omega.7 (simulated)");
-  EXPECT_FALSE(passive());
-  EXPECT_FALSE(box->isChecked());
+  EXPECT_TRUE(passive());
+  EXPECT_TRUE(box->isChecked());
   EXPECT_EQ(rate(), 1000);
   folder.write("own.sonde.json", R"({"probe": {"mesh": "cube.off", "pose": [0.3, 0, 0, 1, 0, 0, 0]},
-      "fixed": {"mesh": "cube.off"}, "servo": {"rate_hz": 700, "passivity_control": 1}})");
+      "fixed": {"mesh": "cube.off"}, "servo": {"rate_hz": 700, "passivity_control": 0}})");
   open({path("own.sonde.json")});
-  EXPECT_TRUE(passive()) << "this device wants nothing";
-  EXPECT_TRUE(box->isChecked());
+  EXPECT_FALSE(passive()) << "this device wants nothing";
+  EXPECT_FALSE(box->isChecked());
   EXPECT_EQ(rate(), 700);
   choose("sigma.7 (simulated)");
   EXPECT_EQ(rate(), 2000);
@@ -283,7 +283,7 @@ TEST_F(SimulatedDeviceTest, the_loop_runs_as_the_device_wants_and_else_as_the_sc
   QObject::connect(window.get(), &MainWindow::opened, [this] { ++opened; });
   open({path("own.sonde.json")});
   choose("sigma.7 (simulated)");
-  EXPECT_FALSE(passive()) << "kept for the device, and before the scene's";
+  EXPECT_TRUE(passive()) << "kept for the device, and before the scene's";
   EXPECT_EQ(rate(), 2000);
 }
 

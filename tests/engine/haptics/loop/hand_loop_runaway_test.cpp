@@ -96,5 +96,59 @@ TEST(HandLoop, the_speed_is_that_of_the_hand_and_a_mouse_has_none) {
   }
 }
 
+TEST(HandLoop, a_weak_device_counts_as_thrown_at_less) {
+  // 1.6 m/s: more than all of 3.3 N makes of 50 g in 20 ms (1.32 m/s).
+  const auto withheld = [](const DeviceTraits& device) {
+    Bench bench;
+    bench.tick({.X_FM = at_depth(0.002), .device = device});
+    for (int i = -40; i < 40; ++i) {
+      Pose X = at_depth(0.002);
+      X.p.x() = 0.0016 * i;
+      bench.tick({.X_FM = X, .changed = i == -40, .device = device});
+    }
+    return bench.loop.last().hand.withheld;
+  };
+  DeviceTraits device;
+  EXPECT_EQ(withheld(device), Withheld::nothing);
+  device.max_force = 3.3;
+  device.mass = 0.05;
+  EXPECT_EQ(withheld(device), Withheld::diverged);
+}
+
+// The gains' own limit may be far beyond what the device can: a tenth of that in a millisecond.
+TEST(HandLoop, the_force_of_a_device_changes_by_less_than_it_can_give) {
+  Coupling coupling;
+  coupling.k = 5000;
+  coupling.max_force = 1000;
+  Bench bench({}, coupling);
+  DeviceTraits device;
+  device.max_force = 3.3;
+  double depth = 1e-4;
+  for (int i = 0; i < 2000; ++i) bench.tick({.X_FM = at_depth(depth), .device = device});
+  double before = bench.loop.last().wrench.force.norm(), most = 0;
+  EXPECT_NEAR(before, 0.5, 1e-3);
+  for (int i = 0; i < 10; ++i) {
+    depth += 1e-3;  // 1 m/s, as a hand may
+    const double now = bench.tick({.X_FM = at_depth(depth), .device = device}).wrench.force.norm();
+    most = std::max(most, std::abs(now - before));
+    before = now;
+  }
+  EXPECT_GT(most, 0.3);
+  EXPECT_LE(most, 0.33 + 0.01 + 1e-9) << "a tenth, and the rate of change";
+}
+
+// A hand at 0.3 m/s is no glitch, however far the probe goes for that.
+TEST(HandLoop, a_scaled_motion_of_the_hand_is_no_leap) {
+  Coupling coupling;
+  coupling.k = 50;
+  Bench bench(HandLoopSettings{}, coupling);
+  DeviceTraits device;
+  device.ratio = 10;
+  double depth = 1e-3;
+  for (int i = 0; i < 2000; ++i) bench.tick({.X_FM = at_depth(depth), .device = device});
+  for (int i = 0; i < 3; ++i) bench.tick({.X_FM = at_depth(depth += 0.003), .device = device});
+  EXPECT_NEAR(bench.loop.last().wrench.force.norm(), coupling.k * depth, 0.02);
+}
+
 }  // namespace
 }  // namespace sonde::test

@@ -80,7 +80,7 @@ TEST(Passivity, the_work_observed_is_the_energy_that_the_handle_gains) {
   for (const double delay : {0.0, 0.001, 0.003}) {
     SimulatedDevice handle(device(0, delay, 0), sample_time,
                            {Quat::Identity(), Vec3(0, 0, -0.003)});
-    Passivity passivity(mass(), {.delay = delay}, sample_time);
+    Passivity passivity(mass(), {.control = false, .delay = delay}, sample_time);
     passivity.restart(handle.measured());
     double most = 0;
     for (int i = 0; i < 400; ++i) {
@@ -154,7 +154,7 @@ TEST(Passivity, the_wall_gives_no_energy_below_the_stiffness_of_the_condition_wi
 }
 
 TEST(Passivity, what_a_contact_took_does_not_pay_for_the_next) {
-  Passivity passivity(mass(), {}, sample_time);
+  Passivity passivity(mass(), {.control = false}, sample_time);
   passivity.restart({});
   const auto at = [](double z) { return Pose{Quat::Identity(), Vec3(0, 0, z)}; };
   const auto push = [&](double z, double force) {

@@ -15,7 +15,7 @@ namespace {
 using test::dt;
 
 struct RunawayTest : testing::Test {
-  Runaway runaway{2};
+  Runaway runaway{{.way = 2}};
   /// Straight on at a speed (m/s) for some ticks.
   void go(double speed, int ticks, bool pushed) {
     for (int i = 0; i < ticks; ++i)
@@ -74,13 +74,13 @@ TEST_F(RunawayTest, without_time_a_number_or_a_limit_nothing_is_seen) {
   runaway.observe(Vec3(1, 0, 0), Vec3::Zero(), 0, true);
   runaway.observe(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), Vec3::Zero(), dt, true);
   EXPECT_FALSE(runaway.seen());
-  Runaway unlimited(0);
+  Runaway unlimited({});
   for (int i = 0; i < 100; ++i) unlimited.observe(Vec3(1, 0, 0), Vec3(1, 0, 0), dt, true);
   EXPECT_FALSE(unlimited.seen());
 }
 
 TEST_F(RunawayTest, a_hand_that_is_turned_too_fast_by_a_torque_is_seen_until_it_is_slow_and_free) {
-  Runaway turned(2, 30);
+  Runaway turned({2, 30});
   const auto turn = [&](double speed, int ticks, bool pushed) {
     for (int i = 0; i < ticks; ++i)
       turned.observe(Vec3::Zero(), speed * dt * Vec3::UnitZ(), dt, pushed);
@@ -101,7 +101,7 @@ TEST_F(RunawayTest, a_hand_that_is_turned_too_fast_by_a_torque_is_seen_until_it_
 
 // 0.2 rad to and fro at 100 Hz: 125 rad/s at its fastest, and nowhere in the mean.
 TEST_F(RunawayTest, a_buzz_in_turning_is_none) {
-  Runaway turned(2, 30);
+  Runaway turned({2, 30});
   double before = 0;
   for (int i = 1; i < 1000; ++i) {
     const double here = 0.2 * std::sin(2 * std::numbers::pi * 100 * dt * i);
@@ -109,6 +109,28 @@ TEST_F(RunawayTest, a_buzz_in_turning_is_none) {
     before = here;
     ASSERT_FALSE(turned.seen()) << i;
   }
+}
+
+// Reference: v = F t / m, with the 20 ms over which the speed is averaged.
+TEST(ThrownSpeed, is_what_all_of_the_force_makes_of_the_handle) {
+  const ThrownSpeed most{2, 30};
+  DeviceTraits touch;
+  touch.max_force = 3.3;
+  touch.mass = 0.05;
+  touch.max_torque = 0.05;
+  touch.inertia = 5e-5;
+  EXPECT_NEAR(thrown_speed(touch, most).way, 3.3 * 0.02 / 0.05, 1e-12);
+  EXPECT_NEAR(thrown_speed(touch, most).turn, 0.05 * 0.02 / 5e-5, 1e-9);
+  DeviceTraits scaled = touch;  // the same handle, whose motion the probe makes five times as large
+  scaled.ratio = 5;
+  scaled.max_force /= 5;
+  scaled.mass /= 25;
+  EXPECT_NEAR(thrown_speed(scaled, most).way, thrown_speed(touch, most).way, 1e-12);
+  touch.max_force = 30;
+  EXPECT_EQ(thrown_speed(touch, most).way, 2) << "no hand goes faster and is not thrown";
+  EXPECT_EQ(thrown_speed({}, most).way, 2) << "nothing is known";
+  EXPECT_EQ(thrown_speed({}, most).turn, 30);
+  EXPECT_EQ(thrown_speed(touch, {}).way, 0) << "no limit was asked for";
 }
 
 }  // namespace

@@ -53,13 +53,29 @@ TEST(Claims, what_trembles_less_is_smoother_and_could_have_been_the_other) {
 
 TEST(Claims, what_was_not_seen_is_undecided) {
   EXPECT_EQ(claim_of({}, {}).finding, Finding::undecided);
-  EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 2).finding, Finding::undecided)
+  EXPECT_EQ(claim_of(rubbing(1, 0.1), rubbing(1, 0.1), 3).finding, Finding::undecided)
       << "nobody popped through";
   Comparison c;
   c.of_pdt.discontinuities.pop_throughs = 6;
-  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::supported);
+  EXPECT_EQ(tested_claims(c).at(3).finding, Finding::supported);
   c.of_pdt.discontinuities.pop_throughs = 5;
-  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::undecided) << "2/32";
+  EXPECT_EQ(tested_claims(c).at(3).finding, Finding::undecided) << "2/32";
+}
+
+// Reference: 2 Σ C(n, k) / 2ⁿ over splits as uneven: 9 of 10 are 22/1024.
+TEST(Claims, fewer_steps_are_seen_either_way) {
+  Comparison c;
+  c.of_pdt.discontinuities.force_steps = 4;
+  c.of_pdt.discontinuities.torque_steps = 5;
+  c.of_pdg.discontinuities.torque_steps = 1;
+  const TestedClaim fewer = tested_claims(c).at(2);
+  EXPECT_STREQ(fewer.key, "fewer_steps");
+  EXPECT_EQ(fewer.finding, Finding::supported);
+  EXPECT_NEAR(fewer.chance, 22.0 / 1024, 1e-12);
+  std::swap(c.of_pdt, c.of_pdg);
+  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::refuted);
+  c.of_pdg.discontinuities.force_steps = 0;
+  EXPECT_EQ(tested_claims(c).at(2).finding, Finding::undecided) << "1 and 5";
 }
 
 TEST(Claims, a_nearer_torque_and_a_larger_stable_force_are_seen_either_way) {
@@ -70,7 +86,7 @@ TEST(Claims, a_nearer_torque_and_a_larger_stable_force_are_seen_either_way) {
     c.of_pdt.stiffness.limits.push_back({2 * i, 5.0});
     c.of_pdg.stiffness.limits.push_back({3 * i, 4.0});
   }
-  const TestedClaim torque = tested_claims(c).at(3), stable = tested_claims(c).at(4);
+  const TestedClaim torque = tested_claims(c).at(4), stable = tested_claims(c).at(5);
   EXPECT_STREQ(torque.key, "better_torque");
   EXPECT_EQ(torque.finding, Finding::supported);
   EXPECT_EQ(torque.against_it, 1);
@@ -78,8 +94,8 @@ TEST(Claims, a_nearer_torque_and_a_larger_stable_force_are_seen_either_way) {
   EXPECT_EQ(stable.against_it, 4) << "ticks that both have: 0, 6, 12, 18";
   EXPECT_EQ(stable.finding, Finding::undecided) << "2/16";
   std::swap(c.of_pdt, c.of_pdg);
-  EXPECT_EQ(tested_claims(c).at(3).finding, Finding::refuted);
-  EXPECT_EQ(tested_claims(c).at(4).for_it, 4);
+  EXPECT_EQ(tested_claims(c).at(4).finding, Finding::refuted);
+  EXPECT_EQ(tested_claims(c).at(5).for_it, 4);
 }
 
 TEST(Claims, the_sign_test_sums_up_the_binomial) {

@@ -278,6 +278,15 @@ TEST_F(Refused, samples_that_are_missing_in_all_but_a_few_pulses) {
     }
 }
 
+// A logger that holds the last pose where it got none: the times are even, the poses are not.
+TEST_F(Refused, poses_that_are_told_twice_in_all_but_a_few_pulses) {
+  Response response = test::answer(truth, plan, 0);
+  for (std::size_t k = 6; k < response.size(); k += 7) response[k].X_BH = response[k - 1].X_BH;
+  EXPECT_THAT(identifying_complaint(response),
+              testing::AllOf(HasSubstr("repeats the one before, while the handle moves"),
+                             HasSubstr("0 are whole")));
+}
+
 TEST_F(Refused, two_axes_at_once) {
   Response response = test::answer(truth, plan, 0);
   for (ResponseSample& s : response) s.command.force.y() = 0.5 * s.command.force.x();

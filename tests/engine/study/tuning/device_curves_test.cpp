@@ -89,7 +89,8 @@ TEST(DeviceCurves, are_files_of_a_study) {
   std::vector<std::string> names;
   for (const StudyFile& file : files) names.push_back(file.name);
   EXPECT_THAT(names, testing::ElementsAre("z_width.csv", "z_width.svg", "limits.csv", "limits.svg",
-                                          "impedance.csv", "impedance.svg"));
+                                          "impedance.csv", "impedance.svg", "hardness.csv",
+                                          "hardness.svg"));
   EXPECT_THAT(files[1].text, testing::HasSubstr("object norm, stable"));
   EXPECT_THAT(files[2].text, testing::HasSubstr("translation,delay,"));
 }

@@ -151,6 +151,22 @@ TEST(GainRecommendation, the_damping_that_allows_most_is_taken) {
   EXPECT_TRUE(recommend_at_each_damping(classic(), GainAxis::object).empty());
 }
 
+// The study has what it recommends first: both dampers, or one by itself.
+TEST(GainRecommendation, a_damper_that_is_not_swept_is_none) {
+  TuningResults r = classic();
+  r.lines.insert(r.lines.begin(), line(0, GainAxis::together_b_r, {column(8e-4, 1500)}));
+  EXPECT_EQ(recommended_axes(r), std::vector{GainAxis::together_b_r});
+  Coupling c = recommended_coupling(r);
+  EXPECT_DOUBLE_EQ(c.k_t, 1000);
+  EXPECT_DOUBLE_EQ(c.k_r, 0.2);
+  EXPECT_EQ(c.b_t, 0);
+  EXPECT_DOUBLE_EQ(c.b_r, 8e-4);
+  r.lines.front() = line(0, GainAxis::together_b_t, {column(7, 1500)});
+  c = recommended_coupling(r);
+  EXPECT_DOUBLE_EQ(c.b_t, 7);
+  EXPECT_EQ(c.b_r, 0);
+}
+
 TEST(GainRecommendation, of_the_classic_coupling_it_is_what_was_held_together) {
   const TuningResults r = classic();
   EXPECT_EQ(recommended_axes(r), std::vector{GainAxis::together});

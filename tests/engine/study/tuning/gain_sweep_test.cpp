@@ -207,14 +207,38 @@ TEST(Tuning, dampings_are_evenly_spaced_by_ratio_from_below_a_tenth_of_critical)
   request.coupling.mode = Coupling::Mode::classic;
   const TuningPlan plan = tuning_plan(request, never);
   const TuningSetup setup = tuning_setup(plan, 0, hand_grips[0]);
-  const std::vector<double> shares = damping_shares(setup, GainAxis::together);
-  ASSERT_GE(shares.size(), 4u);
-  EXPECT_EQ(shares[0], 0);
-  for (std::size_t i = 2; i < shares.size(); ++i)
-    EXPECT_NEAR(shares[i] / shares[i - 1], shares[2] / shares[1], 1e-12);
-  const double b = shares[1] * setup.most_damping;
-  const double critical = 2 * std::sqrt(300 * setup.loop.device.translation.inertia);
-  EXPECT_LT(b / critical, 0.1) << "at 300 N/m, where damping was said to pay";
+  const double per = setup.rotation_per_translation;
+  const auto& device = setup.loop.device;
+  for (const GainAxis axis : {GainAxis::together, GainAxis::together_b_t, GainAxis::together_b_r}) {
+    std::vector<double> shares = damping_shares(setup, axis);
+    if (axis == GainAxis::together) {
+      EXPECT_EQ(shares[0], 0);
+      shares.erase(shares.begin());
+    }
+    ASSERT_GE(shares.size(), 3u) << name_of(axis);
+    EXPECT_EQ(shares.back(), 1);
+    for (std::size_t i = 1; i < shares.size(); ++i)
+      EXPECT_NEAR(shares[i] / shares[i - 1], shares[1] / shares[0], 1e-12);
+    const bool turns = axis == GainAxis::together_b_r;
+    const double b = shares[0] * most_damping(setup, axis);
+    const double inertia = turns ? device.rotation.inertia : device.translation.inertia;
+    const double critical = 2 * std::sqrt(200 * (turns ? per : 1) * inertia);
+    EXPECT_LT(b / critical, 0.1) << name_of(axis) << " on a spring as soft as the light hand";
+  }
+}
+
+TEST(Tuning, each_damper_is_varied_by_itself_too) {
+  TuningRequest request = pressed_boxes();
+  request.coupling.mode = Coupling::Mode::classic;
+  const auto plan = study_plan(request, 2, never);
+  const TuningResults results = read_tuning("", compute_at_once(plan_tuning(plan), 2, never));
+  for (const GainAxis axis : {GainAxis::together_b_t, GainAxis::together_b_r}) {
+    const auto each = recommend_at_each_damping(results, axis);
+    ASSERT_GE(each.size(), 3u) << name_of(axis);
+    EXPECT_GT(each.front().damping, 0) << "none is the same as of both";
+    EXPECT_GT(each.front().boundary, 0);
+  }
+  EXPECT_EQ(recommended_axes(results), std::vector{plan->axis});
 }
 
 // Reference: theory, of the one contact without friction. Far below its limit the probe comes to

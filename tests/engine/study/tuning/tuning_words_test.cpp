@@ -49,6 +49,40 @@ TEST(TuningWords, say_why_no_virtual_damping_is_best) {
   EXPECT_THAT(words, testing::Not(testing::Contains(HasSubstr("no virtual damping"))));
 }
 
+// Reference: ζ = (b + b_own) / (2 √(k m)), of translation and rotation each.
+TEST(TuningWords, state_the_damping_ratio_of_translation_and_rotation) {
+  TuningResults r = results();
+  r.joint = {1e-4, 2e-4};
+  r.mode = Coupling::Mode::classic;
+  r.device["damping"] = 2;
+  r.device["rotational_damping"] = 1e-4;
+  r.lines = {line(0, GainAxis::together_b_r, {column(8e-4, 1500)})};  // k_t 1000, k_r 0.1
+  // 2 / (2 √(1000·0.2)) and 9e-4 / (2 √(0.1·2e-4)).
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(HasSubstr("0.0707 of the translation, 0.101 of the rotation")));
+}
+
+TEST(TuningWords, state_how_hard_a_wall_feels_and_how_fast_its_force_rises) {
+  TuningResults r = stable_up_to({3000});
+  r.device["damping"] = 2;
+  r.device["delay"] = 1e-3;
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(testing::AllOf(HasSubstr("rate-hardness over 10 ms"),
+                                               HasSubstr("ms (10 to 90 %, light hand)"))));
+}
+
+TEST(TuningWords, compare_with_the_best_of_both_dampers_and_of_each_by_itself) {
+  TuningResults r = results();
+  r.joint = {1e-4, 2e-4};
+  r.mode = Coupling::Mode::classic;
+  r.lines = {line(0, GainAxis::together, {column(0, 900), column(4, 300)}),
+             line(0, GainAxis::together_b_t, {column(4, 600)}),
+             line(0, GainAxis::together_b_r, {column(8e-4, 750)})};
+  EXPECT_THAT(recommendation_in_words(r),
+              testing::Contains(HasSubstr("at b_r 0.0008 N·m·s/rad by itself the stiffness may be "
+                                          "500 N/m")));
+}
+
 TEST(TuningWords, say_where_the_gains_rely_on_friction) {
   TuningResults r = stable_up_to({3000, 1500});
   const auto relies = testing::Contains(
