@@ -22,6 +22,7 @@ struct ClashFlags {
   std::vector<std::string> files;
   std::string model = "auto", repair = "auto", unit = "m", within_folder;
   double scale = 1;
+  bool components = false;
   ClashOptions options;
   unsigned threads = 0;
   OutputOptions output;
@@ -56,18 +57,33 @@ std::string new_name(std::set<std::string>& names, const std::string& wanted) {
   return name;
 }
 
+/// A body in the world of its assembly, and the unit of its mesh.
+struct Placed {
+  SceneBody body;
+  double unit;
+};
+
+/// The parts of a body, each where it stands in the world.
+void add_parts(std::vector<Placed>& out, const SceneBody& whole, double unit,
+               ComponentFiles& files) {
+  const SceneBody body = with_components(whole, unit, files);
+  if (body.parts.empty()) return out.push_back({body, unit});
+  for (SceneBody part : body.parts) {
+    part.scale *= body.scale;
+    part.pose.p *= body.scale;
+    part.pose = body.pose * part.pose;
+    out.push_back({part, unit});
+  }
+}
+
 /// The bodies of all scenes, at their poses, and the meshes as they lie in their files.
-std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
-  std::vector<SceneBody> bodies;
-  std::vector<double> units;
+std::vector<Placed> placed(const ClashFlags& flags, ComponentFiles& files) {
+  std::vector<Placed> out;
   for (const std::string& file : flags.files) {
     if (is_scene(file)) {
       const Scene scene = scene_at(file, flags.within_folder);
-      bodies.push_back(scene.probe), units.push_back(scene.unit);
-      for (SceneBody body : meshes_of(scene.fixed)) {
-        if (!scene.fixed.parts.empty()) body.pose = scene.fixed.pose * body.pose;
-        bodies.push_back(body), units.push_back(scene.unit);
-      }
+      out.push_back({scene.probe, scene.unit});
+      add_parts(out, scene.fixed, scene.unit, files);
       continue;
     }
     SceneBody body;
@@ -75,14 +91,29 @@ std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
     body.model = model_named(flags.model).value();
     body.repair = repair_named(flags.repair).value();
     body.scale = flags.scale;
-    bodies.push_back(body), units.push_back(unit_in_metres(flags.unit).value());
+    body.components = flags.components;
+    add_parts(out, body, unit_in_metres(flags.unit).value(), files);
   }
+  return out;
+}
+
+/// By itself, in its mesh frame.
+std::shared_ptr<const Body> load(const Placed& part, ComponentFiles& files) {
+  if (part.body.component == 0) return load(part.body, part.unit);
+  SceneBody whole;
+  whole.parts = {part.body};
+  return load_part(whole, 0, part.unit, files).body;
+}
+
+std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
+  ComponentFiles files;
+  const std::vector<Placed> bodies = placed(flags, files);
   ProgressLine progress(flags.output.quiet);
   std::vector<AssemblyPart> parts;
   std::set<std::string> names;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    parts.push_back(
-        {new_name(names, part_name(bodies[i])), load(bodies[i], units[i]), bodies[i].pose});
+    const SceneBody& body = bodies[i].body;
+    parts.push_back({new_name(names, part_name(body)), load(bodies[i], files), body.pose});
     progress.show("reading parts", i + 1, bodies.size());
     if (flags.output.quiet) continue;
     for (const std::string& remark : remarks_on(*parts.back().body)) {
@@ -208,6 +239,9 @@ Command add_clash_command(CLI::App& program) {
       ->add_option("--scale", flags->scale, "factor for their coordinates, in addition to the unit")
       ->check(check_positive)
       ->capture_default_str();
+  parser->add_flag(
+      "--components", flags->components,
+      "take each mesh apart: what hangs together is a part, named FILE:1, FILE:2, ...");
   parser->add_option("--pictures", flags->pictures,
                      "a new folder for a picture (SVG) of each pair in the list: a section "
                      "through both, with the way out");

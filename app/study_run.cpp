@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -92,19 +93,28 @@ std::string fingerprint_of(const std::filesystem::path& file) {
 }
 
 nlohmann::ordered_json study_inputs(const Scene& scene, const Pair& pair) {
+  std::map<std::filesystem::path, std::string> fingerprints;  // many parts may be of one file
+  const auto fingerprint_once = [&](const std::filesystem::path& file) {
+    std::string& known = fingerprints[file];
+    if (known.empty()) known = fingerprint_of(file);
+    return known;
+  };
   const auto body = [&](const SceneBody& described, const Body& loaded) {
     nlohmann::ordered_json json{{"mesh", described.mesh.filename().string()},
-                                {"fingerprint", fingerprint_of(described.mesh)},
+                                {"fingerprint", fingerprint_once(described.mesh)},
                                 {"scale", scene.unit * described.scale},
                                 {"solid", loaded.solid}};
     if (described.repair != Repair::automatic) json["repair"] = name_of(described.repair);
     if (described.offset != 0) json["offset"] = described.offset;
+    if (described.components) json["components"] = true;
     for (const SceneBody& part : described.parts) {
       const auto& [q, p] = part.pose;
       json["parts"].push_back({{"name", part_name(part)},
-                               {"fingerprint", fingerprint_of(part.mesh)},
+                               {"fingerprint", fingerprint_once(part.mesh)},
                                {"scale", part.scale},
                                {"pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}}});
+      if (part.component != 0) json["parts"].back()["component"] = part.component;
+      if (part.components) json["parts"].back()["components"] = true;
     }
     return json;
   };

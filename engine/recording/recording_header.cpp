@@ -10,6 +10,7 @@
 #include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -146,7 +147,12 @@ FileMark mark_of(const fs::path& file) { return continued({}, file); }
 
 FileMark mark_of(const SceneBody& body) {
   FileMark mark;
-  for (const SceneBody& part : meshes_of(body)) mark = continued(mark, part.mesh);
+  std::set<fs::path> taken_apart;  // a file of many components counts once, listed or not
+  for (const SceneBody& part : meshes_of(body)) {
+    const bool is_component = part.component != 0 || part.components;
+    if (is_component && !taken_apart.insert(part.mesh).second) continue;
+    mark = continued(mark, part.mesh);
+  }
   return mark;
 }
 

@@ -23,7 +23,7 @@ namespace {
 using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
-constexpr std::size_t most_scene_bytes = 1 << 20;
+constexpr std::size_t most_scene_bytes = 1 << 22;  // most_parts, as the window writes them
 
 struct Unit {
   std::string_view name;

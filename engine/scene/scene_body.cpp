@@ -2,6 +2,7 @@
 #include "engine/scene/scene_body.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "engine/base/progress.hpp"
@@ -9,6 +10,7 @@
 #include "engine/mending/repair_sentences.hpp"
 #include "engine/mesh_io/read_mesh.hpp"
 #include "engine/offset/offset_faces.hpp"
+#include "engine/text/counted.hpp"
 
 namespace sonde {
 
@@ -17,7 +19,9 @@ double mesh_scale(const SceneBody& body, double unit) {
 }
 
 std::string part_name(const SceneBody& part) {
-  return part.name.empty() ? part.mesh.filename().string() : part.name;
+  if (!part.name.empty()) return part.name;
+  const std::string file = part.mesh.filename().string();
+  return part.component == 0 ? file : file + ":" + std::to_string(part.component);
 }
 
 std::vector<SceneBody> meshes_of(const SceneBody& body) {
@@ -54,27 +58,100 @@ std::shared_ptr<const Body> with_offset(std::shared_ptr<const Body> nominal, dou
   return offset_faces(*nominal, offset, progress);
 }
 
-std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, const Progress& progress) {
+std::shared_ptr<const Body> joined(const SceneBody& whole, double unit, ComponentFiles& files,
+                                   const Progress& progress) {
   const auto felt = static_cast<double>(std::ranges::count(whole.parts, true, &SceneBody::felt));
   std::vector<BodyPart> parts(whole.parts.size());
   double done = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!whole.parts[i].felt) continue;
-    parts[i] =
-        load_part(whole, i, unit, part_of(progress, 0.6 * done / felt, 0.6 * (done + 1) / felt));
+    parts[i] = load_part(whole, i, unit, files,
+                         part_of(progress, 0.6 * done / felt, 0.6 * (done + 1) / felt));
     ++done;
   }
   return join(whole, parts, part_of(progress, 0.6, 1));
 }
 
-}  // namespace
-
-BodyPart load_part(const SceneBody& whole, std::size_t i, double unit, const Progress& progress) {
-  SceneBody part = whole.parts[i];
+/// A part as it is in the body that it is of.
+SceneBody part_in(const SceneBody& whole, SceneBody part) {
   part.scale *= whole.scale;
   part.pose.p *= whole.scale;
   if (whole.repair != Repair::automatic) part.repair = whole.repair;
-  return {part_name(part), load(part, unit, progress), part.pose};
+  return part;
+}
+
+std::shared_ptr<const Body> load_component(const SceneBody& part, double unit,
+                                           ComponentFiles& files, const Progress& progress) {
+  const auto& components = files.of(part.mesh, mesh_scale(part, unit), part_of(progress, 0, 0.5));
+  if (part.component > components.size())
+    throw InputError::in(part.mesh.string(), "has " + counted(components.size(), "component") +
+                                                 ", not " + std::to_string(part.component) +
+                                                 " as a part asks for");
+  return make_body(components[part.component - 1], part.model, part_name(part),
+                   part_of(progress, 0.5, 1), part.repair);
+}
+
+/// A body of one mesh as one of a single part.
+SceneBody as_whole(const SceneBody& body) {
+  SceneBody whole = body, part = body;
+  part.pose = Pose();
+  part.offset = 0;
+  part.scale = 1;
+  whole.model = Model::automatic;
+  whole.components = false;
+  whole.parts = {part};
+  return whole;
+}
+
+void require_different_names(const std::vector<SceneBody>& parts) {
+  std::set<std::string> names;
+  for (const SceneBody& part : parts)
+    if (const std::string name = part_name(part); !names.insert(name).second)
+      throw InputError::in(part.mesh.string(),
+                           "two parts are named \"" + name + "\": give each a \"name\"");
+}
+
+}  // namespace
+
+SceneBody with_components(const SceneBody& body, double unit, ComponentFiles& files,
+                          const Progress& progress) {
+  if (body.parts.empty() && !body.components) return body;
+  SceneBody whole = body.parts.empty() ? as_whole(body) : body;
+  if (std::ranges::none_of(whole.parts, &SceneBody::components)) return whole;
+  std::vector<SceneBody> parts;
+  for (SceneBody part : std::exchange(whole.parts, {})) {
+    if (!part.components) {
+      parts.push_back(part);
+      continue;
+    }
+    const double scale = mesh_scale(part_in(whole, part), unit);
+    const std::size_t count = files.of(part.mesh, scale, progress).size();
+    part.components = false;
+    if (count < 2) {
+      parts.push_back(part);
+      continue;
+    }
+    const std::string name = part.name;
+    for (part.component = 1; part.component <= count; ++part.component) {
+      if (!name.empty()) part.name = name + ":" + std::to_string(part.component);
+      parts.push_back(part);
+    }
+  }
+  if (parts.size() > most_parts)
+    throw InputError::in(whole.mesh.string(), "there would be " + std::to_string(parts.size()) +
+                                                  " parts; at most " + std::to_string(most_parts) +
+                                                  " can be");
+  whole.parts = std::move(parts);
+  require_different_names(whole.parts);
+  return whole;
+}
+
+BodyPart load_part(const SceneBody& whole, std::size_t i, double unit, ComponentFiles& files,
+                   const Progress& progress) {
+  const SceneBody part = part_in(whole, whole.parts[i]);
+  auto body = part.component == 0 ? load(part, unit, progress)
+                                  : load_component(part, unit, files, progress);
+  return {part_name(part), std::move(body), part.pose};
 }
 
 std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyPart>& parts,
@@ -101,7 +178,15 @@ std::shared_ptr<const Body> join(const SceneBody& whole, const std::vector<BodyP
 }
 
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress) {
-  if (!body.parts.empty()) return joined(body, unit, progress);
+  if (!body.parts.empty() || body.components) {
+    ComponentFiles files;
+    const SceneBody whole = with_components(body, unit, files, part_of(progress, 0, 0.3));
+    return joined(whole, unit, files, part_of(progress, 0.3, 1));
+  }
+  if (body.component != 0) {
+    ComponentFiles files;
+    return with_offset(load_component(body, unit, files, progress), body.offset, {});
+  }
   const Progress reading = body.offset == 0 ? progress : part_of(progress, 0, 0.5);
   return with_offset(
       load_body(body.mesh.string(), body.model, mesh_scale(body, unit), reading, body.repair),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/body/body.hpp"
+#include "engine/scene/component_files.hpp"
 
 namespace sonde {
 
@@ -31,8 +32,12 @@ struct SceneBody {
   std::string colour = {};  ///< in the window, "#e97d25"; empty: the window chooses
   bool shown = true;        ///< in the window
   bool felt = true;         ///< false: the body is joined without it, so that it costs nothing
+  /// Which component of its mesh it is (components_of), from 1; 0: all of the mesh.
+  std::size_t component = 0;
+  /// Of a part or a body of one mesh: each component of the mesh is to be a part (with_components).
+  bool components = false;
 };
-/// The name of a part: its own, or that of its file.
+/// The name of a part: its own, or that of its file; of a component with ":" and its number.
 std::string part_name(const SceneBody& part);
 /// The body itself, or its parts: what names a mesh file.
 std::vector<SceneBody> meshes_of(const SceneBody& body);
@@ -41,14 +46,21 @@ std::vector<SceneBody> meshes_of(const SceneBody& body);
 /// its scale alone where the file states its own unit and is read in metres (has_own_unit).
 double mesh_scale(const SceneBody& body, double unit);
 
-/// Loads one body of a scene, in metres, with its offset. One of several parts is made of what each
-/// felt part is by itself, joined (Body::parts). Throws as load_body and offset_faces, and
-/// InputError where a part is to be a surface though it is closed: joined to others, its inside
-/// counts.
+/// Where a body or parts of it ask for their components: each of them as a part, with the looks and
+/// the place of what asks; a mesh that is one component stays whole. Else the body as it is. Throws
+/// as read_mesh, and InputError where they are too many or two parts come to have one name.
+SceneBody with_components(const SceneBody& body, double unit, ComponentFiles& files,
+                          const Progress& progress = {});
+
+/// Loads one body of a scene, in metres, with its offset and its components. One of several parts
+/// is made of what each felt part is by itself, joined (Body::parts). Throws as load_body,
+/// with_components and offset_faces, and InputError where a part is to be a surface though it is
+/// closed: joined to others, its inside counts.
 std::shared_ptr<const Body> load(const SceneBody& body, double unit, const Progress& progress = {});
 
-/// One part of a body of several, by itself, at its place in the body. Throws as load_body.
-BodyPart load_part(const SceneBody& whole, std::size_t part, double unit,
+/// One part of a body of several, by itself, at its place in the body. Throws as load_body, and
+/// InputError where its mesh has not so many components.
+BodyPart load_part(const SceneBody& whole, std::size_t part, double unit, ComponentFiles& files,
                    const Progress& progress = {});
 /// The body that its felt parts make together, with its offset. `parts`: each of `whole.parts` as
 /// load_part has it; those that are not felt may be without a body. Throws as load, and InputError

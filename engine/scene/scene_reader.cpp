@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -25,13 +26,13 @@ bool is_colour(const std::string& text) {
 }  // namespace
 
 const SceneReader::Keys& body_keys() {
-  static const SceneReader::Keys keys{"mesh", "model", "repair", "scale", "pose"};
+  static const SceneReader::Keys keys{"mesh", "model", "repair", "scale", "pose", "components"};
   return keys;
 }
 
 const SceneReader::Keys& part_keys() {
-  static const SceneReader::Keys keys{"name", "mesh",   "model", "repair", "scale",
-                                      "pose", "colour", "shown", "felt"};
+  static const SceneReader::Keys keys{"name",   "mesh",  "model", "repair",    "scale",     "pose",
+                                      "colour", "shown", "felt",  "component", "components"};
   return keys;
 }
 
@@ -90,6 +91,9 @@ Pose SceneReader::pose(const JsonNode& node, double unit) const {
 SceneBody SceneReader::body(const JsonNode& node, double unit) const {
   if (node.kind != Kind::array) return mesh(node, unit, body_keys());
   if (node.children.empty()) fail(node.line, in_quotes(node.key) + " has no parts");
+  if (node.children.size() > most_parts)
+    fail(node.line, in_quotes(node.key) + " has " + std::to_string(node.children.size()) +
+                        " parts; at most " + std::to_string(most_parts) + " are read");
   SceneBody whole;
   std::set<std::string> names;
   for (const JsonNode& part : node.children) {
@@ -120,14 +124,28 @@ void SceneReader::read_part(const JsonNode& node, SceneBody& part) const {
                              "; it must be like \"#e97d25\": red, green and blue");
     part.colour = colour->text;
   }
-  const auto read_flag = [&](std::string_view key, bool& flag) {
-    if (const JsonNode* given = node.find(key)) {
-      expect(*given, Kind::boolean);
-      flag = given->boolean;
-    }
-  };
-  read_flag("shown", part.shown);
-  read_flag("felt", part.felt);
+  read_flag(node, "shown", part.shown);
+  read_flag(node, "felt", part.felt);
+  const JsonNode* component = node.find("component");
+  if (!component) return;
+  expect(*component, Kind::number);
+  if (!(component->number >= 1 && component->number <= static_cast<double>(most_parts) &&
+        component->number == std::floor(component->number)))
+    fail(component->line, "\"component\" is " + number_text(component->number) +
+                              "; it must be a whole number from 1 to " +
+                              std::to_string(most_parts));
+  if (part.components)
+    fail(component->line,
+         "\"component\" and \"components\" at once: the one asks for a single "
+         "component of the mesh, the other for all of them");
+  part.component = static_cast<std::size_t>(component->number);
+}
+
+void SceneReader::read_flag(const JsonNode& node, std::string_view key, bool& flag) const {
+  const JsonNode* given = node.find(key);
+  if (!given) return;
+  expect(*given, Kind::boolean);
+  flag = given->boolean;
 }
 
 SceneBody SceneReader::mesh(const JsonNode& node, double unit, const Keys& known) const {
@@ -151,6 +169,7 @@ SceneBody SceneReader::mesh(const JsonNode& node, double unit, const Keys& known
       fail(scale->line, "\"scale\" is " + number_text(body.scale) + "; it must be above zero");
   }
   if (const JsonNode* given = node.find("pose")) body.pose = pose(*given, unit);
+  read_flag(node, "components", body.components);
   return body;
 }
 

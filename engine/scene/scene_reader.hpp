@@ -53,6 +53,7 @@ struct SceneReader {
  private:
   SceneBody mesh(const JsonNode& node, double unit, const Keys& known) const;
   void read_part(const JsonNode& node, SceneBody& part) const;
+  void read_flag(const JsonNode& node, std::string_view key, bool& flag) const;
 };
 
 /// The keys of a body of one mesh, and of a part of one of several.

@@ -82,6 +82,8 @@ std::string mesh_text(const SceneBody& body, double unit, const fs::path& folder
   if (!body.name.empty()) text += "\"name\": " + quoted(body.name) + ",\n    ";
   text += "\"mesh\": " + path_text(body.mesh, folder) +
           ",\n    \"model\": " + quoted(name_of(body.model));
+  if (body.component != 0) text += ",\n    \"component\": " + std::to_string(body.component);
+  if (body.components) text += ",\n    \"components\": true";
   if (body.repair != Repair::automatic)
     text += ",\n    \"repair\": " + quoted(name_of(body.repair));
   if (body.scale != 1) text += ",\n    \"scale\": " + number_text(body.scale);

@@ -43,6 +43,31 @@ TEST_F(Assembly, clash_lists_what_overlaps_touches_and_is_near) {
   EXPECT_THAT(all.out, HasSubstr("large.off (3)")) << "a name of its own for each";
 }
 
+// Reference: two cubes of one file that overlap by a known length.
+TEST_F(Assembly, clash_takes_meshes_apart) {
+  std::string off = "OFF\n16 12 0\n", faces;
+  for (int k = 0; k < 2; ++k) {
+    for (int i = 0; i < 8; ++i)
+      off += std::to_string((i & 1) + 0.9 * k) + " " + std::to_string((i >> 1) & 1) + " " +
+             std::to_string(i >> 2) + "\n";
+    for (const auto& f : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                          std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+      faces += "4";
+      for (const int corner : f) faces += " " + std::to_string(corner + 8 * k);
+      faces += "\n";
+    }
+  }
+  folder.write("two.off", off + faces);
+  const Csv found(expect_done("clash two.off --components").out);
+  ASSERT_EQ(found.rows.size(), 1u);
+  EXPECT_EQ(found.text(0, "a"), "two.off:1");
+  EXPECT_EQ(found.text(0, "b"), "two.off:2");
+  EXPECT_NEAR(found.number(0, "depth"), 0.1, 1e-7);
+  folder.write("two.sonde.json", R"({"probe": {"mesh": "small.off", "pose": [5, 0, 0, 1, 0, 0, 0]},
+      "fixed": {"mesh": "two.off", "components": true}})");
+  EXPECT_EQ(Csv(expect_done("clash two.sonde.json").out).text(0, "b"), "two.off:2");
+}
+
 TEST_F(Assembly, clash_draws_each_pair) {
   stand_over("in.sonde.json", -0.002);
   stand_over("over.sonde.json", 0.003);

@@ -133,14 +133,14 @@ void DocumentControl::swap_bodies() {
   wanted.scene.trajectory.reset();                                  // it is the other's
   wanted.here = inverse(wanted.here);
   const auto bodies = wanted.bodies;
-  change_bodies(QStringLiteral("Swap probe and fixed body"), wanted,
-                [bodies, scene = wanted.scene](const Progress& progress) {
-                  if (scene.probe.offset != 0 || !scene.fixed.parts.empty())
-                    return open_scene(scene, progress);
-                  return open_scene(scene,
-                                    {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {},
-                                    {bodies->marks.fixed, bodies->marks.probe});
-                });
+  change_bodies(
+      QStringLiteral("Swap probe and fixed body"), wanted,
+      [bodies, scene = wanted.scene](const Progress& progress) {
+        if (scene.probe.offset != 0 || !scene.fixed.parts.empty() || scene.fixed.components)
+          return open_scene(scene, progress);
+        return open_scene(scene, {shared(bodies, Role::fixed), shared(bodies, Role::probe)}, {},
+                          {bodies->marks.fixed, bodies->marks.probe});
+      });
 }
 
 void DocumentControl::replace_body(Role role, const QString& file) {
@@ -217,7 +217,8 @@ void DocumentControl::take_body(Role role, const QString& what,
   const bool suited = is_suited(wanted.scene, bodies->pair.probe());
   change(body_of(wanted.scene, role));
   change_bodies(what.arg(short_name(before)), wanted,
-                [bodies, role, suited, scene = wanted.scene](const Progress& progress) {
+                [bodies, role, suited, wanted = wanted.scene](const Progress& progress) {
+                  Scene scene = wanted;
                   const bool is_probe = role == Role::probe;
                   const SceneBody& from = is_probe ? scene.probe : scene.fixed;
                   MeshMarks marks = bodies->marks;

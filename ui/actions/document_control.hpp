@@ -85,6 +85,7 @@ class DocumentControl : public QObject {
   // Of the fixed body's parts (part_commands.cpp). A body of one mesh becomes one of parts.
   void add_parts(const QStringList& files);  ///< each where its file has it, in that body's axes
   void remove_part(std::size_t part);
+  void take_apart(std::size_t part);  ///< each component of its mesh becomes a part
   void rename_part(std::size_t part, const QString& name);
   void set_part_colour(std::size_t part, const QString& colour);  ///< "#e97d25"
   void set_part_shown(std::size_t part, bool shown);
@@ -101,6 +102,7 @@ class DocumentControl : public QObject {
   void change_bodies(const QString& what, const Content& wanted,
                      std::function<LoadedScene(const Progress&)> open);
   void replace_body(Role role, const QString& file);
+  std::size_t components_in(std::size_t part) const;
   void change_parts(const QString& what, const std::function<void(SceneBody& fixed)>& change);
   void take_body(Role role, const QString& what, const std::function<void(SceneBody&)>& change);
   bool write(const std::filesystem::path& file);

@@ -30,6 +30,7 @@ SceneBody of_parts(const SceneBody& body) {
   whole.scale = 1;
   whole.model = Model::automatic;
   whole.repair = Repair::automatic;
+  whole.components = false;
   return whole;
 }
 
@@ -44,9 +45,10 @@ std::string new_name(const std::vector<SceneBody>& parts, const SceneBody& part)
 }
 
 /// The same triangles at the same places: nothing but what is seen differs.
-bool feels_alike(const SceneBody& a, const SceneBody& b) {
-  return std::ranges::equal(a.parts, b.parts, [](const SceneBody& x, const SceneBody& y) {
-    return part_name(x) == part_name(y) && x.felt == y.felt && x.mesh == y.mesh;
+bool feels_alike(const SceneBody& now, const SceneBody& before) {
+  return std::ranges::equal(before.parts, now.parts, [](const SceneBody& x, const SceneBody& y) {
+    return part_name(x) == part_name(y) && x.felt == y.felt && x.mesh == y.mesh && !y.components &&
+           x.component == y.component;
   });
 }
 
@@ -66,7 +68,8 @@ void DocumentControl::change_parts(const QString& what,
     return document_.change(what, wanted);
   }
   change_bodies(what, wanted,
-                [before, bodies = wanted.bodies, scene = wanted.scene](const Progress& progress) {
+                [before, bodies = wanted.bodies, changed = wanted.scene](const Progress& progress) {
+                  Scene scene = changed;
                   FixedBody read = load_fixed(scene, before, bodies->parts, progress);
                   MeshMarks marks = bodies->marks;
                   marks.fixed = mark_of(scene.fixed);
@@ -107,6 +110,23 @@ void DocumentControl::remove_part(std::size_t part) {
   change_parts(QStringLiteral("Remove %1").arg(name), [part](SceneBody& fixed) {
     fixed.parts.erase(fixed.parts.begin() + static_cast<std::ptrdiff_t>(part));
   });
+}
+
+void DocumentControl::take_apart(std::size_t part) {
+  const auto parts = as_parts(document_.content().scene.fixed);
+  if (document_.empty() || part >= parts.size()) return;
+  const QString name = QString::fromStdString(part_name(parts[part]));
+  if (parts[part].component != 0 || components_in(part) < 2)
+    return view_.say(QStringLiteral("%1 hangs together: it is one component.").arg(name));
+  change_parts(QStringLiteral("Take %1 apart").arg(name),
+               [part](SceneBody& fixed) { fixed.parts[part].components = true; });
+}
+
+/// As many as show: bodies that are joined of others are told by their parts.
+std::size_t DocumentControl::components_in(std::size_t part) const {
+  const Bodies& bodies = *document_.content().bodies;
+  const Body& body = bodies.parts.empty() ? bodies.pair.fixed() : *bodies.parts[part].body;
+  return body.component_triangle.size();
 }
 
 void DocumentControl::rename_part(std::size_t part, const QString& name) {

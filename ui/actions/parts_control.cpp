@@ -23,6 +23,7 @@ PartsControl::PartsControl(Viewport& viewport, DocumentControl& documents, Promp
   panel_->add_wanted = [this] { ask_parts(); };
   panel_->swap_wanted = [this] { documents_.swap_bodies(); };
   panel_->remove_wanted = [this](std::size_t part) { documents_.remove_part(part); };
+  panel_->take_apart_wanted = [this](std::size_t part) { documents_.take_apart(part); };
   panel_->colour_wanted = [this](std::size_t part) { ask_colour(part); };
   panel_->rename_wanted = [this](std::size_t part, const QString& name) {
     documents_.rename_part(part, name);

@@ -111,7 +111,8 @@ LoadedScene open_scene(const std::filesystem::path& file, const Progress& progre
   return open_scene(scene, progress);
 }
 
-LoadedScene open_scene(const Scene& scene, const Progress& progress) {
+LoadedScene open_scene(const Scene& asked, const Progress& progress) {
+  Scene scene = asked;
   std::vector<TimedPose> trajectory;
   if (!scene.device.profile.empty())
     find_device_profile(scene.device.profile, device_profile_folders());  // before the long work
@@ -126,10 +127,12 @@ LoadedScene open_scene(const Scene& scene, const Progress& progress) {
                     std::move(fixed.parts));
 }
 
-FixedBody load_fixed(const Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
+FixedBody load_fixed(Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
                      const Progress& progress) {
+  ComponentFiles files;
+  scene.fixed = with_components(scene.fixed, scene.unit, files, part_of(progress, 0, 0.2));
   const SceneBody& whole = scene.fixed;
-  if (whole.parts.empty()) return {load(whole, scene.unit, progress), {}};
+  if (whole.parts.empty()) return {load(whole, scene.unit, part_of(progress, 0.2, 1)), {}};
   const bool same_whole = scene.unit == before.unit && whole.scale == before.fixed.scale &&
                           whole.repair == before.fixed.repair &&
                           known.size() == before.fixed.parts.size();
@@ -139,11 +142,12 @@ FixedBody load_fixed(const Scene& scene, const Scene& before, const std::vector<
     const SceneBody& part = whole.parts[i];
     const auto old = std::ranges::find_if(before.fixed.parts, [&](const SceneBody& p) {
       return same_whole && p.mesh == part.mesh && p.model == part.model &&
-             p.repair == part.repair && p.scale == part.scale;
+             p.component == part.component && p.repair == part.repair && p.scale == part.scale;
     });
     if (old == before.fixed.parts.end()) {
-      const double done = 0.6 * static_cast<double>(i) / n;
-      out.parts.push_back(load_part(whole, i, scene.unit, part_of(progress, done, done + 0.6 / n)));
+      const double done = 0.2 + 0.4 * static_cast<double>(i) / n;
+      out.parts.push_back(
+          load_part(whole, i, scene.unit, files, part_of(progress, done, done + 0.4 / n)));
       continue;
     }
     const auto index = static_cast<std::size_t>(old - before.fixed.parts.begin());

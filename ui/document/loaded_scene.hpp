@@ -56,8 +56,9 @@ struct FixedBody {
   std::shared_ptr<const Body> body;
   std::vector<BodyPart> parts;
 };
-/// Loads it; parts that are as in `before` are taken from `known`, its parts. Throws as load.
-FixedBody load_fixed(const Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
+/// Loads it; parts that are as in `before` are taken from `known`, its parts. Where the scene asks
+/// for components, it lists them afterwards. Throws as load.
+FixedBody load_fixed(Scene& scene, const Scene& before, const std::vector<BodyPart>& known,
                      const Progress& progress = {});
 
 /// The axis of a mesh file that points up.

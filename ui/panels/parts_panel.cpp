@@ -65,10 +65,14 @@ PartsPanel::PartsPanel(QWidget* parent)
   colour_ = button(QStringLiteral("&Colour…"), "part_colour", QStringLiteral("The chosen part's"));
   swap_ = button(QStringLiteral("&Swap"), "swap_parts",
                  QStringLiteral("What is the probe is the fixed body, and the other way round"));
+  take_apart_ = button(QStringLiteral("&Take apart"), "take_apart",
+                       QStringLiteral("Each component of the chosen part's mesh becomes a part: "
+                                      "what hangs together, with its cavities"));
   buttons->addWidget(add_, 0, 0);
   buttons->addWidget(remove_, 0, 1);
   buttons->addWidget(colour_, 1, 0);
   buttons->addWidget(swap_, 1, 1);
+  buttons->addWidget(take_apart_, 2, 0, 1, 2);
   layout->addLayout(buttons);
   setWidget(content);
   connect(rows_, &QTreeWidget::itemSelectionChanged, this, [this] {
@@ -80,6 +84,9 @@ PartsPanel::PartsPanel(QWidget* parent)
   connect(swap_, &QPushButton::clicked, this, [this] { swap_wanted(); });
   connect(remove_, &QPushButton::clicked, this, [this] {
     if (const auto part = chosen()) remove_wanted(*part);
+  });
+  connect(take_apart_, &QPushButton::clicked, this, [this] {
+    if (const auto part = chosen_or_only()) take_apart_wanted(*part);
   });
   connect(colour_, &QPushButton::clicked, this, [this] {
     if (const auto part = chosen()) colour_wanted(*part);
@@ -152,6 +159,11 @@ std::optional<std::size_t> PartsPanel::chosen() const {
   return static_cast<std::size_t>(rows_->indexOfTopLevelItem(selected.front()));
 }
 
+/// What is one mesh need not be chosen.
+std::optional<std::size_t> PartsPanel::chosen_or_only() const {
+  return rows_->topLevelItemCount() == 1 ? std::optional<std::size_t>(0) : chosen();
+}
+
 void PartsPanel::on_changed(QTreeWidgetItem* row, int column) {
   if (filling_) return;
   const auto part = static_cast<std::size_t>(rows_->indexOfTopLevelItem(row));
@@ -167,6 +179,7 @@ void PartsPanel::update_buttons() {
   swap_->setEnabled(any);
   colour_->setEnabled(chosen().has_value());
   remove_->setEnabled(several && chosen().has_value());
+  take_apart_->setEnabled(chosen_or_only().has_value());
 }
 
 }  // namespace sonde::ui

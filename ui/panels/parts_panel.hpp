@@ -27,7 +27,7 @@ class PartsPanel : public QDockWidget {
   std::optional<std::size_t> chosen() const;
 
   std::function<void()> add_wanted, swap_wanted;
-  std::function<void(std::size_t part)> remove_wanted, colour_wanted;
+  std::function<void(std::size_t part)> remove_wanted, colour_wanted, take_apart_wanted;
   std::function<void(std::size_t part, const QString& name)> rename_wanted;
   std::function<void(std::size_t part, bool on)> shown_wanted, felt_wanted;
   std::function<void(std::optional<std::size_t> part)> chosen_changed;
@@ -35,11 +35,12 @@ class PartsPanel : public QDockWidget {
  private:
   QPushButton* button(const QString& text, const char* object, const QString& doc);
   void show_row(QTreeWidgetItem& row, const SceneBody& part, const QColor& colour, bool only);
+  std::optional<std::size_t> chosen_or_only() const;
   void on_changed(QTreeWidgetItem* row, int column);
   void update_buttons();
 
   QTreeWidget* rows_;
-  QPushButton *add_, *remove_, *colour_, *swap_;
+  QPushButton *add_, *remove_, *colour_, *swap_, *take_apart_;
   bool filling_ = false;
 };
 

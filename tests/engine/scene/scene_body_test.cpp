@@ -129,7 +129,8 @@ TEST_F(SceneParts, what_is_not_felt_is_no_part_of_the_body) {
   EXPECT_NEAR(fixed->mass.measure, box->mass.measure, 1e-15);
   ASSERT_EQ(fixed->parts.size(), 1u);
   EXPECT_EQ(fixed->name, "box.off");
-  EXPECT_EQ(load_part(read.fixed, 1, 1).body->soup.triangles.size(),
+  ComponentFiles files;
+  EXPECT_EQ(load_part(read.fixed, 1, 1, files).body->soup.triangles.size(),
             load(read.fixed.parts[1], 1)->soup.triangles.size());
   folder.write("again.sonde.json", scene_text(read, folder.path()));
   const SceneBody again = read_scene(folder / "again.sonde.json").fixed;
@@ -157,6 +158,99 @@ TEST_F(SceneParts, parts_that_are_none_are_refused_with_the_line) {
                             {"mesh": "ring.off"}])"),
               HasSubstr("cannot be a surface"));
   EXPECT_THAT(complaint(R"({"name": "one", "mesh": "box.off"})"), HasSubstr("name"));
+}
+
+class SceneComponents : public SceneParts {
+ protected:
+  SceneComponents() {
+    PolygonSoup two = test::box({0.1, 0.1, 0.1}), ring = test::torus(0.1, 0.03, 16, 10);
+    const std::size_t first = two.points.size();
+    for (const Vec3& x : ring.points) two.points.push_back(x + Vec3(0.5, 0, 0));
+    for (Polygon polygon : ring.polygons) {
+      for (std::size_t& corner : polygon) corner += first;
+      two.polygons.push_back(polygon);
+    }
+    folder.write("two.off", off(two));
+  }
+};
+
+// Reference: the same two shapes, each in a file of its own.
+TEST_F(SceneComponents, of_a_file_are_parts) {
+  const Scene read = scene(R"({"mesh": "two.off", "components": true, "scale": 2})");
+  const auto fixed = load(read.fixed, 1);
+  ASSERT_EQ(fixed->parts.size(), 2u);
+  EXPECT_EQ(fixed->parts[0].name, "two.off:1");
+  EXPECT_EQ(fixed->parts[1].name, "two.off:2");
+  EXPECT_EQ(part_at(*fixed, {0.1, 0, 0}), "two.off:1");
+  EXPECT_EQ(part_at(*fixed, {1.2, 0, 0}), "two.off:2");
+  const auto ring = load(scene(R"({"mesh": "ring.off", "scale": 2})").fixed, 1);
+  EXPECT_NEAR(fixed->parts[1].body->mass.measure, ring->mass.measure, 1e-12);
+  const Scene one = scene(R"([{"mesh": "two.off", "component": 2, "scale": 2}])");
+  EXPECT_NEAR(load(one.fixed, 1)->mass.measure, ring->mass.measure, 1e-12);
+  EXPECT_EQ(part_name(one.fixed.parts[0]), "two.off:2");
+}
+
+TEST_F(SceneComponents, stand_listed_where_their_mesh_is_and_are_written_so) {
+  const Scene read = scene(R"([{"mesh": "box.off"},
+    {"mesh": "two.off", "name": "pair", "components": true, "felt": false, "colour": "#102030",
+     "pose": [0, 0, 3, 1, 0, 0, 0]}])");
+  EXPECT_EQ(scene_text(read, folder.path()),
+            scene_text(scene_in(scene_text(read, folder.path()), read.file), folder.path()));
+  ComponentFiles files;
+  Scene listed = read;
+  listed.fixed = with_components(read.fixed, 1, files);
+  ASSERT_EQ(listed.fixed.parts.size(), 3u);
+  folder.write("again.sonde.json", scene_text(listed, folder.path()));
+  const SceneBody again = read_scene(folder / "again.sonde.json").fixed;
+  ASSERT_EQ(again.parts.size(), 3u);
+  for (const std::size_t i : {1u, 2u}) {
+    const SceneBody& part = again.parts[i];
+    EXPECT_EQ(part_name(part), "pair:" + std::to_string(i));
+    EXPECT_EQ(part.component, i);
+    EXPECT_FALSE(part.felt);
+    EXPECT_EQ(part.colour, "#102030");
+    EXPECT_EQ(part.pose.p, Vec3(0, 0, 3));
+  }
+  EXPECT_EQ(with_components(again, 1, files).parts.size(), 3u);
+}
+
+TEST_F(SceneComponents, a_mesh_of_one_stays_whole) {
+  const auto fixed = load(scene(R"({"mesh": "box.off", "components": true})").fixed, 1);
+  ASSERT_EQ(fixed->parts.size(), 1u);
+  EXPECT_EQ(fixed->parts[0].name, "box.off");
+}
+
+TEST_F(SceneComponents, that_are_none_are_refused) {
+  EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 3}])"),
+              HasSubstr("two.off: has 2 components, not 3 as a part asks for"));
+  EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 0}])"),
+              HasSubstr("s.sonde.json:1: \"component\" is 0; it must be a whole number from 1"));
+  EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 1.5}])"), HasSubstr("whole number"));
+  EXPECT_THAT(complaint(R"([{"mesh": "two.off", "component": 1, "components": true}])"),
+              HasSubstr("at once"));
+  EXPECT_THAT(complaint(R"([{"mesh": "two.off", "components": true},
+                            {"mesh": "box.off", "name": "two.off:2"}])"),
+              HasSubstr("two parts are named \"two.off:2\""));
+}
+
+// As many as may be, as the window writes them, are read again.
+TEST_F(SceneParts, of_a_large_assembly_are_read_and_more_than_there_may_be_are_refused) {
+  Scene read = scene(R"([{"mesh": "box.off"}])");
+  const SceneBody one = read.fixed.parts[0];
+  read.fixed.parts.clear();
+  std::mt19937_64 random(3);
+  for (std::size_t i = 1; i <= most_parts; ++i) {
+    SceneBody part = one;
+    part.component = i;
+    part.colour = "#102030";
+    part.pose = {test::random_rotation(random), test::random_in_ball(random, 1)};
+    read.fixed.parts.push_back(part);
+  }
+  folder.write("many.sonde.json", scene_text(read, folder.path()));
+  EXPECT_EQ(read_scene(folder / "many.sonde.json").fixed.parts.size(), most_parts);
+  std::string list;
+  for (std::size_t i = 0; i <= most_parts; ++i) list += (i == 0 ? "[{}" : ",{}");
+  EXPECT_THAT(complaint(list + "]"), HasSubstr("\"fixed\" has 10001 parts; at most 10000"));
 }
 
 TEST_F(SceneParts, paths_out_of_a_folder_are_found_in_every_part) {

@@ -4,6 +4,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <array>
 #include <cmath>
 
 #include "engine/queries/body_queries.hpp"
@@ -58,6 +59,23 @@ class PartsControlTest : public test::WindowTest {
                  std::abs(at.blue() - light * colour.blue()) < 6;
       }
     return count;
+  }
+  /// Two cubes of 0.1 m, 0.3 m apart, in one file.
+  static std::string two_cubes() {
+    std::string corners, faces;
+    for (int k = 0; k < 2; ++k) {
+      for (int i = 0; i < 8; ++i)
+        corners += std::to_string(0.3 * k + ((i & 1) != 0 ? 0.05 : -0.05)) + " " +
+                   ((i & 2) != 0 ? "0.05 " : "-0.05 ") + ((i & 4) != 0 ? "0.05\n" : "-0.05\n");
+      for (const auto& f :
+           {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+            std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+        faces += "4";
+        for (const int corner : f) faces += " " + std::to_string(corner + 8 * k);
+        faces += "\n";
+      }
+    }
+    return "OFF\n16 12 0\n" + corners + faces;
   }
   QTreeWidget* rows = nullptr;
 };
@@ -177,6 +195,42 @@ TEST_F(PartsControlTest, meshes_that_are_dragged_here_become_parts_of_one_mesh_t
   EXPECT_EQ(rows->topLevelItemCount(), 1);
   act("swap_bodies");
   ASSERT_TRUE(test::wait_until([this] { return fixed().parts.size() == 3; }));
+}
+
+// Reference: where the two cubes of the file lie.
+TEST_F(PartsControlTest, a_mesh_is_taken_apart_into_its_components) {
+  const auto two = folder.write("two.off", two_cubes());
+  const auto scene = folder.write("two.sonde.json", R"({"unit": "m",
+      "probe": {"mesh": "cube.off", "pose": [0, 0, 0.12, 1, 0, 0, 0]},
+      "fixed": {"mesh": "two.off", "pose": [0, 0, 0, 0, 0, 0, 1]}})");
+  open({QString::fromStdString(scene.string())});
+  ASSERT_EQ(rows->topLevelItemCount(), 1);
+  find<QPushButton>("take_apart")->click();
+  ASSERT_TRUE(steps(1)) << (complaints.empty() ? "" : complaints[0].toStdString());
+  ASSERT_EQ(rows->topLevelItemCount(), 2);
+  EXPECT_EQ(rows->topLevelItem(0)->text(name), "two.off:1");
+  EXPECT_EQ(rows->topLevelItem(1)->text(name), "two.off:2");
+  EXPECT_EQ(rows->topLevelItem(1)->text(triangles), "12");
+  EXPECT_EQ(part_at(fixed(), {0.3, 0, 0}), "two.off:2");
+  const QPointF at = window->viewport().on_screen({0.3, 0.0, 0.05});
+  drag(Qt::LeftButton, at, {0, 0});
+  EXPECT_EQ(window->parts().panel().chosen(), std::size_t{1});
+  find<QPushButton>("take_apart")->click();
+  test::wait(50);
+  EXPECT_EQ(document().stack().count(), 1) << "it is one component";
+  tick(1, felt, false);
+  ASSERT_TRUE(steps(2));
+  EXPECT_EQ(fixed().soup.triangles.size(), 12u);
+  window->prompts().ask_save = [this](const QString&) { return path("kept.sonde.json"); };
+  act("save_as");
+  const Scene kept = read_scene(folder / "kept.sonde.json");
+  ASSERT_EQ(kept.fixed.parts.size(), 2u);
+  EXPECT_EQ(kept.fixed.parts[1].component, 2u);
+  open({path("kept.sonde.json")});
+  EXPECT_EQ(fixed().soup.triangles.size(), 12u);
+  ASSERT_EQ(rows->topLevelItemCount(), 2);
+  tick(1, felt, true);
+  ASSERT_TRUE(test::wait_until([this] { return fixed().parts.size() == 2; }));
 }
 
 TEST_F(PartsControlTest, a_part_that_cannot_be_read_is_no_step) {

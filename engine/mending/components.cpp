@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/components.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "engine/base/progress.hpp"
+#include "engine/geometry/topology.hpp"
+#include "engine/mending/point_windings.hpp"
+
+namespace sonde {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// Sets that are joined, each by its least member.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t of(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = of(a), b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Of each polygon, the number of its piece; pieces in the order of their first polygons.
+std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progress) {
+  const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.6));
+  Sets sets(soup.points.size());
+  for_each_index(soup.polygons.size(), part_of(progress, 0.6, 0.8), [&](std::size_t i) {
+    for (const std::size_t corner : soup.polygons[i])
+      sets.join(place[soup.polygons[i].front()], place[corner]);
+  });
+  std::vector<std::uint32_t> number(soup.points.size(), none), piece(soup.polygons.size(), none);
+  std::uint32_t count = 0;
+  for_each_index(soup.polygons.size(), part_of(progress, 0.8, 1), [&](std::size_t i) {
+    if (soup.polygons[i].empty()) return;
+    std::uint32_t& of_set = number[sets.of(place[soup.polygons[i].front()])];
+    if (of_set == none) of_set = count++;
+    piece[i] = of_set;
+  });
+  return piece;
+}
+
+/// The polygons of each piece, with the points that they use.
+std::vector<PolygonSoup> taken_apart(const PolygonSoup& soup,
+                                     const std::vector<std::uint32_t>& piece) {
+  std::vector<PolygonSoup> out;
+  std::vector<std::size_t> index(soup.points.size(), none);  // a point may be of several pieces
+  std::vector<std::uint32_t> index_in(soup.points.size(), none);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] == none) continue;
+    out.resize(std::max<std::size_t>(out.size(), piece[i] + 1));
+    PolygonSoup& own = out[piece[i]];
+    Polygon polygon = soup.polygons[i];
+    for (std::size_t& corner : polygon) {
+      if (index_in[corner] != piece[i]) {
+        index_in[corner] = piece[i];
+        index[corner] = own.points.size();
+        own.points.push_back(soup.points[corner]);
+      }
+      corner = index[corner];
+    }
+    own.polygons.push_back(std::move(polygon));
+  }
+  return out;
+}
+
+double signed_volume(const Soup& soup) {
+  if (soup.vertices.empty()) return 0;
+  const Vec3 origin = soup.vertices.front();
+  double six_volumes = 0;
+  for (const Triangle& t : soup.triangles)
+    six_volumes += (soup.vertices[t[0]] - origin)
+                       .dot((soup.vertices[t[1]] - origin).cross(soup.vertices[t[2]] - origin));
+  return six_volumes / 6;
+}
+
+/// The closed ones of some pieces, side by side; `part` numbers the pieces.
+struct ClosedPieces {
+  Sealed all;
+  std::vector<double> volume;      ///< of each piece, signed, m³; 0: not closed
+  std::vector<PartPoint> on_each;  ///< a point on each closed one
+};
+
+ClosedPieces closed_pieces(const std::vector<PolygonSoup>& pieces, const Progress& progress) {
+  ClosedPieces out;
+  out.volume.assign(pieces.size(), 0);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    report(progress, static_cast<double>(k) / static_cast<double>(pieces.size()));
+    const Soup soup = compacted(triangulate_all(pieces[k]));
+    if (soup.triangles.empty() || !analyse_topology(soup).closed) continue;
+    out.volume[k] = signed_volume(soup);
+    const auto first = static_cast<std::uint32_t>(out.all.soup.vertices.size());
+    const auto number = static_cast<std::uint32_t>(k);
+    out.on_each.push_back({soup.vertices.front(), number});
+    for (const Vec3& x : soup.vertices) out.all.soup.vertices.push_back(x);
+    for (const Triangle& t : soup.triangles)
+      out.all.soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    out.all.part.resize(out.all.soup.triangles.size(), number);
+    out.all.cap.resize(out.all.soup.triangles.size(), Sealed::no_cap);
+  }
+  return out;
+}
+
+/// Of each piece, the one that it belongs to: itself, or that whose cavity it is.
+std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
+                                  const Progress& progress) {
+  std::vector<std::uint32_t> owner(pieces.size());
+  std::iota(owner.begin(), owner.end(), 0u);
+  if (pieces.size() < 2) return owner;
+  const ClosedPieces closed = closed_pieces(pieces, part_of(progress, 0, 0.5));
+  const auto& volume = closed.volume;
+  const auto is_one_sign = [&](double sign) {
+    return std::ranges::none_of(volume, [sign](double v) { return v * sign < 0; });
+  };
+  if (is_one_sign(1) || is_one_sign(-1)) return owner;  // no cavity anywhere
+  const auto around = part_windings(closed.all, closed.on_each, part_of(progress, 0.5, 1));
+  // From the largest on: what is around a piece is known before the piece.
+  std::vector<std::size_t> order(closed.on_each.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t i) { return std::abs(volume[closed.on_each[i].part]); });
+  for (const std::size_t i : order) {
+    const std::uint32_t k = closed.on_each[i].part;
+    std::uint32_t next = none;  // around it, with none between
+    for (const auto& [q, winding] : around[i])
+      if (q != k && std::abs(volume[q]) > std::abs(volume[k]) &&
+          (next == none || std::abs(volume[q]) < std::abs(volume[next])))
+        next = q;
+    if (next != none && owner[next] == next && volume[next] * volume[k] < 0) owner[k] = next;
+  }
+  return owner;
+}
+
+}  // namespace
+
+std::vector<PolygonSoup> components_of(const PolygonSoup& soup, const Progress& progress) {
+  std::vector<std::uint32_t> piece = pieces(soup, part_of(progress, 0, 0.3));
+  const std::vector<std::uint32_t> owner =
+      owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.9));
+  // A cavity may come before what it is in: numbers in the order of first polygons again.
+  std::vector<std::uint32_t> number(owner.size(), none);
+  std::uint32_t count = 0;
+  for (std::uint32_t& p : piece) {
+    if (p == none) continue;
+    std::uint32_t& of_owner = number[owner[p]];
+    if (of_owner == none) of_owner = count++;
+    p = of_owner;
+  }
+  std::vector<PolygonSoup> out = taken_apart(soup, piece);
+  if (!out.empty()) out.front().remarks = soup.remarks;
+  return out;
+}
+
+}  // namespace sonde

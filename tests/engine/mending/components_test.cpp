@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/mending/components.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "engine/body/body.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace sonde {
+namespace {
+
+PolygonSoup moved(PolygonSoup soup, const Vec3& by) {
+  for (Vec3& x : soup.points) x += by;
+  return soup;
+}
+
+PolygonSoup inside_out(PolygonSoup soup) {
+  for (Polygon& polygon : soup.polygons) std::reverse(polygon.begin(), polygon.end());
+  return soup;
+}
+
+PolygonSoup together(const std::vector<PolygonSoup>& soups) {
+  PolygonSoup all;
+  for (const PolygonSoup& soup : soups) {
+    const std::size_t first = all.points.size();
+    all.points.insert(all.points.end(), soup.points.begin(), soup.points.end());
+    for (Polygon polygon : soup.polygons) {
+      for (std::size_t& corner : polygon) corner += first;
+      all.polygons.push_back(polygon);
+    }
+  }
+  return all;
+}
+
+/// As STL has it: no two triangles share a corner.
+PolygonSoup corner_by_corner(const PolygonSoup& soup) {
+  PolygonSoup out;
+  for (const Polygon& polygon : soup.polygons) {
+    Polygon own;
+    for (const std::size_t corner : polygon) {
+      own.push_back(out.points.size());
+      out.points.push_back(soup.points[corner]);
+    }
+    out.polygons.push_back(own);
+  }
+  return out;
+}
+
+PolygonSoup cube(double side) { return test::box(Vec3::Constant(side)); }
+
+std::vector<double> volumes(const std::vector<PolygonSoup>& parts) {
+  std::vector<double> out;
+  for (const PolygonSoup& part : parts)
+    out.push_back(make_body(part, Model::automatic, "part")->mass.measure);
+  return out;
+}
+
+// Reference: the volumes of the cubes, by their sides.
+TEST(Components, what_hangs_together_by_places_is_one_in_the_order_of_the_file) {
+  const PolygonSoup three =
+      together({cube(2), moved(cube(1), {5, 0, 0}), moved(cube(3), {-5, 0, 0})});
+  for (const PolygonSoup& soup : {three, corner_by_corner(three)}) {
+    const auto parts = components_of(soup);
+    ASSERT_EQ(parts.size(), 3u);
+    const auto v = volumes(parts);
+    EXPECT_NEAR(v[0], 8, 1e-12);
+    EXPECT_NEAR(v[1], 1, 1e-12);
+    EXPECT_NEAR(v[2], 27, 1e-12);
+  }
+}
+
+// Reference: the volumes of the cubes: a shell with a cavity, a grain in it with one of its own.
+TEST(Components, a_cavity_stays_with_what_it_is_in_and_what_lies_in_it_is_by_itself) {
+  const std::vector<PolygonSoup> nested{inside_out(cube(8)), cube(10), cube(4),
+                                        inside_out(cube(2))};
+  for (const bool turned : {false, true}) {
+    auto soups = nested;
+    if (turned)
+      for (PolygonSoup& soup : soups) soup = inside_out(soup);
+    const auto parts = components_of(together(soups));
+    ASSERT_EQ(parts.size(), 2u);
+    const auto v = volumes(parts);
+    EXPECT_NEAR(v[0], 1000 - 512, 1e-9);
+    EXPECT_NEAR(v[1], 64 - 8, 1e-9);
+  }
+}
+
+TEST(Components, what_lies_in_material_turned_the_same_way_is_no_cavity) {
+  EXPECT_EQ(components_of(together({cube(4), cube(1)})).size(), 2u);
+}
+
+TEST(Components, loose_triangles_are_each_one_and_remarks_go_with_the_first) {
+  std::mt19937_64 random(4);
+  PolygonSoup soup = test::random_soup(random, 20, 1);
+  soup.remarks = {"odd"};
+  const auto parts = components_of(soup);
+  ASSERT_EQ(parts.size(), 20u);
+  EXPECT_EQ(parts[0].remarks, soup.remarks);
+  EXPECT_TRUE(parts[1].remarks.empty());
+  EXPECT_TRUE(components_of({}).empty());
+}
+
+}  // namespace
+}  // namespace sonde
