@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 include(GoogleTest)
 
-# sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY]
+# sonde_test(NAME [SOURCES file...] [LIBRARIES target...] [LABELS label...] [DISPLAY] [ALONE]
 #            [LAUNCHER command...])
 #
 # One test program `test_NAME`, of the *_test.cpp files given (default: all below it),
 # with every GoogleTest case registered in ctest.
 #   LABELS     ci (default): runs in CI. full, soak, fuzz: longer ones, each by `ctest -L LABEL`.
 #   LIBRARIES  beside sonde::engine and GoogleTest.
-#   DISPLAY    the tests open windows: they need an X server, and run one at a time.
+#   DISPLAY    the tests open windows: they need an X server, and run one at a time, beside others
+#              that need none: they mostly wait.
+#   ALONE      nothing runs beside them: they count what is late.
 #   LAUNCHER   the program is run by this command, which gets it as its argument.
 # Cases whose names hold a label after a dot-free prefix (Full_, Soak_, Fuzz_) get that label
 # instead: TEST(Suite, Full_name) runs under `full` alone.
 function(sonde_test NAME)
-  cmake_parse_arguments(ARG "DISPLAY" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;ALONE" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
   if(NOT ARG_SOURCES)
     file(GLOB_RECURSE ARG_SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp")
   endif()
@@ -30,6 +32,9 @@ function(sonde_test NAME)
   set_target_properties(test_${NAME} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
   set(properties LABELS "${ARG_LABELS}" TIMEOUT 600)
   if(ARG_DISPLAY)
+    list(APPEND properties RESOURCE_LOCK display)
+  endif()
+  if(ARG_ALONE)
     list(APPEND properties RUN_SERIAL TRUE)
   endif()
   gtest_discover_tests(test_${NAME} TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 60
