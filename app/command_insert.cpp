@@ -29,6 +29,20 @@ constexpr double per_degree = std::numbers::pi / 180;
 
 Vec3 vector_of(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
+/// A map of one and the same point, or one that is not asked for, is a mistake.
+void check_map(const InsertOptions& options) {
+  const bool wants_map = options.offsets > 0;
+  if (wants_map && options.axis.empty()) throw UsageError("--offsets are about an --axis");
+  if (!wants_map && (options.tilts > 1 || options.largest_offset > 0 || options.largest_tilt > 0 ||
+                     !options.lateral.empty()))
+    throw UsageError("--offset-range, --tilts, --tilt-range and --lateral are of a map: give "
+                     "--offsets");
+  if (options.offsets > 1 && !(options.largest_offset > 0))
+    throw UsageError("--offsets need an --offset-range above zero");
+  if (options.tilts > 1 && !(options.largest_tilt > 0))
+    throw UsageError("--tilts need a --tilt-range above zero");
+}
+
 void check(const InsertOptions& options) {
   const bool along = !options.axis.empty();
   if (along == !options.trajectory.empty())
@@ -36,19 +50,15 @@ void check(const InsertOptions& options) {
   if (along && !options.travel) throw UsageError("--axis needs --travel");
   if (!along && (options.travel || options.twist != 0))
     throw UsageError("--travel and --twist are of a way along an --axis");
-  if (options.offsets > 0 && !along) throw UsageError("--offsets are about an --axis");
+  check_map(options);
 }
 
 /// Square to the axis: as asked for, or along the coordinate that the axis has least of.
 Vec3 lateral_of(const InsertOptions& options, const Vec3& axis) {
-  Vec3 wanted = Vec3::Zero();
-  if (options.lateral.empty()) {
-    Eigen::Index least = 0;
-    axis.cwiseAbs().minCoeff(&least);
-    wanted[least] = 1;
-  } else {
-    wanted = vector_of(options.lateral).stableNormalized();
-  }
+  if (options.lateral.empty()) return lateral_to(axis);
+  const Vec3 wanted = vector_of(options.lateral).stableNormalized();
+  if (!wanted.allFinite() || !(wanted.norm() > 0))
+    throw UsageError("--lateral must be three finite numbers, not all 0");
   const Vec3 square = wanted - axis.dot(wanted) * axis;
   if (!(square.norm() > 1e-6)) throw UsageError("--lateral must not lie along the --axis");
   return square.normalized();
@@ -81,6 +91,8 @@ void run(const InsertOptions& options) {
                                                  *options.travel, per_degree * options.twist);
   first_contact(pair, request.way);  // a way that begins in an overlap is refused before any part
   request.wanted = options.wanted.value_or(request.way.travel.back());
+  if (request.wanted > request.way.travel.back() * (1 + 1e-9))
+    throw UsageError("--wanted is more than the way's travel: no place of it would count as in");
   nlohmann::ordered_json about{
       {"inputs", study_inputs(scene, pair)},
       {"start",

@@ -130,8 +130,16 @@ TEST_F(Assembly, insert_goes_along_a_path_too_and_refuses_what_is_no_way) {
   expect_refused("insert s.sonde.json --axis 0,0,1 --out x", 2, "--travel");
   expect_refused("insert s.sonde.json --out x", 2, "give either");
   expect_refused("insert in.sonde.json --axis 0,0,1 --travel 1 --out x", 3, "begins where");
-  expect_refused("insert s.sonde.json --axis 0,0,1 --travel 1 --offsets 3 --lateral 0,0,2 --out x",
-                 2, "--lateral must not");
+  const std::string map =
+      "insert s.sonde.json --axis 0,0,1 --travel 1 --out x --offsets 3 --offset-range 0.1 ";
+  expect_refused(map + "--lateral 0,0,2", 2, "--lateral must not");
+  for (const char* lateral : {"0,0,0", "nan,0,1", "inf,0,0"})
+    expect_refused(map + "--lateral " + lateral, 2, "three finite numbers");
+  expect_refused(map + "--wanted 2", 2, "more than the way's travel");
+  expect_refused(map + "--tilts 3", 2, "--tilt-range above zero");
+  const std::string way = "insert s.sonde.json --axis 0,0,1 --travel 1 --out x ";
+  expect_refused(way + "--offsets 3", 2, "--offset-range above zero");
+  expect_refused(way + "--tilts 3 --tilt-range 1", 2, "give --offsets");
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <QMainWindow>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "engine/body/body.hpp"
@@ -18,6 +20,7 @@
 namespace sonde::ui {
 namespace {
 
+constexpr double to_degrees = 180 / std::numbers::pi;
 constexpr int step_ms = 30;
 constexpr double play_seconds = 4, seek_seconds = 0.4;  // for all of the way
 constexpr double seen_about = 0.1;  // of the probe's radius: what is seen around the first contact
@@ -64,6 +67,29 @@ struct WayInControl::Work {
   }
 };
 
+/// The same of the map.
+struct WayInControl::MapWork {
+  Pair pair;
+  WayWanted wanted;
+  MapWanted range;
+  Pose start;
+  InsertionWay way = {};
+  OffsetMap map = {};
+
+  void run(const Progress& progress) {
+    way = way_along(pair, start, wanted.axis, wanted.travel, wanted.twist);
+    map.wanted = way.travel.back();
+    map.at.axis = wanted.axis.stableNormalized();
+    map.at.lateral = lateral_to(map.at.axis);
+    map.at.largest_offset = range.offset;
+    map.at.largest_tilt = range.tilt;
+    map.at.offsets = map.at.tilts = range.across;
+    const unsigned threads =
+        std::max(1u, std::thread::hardware_concurrency() - 1);  // but the loop's
+    map.free = free_travels(pair, way, map.at, threads, progress);
+  }
+};
+
 WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget& beside,
                            Window hooks)
     : QObject(&window),
@@ -71,6 +97,7 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
       panel_(new WayInPanel(&window)),
       window_(std::move(hooks)),
       job_(&window),
+      map_job_(&window),
       flight_(viewport, this) {
   window.addDockWidget(window.dockWidgetArea(&beside), panel_);
   panel_->compute_wanted = [this] { compute(); };
@@ -80,6 +107,10 @@ WayInControl::WayInControl(Viewport& viewport, QMainWindow& window, QDockWidget&
   panel_->sought = [this](double travel) { seek(travel); };
   panel_->face_wanted = [this](bool on) { pick(on ? Picking::face : Picking::nothing); };
   panel_->edge_wanted = [this](bool on) { pick(on ? Picking::edge : Picking::nothing); };
+  panel_->map_asked = [this] { compute_map(); };
+  panel_->map_stop_wanted = [this] { map_job_.cancel(); };
+  panel_->map_place_wanted = [this](const MapPlace& place) { to_map_place(place); };
+  map_job_.watched = [this](double fraction) { panel_->show_map_progress(fraction); };
   job_.watched = [this](double fraction) { panel_->show_progress(fraction); };
   steps_.setInterval(step_ms);
   connect(&steps_, &QTimer::timeout, this, [this] { step_on(); });
@@ -94,6 +125,10 @@ void WayInControl::attach(Session* session, bool same_document) {
   found_.reset();
   sent_.reset();
   panel_->show_progress({});
+  map_job_.abandon();
+  map_ = {};
+  panel_->show_map_progress({});
+  panel_->show_map({}, {});
   if (session && !same_document)
     panel_->take(session->probe().mass.radius, !session->loaded().trajectory.empty());
   else
@@ -126,6 +161,55 @@ void WayInControl::take(Work& work) {
   at_ = 0;
   sent_.reset();
   panel_->show_result(summary(), curves_of(*found_));
+}
+
+void WayInControl::compute_map() {
+  if (!session_) return;
+  const auto work = std::make_shared<MapWork>(MapWork{
+      session_->loaded().pair, panel_->wanted(), panel_->map_wanted(), session_->device_pose()});
+  map_ = {};
+  panel_->show_map({}, {});
+  panel_->show_map_progress(0);
+  map_job_.start(
+      QStringLiteral("What goes in"), [work](const Progress& progress) { work->run(progress); },
+      [this, work](const std::exception_ptr& error) {
+        panel_->show_map_progress({});
+        if (!error) return take_map(*work);
+        const QString reason = reason_of(error);
+        panel_->show_map(reason.isEmpty() ? QStringLiteral("Stopped.") : reason, {});
+      });
+}
+
+void WayInControl::take_map(MapWork& work) {
+  map_way_ = std::move(work.way);
+  map_ = std::move(work.map);
+  panel_->show_map(words_of_map(), map_);
+}
+
+QString WayInControl::words_of_map() const {
+  const auto in =
+      std::ranges::count_if(map_.free, [this](double free) { return free >= map_.wanted; });
+  const Vec3& side = map_.at.lateral;
+  return QStringLiteral("%1 of %2 go in. Offsets are along (%3, %4, %5).")
+      .arg(in)
+      .arg(map_.free.size())
+      .arg(number(side.x()), number(side.y()), number(side.z()));
+}
+
+void WayInControl::to_map_place(const MapPlace& place) {
+  if (!session_ || map_.free.empty()) return;
+  play(false);
+  const double offset = map_.at.offset(place.offset), tilt = map_.at.tilt(place.tilt);
+  const double free = map_.free[place.offset * map_.at.tilts + place.tilt];
+  const InsertionWay way = moved(map_way_, session_->loaded().pair, map_.at, offset, tilt);
+  sent_.reset();
+  window_.place(way.poses.front());
+  const LengthUnit unit(session_->probe().mass.radius);
+  const QString how = free < 0              ? QStringLiteral("overlaps where it begins")
+                      : free >= map_.wanted ? QStringLiteral("goes in")
+                                            : QStringLiteral("binds at %1").arg(unit.text(free));
+  panel_->show_map_place(place, QStringLiteral("Offset %1, tilt %2°: %3.")
+                                    .arg(unit.text(offset), number(tilt * to_degrees), how));
 }
 
 /// In a sentence: whether it goes in, and what holds it back.

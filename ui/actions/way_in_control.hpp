@@ -11,6 +11,7 @@
 #include "engine/study/assembly/insertion.hpp"
 #include "ui/actions/flight.hpp"
 #include "ui/base/job.hpp"
+#include "ui/panels/offset_plot.hpp"
 
 class QDockWidget;
 class QMainWindow;
@@ -38,6 +39,10 @@ class WayInControl : public QObject {
   void attach(Session* session, bool same_document = false);
   void compute();
   void stop() { job_.cancel(); }
+  /// How it may be off where it is now, and still go in along the axis.
+  void compute_map();
+  /// The probe goes to the mouth, off by what that point of the map says.
+  void to_map_place(const MapPlace& place);
   /// Along the way, in a fraction of a second.
   void seek(double travel);
   void play(bool on);
@@ -45,13 +50,17 @@ class WayInControl : public QObject {
   /// A click in the view; true where an axis was waited for.
   bool click(QPointF at);
   const std::optional<Insertion>& found() const { return found_; }
+  const OffsetMap& map() const { return map_; }
 
  private:
   enum class Picking { nothing, face, edge };
   struct Work;
+  struct MapWork;
   void pick(Picking what);
   void take(Work& work);
+  void take_map(MapWork& work);
   QString summary() const;
+  QString words_of_map() const;
   QString words_at(double travel) const;
   void go_to(double travel, double seconds);
   void step_on();
@@ -60,11 +69,13 @@ class WayInControl : public QObject {
   WayInPanel* panel_;
   Window window_;
   Session* session_ = nullptr;
-  Job job_;
+  Job job_, map_job_;
   Flight flight_;
   Picking picking_ = Picking::nothing;
   InsertionWay way_;
   std::optional<Insertion> found_;
+  InsertionWay map_way_;  ///< that the map is about
+  OffsetMap map_;
   double at_ = 0, goal_ = 0;  ///< m along the way: where the probe is, and is to be
   double pace_ = 0;           ///< m a step
   std::optional<Pose> sent_;  ///< where the probe was sent last

@@ -21,6 +21,14 @@ namespace {
 
 constexpr double per_degree = std::numbers::pi / 180;
 constexpr double first_steps = 200, most_steps = 1e5;
+constexpr double first_across = 21, most_across = 501;
+constexpr double first_tilt = 2;  // degrees
+
+/// What is no number counts as the first.
+std::size_t count_in(const NumberField& field, double first, double most) {
+  const double count = field.number();
+  return static_cast<std::size_t>(std::isfinite(count) ? std::clamp(count, 1.0, most) : first);
+}
 
 }  // namespace
 
@@ -30,6 +38,7 @@ WayInPanel::WayInPanel(QWidget* parent)
   const Scrolled dock = scrolled(*this);
   build_way(*dock.layout);
   build_result(*dock.layout);
+  build_map(*dock.layout);
   dock.layout->addStretch();
   take(0.05, false);
 }
@@ -41,18 +50,19 @@ QPushButton* WayInPanel::button(const char* text, const char* object, const char
   return made;
 }
 
+NumberField* WayInPanel::field(const char* object, const char* doc) {
+  auto* made = new NumberField(this);
+  made->setObjectName(QLatin1String(object));
+  made->setToolTip(QString::fromUtf8(doc));
+  made->setMinimumWidth(40);
+  return made;
+}
+
 void WayInPanel::build_way(QVBoxLayout& layout) {
   kind_->setObjectName(QStringLiteral("way_kind"));
   kind_->addItems({QStringLiteral("along an axis"), QStringLiteral("along the recorded path")});
   layout.addWidget(kind_);
   auto* grid = new QGridLayout;
-  const auto field = [&](const char* object, const char* doc) {
-    auto* made = new NumberField(this);
-    made->setObjectName(QLatin1String(object));
-    made->setToolTip(QString::fromUtf8(doc));
-    made->setMinimumWidth(40);
-    return made;
-  };
   const char* const names[] = {"way_x", "way_y", "way_z"};
   auto* axes = new QHBoxLayout;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +99,8 @@ void WayInPanel::build_way(QVBoxLayout& layout) {
     for (QWidget* of_axis : {static_cast<QWidget*>(axis_[0]), static_cast<QWidget*>(axis_[1]),
                              static_cast<QWidget*>(axis_[2]), static_cast<QWidget*>(face_),
                              static_cast<QWidget*>(edge_), static_cast<QWidget*>(flip_),
-                             static_cast<QWidget*>(travel_), static_cast<QWidget*>(twist_)})
+                             static_cast<QWidget*>(travel_), static_cast<QWidget*>(twist_),
+                             static_cast<QWidget*>(map_work_)})
       of_axis->setEnabled(kind == 0);
   });
   connect(face_, &QPushButton::clicked, this, [this](bool on) { face_wanted(on); });
@@ -121,6 +132,34 @@ void WayInPanel::build_result(QVBoxLayout& layout) {
   connect(first_, &QPushButton::clicked, this, [this] { first_wanted(); });
 }
 
+void WayInPanel::build_map(QVBoxLayout& layout) {
+  offset_ = field("map_offset", "The largest offset to either side, square to the axis");
+  tilt_ = field("map_tilt", "The largest tilt to either side, about the centre of mass");
+  across_ =
+      field("map_across", "How many offsets, and how many tilts; odd, so that 0 is among them");
+  offset_label_ = new QLabel(this);
+  auto* grid = new QGridLayout;
+  grid->addWidget(offset_label_, 0, 0);
+  grid->addWidget(offset_, 0, 1);
+  grid->addWidget(new QLabel(QStringLiteral("tilt, ± °"), this), 1, 0);
+  grid->addWidget(tilt_, 1, 1);
+  grid->addWidget(new QLabel(QStringLiteral("of each"), this), 2, 0);
+  grid->addWidget(across_, 2, 1);
+  layout.addLayout(grid);
+  map_work_ = new WorkRow(QStringLiteral("Map what goes in"), QStringLiteral("map_compute"), this);
+  map_work_->start_wanted = [this] { map_asked(); };
+  map_work_->stop_wanted = [this] { map_stop_wanted(); };
+  layout.addWidget(map_work_);
+  map_words_ = new QLabel(this);
+  map_words_->setObjectName(QStringLiteral("map_words"));
+  map_words_->setWordWrap(true);
+  map_words_->setTextFormat(Qt::PlainText);
+  layout.addWidget(map_words_);
+  map_ = new OffsetPlot(this);
+  map_->asked = [this](const MapPlace& place) { map_place_wanted(place); };
+  layout.addWidget(map_);
+}
+
 void WayInPanel::take(double radius, bool has_path) {
   unit_ = LengthUnit(radius);
   kind_->setCurrentIndex(0);
@@ -128,6 +167,12 @@ void WayInPanel::take(double radius, bool has_path) {
   travel_label_->setText(QStringLiteral("travel, %1").arg(unit_.name()));
   show_axis(-Vec3::UnitZ());
   travel_->show_number(round_down_125(2 * radius) / unit_.metres());
+  offset_label_->setText(QStringLiteral("offset, ± %1").arg(unit_.name()));
+  offset_->show_number(round_down_125(radius / 50) / unit_.metres());
+  tilt_->show_number(first_tilt);
+  across_->show_number(first_across);
+  show_map_progress({});
+  show_map({}, {});
   twist_->show_number(0);
   steps_->show_number(first_steps);
   show_picking(false, false);
@@ -141,10 +186,13 @@ WayWanted WayInPanel::wanted() const {
   way.axis = {axis_[0]->number(), axis_[1]->number(), axis_[2]->number()};
   way.travel = travel_->number() * unit_.metres();
   way.twist = twist_->number() * per_degree;
-  const double steps = steps_->number();
-  way.steps = std::isfinite(steps) ? static_cast<std::size_t>(std::clamp(steps, 1.0, most_steps))
-                                   : static_cast<std::size_t>(first_steps);
+  way.steps = count_in(*steps_, first_steps, most_steps);
   return way;
+}
+
+MapWanted WayInPanel::map_wanted() const {
+  return {offset_->number() * unit_.metres(), tilt_->number() * per_degree,
+          count_in(*across_, first_across, most_across)};
 }
 
 void WayInPanel::show_axis(const Vec3& axis) {
@@ -173,6 +221,21 @@ void WayInPanel::show_reason(const QString& reason) { show_result(reason, {}); }
 void WayInPanel::show_at(double travel, const QString& words) {
   plot_->show_at(travel);
   at_->setText(words);
+}
+
+void WayInPanel::show_map_progress(std::optional<double> fraction) {
+  map_work_->show_progress(fraction);
+}
+
+void WayInPanel::show_map(const QString& words, OffsetMap map) {
+  map_words_->setText(words);
+  map_->setVisible(!map.free.empty());
+  map_->set_map(std::move(map), unit_);
+}
+
+void WayInPanel::show_map_place(const MapPlace& place, const QString& words) {
+  map_->choose(place);
+  map_words_->setText(words);
 }
 
 void WayInPanel::show_playing(bool on) {

@@ -9,6 +9,7 @@
 
 #include "engine/geometry/pose.hpp"
 #include "ui/base/format.hpp"
+#include "ui/panels/offset_plot.hpp"
 #include "ui/panels/travel_plot.hpp"
 
 class QComboBox;
@@ -29,6 +30,12 @@ struct WayWanted {
   std::size_t steps = 0;
 };
 
+/// The map of offsets and tilts at the mouth, as it was asked for.
+struct MapWanted {
+  double offset = 0, tilt = 0;  ///< the largest to either side, m and rad
+  std::size_t across = 0;       ///< how many of either
+};
+
 /// The dock of the way in: along which axis, how far, what happens on the way, and where it binds.
 class WayInPanel : public QDockWidget {
  public:
@@ -38,6 +45,7 @@ class WayInPanel : public QDockWidget {
   void take(double radius, bool has_path);
   /// Values that are no number are not a number.
   WayWanted wanted() const;
+  MapWanted map_wanted() const;
   void show_axis(const Vec3& axis);
   /// A click in the view is waited for.
   void show_picking(bool face, bool edge);
@@ -47,23 +55,31 @@ class WayInPanel : public QDockWidget {
   void show_reason(const QString& reason);
   void show_at(double travel, const QString& words);
   void show_playing(bool on);
+  void show_map_progress(std::optional<double> fraction);
+  /// `words`: about the map, or about the point of it that is chosen.
+  void show_map(const QString& words, OffsetMap map);
+  void show_map_place(const MapPlace& place, const QString& words);
 
-  std::function<void()> compute_wanted, stop_wanted, first_wanted;
+  std::function<void()> compute_wanted, stop_wanted, first_wanted, map_asked, map_stop_wanted;
+  std::function<void(const MapPlace&)> map_place_wanted;
   std::function<void(bool)> face_wanted, edge_wanted, play_wanted;
   std::function<void(double travel)> sought;
 
  private:
   void build_way(QVBoxLayout& layout);
   void build_result(QVBoxLayout& layout);
+  void build_map(QVBoxLayout& layout);
+  NumberField* field(const char* object, const char* doc);
   QPushButton* button(const char* text, const char* object, const char* doc);
 
   QComboBox* kind_;
   std::array<NumberField*, 3> axis_{};
-  NumberField *travel_, *twist_, *steps_;
-  QLabel *travel_label_, *summary_, *at_;
+  NumberField *travel_, *twist_, *steps_, *offset_, *tilt_, *across_;
+  QLabel *travel_label_, *summary_, *at_, *offset_label_, *map_words_;
   QPushButton *face_, *edge_, *flip_, *play_, *first_;
-  WorkRow* work_;
+  WorkRow *work_, *map_work_;
   TravelPlot* plot_;
+  OffsetPlot* map_;
   LengthUnit unit_;
 };
 

@@ -8,10 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "engine/base/elementary.hpp"
 #include "engine/base/error.hpp"
 #include "engine/body/body.hpp"
-#include "engine/geometry/rotation.hpp"
 #include "engine/study/charts/svg_chart.hpp"
 #include "engine/text/number_text.hpp"
 
@@ -64,41 +62,14 @@ Json first_of(const std::optional<FirstContact>& first) {
           {"normal", {n.x(), n.y(), n.z()}}};
 }
 
-/// From less than zero to the largest in so many steps; 0 where there is one.
-double value_of(std::size_t i, std::size_t count, double largest) {
-  if (count < 2) return 0;
-  return largest * (2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1);
-}
-
-/// The way moved aside and tilted about the centre of mass where it begins.
-InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
-                   double offset, double tilt) {
-  InsertionWay out = way;
-  const Quat turn = rotation_about(map.axis.cross(map.lateral), tilt);
-  const Vec3& com = pair.probe().mass.com;
-  for (Pose& X : out.poses) {
-    const Vec3 at = X * com + offset * map.lateral;
-    X.q = (turn * X.q).normalized();
-    X.p = at - X.q * com;
-  }
-  return out;
-}
-
-/// m of travel that are free; less than 0 where the way begins in an overlap.
-double free_travel(const Pair& pair, const InsertionWay& way) {
-  if (touch(pair, way.poses.front())) return -1;
-  const auto first = first_contact(pair, way);
-  return first ? first->travel : way.travel.back();
-}
-
 std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& stop) {
   const InsertionMap& map = *request.map;
-  Json row{{"offset", value_of(i, map.offsets, map.largest_offset)}, {"travel", Json::array()}};
+  const double offset = map.offset(i);
+  Json row{{"offset", offset}, {"travel", Json::array()}};
   for (std::size_t j = 0; j < map.tilts; ++j) {
     if (stop && stop()) throw Cancelled();
-    const double tilt = value_of(j, map.tilts, map.largest_tilt);
-    row["travel"].push_back(free_travel(
-        request.pair, moved(request.way, request.pair, map, row["offset"].get<double>(), tilt)));
+    row["travel"].push_back(
+        free_travel(request.pair, moved(request.way, request.pair, map, offset, map.tilt(j))));
   }
   return row.dump();
 }
@@ -183,9 +154,9 @@ std::string map_table(const std::vector<Json>& map, const Json& about) {
                wanted = about.at("wanted").get<double>();
   for (const Json& row : map) {
     const auto travels = row.at("travel").get<std::vector<double>>();
+    const InsertionMap tilts{.largest_tilt = largest, .tilts = travels.size()};
     for (std::size_t j = 0; j < travels.size(); ++j)
-      out += csv_number(row.at("offset")) + "," +
-             number_text(value_of(j, travels.size(), largest), 17) + "," +
+      out += csv_number(row.at("offset")) + "," + number_text(tilts.tilt(j), 17) + "," +
              (travels[j] < 0 ? "" : number_text(travels[j], 17)) + "," +
              (travels[j] >= wanted ? "1" : "0") + "\n";
   }

@@ -6,20 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/study/assembly/insertion.hpp"
+#include "engine/study/assembly/insertion_map.hpp"
 #include "engine/study/parts/study_parts.hpp"
 
 namespace sonde {
-
-/// A map of how a part may be off at the mouth and still go in: offsets along one direction, and
-/// tilts in the plane of this and the axis, each about the centre of mass, both from less than zero
-/// to their largest.
-struct InsertionMap {
-  Vec3 axis = Vec3::UnitZ(), lateral = Vec3::UnitX();  ///< F, unit, square to each other
-  double largest_offset = 0;                           ///< m
-  double largest_tilt = 0;                             ///< rad
-  std::size_t offsets = 1, tilts = 1;                  ///< how many of each; odd: 0 is among them
-};
 
 /// What a study of an insertion is made of.
 struct InsertionRequest {

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTest>
 
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/seeing_control.hpp"
@@ -80,6 +81,69 @@ TEST_F(WayInTest, an_axis_comes_from_a_face_or_an_edge_that_is_clicked) {
   drag(Qt::LeftButton, beside_edge, {0, 0});
   EXPECT_NEAR(std::abs(way().panel().wanted().axis.x()), 1, 1e-6) << "not along the diagonal";
   EXPECT_FALSE(find<QPushButton>("way_edge")->isChecked());
+}
+
+// Reference: by hand. The lateral direction is x; two cubes of 0.1 m, the probe 10 mm aside and
+// 20 mm above: it goes 20 mm wherever it is over the other, and past it where it is 0.1 m aside.
+TEST_F(WayInTest, the_map_says_what_goes_in_and_a_click_takes_the_probe_there) {
+  type("way_travel", "30");
+  type("map_offset", "100");
+  type("map_tilt", "0");
+  type("map_across", "5");
+  find<QPushButton>("map_compute")->click();
+  ASSERT_TRUE(test::wait_until([this] { return !way().map().free.empty(); }))
+      << find<QLabel>("map_words")->text().toStdString();
+  const OffsetMap& map = way().map();
+  ASSERT_EQ(map.free.size(), 25u);
+  EXPECT_LT((map.at.lateral - Vec3::UnitX()).norm(), 1e-12);
+  for (std::size_t i = 0; i < 5; ++i)
+    // At +100 mm the probe is 110 mm aside; at −100 mm 90 mm, over the other by 10 mm.
+    EXPECT_NEAR(map.free[i * 5 + 2], i == 4 ? 0.03 : 0.02, 1e-7) << i;
+  EXPECT_TRUE(find<QLabel>("map_words")->text().contains("5 of 25 go in"))
+      << find<QLabel>("map_words")->text().toStdString();
+  auto* plot = find<OffsetPlot>("offset_plot");
+  window->way_in().panel().widget()->repaint();
+  const QPointF at = plot->place_of({3, 2});
+  QTest::mouseClick(plot, Qt::LeftButton, {}, at.toPoint());
+  EXPECT_NEAR(window->session()->device_pose().p.x(), 0.06, 1e-12);
+  EXPECT_NEAR(height(), 0.12, 1e-12);
+  EXPECT_TRUE(find<QLabel>("map_words")->text().contains("Offset 50"))
+      << find<QLabel>("map_words")->text().toStdString();
+  EXPECT_TRUE(find<QLabel>("map_words")->text().contains("binds at 20.0"));
+  const QImage seen = plot->grab().toImage();
+  const auto colour_at = [&](const MapPlace& place) {
+    return seen.pixelColor((plot->place_of(place) * seen.devicePixelRatio()).toPoint());
+  };
+  EXPECT_EQ(colour_at({4, 0}), QColor(0x1b, 0x78, 0x37));
+  EXPECT_EQ(colour_at({0, 4}), QColor(0xfd, 0xae, 0x61));
+  act("undo");
+  EXPECT_NEAR(window->session()->device_pose().p.x(), 0.01, 1e-12);
+  EXPECT_EQ(way().map().free.size(), 25u) << "it is about the bodies, wherever the probe is";
+}
+
+TEST_F(WayInTest, a_map_is_stopped_and_one_without_sense_is_refused) {
+  type("map_across", "501");
+  find<QPushButton>("map_compute")->click();
+  ASSERT_TRUE(
+      test::wait_until([this] { return find<QPushButton>("map_compute_stop")->isVisible(); }));
+  find<QPushButton>("map_compute_stop")->click();
+  ASSERT_TRUE(test::wait_until(
+      [this] { return find<QLabel>("map_words")->text() == QStringLiteral("Stopped."); }));
+  for (const char* range : {"-1", "none"}) {
+    type("map_offset", range);
+    find<QPushButton>("map_compute")->click();
+    ASSERT_TRUE(test::wait_until([this] {
+      return find<QLabel>("map_words")->text().contains("must be finite");
+    })) << range
+        << find<QLabel>("map_words")->text().toStdString();
+  }
+  type("map_offset", "1");
+  type("way_z", "0");
+  find<QPushButton>("map_compute")->click();
+  EXPECT_TRUE(test::wait_until(
+      [this] { return find<QLabel>("map_words")->text().contains("axis has no length"); }));
+  EXPECT_TRUE(way().map().free.empty());
+  EXPECT_TRUE(complaints.empty());
 }
 
 TEST_F(WayInTest, what_is_no_way_is_refused_in_words) {

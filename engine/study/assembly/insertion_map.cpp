@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/study/assembly/insertion_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "engine/base/error.hpp"
+#include "engine/base/progress.hpp"
+#include "engine/base/threads.hpp"
+#include "engine/body/body.hpp"
+#include "engine/geometry/rotation.hpp"
+
+namespace sonde {
+namespace {
+
+/// From less than zero to the largest in so many steps; 0 where there is one.
+double value_of(std::size_t i, std::size_t count, double largest) {
+  if (count < 2) return 0;
+  return largest * (2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1);
+}
+
+void check(const InsertionMap& map) {
+  if (map.offsets == 0 || map.tilts == 0) throw InputError("a map has at least one point");
+  for (const double range : {map.largest_offset, map.largest_tilt})
+    if (!(range >= 0 && std::isfinite(range)))
+      throw InputError("the range of offsets and that of tilts must be finite, and 0 or more");
+}
+
+}  // namespace
+
+double InsertionMap::offset(std::size_t i) const { return value_of(i, offsets, largest_offset); }
+
+double InsertionMap::tilt(std::size_t j) const { return value_of(j, tilts, largest_tilt); }
+
+Vec3 lateral_to(const Vec3& axis) {
+  Eigen::Index least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vec3 wanted = Vec3::Unit(least);
+  return (wanted - axis.dot(wanted) * axis).normalized();
+}
+
+InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
+                   double offset, double tilt) {
+  InsertionWay out = way;
+  const Quat turn = rotation_about(map.axis.cross(map.lateral), tilt);
+  const Vec3& com = pair.probe().mass.com;
+  for (Pose& X : out.poses) {
+    const Vec3 at = X * com + offset * map.lateral;
+    X.q = (turn * X.q).normalized();
+    X.p = at - X.q * com;
+  }
+  return out;
+}
+
+double free_travel(const Pair& pair, const InsertionWay& way) {
+  if (touch(pair, way.poses.front())) return -1;
+  const auto first = first_contact(pair, way);
+  return first ? first->travel : way.travel.back();
+}
+
+std::vector<double> free_travels(const Pair& pair, const InsertionWay& way, const InsertionMap& map,
+                                 unsigned threads, const Progress& progress) {
+  check(map);
+  std::vector<double> out(map.offsets * map.tilts);
+  std::size_t done = 0;
+  std::mutex reporting;
+  run_parallel(out.size(), std::max(1u, threads), [&](std::size_t k) {
+    const double offset = map.offset(k / map.tilts), tilt = map.tilt(k % map.tilts);
+    out[k] = free_travel(pair, moved(way, pair, map, offset, tilt));
+    const std::lock_guard lock(reporting);
+    report(progress, static_cast<double>(++done) / static_cast<double>(out.size()));
+  });
+  return out;
+}
+
+}  // namespace sonde

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/study/assembly/insertion_map.hpp"
+#include "ui/base/format.hpp"
+
+namespace sonde::ui {
+
+/// How a part may be off at the mouth, and how far it goes in there.
+struct OffsetMap {
+  InsertionMap at;
+  std::vector<double> free;  ///< m, as free_travels has them
+  double wanted = 0;         ///< m of travel that count as in
+};
+
+/// A point of such a map.
+struct MapPlace {
+  std::size_t offset = 0, tilt = 0;
+};
+
+/// A map of offsets to either side by tilts: a cell for each, in the colour of whether it goes in.
+/// A click asks for a point.
+class OffsetPlot : public QWidget {
+ public:
+  explicit OffsetPlot(QWidget* parent);
+  void set_map(OffsetMap map, const LengthUnit& unit);
+  void choose(std::optional<MapPlace> place);
+  const OffsetMap& map() const { return map_; }
+  /// The middle of a point's cell, px.
+  QPointF place_of(const MapPlace& place) const;
+  std::function<void(const MapPlace&)> asked;
+  QSize sizeHint() const override { return {240, 220}; }
+  QSize minimumSizeHint() const override { return {200, 170}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  QRectF area() const;
+  QRectF cell(const MapPlace& place) const;
+  void paint_words(QPainter& painter) const;
+
+  OffsetMap map_;
+  LengthUnit unit_;
+  std::optional<MapPlace> chosen_;
+};
+
+}  // namespace sonde::ui
