@@ -3,9 +3,11 @@
 #include <deque>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <set>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "app/bodies.hpp"
@@ -97,23 +99,42 @@ std::vector<Placed> placed(const ClashFlags& flags, ComponentFiles& files) {
   return out;
 }
 
-/// By itself, in its mesh frame.
-std::shared_ptr<const Body> load(const Placed& part, ComponentFiles& files) {
-  if (part.body.component == 0) return load(part.body, part.unit);
-  SceneBody whole;
-  whole.parts = {part.body};
-  return load_part(whole, 0, part.unit, files).body;
-}
+/// Bodies by themselves, in their mesh frames: parts that are alike (a screw, many times) are one.
+class Loader {
+ public:
+  explicit Loader(ComponentFiles& files) : files_(files) {}
+  std::shared_ptr<const Body> operator()(const Placed& part) {
+    const SceneBody& b = part.body;
+    if (b.offset != 0 || !b.parts.empty() || b.components) return load(b, part.unit);
+    std::shared_ptr<const Body>& body =
+        known_[{b.mesh, b.component, b.model, b.repair, b.scale, part.unit}];
+    if (!body) body = read(part);
+    return body;
+  }
+
+ private:
+  using Key = std::tuple<std::filesystem::path, std::size_t, Model, Repair, double, double>;
+  std::shared_ptr<const Body> read(const Placed& part) {
+    if (part.body.component == 0) return load(part.body, part.unit);
+    SceneBody whole;
+    whole.parts = {part.body};
+    return load_part(whole, 0, part.unit, files_).body;
+  }
+
+  ComponentFiles& files_;
+  std::map<Key, std::shared_ptr<const Body>> known_;
+};
 
 std::vector<AssemblyPart> parts_of(const ClashFlags& flags) {
   ComponentFiles files;
   const std::vector<Placed> bodies = placed(flags, files);
+  Loader load_body_of(files);
   ProgressLine progress(flags.output.quiet);
   std::vector<AssemblyPart> parts;
   std::set<std::string> names;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const SceneBody& body = bodies[i].body;
-    parts.push_back({new_name(names, part_name(body)), load(bodies[i], files), body.pose});
+    parts.push_back({new_name(names, part_name(body)), load_body_of(bodies[i]), body.pose});
     progress.show("reading parts", i + 1, bodies.size());
     if (flags.output.quiet) continue;
     for (const std::string& remark : remarks_on(*parts.back().body)) {

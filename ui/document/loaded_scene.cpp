@@ -141,8 +141,8 @@ FixedBody load_fixed(Scene& scene, const Scene& before, const std::vector<BodyPa
   for (std::size_t i = 0; i < whole.parts.size(); ++i) {
     const SceneBody& part = whole.parts[i];
     const auto old = std::ranges::find_if(before.fixed.parts, [&](const SceneBody& p) {
-      return same_whole && p.mesh == part.mesh && p.model == part.model &&
-             p.component == part.component && p.repair == part.repair && p.scale == part.scale;
+      return same_whole && p.component == part.component && p.scale == part.scale &&
+             p.model == part.model && p.repair == part.repair && p.mesh == part.mesh;
     });
     if (old == before.fixed.parts.end()) {
       const double done = 0.2 + 0.4 * static_cast<double>(i) / n;
