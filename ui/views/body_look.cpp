@@ -15,7 +15,7 @@ constexpr int inside_shade = 190;  // QColor's: 100 is as it was, 200 is half as
 
 /// No light falls on it: all of the cut has one colour, like a filled face.
 void paint_inside(vtkActor& actor, const QColor& colour) {
-  const QColor inside = colour.darker(inside_shade);
+  const QColor inside = cut_colour(colour);
   vtkNew<vtkProperty> property;
   property->SetColor(inside.redF(), inside.greenF(), inside.blueF());
   property->SetAmbient(1);
@@ -25,6 +25,8 @@ void paint_inside(vtkActor& actor, const QColor& colour) {
 }
 
 }  // namespace
+
+QColor cut_colour(const QColor& colour) { return colour.darker(inside_shade); }
 
 void apply_look(vtkActor& actor, Look look, const QColor& colour, bool solid, vtkPlane* cut) {
   actor.SetVisibility(look != Look::hidden);

@@ -30,6 +30,7 @@
 #include "ui/views/movement.hpp"
 #include "ui/views/place_view.hpp"
 #include "ui/views/probe_view.hpp"
+#include "ui/views/section_view.hpp"
 #include "ui/views/separation_view.hpp"
 #include "ui/views/stiffness_view.hpp"
 #include "ui/views/tone.hpp"
@@ -60,7 +61,8 @@ struct Viewport::Scenery {
         probe_gaps(*bodies),
         fixed_gaps(*bodies),
         probe_crossings(*bodies, true),
-        fixed_crossings(*bodies, false) {}
+        fixed_crossings(*bodies, false),
+        sections(*bodies) {}
 
   // The overlays have depth buffers of their own: no body hides an arrow, and neither a contact.
   vtkNew<vtkRenderer> bodies;
@@ -89,6 +91,7 @@ struct Viewport::Scenery {
   GridView grid;
   GapView probe_gaps, fixed_gaps;
   CrossingView probe_crossings, fixed_crossings;
+  SectionView sections;
   Tone tone;
   std::unique_ptr<DefectView> defects;
   std::unique_ptr<CapView> caps;

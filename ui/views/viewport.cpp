@@ -9,8 +9,10 @@
 #include <QImage>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QResizeEvent>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -60,6 +62,8 @@ bool software_drawn(QVTKOpenGLNativeWidget& widget) {
     if (renderer.find(software) != renderer.npos) return true;
   return false;
 }
+
+double aspect_of(const QSize& size) { return double(size.width()) / std::max(size.height(), 1); }
 
 void add_corners(std::vector<Vec3>& points, const Eigen::AlignedBox3d& box, const Pose& pose) {
   if (box.isEmpty()) return;
@@ -201,6 +205,7 @@ void Viewport::draw(const Instant& now, double swing) {
                     s.pair ? &*s.pair : nullptr};
   s.probe->show(frame);
   for (const auto& [layer, overlay] : s.overlays()) overlay->show(frame);
+  s.sections.show(s.seeing.cut, s.last_device);
   // Room for the arrows too, which are about as long as the probe is large.
   const double away = std::max((com - s.centre).norm(),
                                (snapshot.separation.separated * s.mass.com - s.centre).norm());
@@ -315,7 +320,24 @@ void Viewport::fit() {
     if (!best || distance < nearest) best = &area, nearest = distance;
   }
   camera().frame(corners, size(), best ? *best : QRectF(rect()));
+  fitted_ = place();
   invalidate();
+}
+
+/// Whether both bodies are seen as a whole, were the picture of that size.
+bool Viewport::shows_all(const QSize& size) const {
+  const Scenery& s = *scenery_;
+  std::vector<Vec3> corners;
+  add_corners(corners, s.fixed_box, Pose{});
+  add_corners(corners, s.probe_box, s.last_device);
+  vtkMatrix4x4* const seen =
+      s.bodies->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect_of(size), -1, 1);
+  return std::ranges::all_of(corners, [&](const Vec3& x) {
+    const double in[4] = {x.x(), x.y(), x.z(), 1};
+    double out[4];
+    seen->MultiplyPoint(in, out);
+    return out[3] > 0 && std::abs(out[0]) <= out[3] && std::abs(out[1]) <= out[3];
+  });
 }
 
 double Viewport::metres_per_pixel(const Vec3& at) const {
@@ -338,9 +360,7 @@ QPolygonF Viewport::polygon_on_screen(const std::vector<Vec3>& points) const {
   return polygon;
 }
 
-double Viewport::aspect() const {
-  return double(view_size().width()) / std::max(view_size().height(), 1);
-}
+double Viewport::aspect() const { return aspect_of(view_size()); }
 
 /// The bodies keep their colours, which both backgrounds let see.
 void Viewport::apply_theme() {
@@ -349,6 +369,7 @@ void Viewport::apply_theme() {
   std::vector<const vtkActor*> bodies{s.fixed_actor};
   if (s.probe) bodies.push_back(&s.probe->actor());
   if (s.caps) std::ranges::copy(s.caps->faces(), std::back_inserter(bodies));
+  std::ranges::copy(s.sections.actors(), std::back_inserter(bodies));
   s.tone.apply(*s.bodies, palette(), bodies);
   for (vtkRenderer* glyphs : {s.above.Get(), s.top.Get()}) s.tone.apply(*glyphs, palette());
   invalidate();
@@ -374,6 +395,14 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   scenery_->widget->setGeometry(rect());
   scenery_->hints->setGeometry(rect());
   invalidate();
+  const QSize before = event->oldSize();
+  if (!scenery_->pair || before.isEmpty()) return;
+  // A dock that folds or unfolds covers nothing. Where one looks is the user's, unless that loses
+  // sight of what was in it.
+  const CameraPlace now = place();
+  const bool as_fitted =
+      now.position == fitted_.position && now.target == fitted_.target && now.up == fitted_.up;
+  if (as_fitted || (shows_all(before) && !shows_all(size()))) fit();
 }
 
 }  // namespace sonde::ui

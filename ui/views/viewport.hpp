@@ -55,6 +55,8 @@ struct Pick {
   Vec3 normal = Vec3::Zero();  ///< of the triangle, to the eye's side, unit; fixed body's frame
   /// Along the nearest of its sides where the surface has an edge, unit, in that frame; zero: none.
   Vec3 edge = Vec3::Zero();
+  Vec3 on_edge = Vec3::Zero();  ///< a point of that, there
+  std::uint32_t triangle = 0;   ///< of the body's soup, or of its part's
 };
 
 /// The gaps between the bodies, to paint on them.
@@ -176,7 +178,9 @@ class Viewport : public QWidget {
   void update_scale();
   void apply_layers();
   void apply_theme();
+  bool shows_all(const QSize& size) const;
   void apply_seeing();
+  void show_sections();
   void look_by_default();
   QPolygonF polygon_on_screen(const std::vector<Vec3>& points) const;
   double aspect() const;
@@ -185,6 +189,7 @@ class Viewport : public QWidget {
 
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;
+  CameraPlace fitted_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< where fit() put the camera
   bool in_full_ = false;  ///< what is being drawn
 };
 

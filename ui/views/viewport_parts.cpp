@@ -59,6 +59,7 @@ vtkSmartPointer<vtkPolyData> Viewport::show_parts(const std::vector<PartLook>& l
   mapper->SetInputData(s.fixed_surface);
   simplify_surfaces();
   measure_scene();
+  show_sections();
   invalidate();
   return s.fixed_surface;
 }

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "engine/proximity/queries/ray_hit.hpp"
 #include "ui/base/theme.hpp"
@@ -47,10 +49,14 @@ bool is_edge(const Soup& soup, std::uint32_t triangle, std::uint32_t a, std::uin
   return true;
 }
 
-/// Along the edge of a triangle that is nearest to x, unit; zero where none of its sides is one.
-Vec3 edge_beside(const Soup& soup, std::uint32_t triangle, const Vec3& x) {
+/// The edge of a triangle that is nearest to x: a corner of it, and along it, unit; zero where none
+/// of its sides is one.
+struct EdgeLine {
+  Vec3 at = Vec3::Zero(), along = Vec3::Zero();
+};
+EdgeLine edge_beside(const Soup& soup, std::uint32_t triangle, const Vec3& x) {
   const Triangle& t = soup.triangles[triangle];
-  Vec3 best = Vec3::Zero();
+  EdgeLine best;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3];
@@ -58,7 +64,7 @@ Vec3 edge_beside(const Soup& soup, std::uint32_t triangle, const Vec3& x) {
     const double distance = distance_to(from, to, x);
     if (distance >= nearest || !is_edge(soup, triangle, a, b)) continue;
     nearest = distance;
-    best = (to - from).stableNormalized();
+    best = {from, (to - from).stableNormalized()};
   }
   return best;
 }
@@ -90,6 +96,26 @@ void Viewport::apply_seeing() {
   s.fixed_crossings.set_cut(through_fixed);
   s.probe_crossings.set_cut(through_probe);
   s.probe_gaps.set_cut(through_probe);
+  show_sections();
+}
+
+/// Of what is opaque, and on show.
+void Viewport::show_sections() {
+  Scenery& s = *scenery_;
+  const CutPlane& cut = s.seeing.cut;
+  std::vector<CutBody> fixed;
+  std::optional<CutBody> probe;
+  if (cut.on && cut.fixed && s.seeing.fixed == Look::opaque) {
+    if (s.parts.empty()) fixed.push_back({&s.pair->fixed(), Pose{}, cut_colour(colour::fixed)});
+    for (std::size_t i = 0; i < s.parts.size(); ++i)
+      if (s.part_looks[i].shown)
+        fixed.push_back(
+            {s.parts[i].body.get(), s.parts[i].X_BP, cut_colour(s.part_looks[i].colour)});
+  }
+  if (cut.on && cut.probe && s.seeing.probe == Look::opaque)
+    probe = CutBody{&s.pair->probe(), s.last_device, cut_colour(colour::probe)};
+  s.sections.set_fixed(std::move(fixed));
+  s.sections.set_probe(probe);
 }
 
 std::optional<Handles> Viewport::cut_handles() const {
@@ -136,7 +162,10 @@ std::optional<Pick> Viewport::pick(QPointF at) const {
     best = Pick{probe, probe ? x : X_FB * x, part};
     const Vec3 normal = normal_of(body.soup, body.soup.triangles[hit->triangle]);
     best->normal = X_FB.q * Vec3(normal.dot(direction) > 0 ? Vec3(-normal) : normal);
-    best->edge = X_FB.q * edge_beside(body.soup, hit->triangle, x);
+    const EdgeLine edge = edge_beside(body.soup, hit->triangle, x);
+    best->edge = X_FB.q * edge.along;
+    best->on_edge = X_FB * edge.at;
+    best->triangle = hit->triangle;
   };
   if (s.parts.empty()) try_body(false, s.pair->fixed(), Pose{}, s.seeing.fixed, s.seeing.cut.fixed);
   for (std::size_t i = 0; i < s.parts.size(); ++i)

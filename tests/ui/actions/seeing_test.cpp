@@ -14,13 +14,17 @@
 #include <QRegularExpression>
 #include <QSlider>
 #include <QTreeWidget>
+#include <cstdlib>
 
 #include "engine/proximity/queries/point_distance.hpp"
+#include "engine/queries/body_queries.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
 #include "ui/actions/seeing_control.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/document/saved_views.hpp"
+#include "ui/views/body_look.hpp"
+#include "ui/views/cut_view.hpp"
 #include "ui/views/gap_view.hpp"
 
 namespace sonde::ui::test {
@@ -146,6 +150,84 @@ TEST_F(SeeingTest, the_cut_snaps_to_the_contact_and_holds_its_normal) {
     nearest = std::min(nearest, (c.contact.on_fixed - cut().point).norm() +
                                     std::abs(c.contact.normal.dot(cut().normal)));
   EXPECT_NEAR(nearest, 0, 1e-9);
+}
+
+/// What a point of the plane is of.
+enum class At { nothing, fixed, probe };
+
+class CutPicture : public SeeingTest {
+ protected:
+  /// By the winding number of either body; the probe's section lies over the fixed body's.
+  At at(const Vec3& x) const {
+    const Session& session = *window->session();
+    if (inside(session.probe(), inverse(shown().separation.device) * x)) return At::probe;
+    return inside(session.fixed(), x) ? At::fixed : At::nothing;
+  }
+  /// Looked at along the plane's normal, around the contact: each pixel that is not beside an
+  /// outline has the colour of what is there in the plane.
+  void expect_section() {
+    hide_overlays();
+    for (const Layer layer : {Layer::cut, Layer::handles, Layer::clearance})
+      window->viewport().set_shown(layer, false);
+    const Mat3 axes = axes_of_plane(cut().normal);
+    window->seeing().look_from(cut().normal, axes.col(1));
+    const QImage seen = picture();
+    const double reach = 0.6 * window->session()->probe().mass.radius;
+    constexpr int samples = 60;
+    const double step = 2 * reach / samples;
+    int of_fixed = 0, of_probe = 0, wrong = 0;
+    for (int i = 0; i < samples; ++i)
+      for (int j = 0; j < samples; ++j) {
+        const auto place = [&](double du, double dv) {
+          return Vec3(cut().point + (i * step - reach + du) * axes.col(0) +
+                      (j * step - reach + dv) * axes.col(1));
+        };
+        const At here = at(place(0, 0));
+        // Four pixels to each side are of the same.
+        const double around = 4 * window->viewport().metres_per_pixel(cut().point);
+        const bool clear = here == at(place(around, 0)) && here == at(place(-around, 0)) &&
+                           here == at(place(0, around)) && here == at(place(0, -around));
+        if (here == At::nothing || !clear) continue;
+        // In what the probe covers lies an outline of the fixed body.
+        const QPoint pixel = window->viewport().on_screen(place(0, 0)).toPoint();
+        if (!seen.rect().contains(pixel)) continue;
+        const QColor expected = cut_colour(here == At::probe ? colour::probe : colour::fixed);
+        const QColor found = seen.pixelColor(pixel);
+        const int off = std::abs(found.red() - expected.red()) +
+                        std::abs(found.green() - expected.green()) +
+                        std::abs(found.blue() - expected.blue());
+        (here == At::probe ? of_probe : of_fixed) += 1;
+        wrong += off > 12;
+      }
+    EXPECT_GT(of_fixed, 100);
+    EXPECT_GT(of_probe, 100);
+    // The outline of the fixed body under the probe, a sample or so wide.
+    EXPECT_LT(wrong, 0.04 * (of_fixed + of_probe));
+    if (const char* folder = std::getenv("SONDE_TEST_PICTURES"))
+      seen.save(QStringLiteral("%1/cut-%2.png").arg(folder).arg(of_fixed));
+  }
+};
+
+// Reference: the winding number of either body at each point of the plane.
+TEST_F(CutPicture, through_a_contact_shows_both_bodies_filled) {
+  key(Qt::Key_C, Qt::AltModifier);
+  ASSERT_TRUE(cut().on && cut().probe && cut().fixed);
+  expect_section();
+}
+
+// The same where the bodies are hollow there, and behind the plane: no wedge shows of what is not
+// in it.
+TEST_F(CutPicture, of_a_peg_in_its_hole_is_of_the_plane_alone) {
+  consent = Consent::once;
+  open({QStringLiteral(SONDE_RESOURCES "/scenes/peg-in-hole.sonde.json")});
+  window->documents().place({Quat(0.982793434, 0.052125964, -0.034759542, 0.173757659),
+                             Vec3(0.003007692, -0.002006154, -0.003964612)},
+                            QStringLiteral("there"));
+  ASSERT_TRUE(wait_until([this] { return shown().separation.status == Status::penetrating; }));
+  wait(200);
+  window->seeing().snap_cut();
+  ASSERT_TRUE(cut().on);
+  expect_section();
 }
 
 TEST_F(SeeingTest, a_contact_is_chosen_in_the_list_and_in_the_view) {

@@ -87,6 +87,32 @@ class DeskLayout : public WindowTest {
           << dock.objectName().toStdString() << ": " << words.toStdString();
     }
   }
+  /// Around both bodies on the screen.
+  QRectF bodies() const {
+    QRectF box;
+    const auto add = [&](const Body& body, const Pose& X) {
+      for (const Vec3& x : body.soup.vertices) {
+        const QPointF at = window->viewport().on_screen(X * x);
+        box = box.isNull() ? QRectF(at, QSizeF(1e-9, 1e-9)) : box.united({at, QSizeF(1e-9, 1e-9)});
+      }
+    };
+    add(window->session()->fixed(), Pose());
+    add(window->session()->probe(), window->session()->device_pose());
+    return box;
+  }
+  /// Whether they are whole, and about the middle of what is free of overlays.
+  bool in_the_middle() const {
+    const QRectF box = bodies();
+    return std::ranges::any_of(hints().clear_areas(), [&](const QRectF& area) {
+      return area.adjusted(-2, -2, 2, 2).contains(box) &&
+             std::abs(area.center().x() - box.center().x()) < 0.25 * area.width() &&
+             std::abs(area.center().y() - box.center().y()) < 0.25 * area.height();
+    });
+  }
+  static std::string words(const QRectF& box) {
+    return std::to_string(box.left()) + ' ' + std::to_string(box.top()) + ' ' +
+           std::to_string(box.right()) + ' ' + std::to_string(box.bottom());
+  }
   const HintView& hints() const { return *window->findChild<HintView*>("hint_view"); }
 };
 
@@ -191,28 +217,39 @@ TEST_F(DeskLayout, a_grid_lies_on_the_ground_on_wish) {
   EXPECT_LT(pixels_between(without, picture()), 20);
 }
 
+TEST_F(DeskLayout, a_dock_that_folds_or_unfolds_covers_no_body) {
+  first_window({1152, 720});
+  find<QToolButton>("tab_parts_panel")->click();
+  find<QToolButton>("tab_readout_panel")->setChecked(true);
+  for (const char* const how : {"as it opened", "turned"}) {
+    SCOPED_TRACE(how);
+    for (int times = 0; times < 2; ++times) {
+      act("fold_docks");
+      wait(100);
+      EXPECT_TRUE(in_the_middle()) << words(bodies());
+      act("fold_docks");
+      wait(100);
+      EXPECT_TRUE(in_the_middle()) << words(bodies());
+    }
+    window->viewport().camera().orbit(0.5, 0.2);
+    window->viewport().fit();
+    window->viewport().camera().orbit(0.02, 0.0);
+  }
+  // Who has gone near sees the same place as near.
+  window->viewport().camera().zoom(4);
+  const CameraPlace near = window->viewport().place();
+  act("fold_docks");
+  wait(100);
+  EXPECT_EQ(window->viewport().place().position, near.position);
+  EXPECT_EQ(window->viewport().place().target, near.target);
+}
+
 TEST_F(DeskLayout, both_bodies_open_whole_and_in_the_middle_of_what_is_free) {
   for (const char* name : {"peg-in-hole", "spoon-in-cup", "nut-on-bolt"}) {
     window->resize(1152, 720);
     consent = Consent::once;
     open({QStringLiteral(SONDE_RESOURCES "/scenes/%1.sonde.json").arg(name)});
-    QRectF box;
-    const auto add = [&](const Body& body, const Pose& X) {
-      for (const Vec3& x : body.soup.vertices) {
-        const QPointF at = window->viewport().on_screen(X * x);
-        box = box.isNull() ? QRectF(at, QSizeF(1e-9, 1e-9)) : box.united({at, QSizeF(1e-9, 1e-9)});
-      }
-    };
-    add(window->session()->fixed(), Pose());
-    add(window->session()->probe(), window->session()->device_pose());
-    const std::vector<QRectF> areas = hints().clear_areas();
-    const bool inside = std::ranges::any_of(areas, [&](const QRectF& area) {
-      return area.adjusted(-2, -2, 2, 2).contains(box) &&
-             std::abs(area.center().x() - box.center().x()) < 0.25 * area.width() &&
-             std::abs(area.center().y() - box.center().y()) < 0.25 * area.height();
-    });
-    EXPECT_TRUE(inside) << name << ' ' << box.left() << ' ' << box.top() << ' ' << box.right()
-                        << ' ' << box.bottom();
+    EXPECT_TRUE(in_the_middle()) << name << ' ' << words(bodies());
   }
 }
 
