@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -87,6 +88,7 @@ void PosePanel::build() {
   buttons->addWidget(add("Start from here", "pose_start", start_wanted), 1, 1);
   buttons->addWidget(add("Swap the bodies", "pose_swap", swap_wanted), 2, 0);
   layout->addLayout(buttons);
+  build_snap(*content, *layout);
   build_nudge(*content, *layout);
   layout->addStretch();
   connect(unit_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
@@ -97,6 +99,43 @@ void PosePanel::build() {
     show_labels();
     show_numbers();
   });
+}
+
+void PosePanel::build_snap(QWidget& content, QVBoxLayout& layout) {
+  auto* group = new QGroupBox(QStringLiteral("Snap the probe onto the fixed body"), &content);
+  auto* column = new QVBoxLayout(group);
+  auto* row = new QHBoxLayout;
+  const char* const names[] = {"Face", "Edge", "Axis"};
+  const char* const objects[] = {"snap_face", "snap_edge", "snap_axis"};
+  const char* const docs[] = {
+      "Two clicks in the view: a face of the one body lies on a face of the other",
+      "Two clicks in the view: an edge of the one body lies along an edge of the other",
+      "Two clicks in the view: the axis of a round face (a shaft) lies along that of another (a "
+      "bore)"};
+  for (std::size_t i = 0; i < snaps_.size(); ++i) {
+    auto* button = snaps_.at(i) = new QPushButton(QLatin1String(names[i]), group);
+    button->setObjectName(QLatin1String(objects[i]));
+    button->setToolTip(QLatin1String(docs[i]));
+    button->setCheckable(true);
+    row->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, i](bool on) {
+      if (snap_wanted) snap_wanted(on ? std::optional(static_cast<SnapKind>(i)) : std::nullopt);
+    });
+  }
+  column->addLayout(row);
+  snap_words_ = new QLabel(group);
+  snap_words_->setObjectName(QStringLiteral("snap_words"));
+  snap_words_->setWordWrap(true);
+  column->addWidget(snap_words_);
+  layout.addWidget(group);
+  show_snap({}, {});
+}
+
+void PosePanel::show_snap(std::optional<SnapKind> kind, const QString& words) {
+  for (std::size_t i = 0; i < snaps_.size(); ++i)
+    snaps_.at(i)->setChecked(kind == static_cast<SnapKind>(i));
+  snap_words_->setText(words);
+  snap_words_->setVisible(!words.isEmpty());
 }
 
 void PosePanel::build_nudge(QWidget& content, QVBoxLayout& layout) {

@@ -4,14 +4,17 @@
 #include <QDockWidget>
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "engine/geometry/pose.hpp"
 #include "ui/devices/nudge.hpp"
+#include "ui/document/snap.hpp"
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
+class QPushButton;
 class QVBoxLayout;
 
 namespace sonde::ui {
@@ -29,7 +32,11 @@ class PosePanel : public QDockWidget {
   /// The step of the arrow keys for a scene of this size, m.
   void suggest_step(double metres);
 
+  /// What clicks in the view are waited for, and what to do next; none: nothing, or why not.
+  void show_snap(std::optional<SnapKind> kind, const QString& words);
+
   std::function<void(const Pose&)> placed;
+  std::function<void(std::optional<SnapKind>)> snap_wanted;
   std::function<void(const Nudge&)> nudge_changed;
   std::function<void()> copy_wanted, copy_matrix_wanted, paste_wanted, start_wanted, swap_wanted;
 
@@ -42,6 +49,7 @@ class PosePanel : public QDockWidget {
   void show_numbers();
   void show_labels();
   void take(std::size_t field);
+  void build_snap(QWidget& content, QVBoxLayout& layout);
   void build_nudge(QWidget& content, QVBoxLayout& layout);
   void take_nudge();
   void show_nudge();
@@ -54,6 +62,8 @@ class PosePanel : public QDockWidget {
   std::array<QLineEdit*, 7> fields_{};  ///< x, y, z; then the turn
   std::array<QLabel*, 7> labels_{};
   QPlainTextEdit* matrix_ = nullptr;
+  std::array<QPushButton*, 3> snaps_{};  ///< by SnapKind
+  QLabel* snap_words_ = nullptr;
   Nudge nudge_;
   QComboBox* nudge_axes_ = nullptr;
   QLabel* step_label_ = nullptr;

@@ -25,6 +25,7 @@
 #include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
+#include "ui/actions/snap_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/actions/way_in_control.hpp"
 #include "ui/base/format.hpp"
@@ -123,6 +124,7 @@ void MainWindow::show_nothing() {
   repairs_->attach(nullptr);
   parts_->attach(nullptr);
   way_in_->attach(nullptr);
+  snap_->attach(nullptr);
   clash_->attach(nullptr);
   force_log_.end();
   forget_shown();
@@ -156,6 +158,7 @@ void MainWindow::show_session(DrawnSession drawn, bool same_document) {
     documents_->opened(now), coupling_panel_->take(now.coupling());
   parts_->attach(&now);
   way_in_->attach(&now, same_document);
+  snap_->attach(&now);
   clash_->attach(&now, same_document);
   stiffness_->attach(session(), same_document);
   accuracy_->attach(session());

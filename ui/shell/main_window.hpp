@@ -44,6 +44,7 @@ class ReadoutPanel;
 class RepairsControl;
 class SeeingControl;
 class SideBar;
+class SnapControl;
 class StartPage;
 class StiffnessControl;
 class Viewport;
@@ -184,6 +185,7 @@ class MainWindow : public QMainWindow {
   RepairsControl* repairs_ = nullptr;
   PartsControl* parts_ = nullptr;
   WayInControl* way_in_ = nullptr;
+  SnapControl* snap_ = nullptr;
   ClashControl* clash_ = nullptr;
   SideBar *left_ = nullptr, *right_ = nullptr;
   std::vector<QDockWidget*> folded_;  ///< by fold_docks()

@@ -17,6 +17,7 @@
 #include "ui/actions/parts_control.hpp"
 #include "ui/actions/repairs_control.hpp"
 #include "ui/actions/seeing_control.hpp"
+#include "ui/actions/snap_control.hpp"
 #include "ui/actions/stiffness_control.hpp"
 #include "ui/actions/way_in_control.hpp"
 #include "ui/base/resources.hpp"
@@ -172,7 +173,8 @@ void MainWindow::add_assembly() {
   way_in_ = new WayInControl(
       *viewport_, *this, *coupling_panel_,
       {.follow = [this](const Pose& pose) { set_device_pose(pose); }, .place = place_for_way});
-  seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at); };
+  snap_ = new SnapControl(*viewport_, *documents_, *pose_panel_, this);
+  seeing_->click_wanted = [this](QPointF at) { return way_in_->click(at) || snap_->click(at); };
   clash_ = new ClashControl(*viewport_, *this, *coupling_panel_);
 }
 
