@@ -53,7 +53,7 @@ TEST_F(Assembly, clash_takes_meshes_apart) {
     for (const auto& f : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
                           std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
       faces += "4";
-      for (const int corner : f) faces += " " + std::to_string(corner + 8 * k);
+      for (const int corner : f) faces.append(" ").append(std::to_string(corner + 8 * k));
       faces += "\n";
     }
   }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "tests/ui/torus_text.hpp"
@@ -20,6 +21,7 @@
 #include "ui/base/freed_memory.hpp"
 #include "ui/base/progress_dialog.hpp"
 #include "ui/base/theme.hpp"
+#include "ui/document/instant.hpp"
 
 namespace sonde::ui::test {
 namespace {
@@ -122,6 +124,94 @@ class Figures : public WindowTest {
 
 TEST_F(Figures, Full_a_million_triangles_a_side) { open_tori(707); }
 TEST_F(Figures, Full_three_hundred_thousand_a_side) { open_tori(387); }
+
+/// Two tori of a million triangles, one over the other with room between: while the probe and the
+/// picture move, how often there is the clearance of the pose that the probe has just then.
+TEST_F(Figures, Full_clearance_of_a_million_triangles_a_side) {
+  folder.write("torus.off", torus(707));
+  folder.write("apart.sonde.json", R"({"fixed": {"mesh": "torus.off"},
+      "probe": {"mesh": "torus.off", "pose": [0.02, 0, 0.09, 1, 0, 0, 0]}})");
+  open({path("apart.sonde.json")});
+  ASSERT_TRUE(wait_until([this] { return window->viewport().simplified_made(); }));
+  const Pose start = window->session()->device_pose();
+  find<QDockWidget>("readout_panel")->hide();
+  for (const bool measured : {false, true, false, true}) {
+    window->viewport().set_shown(Layer::clearance, measured);
+    const std::size_t before = window->frames();
+    const double processor = processor_seconds();
+    int asked = 0, here = 0;
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 5000) {
+      Pose pose = start;
+      pose.p.x() += 0.01 * std::sin(5e-3 * double(clock.elapsed()));
+      window->set_device_pose(pose);
+      window->viewport().camera().orbit(0.01, 0);
+      window->viewport().invalidate();
+      const std::size_t frames = window->frames();
+      while (window->frames() == frames) QApplication::processEvents(QEventLoop::AllEvents, 2);
+      if (!measured) continue;
+      const auto found = window->session()->clearance(pose);
+      ++asked;
+      here += found && same_pose(found->device, pose);
+    }
+    const double seconds = 1e-3 * double(clock.elapsed());
+    const double frames = double(window->frames() - before);
+    std::printf("clearance %-3s: %.1f frames a second, %.1f ms of processor each",
+                measured ? "on" : "off", frames / seconds,
+                1e3 * (processor_seconds() - processor) / frames);
+    if (measured) std::printf(", %d of %d with the clearance of their own pose", here, asked);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+/// Fifty tori of 20 000 triangles as parts, and as one mesh.
+TEST_F(Figures, Full_frames_of_fifty_parts_and_of_one_mesh) {
+  std::string corners, faces, parts;
+  std::size_t points = 0, count = 0;
+  folder.write("torus.off", torus(100));
+  for (int k = 0; k < 50; ++k) {
+    const double x = 0.3 * (k % 10), y = 0.3 * double(k / 10);
+    std::istringstream in(torus(100));
+    std::string word;
+    std::size_t vertices = 0, triangles = 0, none = 0;
+    in >> word >> vertices >> triangles >> none;
+    for (std::size_t i = 0; i < vertices; ++i) {
+      double p[3];
+      in >> p[0] >> p[1] >> p[2];
+      corners += std::to_string(p[0] + x) + ' ' + std::to_string(p[1] + y) + ' ' +
+                 std::to_string(p[2]) + '\n';
+    }
+    for (std::size_t i = 0; i < triangles; ++i) {
+      std::size_t t[4];
+      in >> t[0] >> t[1] >> t[2] >> t[3];
+      faces += "3 " + std::to_string(t[1] + points) + ' ' + std::to_string(t[2] + points) + ' ' +
+               std::to_string(t[3] + points) + '\n';
+    }
+    points += vertices, count += triangles;
+    parts += (k == 0 ? "[" : ", ");
+    parts += R"({"name": ")" + std::to_string(k) + R"(", "mesh": "torus.off", "pose": [)" +
+             std::to_string(x) + ", " + std::to_string(y) + ", 0, 1, 0, 0, 0]}";
+  }
+  folder.write("all.off", "OFF\n" + std::to_string(points) + ' ' + std::to_string(count) + " 0\n" +
+                              corners + faces);
+  const std::string probe = R"({"probe": {"mesh": "cube.off", "pose": [1.3, 0.6, 0.03, 1, 0, 0, 0]},
+      "fixed": )";
+  folder.write("parts.sonde.json", probe + parts + "]}");
+  folder.write("one.sonde.json", probe + R"({"mesh": "all.off"}})");
+  for (int times = 0; times < 4; ++times)
+    for (const char* name : {"one.sonde.json", "parts.sonde.json"}) {
+      open({path(name)});
+      ASSERT_TRUE(wait_until([this] { return window->viewport().simplified_made(); }));
+      const Rate rate = rate_while_moving(4);
+      std::printf(
+          "%-16s %5.1f frames a second while moving, %.1f ms of processor each, %zu triangles\n",
+          name, rate.frames, 1e3 * rate.processor / rate.frames,
+          window->session()->fixed().soup.triangles.size());
+      std::fflush(stdout);
+    }
+}
 
 TEST_F(Figures, Full_frames_of_the_bundled_scenes) {
   for (const char* name : {"crumpled-soup", "linked-tori", "nut-on-bolt", "peg-in-hole",
