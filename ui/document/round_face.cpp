@@ -12,10 +12,10 @@
 namespace sonde::ui {
 namespace {
 
-constexpr double flat = 1e-4;     // 1 - cosine: triangles that meet at less are one piece
-constexpr double sharp = 0.3;     // 1 - cosine (46°): pieces that meet at more are no round face
-constexpr double smooth = 0.44;   // rad (25°): at an end, what bends by more is a chamfer
-constexpr double straight = 0.1;  // of the curvature about an axis: that along it
+constexpr double flat = 1e-6;    // 1 - cosine (0.08°): triangles that differ by less are one piece
+constexpr double sharp = 0.3;    // 1 - cosine (46°): pieces that meet at more are no round face
+constexpr double smooth = 0.44;  // rad (25°): at an end, what bends by more is a chamfer
+constexpr double straight = 0.1;        // of the curvature about an axis: that along it
 constexpr double off_circle = 0.01;     // of the radius
 constexpr double off_square = 0.02;     // of a normal along the axis
 constexpr double largest_radius = 1e3;  // of the piece's size: more is as good as flat
@@ -71,6 +71,15 @@ std::vector<std::uint32_t> spread(const Soup& soup, const Neighbours& next, std:
       });
   }
   return found;
+}
+
+/// What lies in the plane of a triangle and hangs together with it.
+std::vector<std::uint32_t> flat_piece(const Soup& soup, const Neighbours& next,
+                                      std::uint32_t triangle) {
+  const Vec3 normal = normal_of(soup, triangle);
+  return spread(soup, next, triangle, [&](std::uint32_t, std::uint32_t other) {
+    return 1 - normal.dot(normal_of(soup, other)) <= flat;
+  });
 }
 
 struct Circle {
@@ -160,9 +169,8 @@ double bend_along(const Soup& soup, const Neighbours& next, const std::vector<st
       const double along = axis.dot(soup.vertices[t[k]]);
       low = std::min(low, along), high = std::max(high, along);
       next.across(i, t[k], t[(k + 1) % 3], [&](std::uint32_t other) {
-        const double angle = angle_between(soup, i, other);
-        const bool aside = std::abs(normal_of(soup, other).dot(axis)) >= off_square;
-        if (aside && angle < smooth) most = std::max(most, angle);
+        if (angle_between(soup, i, other) < smooth)
+          most = std::max(most, std::abs(normal_of(soup, other).dot(axis)));
       });
     }
   }
@@ -173,13 +181,10 @@ double bend_along(const Soup& soup, const Neighbours& next, const std::vector<st
 
 std::optional<RoundFace> round_face(const Soup& soup, std::uint32_t triangle) {
   const Neighbours next(soup);
-  const auto is_flat = [&](std::uint32_t a, std::uint32_t b) {
-    return 1 - normal_of(soup, a).dot(normal_of(soup, b)) <= flat;
-  };
-  std::vector<std::uint32_t> piece = spread(soup, next, triangle, is_flat);
+  std::vector<std::uint32_t> piece = flat_piece(soup, next, triangle);
   const Fold fold = longest_fold(soup, next, piece);
   if (fold.length == 0) return std::nullopt;
-  const std::vector<std::uint32_t> beyond = spread(soup, next, fold.beyond, is_flat);
+  const std::vector<std::uint32_t> beyond = flat_piece(soup, next, fold.beyond);
   piece.insert(piece.end(), beyond.begin(), beyond.end());
   const Across plane(fold.along);
   Circle circle = circle_through(corners_of(soup, piece, plane));

@@ -37,7 +37,7 @@ Soup rod(std::uint32_t sides, std::uint32_t rings) {
 // Reference: the rod as it was made.
 TEST(RoundFace, of_a_rod_has_its_axis_and_its_ends_have_none) {
   std::mt19937_64 random(5);
-  for (const std::uint32_t sides : {12u, 24u, 100u})
+  for (const std::uint32_t sides : {12u, 24u, 100u, 2000u})
     for (const std::uint32_t rings : {1u, 7u}) {
       Soup soup = rod(sides, rings);
       const Pose X{sonde::test::random_rotation(random), sonde::test::random_in_ball(random, 3)};
@@ -58,6 +58,7 @@ TEST(RoundFace, of_what_is_flat_or_otherwise_round_there_is_none) {
   EXPECT_FALSE(round_face(soup_of(sonde::test::box({1, 2, 3})), 0));
   EXPECT_FALSE(round_face(soup_of(sonde::test::torus(1, 0.4, 48, 24)), 17));
   EXPECT_FALSE(round_face(soup_of(sonde::test::sphere(1, 24, 48)), 300));
+  EXPECT_FALSE(round_face(soup_of(sonde::test::sphere(1, 300, 600)), 150'000));
 }
 
 }  // namespace
