@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/format.hpp"
 
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <numbers>
 
 #include "engine/body/body.hpp"
+#include "engine/text/printable.hpp"
 
 namespace sonde::ui {
 
@@ -64,7 +66,10 @@ QString components_text(const Vec3& x) {
 }
 
 QString short_name(const Body& body) {
-  return QString::fromStdString(std::filesystem::path(body.name).stem().string());
+  QString name = text(printable(std::filesystem::path(body.name).stem().string()));
+  // What turns the direction of a text would turn that of the words beside the name too.
+  name.remove(QRegularExpression(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]")));
+  return name;
 }
 
 QString round_figure(double value) { return QString::number(value, 'g', 6); }

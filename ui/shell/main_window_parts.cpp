@@ -212,8 +212,10 @@ DocumentView MainWindow::document_view() {
           .look = [this](const CameraPlace& place) { viewport_->look(place); },
           .show_parts =
               [this](const std::vector<PartLook>& looks) {
-                if (const auto surface = viewport_->show_parts(looks))
-                  drawn_.bodies.fixed_surface = surface;
+                const auto surface = viewport_->show_parts(looks);
+                if (!surface) return;
+                drawn_.bodies.fixed_surface = surface;
+                drawn_.bodies.part_looks = looks;
               },
           .say = [this](const QString& what) { statusBar()->showMessage(what, 4000); }};
 }

@@ -66,6 +66,7 @@ DrawnBodies draw_bodies(const LoadedScene& loaded) {
           .probe_caps = caps_of(probe),
           .fixed_caps = caps_of(fixed),
           .parts = loaded.parts,
+          .part_looks = looks_of(loaded.scene.fixed),
           .part_surface = std::move(parts)};
 }
 

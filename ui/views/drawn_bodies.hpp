@@ -37,8 +37,9 @@ struct DrawnBodies {
   vtkSmartPointer<vtkPolyData> fixed_surface;
   DefectLines probe_defects, fixed_defects;
   CapSurface probe_caps, fixed_caps;
-  std::vector<BodyPart> parts;  ///< of the fixed body, felt or not; empty where it is one mesh
-  PartSurface part_surface;     ///< and as they are drawn: `fixed_surface` is what is shown of it
+  std::vector<BodyPart> parts;       ///< of the fixed body, felt or not; empty where it is one mesh
+  std::vector<PartLook> part_looks;  ///< of each of them
+  PartSurface part_surface;  ///< and as they are drawn: `fixed_surface` is what is shown of it
 };
 /// Slow for large meshes: call it in a worker.
 DrawnBodies draw_bodies(const LoadedScene& loaded);

@@ -119,7 +119,7 @@ void Viewport::show_bodies(const DrawnBodies& drawn, bool same_view) {
   s.last_device = s.last_separated = drawn.first;
   s.parts = drawn.parts;
   s.part_surface = drawn.part_surface;
-  s.part_looks.assign(s.parts.size(), {});
+  s.part_looks = drawn.part_looks;
   s.probe_surface = drawn.probe_surface;
   s.fixed_surface = drawn.fixed_surface;
   s.fixed_is_solid =

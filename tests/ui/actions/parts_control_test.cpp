@@ -11,7 +11,9 @@
 #include "engine/scene/scene.hpp"
 #include "tests/ui/window_fixture.hpp"
 #include "ui/actions/document_control.hpp"
+#include "ui/actions/seeing_control.hpp"
 #include "ui/panels/parts_panel.hpp"
+#include "ui/views/body_look.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -77,6 +79,7 @@ class PartsControlTest : public test::WindowTest {
     }
     return "OFF\n16 12 0\n" + corners + faces;
   }
+  Vec3 cut_normal() const { return window->viewport().seeing().cut.normal; }
   QTreeWidget* rows = nullptr;
 };
 
@@ -231,6 +234,28 @@ TEST_F(PartsControlTest, a_mesh_is_taken_apart_into_its_components) {
   ASSERT_EQ(rows->topLevelItemCount(), 2);
   tick(1, felt, true);
   ASSERT_TRUE(test::wait_until([this] { return fixed().parts.size() == 2; }));
+}
+
+TEST_F(PartsControlTest,
+       as_a_scene_opens_they_are_cut_in_their_colours_and_hidden_ones_not_chosen) {
+  const auto row = folder.write("looks.sonde.json", R"({"unit": "m",
+      "probe": {"mesh": "cube.off", "pose": [0, 0, 0.3, 1, 0, 0, 0]},
+      "fixed": [{"name": "left", "mesh": "cube.off", "colour": "#20c020"},
+                {"name": "right", "mesh": "cube.off", "pose": [0.2, 0, 0, 1, 0, 0, 0],
+                 "shown": false}]})");
+  open({QString::fromStdString(row.string())});
+  const QPointF at_right = window->viewport().on_screen({0.25, 0.05, 0.1});
+  drag(Qt::LeftButton, at_right, {0, 0});
+  EXPECT_FALSE(window->parts().panel().chosen());
+  find<QPushButton>("cut_y")->click();
+  window->seeing().look_from(cut_normal(), Vec3::UnitZ());
+  const QImage seen = picture();
+  const QPoint middle = window->viewport().on_screen({0.05, 0.05, 0.05}).toPoint();
+  const QColor found = seen.pixelColor(middle - QPoint(20, 20));
+  const QColor expected = cut_colour(QColor(0x20, 0xc0, 0x20));
+  EXPECT_NEAR(found.red(), expected.red(), 2);
+  EXPECT_NEAR(found.green(), expected.green(), 2);
+  EXPECT_NEAR(found.blue(), expected.blue(), 2);
 }
 
 TEST_F(PartsControlTest, a_part_that_cannot_be_read_is_no_step) {

@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+#include "engine/body/body.hpp"
+
 namespace sonde::ui {
 namespace {
 
@@ -26,6 +28,14 @@ TEST(Format, components_have_the_decimals_of_their_length) {
 
 TEST(Format, a_point_has_one_unit) {
   EXPECT_EQ(LengthUnit(0.05).text(Vec3(1e-3, -2e-4, 0)), "1.000, -0.200, 0.000 mm");
+}
+
+TEST(Format, the_name_of_a_body_does_not_turn_the_words_beside_it) {
+  Body body;
+  body.name = "шайба 座金 \u202eabc\n.ply";
+  EXPECT_EQ(short_name(body), QStringLiteral("шайба 座金 abc\\x0a"));
+  body.name = "برغي";
+  EXPECT_EQ(short_name(body), QStringLiteral("برغي"));
 }
 
 }  // namespace
