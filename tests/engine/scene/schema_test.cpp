@@ -41,9 +41,9 @@ TEST(Schema, it_has_the_keys_of_the_reader_and_no_others) {
   EXPECT_THAT(keys, testing::UnorderedElementsAreArray(scene_keys()));
 }
 
-TEST(Schema, a_part_is_a_body_with_a_name_a_colour_and_whether_it_is_shown_and_felt) {
+TEST(Schema, a_part_is_a_body_with_keys_of_its_own) {
   json part = schema().at("$defs").at("part");
-  for (const char* own : {"name", "colour", "shown", "felt"})
+  for (const char* own : {"name", "colour", "shown", "felt", "component"})
     EXPECT_EQ(part["properties"].erase(own), 1u) << own;
   EXPECT_EQ(part, schema().at("$defs").at("body"));
   for (const char* body : {"probe", "fixed"})
