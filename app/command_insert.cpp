@@ -35,8 +35,9 @@ void check_map(const InsertOptions& options) {
   if (wants_map && options.axis.empty()) throw UsageError("--offsets are about an --axis");
   if (!wants_map && (options.tilts > 1 || options.largest_offset > 0 || options.largest_tilt > 0 ||
                      !options.lateral.empty()))
-    throw UsageError("--offset-range, --tilts, --tilt-range and --lateral are of a map: give "
-                     "--offsets");
+    throw UsageError(
+        "--offset-range, --tilts, --tilt-range and --lateral are of a map: give "
+        "--offsets");
   if (options.offsets > 1 && !(options.largest_offset > 0))
     throw UsageError("--offsets need an --offset-range above zero");
   if (options.tilts > 1 && !(options.largest_tilt > 0))

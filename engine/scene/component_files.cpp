@@ -16,8 +16,8 @@ const std::vector<PolygonSoup>& ComponentFiles::of(const std::filesystem::path& 
       components_of(read_mesh(mesh, scale, part_of(progress, 0, 0.5)), part_of(progress, 0.5, 1));
   if (components.size() > most_parts)
     throw InputError::in(mesh.string(), "has " + std::to_string(components.size()) +
-                                            " components; at most " +
-                                            std::to_string(most_parts) + " can be parts");
+                                            " components; at most " + std::to_string(most_parts) +
+                                            " can be parts");
   return read_.emplace(key, std::move(components)).first->second;
 }
 

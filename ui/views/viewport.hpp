@@ -190,7 +190,7 @@ class Viewport : public QWidget {
   std::unique_ptr<Scenery> scenery_;
   bool dirty_ = true;
   CameraPlace fitted_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< where fit() put the camera
-  bool in_full_ = false;  ///< what is being drawn
+  bool in_full_ = false;                                          ///< what is being drawn
 };
 
 }  // namespace sonde::ui
