@@ -85,7 +85,7 @@ struct WayInControl::MapWork {
     map.at.largest_tilt = range.tilt;
     map.at.offsets = map.at.tilts = range.across;
     const unsigned threads =
-        std::max(1u, std::thread::hardware_concurrency() - 1);  // but the loop's
+        std::max(2u, std::thread::hardware_concurrency()) - 1;  // but the loop's
     map.free = free_travels(pair, way, map.at, threads, progress);
   }
 };

@@ -99,7 +99,9 @@ void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const ThrownSpeed fastest = can_throw ? thrown_speed(*sample.device, fastest_) : fastest_;
   // Of a hand that the mouse leads the ratio is not known.
   const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
-  measure_way(before, fastest.way * ratio, dt);
+  // By the setting: in a device that tells less often than the servo asks, one tick has the way of
+  // several.
+  measure_way(before, fastest_.way * ratio, dt);
   runaway_.set_fastest(fastest);
   if (!sample.device && !sample.trial) return runaway_.restart();
   if (!trusted || sample.changed || !(dt > 0)) return runaway_.lose_track();

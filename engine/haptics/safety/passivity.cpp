@@ -66,8 +66,6 @@ void Passivity::observe(const Pose& X_FM, double dt) noexcept {
 
 Wrench Passivity::control(const Wrench& wanted) noexcept {
   const bool contact = pushes(wanted);
-  // Out of contact the wall stores nothing: what it has taken from the hand is gone.
-  if (!contact && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);
   if (!settings_.control || !contact || !(energy_.excess > 0) || !(dt_ > 0)) return wanted;
   const Mat3 R = X_FM_.q.toRotationMatrix() * mass_.R_MP;
   const Vec3 spin = R * mass_.inertia.cwiseProduct(R.transpose() * turn_) / dt_;  // Î ω
@@ -85,6 +83,8 @@ Wrench Passivity::control(const Wrench& wanted) noexcept {
 void Passivity::rendered(const Wrench& wrench) noexcept {
   newest_ = (newest_ + 1) % wrenches_.size();
   wrenches_[newest_] = wrench;
+  // Out of contact the wall stores nothing: what it has taken from the hand is gone.
+  if (!pushes(wrench) && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);
 }
 
 }  // namespace sonde

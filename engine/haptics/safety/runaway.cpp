@@ -16,9 +16,10 @@ constexpr double just_after = 0.05;  // s
 constexpr double light_mass = 0.05;     // kg
 constexpr double light_inertia = 5e-5;  // kg·m²
 
+/// No less than half of `most`: a brisk hand gets there by itself.
 double reached(double push, double inertia, double light, double most) {
   if (!(push > 0) || !(most > 0)) return most;
-  return std::min(most, push * averaged_over / (inertia > 0 ? inertia : light));
+  return std::clamp(push * averaged_over / (inertia > 0 ? inertia : light), most / 2, most);
 }
 
 }  // namespace
