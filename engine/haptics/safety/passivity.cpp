@@ -81,10 +81,10 @@ Wrench Passivity::control(const Wrench& wanted) noexcept {
 }
 
 void Passivity::rendered(const Wrench& wrench) noexcept {
-  newest_ = (newest_ + 1) % wrenches_.size();
-  wrenches_[newest_] = wrench;
   // Out of contact the wall stores nothing: what it has taken from the hand is gone.
   if (!pushes(wrench) && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);
+  newest_ = (newest_ + 1) % wrenches_.size();
+  wrenches_[newest_] = wrench;
 }
 
 }  // namespace sonde

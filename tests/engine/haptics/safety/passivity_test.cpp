@@ -173,6 +173,23 @@ TEST(Passivity, what_a_contact_took_does_not_pay_for_the_next) {
   EXPECT_NEAR(passivity.energy().given, -0.019, 1e-12);
 }
 
+/// A mouse, a path: control() is for what a force moves.
+TEST(Passivity, a_contact_is_forgotten_where_nothing_is_controlled) {
+  Passivity passivity(mass(), {.control = true}, sample_time);
+  passivity.restart({});
+  Wrench push;
+  push.force.z() = 2;
+  const auto tick = [&](double z, const Wrench& w) {
+    passivity.observe({Quat::Identity(), Vec3(0, 0, z)}, sample_time);
+    passivity.rendered(w);
+  };
+  tick(0, push);
+  tick(-0.01, push);
+  EXPECT_NEAR(passivity.energy().excess, -0.02, 1e-12);
+  for (int i = 0; i < 3; ++i) tick(-0.01, Wrench{});
+  EXPECT_EQ(passivity.energy().excess, 0);
+}
+
 TEST(Passivity, the_controller_only_ever_brakes_and_within_its_damping) {
   std::mt19937_64 random(5);
   Passivity passivity(mass(), {.control = true, .max_damping = 3}, sample_time);
