@@ -8,8 +8,8 @@ include(GoogleTest)
 # with every GoogleTest case registered in ctest.
 #   LABELS     ci (default): runs in CI. full, soak, fuzz: longer ones, each by `ctest -L LABEL`.
 #   LIBRARIES  beside sonde::engine and GoogleTest.
-#   DISPLAY    the tests open windows: they need an X server, and run one at a time, beside others
-#              that need none: they mostly wait.
+#   DISPLAY    the tests open windows: they need an X server, and run one at a time, beside tests
+#              that open no window: they mostly wait.
 #   ALONE      nothing runs beside them: they count what is late.
 #   LAUNCHER   the program is run by this command, which gets it as its argument.
 # Cases whose names hold a label after a dot-free prefix (Full_, Soak_, Fuzz_) get that label
