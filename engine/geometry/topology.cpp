@@ -5,12 +5,12 @@
 #include <array>
 #include <bit>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "engine/base/ordering.hpp"
 #include "engine/base/progress.hpp"
 #include "engine/base/threads.hpp"
+#include "engine/geometry/union_find.hpp"
 
 namespace sonde {
 namespace {
@@ -102,23 +102,6 @@ std::size_t count_duplicates(const Soup& soup, const Progress& progress) {
                                    corners_of, count);
   return duplicates;
 }
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include "engine/base/progress.hpp"
 #include "engine/geometry/topology.hpp"
+#include "engine/geometry/union_find.hpp"
 #include "engine/mending/point_windings.hpp"
 
 namespace sonde {
@@ -16,27 +17,10 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Sets that are joined, each by its least member.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Of each polygon, the number of its piece; pieces in the order of their first polygons.
 std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progress) {
   const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.6));
-  Sets sets(soup.points.size());
+  UnionFind sets(soup.points.size());
   for_each_index(soup.polygons.size(), part_of(progress, 0.6, 0.8), [&](std::size_t i) {
     for (const std::size_t corner : soup.polygons[i])
       sets.join(place[soup.polygons[i].front()], place[corner]);
@@ -45,7 +29,7 @@ std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progr
   std::uint32_t count = 0;
   for_each_index(soup.polygons.size(), part_of(progress, 0.8, 1), [&](std::size_t i) {
     if (soup.polygons[i].empty()) return;
-    std::uint32_t& of_set = number[sets.of(place[soup.polygons[i].front()])];
+    std::uint32_t& of_set = number[sets.find(place[soup.polygons[i].front()])];
     if (of_set == none) of_set = count++;
     piece[i] = of_set;
   });

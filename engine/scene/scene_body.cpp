@@ -138,9 +138,9 @@ SceneBody with_components(const SceneBody& body, double unit, ComponentFiles& fi
     }
   }
   if (parts.size() > most_parts)
-    throw InputError::in(whole.mesh.string(), "there would be " + std::to_string(parts.size()) +
-                                                  " parts; at most " + std::to_string(most_parts) +
-                                                  " can be");
+    throw InputError::in(parts.back().mesh.string(),
+                         "there would be " + std::to_string(parts.size()) + " parts; at most " +
+                             std::to_string(most_parts) + " can be");
   whole.parts = std::move(parts);
   require_different_names(whole.parts);
   return whole;

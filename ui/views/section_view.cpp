@@ -124,10 +124,10 @@ void SectionView::show(const CutPlane& cut, const Pose& device) {
       for (const auto& actor : {drawn.faces, drawn.lines}) actor->VisibilityOff();
     return;
   }
-  if (moved || std::exchange(fixed_.stale, false)) fill(fixed_, of_fixed_, cut);
+  if (std::exchange(fixed_.stale, false) || moved) fill(fixed_, of_fixed_, cut);
   const bool probe_moved = !of_probe_.empty() && !same(of_probe_.front().X_FB, device);
   if (probe_moved) of_probe_.front().X_FB = device;
-  if (moved || probe_moved || std::exchange(probe_.stale, false)) fill(probe_, of_probe_, cut);
+  if (std::exchange(probe_.stale, false) || moved || probe_moved) fill(probe_, of_probe_, cut);
 }
 
 }  // namespace sonde::ui

@@ -13,8 +13,8 @@ struct ThrownSpeed {
 };
 
 /// What all of the device's force (torque) makes of its handle's mass (inertia) in the time over
-/// which Runaway averages, and no more than `most`. A mass that is not known is that of a light
-/// arm.
+/// which Runaway averages; at least half of `most`, since a brisk hand gets there by itself, and no
+/// more than `most`. A mass that is not known is that of a light arm.
 ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept;
 
 /// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to what

@@ -219,6 +219,9 @@ void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, doub
     series.y.push_back(y);
   };
   // The chart's axis is a logarithm; where nothing is rendered within 10 ms it is 0.
+  const auto add_rise = [&](ChartSeries& series, double k, double time) {
+    if (std::isfinite(time)) add(series, k, time);
+  };
   const auto add_hard = [&](ChartSeries& series, double k, double hard) {
     if (hard > 0) add(series, k, hard);
   };
@@ -226,11 +229,11 @@ void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, doub
     const double hard = rate_hardness(axis, k), time = rise_time(axis, k, hand);
     out.csv.append(kind.name).append(row({k, damping, hard, time}));
     add_hard(hardness.series[0], k, hard);
-    add(rise.series[0], k, time);
+    add_rise(rise.series[0], k, time);
   }
   hardness.series[1].form = rise.series[1].form = ChartSeries::Form::points;
   add_hard(hardness.series[1], stiffness, rate_hardness(axis, stiffness));
-  add(rise.series[1], stiffness, rise_time(axis, stiffness, hand));
+  add_rise(rise.series[1], stiffness, rise_time(axis, stiffness, hand));
   out.chart.panels.push_back(hardness);
   out.chart.panels.push_back(rise);
 }

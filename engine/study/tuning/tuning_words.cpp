@@ -91,10 +91,13 @@ std::string hardness_text(const TuningResults& results, const AxisGains& gains) 
   const SampledAxis axis{device.at("mass"), device.at("damping"), c.b_t, results.sample_time,
                          device.at("delay")};
   const HandGrip& light = hand_grips[0];
+  const double rise = rise_time(axis, stiffness, {light.stiffness, light.damping});
+  const std::string rises = std::isfinite(rise)
+                                ? "rises in " + short_text(1e3 * rise) + " ms"
+                                : std::string("does not come to what it should within 10 s");
   return "a wall at these gains feels as hard as " + short_text(rate_hardness(axis, stiffness)) +
-         " N/m to a handle that runs into it (rate-hardness over 10 ms), and its force rises in " +
-         short_text(1e3 * rise_time(axis, stiffness, {light.stiffness, light.damping})) +
-         " ms (10 to 90 %, light hand)";
+         " N/m to a handle that runs into it (rate-hardness over 10 ms), and its force " + rises +
+         " (10 to 90 %, light hand)";
 }
 
 /// Empty where the gains cannot be damped, or are.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <deque>
 
+#include "engine/base/numbers.hpp"
+
 namespace sonde {
 namespace {
 
@@ -80,7 +82,7 @@ double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand
     if (tenth == 0 && handle.force() >= 0.1 * final) tenth = handle.time();
     if (handle.force() >= 0.9 * final) return handle.time() - tenth;
   }
-  return longest;
+  return infinity;
 }
 
 }  // namespace sonde

@@ -19,7 +19,7 @@ struct AxisHand {
 
 /// The time in which the wall's force first rises from a tenth to nine tenths of what it comes to,
 /// s, where a hand that held the handle at the surface pushes from one moment to the next. The size
-/// of the push does not count.
+/// of the push does not count. Infinite where it does not come to that within 10 s.
 double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand);
 
 }  // namespace sonde

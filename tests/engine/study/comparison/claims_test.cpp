@@ -66,7 +66,7 @@ TEST(Claims, what_was_not_seen_is_undecided) {
 TEST(Claims, fewer_steps_are_seen_either_way) {
   Comparison c;
   c.of_pdt.discontinuities.force_steps = 4;
-  c.of_pdt.discontinuities.torque_steps = 5;
+  c.of_pdt.discontinuities.torque_steps = 9;  // in the same ticks: nine trials, not thirteen
   c.of_pdg.discontinuities.torque_steps = 1;
   const TestedClaim fewer = tested_claims(c).at(2);
   EXPECT_STREQ(fewer.key, "fewer_steps");
@@ -74,7 +74,7 @@ TEST(Claims, fewer_steps_are_seen_either_way) {
   EXPECT_NEAR(fewer.chance, 22.0 / 1024, 1e-12);
   std::swap(c.of_pdt, c.of_pdg);
   EXPECT_EQ(tested_claims(c).at(2).finding, Finding::refuted);
-  c.of_pdg.discontinuities.force_steps = 0;
+  c.of_pdg.discontinuities.torque_steps = 5;
   EXPECT_EQ(tested_claims(c).at(2).finding, Finding::undecided) << "1 and 5";
 }
 

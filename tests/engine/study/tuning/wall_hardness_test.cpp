@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace sonde {
 namespace {
@@ -50,6 +51,13 @@ TEST(WallHardness, rise_time_is_that_of_the_second_order_step) {
     };
     EXPECT_NEAR(rise_time(axis, k, hand), reached(0.9) - reached(0.1), 5e-5) << k;
   }
+}
+
+// Its time constant is the damping over both springs, 10 s: nine tenths take 23.
+TEST(WallHardness, a_force_that_hardly_comes_has_no_rise_time) {
+  SampledAxis axis = fast(4000);
+  axis.sample_time = 1e-3;
+  EXPECT_EQ(rise_time(axis, 200, {200, 0}), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
