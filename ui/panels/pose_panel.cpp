@@ -110,8 +110,7 @@ void PosePanel::build_snap(QWidget& content, QVBoxLayout& layout) {
   const char* const docs[] = {
       "Two clicks in the view: a face of the one body lies on a face of the other",
       "Two clicks in the view: an edge of the one body lies along an edge of the other",
-      "Two clicks in the view: the axis of a round face (a shaft) lies along that of another (a "
-      "bore)"};
+      "Two clicks in the view: the axis of a round face (a shaft) lies along that of a bore"};
   for (std::size_t i = 0; i < snaps_.size(); ++i) {
     auto* button = snaps_.at(i) = new QPushButton(QLatin1String(names[i]), group);
     button->setObjectName(QLatin1String(objects[i]));

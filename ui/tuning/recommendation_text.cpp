@@ -46,7 +46,7 @@ QString where(const GainLimit& limit) {
 QString rotational_values(const AxisGains& gains, const JointGains& joint) {
   if (!is_joint(gains.axis)) return {};
   const Coupling c = coupling_of(gains, joint);
-  const QString stiffness =
+  QString stiffness =
       QStringLiteral(", k_r = %1").arg(with_unit(c.k_r, stiffness_unit(GainAxis::rotation)));
   if (gains.axis != GainAxis::together) return stiffness;
   return stiffness +
