@@ -118,6 +118,12 @@ std::vector<Figure> figures() {
   };
 }
 
+std::optional<double> ratio_of(const std::vector<Result>& results, const Figure& figure) {
+  Pool all;
+  for (const auto& [pair, pool] : pools_of(results, figure)) all.add(pool);
+  return all.ratio();
+}
+
 Table figures_table(const std::vector<Result>& results, const std::vector<Figure>& figures) {
   Table out;
   out.columns = {{"figure", ""},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Figure {
   double at_least_ratio = 0;  ///< asked of the ratio of medians; 0: nothing
 };
 std::vector<Figure> figures();
+
+/// Their median / ours over the poses of all pairs together; nothing where it was not measured.
+std::optional<double> ratio_of(const std::vector<Result>& results, const Figure& figure);
 
 /// One row for each figure that was measured: the medians over the poses of all pairs together, the
 /// worst pair by itself, and how many pairs meet what is asked.

@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "engine/simd/instruction_set.hpp"
 #include "engine/text/output_file.hpp"
+#include "engine/text/text_file.hpp"
+#include "tests/bench/baseline.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/meshes.hpp"
 #include "tests/bench/report.hpp"
@@ -20,6 +23,7 @@ struct Options {
   bool quick = false;
   std::uint64_t seed = 1;
   std::string csv, json, plots;
+  std::string baseline, write_baseline;
   std::vector<std::string> rest;  ///< for Google Benchmark
 };
 
@@ -52,6 +56,10 @@ Options parse(int argc, char** argv) {
   app.add_option("--csv", out.csv, "Write one row for each library of each row of the tables");
   app.add_option("--json", out.json, "Write the same, and the figures, as JSON");
   app.add_option("--plots", out.plots, "Write the curves over the number of triangles, as SVG");
+  app.add_option("--baseline", out.baseline,
+                 "Fail where Sonde is less fast beside the other libraries than this file has it");
+  app.add_option("--write-baseline", out.write_baseline,
+                 "Write the ratios of this run to that file, for this instruction set");
   app.allow_extras();
   try {
     app.parse(argc, argv);
@@ -139,9 +147,30 @@ void write_files(const Options& options, const std::vector<Result>& results) {
     write_whole(std::filesystem::path(options.plots) / name, to_svg(plot));
 }
 
+constexpr std::size_t most_of_baseline = 1 << 20;  // bytes
+
+/// What the file holds; nothing where there is none.
+std::string held_by(const std::string& file) {
+  return std::filesystem::exists(file) ? read_text(file, most_of_baseline) : std::string();
+}
+
+/// Whether all is as fast as the baseline has it; says what is not.
+bool keeps_baseline(const Options& options, const std::vector<Result>& results) {
+  const std::string_view set = name_of(instruction_set());
+  const Ratios now = ratios_of(results, figures());
+  if (!options.write_baseline.empty())
+    write_whole(options.write_baseline, with_baseline(set, now, held_by(options.write_baseline)));
+  if (options.baseline.empty()) return true;
+  const std::vector<std::string> slower =
+      slower_than(baseline_for(set, read_text(options.baseline, most_of_baseline)), now);
+  for (const std::string& one : slower)
+    std::fprintf(stderr, "sonde-bench: slower than the baseline: %s\n", one.c_str());
+  return slower.empty();
+}
+
 int run(int argc, char** argv) {
   Options options = parse(argc, argv);
-  for (const std::string& file : {options.csv, options.json})
+  for (const std::string& file : {options.csv, options.json, options.write_baseline})
     if (!file.empty()) check_writable(file);
   if (!start_google_benchmark(argv[0], options.rest)) return 2;
   SessionOptions session_options;
@@ -161,7 +190,8 @@ int run(int argc, char** argv) {
   write_files(options, session.results());
   for (const std::string& failure : session.failures())
     std::fprintf(stderr, "sonde-bench: failed: %s\n", failure.c_str());
-  return session.failures().empty() ? 0 : 1;
+  const bool kept = keeps_baseline(options, session.results());
+  return kept && session.failures().empty() ? 0 : 1;
 }
 
 }  // namespace

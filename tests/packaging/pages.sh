@@ -21,7 +21,8 @@ check_flags() { # PROGRAM [COMMAND]
     complain "$1.1: --help of \"$*\" lists other flags: $(cat "$work/differ")"
 }
 commands=$({ "$BUILD/bin/sonde" nothing 2>&1 || true; } | sed -n 's/.*the commands are //p' | tr -d ,)
-[[ $(wc -w <<<"$commands") -eq 13 ]] || complain "not the commands: $commands"
+sources=("$SOURCE"/app/command_*.cpp) # one for each command, and command_line.cpp
+[[ $(wc -w <<<"$commands") -eq $((${#sources[@]} - 1)) ]] || complain "not the commands: $commands"
 read_page sonde
 check_flags sonde
 for command in $commands; do check_flags sonde "$command"; done
