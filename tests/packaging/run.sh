@@ -12,7 +12,7 @@ cp "$SOURCE"/packaging/{run,display.sh} "$tree/packaging"
 ln -s "$SOURCE/resources" "$tree/resources"
 cat >"$tree/packaging/deps" <<END
 #!/bin/sh
-echo deps | tee -a "$log"
+echo "deps \$*" | tee -a "$log"
 exit \${NO_DEPS:-0}
 END
 cat >"$work/programs/cmake" <<END
@@ -23,6 +23,7 @@ echo "cmake \$1" | tee -a "$log"
 if [[ \$1 == --preset ]]; then
   (cd "$SOURCE" && "$(command -v cmake)" --list-presets) | grep "^ *\"\$2\""
   mkdir -p "$tree/build/\$2/bin"
+  touch "$tree/build/\$2/build.ninja"
   exit
 fi
 [[ \$1 == --build && -d \$2/bin && \$3 == --target && \${NO_BUILD:-} != 1 ]] || exit 1
@@ -48,10 +49,13 @@ run() { # [VARIABLE=VALUE...] -- ARGUMENT...: packaging/run in another folder
 
 spoon=$tree/resources/scenes/spoon-in-cup.sonde.json
 same_output "$work, given: $spoon" run DISPLAY=given --
-same_output "deps
+same_output "deps build window
 cmake --preset
 cmake --build" cat "$log"
 same_output "$work, given: $spoon" run WAYLAND_DISPLAY=given --
+# What is configured is not configured again.
+same_output "deps build window
+cmake --build" tail -n 2 "$log"
 same_output "$work, given: a b.ply --k 3" run DISPLAY=given -- "a b.ply" --k 3
 same_output "$work, another: a.ply --screenshot a.png" run -- a.ply --screenshot a.png
 same_output "$work, another: --demo $tree/build/sonde-view.png a.ply" run -- a.ply

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/recording/block.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include "tests/engine/recording/made_up_ticks.hpp"
@@ -37,6 +38,35 @@ TEST(Block, of_more_rows_than_it_can_hold_is_none) {
     block[12] = rows;  // the lowest byte of the rows
     EXPECT_THROW(head_of(block), std::invalid_argument) << int(rows);
   }
+}
+
+// The head's layout is that of block.hpp: sizes at 4 and 8, times at 16 and 24.
+TEST(Block, larger_than_any_of_ours_is_none) {
+  const std::string block = tick_block(made_up_ticks(8));
+  for (const std::size_t highest_byte : {std::size_t{7}, std::size_t{11}}) {
+    std::string damaged = block;
+    damaged[highest_byte] = '\x10';  // 2^28 and a little more
+    EXPECT_THROW(head_of(damaged), std::invalid_argument) << highest_byte;
+    damaged[highest_byte] = '\x0f';
+    EXPECT_NO_THROW(head_of(damaged)) << highest_byte;
+  }
+}
+
+TEST(Block, whose_times_fall_or_are_none_is_none) {
+  const auto with_times = [](double first, double last) {
+    std::string out = tick_block(made_up_ticks(8));
+    out.replace(16, 8, reinterpret_cast<const char*>(&first), 8);
+    out.replace(24, 8, reinterpret_cast<const char*>(&last), 8);
+    return out;
+  };
+  EXPECT_NO_THROW(head_of(with_times(1, 2)));
+  EXPECT_NO_THROW(head_of(with_times(1, 1)));
+  EXPECT_THROW(head_of(with_times(2, 1)), std::invalid_argument);
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(head_of(with_times(1, infinite)), std::invalid_argument);
+  EXPECT_THROW(head_of(with_times(-infinite, 1)), std::invalid_argument);
+  EXPECT_THROW(head_of(with_times(std::numeric_limits<double>::quiet_NaN(), 1)),
+               std::invalid_argument);
 }
 
 TEST(Block, what_is_there_is_smaller_where_nothing_moves) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/engine/haptics/tick_time.hpp"
 
 namespace sonde {
@@ -51,6 +53,27 @@ TEST(Coupler, does_not_damp_across_a_jump_a_failure_or_a_gap) {
   coupler.forget();
   EXPECT_NEAR(force_z(coupler, pushed_out(0.001)), 0.1, 1e-12);
   EXPECT_NEAR(force_z(coupler, pushed_out(0.002), 0), 0.2, 1e-12);
+}
+
+// About z by nearly half a turn, as the probe is pushed out: by the springs alone where it passes
+// half a turn, since no motion made the rotation vector start again from the other side.
+TEST(Coupler, does_not_damp_a_turn_that_passes_half_a_turn) {
+  Coupling c;
+  c.mode = Coupling::Mode::classic;
+  c.k_r = 1;
+  c.b_r = 0.5;
+  c.max_force = c.max_torque = 1e9;
+  Coupler coupler(MassProperties{}, c);
+  const auto torque_z = [&](double turn) {
+    Separation s = pushed_out(0.001);
+    s.separated.q = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
+    return coupler.wrench(s, dt).torque.z();
+  };
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR(torque_z(pi - 0.02), pi - 0.02, 1e-9);
+  EXPECT_NEAR(torque_z(pi - 0.01), pi - 0.01 + 0.5 * 0.01 / dt, 1e-6);
+  EXPECT_NEAR(torque_z(pi + 0.01), -(pi - 0.01), 1e-9);
+  EXPECT_NEAR(torque_z(pi + 0.02), -(pi - 0.02) + 0.5 * 0.01 / dt, 1e-6);
 }
 
 TEST(Coupler, from_one_mode_to_another_the_wrench_is_of_both) {

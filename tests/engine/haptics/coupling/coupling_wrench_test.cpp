@@ -277,6 +277,10 @@ TEST(Coupling, below_the_limits_nothing_changes) {
   EXPECT_EQ(same.torque, w.torque);
 }
 
+TEST(Coupling, what_a_limit_has_cut_before_stays_marked_within_a_wider_one) {
+  EXPECT_TRUE(limit({{3, 4, 0}, {0, 0.6, 0.8}, true}, 5, 1).saturated);
+}
+
 TEST(Coupling, what_is_no_number_never_reaches_the_hand) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
