@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/interrupt.hpp"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <atomic>
+
+#include "engine/platform/end_signals.hpp"
 
 namespace sonde::app {
 namespace {
@@ -19,20 +18,15 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 // Not cooperative by default: a single search may run for minutes, and there is nothing to undo.
 extern "C" void on_interrupt(int) {
   if (noting.load()) return noted.store(true);
-  if (!writing.load()) _exit(interrupted_exit_code);
+  if (!writing.load()) end_at_once(interrupted_exit_code);
 }
 
 }  // namespace
 
 void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = on_interrupt;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  on_end_signal(on_interrupt, HandledSignals::all);
   // Who reads the results may go away: then writing fails, and what is half written is taken away.
-  signal(SIGPIPE, SIG_IGN);
+  survive_broken_pipes();
 }
 
 void finish_despite_interrupts() { writing.store(true); }

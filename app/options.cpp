@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/options.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "app/interrupt.hpp"
 #include "engine/base/error.hpp"
+#include "engine/platform/writable_file.hpp"
 #include "engine/text/number_text.hpp"
 #include "engine/text/output_file.hpp"
 
@@ -150,9 +148,9 @@ void check_beside(const OutputOptions& result, const std::string& flag, const st
 void write_result(const OutputOptions& options, const std::string& text) {
   finish_despite_interrupts();
   if (options.to_file()) return write_whole(options.out, text);
-  if (!write_all(STDOUT_FILENO, text))
+  if (const int error = write_standard_output(text); error != 0)
     throw InputError::in("standard output",
-                         "cannot be written: " + std::generic_category().message(errno));
+                         "cannot be written: " + std::generic_category().message(error));
 }
 
 }  // namespace sonde::app

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/part_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <limits>
 #include <string_view>
 #include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/platform/writable_file.hpp"
 #include "engine/text/output_file.hpp"
 #include "engine/text/text_file.hpp"
 
@@ -47,13 +44,10 @@ void PartFile::flush() {
   if (!ours_) {
     write_whole(file_, run_ + "\n" + text);
   } else {
-    const int descriptor = ::open(file_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    const bool written = descriptor >= 0 && write_all(descriptor, text);
-    const int reason = errno;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!written)
+    WritableFile file(file_, WritableFile::Opening::append);
+    if (!file.is_open() || !file.write(text))
       throw InputError::in(file_.string(),
-                           "cannot be written: " + std::generic_category().message(reason));
+                           "cannot be written: " + std::generic_category().message(file.error()));
   }
   ours_ = true;
   flushed_ = lines_.size();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/progress_line.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <iostream>
+
+#include "engine/platform/terminal.hpp"
 
 namespace sonde::app {
 
 ProgressLine::ProgressLine(bool quiet)
-    : on_(!quiet && ::isatty(STDERR_FILENO) == 1), last_(std::chrono::steady_clock::now()) {}
+    : on_(!quiet && error_stream_is_terminal()), last_(std::chrono::steady_clock::now()) {}
 
 void ProgressLine::show(const std::string& what, std::size_t done, std::size_t total) {
   if (!on_) return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/device_owner.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <system_error>
+
+#include "engine/platform/writable_file.hpp"
 
 namespace sonde {
 namespace {
@@ -52,7 +52,7 @@ std::string other_owner(const std::string& path, const fs::path& proc) {
   for (fs::directory_iterator process(proc, error), end; !error && process != end;
        process.increment(error)) {
     const std::string number = process->path().filename().string();
-    if (!is_number(number) || number == std::to_string(::getpid())) continue;
+    if (!is_number(number) || number == std::to_string(process_number())) continue;
     const std::string name = command_of(process->path());
     const std::string who = described(name, number);
     if (has_open(process->path(), path)) return who + " has it open" + advice(name);

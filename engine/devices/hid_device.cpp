@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/devices/hid_device.hpp"
 
-#include <fcntl.h>
 #include <hidapi/hidapi.h>
-#include <linux/hidraw.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <mutex>
-#include <string_view>
 #include <system_error>
 
 #include "engine/base/error.hpp"
 #include "engine/base/ordering.hpp"
+#include "engine/platform/hid_node.hpp"
 
 namespace sonde {
 namespace {
@@ -53,19 +46,6 @@ std::string utf8(const wchar_t* wide) {
   return text;
 }
 
-/// The folder of the HID device that has this node.
-std::filesystem::path device_folder(const std::string& path) {
-  return "/sys/class/hidraw/" + std::filesystem::path(path).filename().string() + "/device";
-}
-
-std::string port_of(const std::string& path) {
-  constexpr std::string_view key = "HID_PHYS=";
-  std::ifstream file(device_folder(path) / "uevent");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with(key)) return line.substr(key.size());
-  return "";
-}
-
 HidInfo info_of(const hid_device_info& found) {
   return {.path = found.path,
           .vendor = found.vendor_id,
@@ -75,34 +55,21 @@ HidInfo info_of(const hid_device_info& found) {
           .serial = utf8(found.serial_number),
           .interface = found.interface_number,
           .usages = {},
-          .port = port_of(found.path)};
+          .port = hid_port(found.path)};
 }
-
-/// Closes with the object.
-struct Descriptor {
-  explicit Descriptor(int number) : number(number) {}
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  const int number;
-};
 
 /// What hidapi is going to do, done first: it says no errno, and hidapi 0.13.1 writes into freed
 /// memory where the descriptor's size cannot be asked.
 void check_opens(const std::string& path) {
-  const Descriptor node(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (node.number < 0) throw InputError::in(path, open_failure(errno));
-  int size = 0;
-  if (::ioctl(node.number, HIDIOCGRDESCSIZE, &size) < 0)
+  const auto [opening, asking] = check_hid_node(path);
+  if (opening != 0) throw InputError::in(path, open_failure(opening));
+  if (asking != 0)
     throw InputError::in(path, "it is no HID device, or is being unplugged: " +
-                                   std::generic_category().message(errno));
+                                   std::generic_category().message(asking));
 }
 
 std::vector<std::uint8_t> descriptor_bytes(const std::string& path) {
-  std::ifstream file(device_folder(path) / "report_descriptor", std::ios::binary);
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::uint8_t> bytes = hid_report_descriptor(path);
   if (bytes.empty()) throw InputError::in(path, "its report descriptor cannot be read");
   return bytes;
 }

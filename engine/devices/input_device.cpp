@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
-#include "engine/base/real_time.hpp"
 #include "engine/base/triple_buffer.hpp"
-#include "engine/base/wakeful_processors.hpp"
 #include "engine/devices/connection.hpp"
+#include "engine/platform/real_time.hpp"
+#include "engine/platform/wakeful_processors.hpp"
 
 namespace sonde {
 namespace {

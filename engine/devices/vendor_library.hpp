@@ -3,8 +3,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+
+#include "engine/platform/shared_library.hpp"
 
 namespace sonde {
 
@@ -54,7 +57,7 @@ class VendorLibrary {
   void* address_of(const char* symbol) const;
 
   std::filesystem::path file_;
-  void* handle_ = nullptr;
+  std::optional<SharedLibrary> library_;
 };
 
 /// What a library answers in words; null: nothing.

@@ -1,69 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/recording/recording.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
+
+#include "engine/platform/readable_file.hpp"
 
 namespace sonde {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that stays readable while it is held, whatever happens to its name.
-class OpenFile {
- public:
-  explicit OpenFile(const fs::path& file)
-      : file_(file), descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    struct ::stat status {};
-    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail(errno);
-    if (S_ISDIR(status.st_mode)) fail(EISDIR);
-    size_ = static_cast<std::uint64_t>(status.st_size);
-  }
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  std::uint64_t size() const { return size_; }
-  const fs::path& path() const { return file_; }
-  /// As much of it as there is.
-  std::string read(std::uint64_t offset, std::size_t most) const {
-    std::string bytes(static_cast<std::size_t>(
-                          std::min<std::uint64_t>(most, size_ > offset ? size_ - offset : 0)),
-                      '\0');
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t n = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
-                                static_cast<off_t>(offset + done));
-      if (n < 0 && errno != EINTR) fail(errno);
-      if (n == 0) break;
-      if (n > 0) done += static_cast<std::size_t>(n);
-    }
-    bytes.resize(done);
-    return bytes;
-  }
-
- private:
-  [[noreturn]] void fail(int error) const {
-    throw InputError::in(file_.string(), std::generic_category().message(error));
-  }
-  fs::path file_;
-  int descriptor_;
-  std::uint64_t size_ = 0;
-};
-
 /// The bytes of the header, or what there is of them.
-std::string header_bytes_of(const OpenFile& file) {
+std::string header_bytes_of(const ReadableFile& file) {
   constexpr std::size_t fixed_size = 20, most = 1u << 24;
   std::string bytes = file.read(0, fixed_size);
   if (bytes.size() == fixed_size) {
@@ -76,7 +28,7 @@ std::string header_bytes_of(const OpenFile& file) {
 /// Reads the blocks from `offset` on. Why there are no more; empty at the end of a whole one.
 class BlockReader {
  public:
-  BlockReader(Recording& into, std::shared_ptr<const OpenFile> file)
+  BlockReader(Recording& into, std::shared_ptr<const ReadableFile> file)
       : into_(into), file_(std::move(file)) {}
 
   /// False where there is no more, with the reason in `cut`.
@@ -138,13 +90,13 @@ class BlockReader {
   }
 
   Recording& into_;
-  std::shared_ptr<const OpenFile> file_;
+  std::shared_ptr<const ReadableFile> file_;
 };
 
 }  // namespace
 
 std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& progress) {
-  const auto open = std::make_shared<const OpenFile>(file);
+  const auto open = std::make_shared<const ReadableFile>(file);
   ReadHeader read = read_header(header_bytes_of(*open), file);
   const double radius = read.header.probe_radius, rate = read.header.rate_hz;
   auto recording = std::make_unique<Recording>(Recording{.file = file,
@@ -161,7 +113,7 @@ std::unique_ptr<Recording> read_recording(const fs::path& file, const Progress& 
 }
 
 std::vector<fs::path> recorded_paths_out_of(const fs::path& folder, const fs::path& recording) {
-  const std::string bytes = header_bytes_of(OpenFile(recording));
+  const std::string bytes = header_bytes_of(ReadableFile(recording));
   return paths_out_of(folder, recorded_scene_text(bytes, recording), recording);
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/recording/recording_writer.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -23,14 +20,11 @@ std::string system_reason(int error) {
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header)
     : file_(file) {
-  descriptor_ = create_anew(file);  // the ticks to come may be those of the recording it replaces
+  open_ = create_anew(file);  // the ticks to come may be those of the recording it replaces
   thread_ = std::thread([this, header] { run(header); });
 }
 
-RecordingWriter::~RecordingWriter() {
-  finish();
-  ::close(descriptor_);
-}
+RecordingWriter::~RecordingWriter() { finish(); }
 
 void RecordingWriter::add(BlockBytes block) {
   const std::scoped_lock lock(mutex_);
@@ -76,7 +70,7 @@ void RecordingWriter::run(const RecordingHeader& header) {
       write(bytes);
     }
     write(end_block(ticks_));
-    if (::fsync(descriptor_) != 0) throw InputError::in(file_.string(), system_reason(errno));
+    if (!open_.sync()) throw InputError::in(file_.string(), system_reason(open_.error()));
   } catch (const std::exception& bad) {
     const std::scoped_lock lock(mutex_);
     failure_ = bad.what();
@@ -87,12 +81,10 @@ void RecordingWriter::run(const RecordingHeader& header) {
 
 /// Whole or not at all.
 void RecordingWriter::write(const std::string& bytes) {
-  if (!write_all(descriptor_, bytes)) {
-    const int error = errno;
+  if (!open_.write(bytes)) {
     // What is left of a block is cut off; a file that cannot be cut can be read all the same.
-    [[maybe_unused]] const int cut =
-        ::ftruncate(descriptor_, static_cast<off_t>(bytes_.load(std::memory_order_relaxed)));
-    throw InputError::in(file_.string(), system_reason(error));
+    open_.cut(bytes_.load(std::memory_order_relaxed));
+    throw InputError::in(file_.string(), system_reason(open_.error()));
   }
   bytes_.fetch_add(bytes.size(), std::memory_order_relaxed);
 }

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/platform/writable_file.hpp"
 #include "engine/recording/recording_header.hpp"
 #include "engine/recording/tick_log.hpp"
 
@@ -51,7 +52,7 @@ class RecordingWriter {
   std::optional<BlockBytes> next();
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  WritableFile open_;
   std::uint64_t ticks_ = 0;
   std::atomic<std::uint64_t> bytes_{0};  ///< whole blocks
   mutable std::mutex mutex_;

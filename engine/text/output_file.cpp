@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/text/output_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <string>
 #include <system_error>
 
@@ -40,11 +36,8 @@ bool is_special(const fs::path& file) {
 }
 
 void write_special(const fs::path& file, std::string_view text) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(file, errno);
-  const int error = write_all(descriptor, text) ? 0 : errno;
-  ::close(descriptor);
-  if (error != 0) fail(file, error);
+  WritableFile special(file, WritableFile::Opening::existing);
+  if (!special.is_open() || !special.write(text)) fail(file, special.error());
 }
 
 /// A name beside the target that no other process or thread of this one uses.
@@ -52,39 +45,34 @@ fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   std::string name = ".";
   name.append(target.filename().string().substr(0, 200)).append(".part-");
-  name.append(std::to_string(::getpid())).append("-").append(std::to_string(count++));
+  name.append(std::to_string(process_number())).append("-").append(std::to_string(count++));
   return folder_of(target) / name;
 }
 
-/// Writes a new file down to the disk. An errno, 0 where all went well.
+/// Writes a new file down to the disk. The number of an error, 0 where all went well.
 int write_new(const fs::path& file, std::string_view text) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) return errno;
-  // Without the sync a crash of the machine could leave the new name on an empty file.
-  int error = write_all(descriptor, text) && ::fsync(descriptor) == 0 ? 0 : errno;
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  return error;
+  WritableFile fresh(file, WritableFile::Opening::anew);
+  if (fresh.is_open() && fresh.write(text) && fresh.sync()) fresh.close();
+  return fresh.error();
+}
+
+/// One that goes leaves no trace, and no complaint.
+void remove_quietly(const fs::path& file) {
+  std::error_code gone;
+  fs::remove(file, gone);
 }
 
 }  // namespace
-
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n < 0 && errno != EINTR) return false;
-    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
 
 void check_writable(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) fail(file, EISDIR);
   if (is_special(file)) return;
   const fs::path target = behind_links(file);
-  if (::access(folder_of(target).c_str(), W_OK | X_OK) != 0) fail(file, errno);
+  if (const int reason = may_write(folder_of(target)); reason != 0) fail(file, reason);
   // A file that may not be written stays, although its folder would allow to replace it.
-  if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) fail(file, errno);
+  if (!fs::exists(target, error)) return;
+  if (const int reason = may_write(target); reason != 0) fail(file, reason);
 }
 
 PendingFile::PendingFile(const fs::path& file, std::string_view text) : file_(file) {
@@ -96,39 +84,39 @@ PendingFile::PendingFile(const fs::path& file, std::string_view text) : file_(fi
   target_ = behind_links(file);
   const fs::path temporary = temporary_name(target_);
   if (const int error = write_new(temporary, text); error != 0) {
-    ::unlink(temporary.c_str());
+    remove_quietly(temporary);
     fail(file, error);
   }
   temporary_ = temporary;
 }
 
 PendingFile::~PendingFile() {
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!temporary_.empty()) remove_quietly(temporary_);
 }
 
 void PendingFile::commit() {
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(file_, errno);
+  if (const int error = replace_file(temporary_, target_); error != 0) fail(file_, error);
   temporary_.clear();
 }
 
 void write_whole(const fs::path& file, std::string_view text) { PendingFile(file, text).commit(); }
 
-int create_anew(const fs::path& file) {
+WritableFile create_anew(const fs::path& file) {
   check_writable(file);
   if (is_special(file)) {
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(file, errno);
-    return descriptor;
+    WritableFile special(file, WritableFile::Opening::existing);
+    if (!special.is_open()) fail(file, special.error());
+    return special;
   }
   const fs::path target = behind_links(file);
   const fs::path temporary = temporary_name(target);
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) fail(file, errno);
-  if (std::rename(temporary.c_str(), target.c_str()) == 0) return descriptor;
-  const int error = errno;
-  ::close(descriptor);
-  ::unlink(temporary.c_str());
+  WritableFile fresh(temporary, WritableFile::Opening::anew);
+  if (!fresh.is_open()) fail(file, fresh.error());
+  const int error = replace_file(temporary, target);
+  if (error == 0) return fresh;
+  fresh.close();
+  remove_quietly(temporary);
   fail(file, error);
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "engine/platform/writable_file.hpp"
+
 namespace sonde {
 
 /// Writes a file whole or not at all: to a temporary file beside it, which then takes its name. The
@@ -30,11 +32,7 @@ class PendingFile {
 void check_writable(const std::filesystem::path& file);
 
 /// Opens a new file that takes this name at once, empty; what had the name stays readable to those
-/// who have it open. A target that is not an ordinary file is opened as it is. Returns the
-/// descriptor. Throws InputError.
-int create_anew(const std::filesystem::path& file);
-
-/// Writes everything to a file descriptor. False, with errno set, where that fails.
-bool write_all(int descriptor, std::string_view text);
+/// who have it open. A target that is not an ordinary file is opened as it is. Throws InputError.
+WritableFile create_anew(const std::filesystem::path& file);
 
 }  // namespace sonde

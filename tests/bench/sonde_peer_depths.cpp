@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/text/number_text.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/chart.hpp"

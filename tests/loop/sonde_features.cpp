@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/base/quantile.hpp"
 #include "engine/body/body.hpp"
 #include "engine/haptics/coupling/coupler.hpp"

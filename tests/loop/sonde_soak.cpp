@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <thread>
 
-#include "engine/base/processor_time.hpp"
-#include "engine/base/wakeful_processors.hpp"
+#include "engine/platform/processor_time.hpp"
+#include "engine/platform/wakeful_processors.hpp"
 #include "engine/haptics/loop/servo.hpp"
 #include "engine/scene/path_hand.hpp"
 #include "engine/scene/poses.hpp"

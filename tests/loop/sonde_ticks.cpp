@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "tests/loop/real_cases.hpp"
 #include "tests/loop/tick_cases.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"
 #include "engine/penetration/descent/descent.hpp"
 #include "engine/penetration/search/static_search.hpp"

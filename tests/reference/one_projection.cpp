@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/penetration/search/coherent.hpp"
 #include "engine/proximity/queries/intersect.hpp"
 

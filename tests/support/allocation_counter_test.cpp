@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 
 namespace sonde::test {
 namespace {

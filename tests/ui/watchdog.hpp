@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "tests/ui/window_fixture.hpp"
 
 namespace sonde::ui::test {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/job.hpp"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <QElapsedTimer>
 #include <atomic>
 #include <utility>
 
+#include "engine/platform/real_time.hpp"
 #include "ui/base/progress_dialog.hpp"
 
 namespace sonde::ui {
@@ -16,13 +13,6 @@ namespace {
 
 constexpr int patience_ms = 600;  // before a dialog appears
 constexpr int poll_ms = 8;
-constexpr int politeness = 10;  // a tenth of the processor where the servo or the picture want it
-
-/// This thread, and those that it will start. Without the right to, it runs as any other.
-void stand_back() {
-  const auto self = static_cast<id_t>(syscall(SYS_gettid));
-  setpriority(PRIO_PROCESS, self, politeness);
-}
 
 }  // namespace
 
@@ -71,7 +61,7 @@ void Job::start(const QString& what, std::function<void(const Progress&)> work,
   }
   Task* shared = task.get();  // outlives the thread: its destructor joins
   task->thread = std::thread([shared, stands_back = bool(watched), work = std::move(work)] {
-    if (stands_back) stand_back();
+    if (stands_back) stand_back();  // behind the servo and the picture
     try {
       work([shared](double fraction) {
         shared->fraction = fraction;

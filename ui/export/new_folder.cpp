@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/new_folder.hpp"
 
-#include <unistd.h>
-
 #include <string>
 #include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/platform/writable_file.hpp"
 
 namespace sonde::ui {
 namespace {
@@ -29,7 +28,7 @@ NewFolder::NewFolder(const fs::path& folder) : folder_(plain(folder)) {
   if (fs::exists(folder_, error)) fail(folder_, "it is there already");
   std::string hidden = ".";
   hidden.append(folder_.filename().string().substr(0, 200)).append(".part-");
-  hidden.append(std::to_string(::getpid()));
+  hidden.append(std::to_string(process_number()));
   filling_ = folder_.parent_path() / hidden;
   if (!fs::create_directory(filling_, error))
     fail(folder_, error ? error.message() : "a folder of an export that is going on is in the way");

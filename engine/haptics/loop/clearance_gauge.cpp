@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 #include "engine/body/body.hpp"
 #include "engine/proximity/queries/distance.hpp"
 

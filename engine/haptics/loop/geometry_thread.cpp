@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/loop/geometry_thread.hpp"
 
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 #include "engine/haptics/loop/loop_tuning.hpp"
 
 namespace sonde {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/haptics/loop/servo.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -16,25 +14,13 @@
 #include "engine/haptics/coupling/gain_glide.hpp"
 #include "engine/haptics/loop/geometry_thread.hpp"
 #include "engine/haptics/loop/schedule.hpp"
+#include "engine/platform/clock.hpp"
 
 namespace sonde {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 constexpr std::size_t history_ticks = 4096;
-
-std::int64_t monotonic_now() noexcept {
-  timespec t{};
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return static_cast<std::int64_t>(t.tv_sec) * second + t.tv_nsec;
-}
-
-void sleep_until(std::int64_t due) noexcept {
-  timespec t{};
-  t.tv_sec = static_cast<time_t>(due / second);
-  t.tv_nsec = static_cast<long>(due % second);
-  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr);
-}
 
 double possible_rate(double rate_hz) {
   constexpr double slowest = 1, fastest = 1e5;
@@ -90,24 +76,24 @@ bool Servo::State::wait_for(std::int64_t due) noexcept {
   constexpr std::int64_t slice = 20'000'000;
   for (;;) {
     if (stopping.load(std::memory_order_relaxed)) return false;
-    const std::int64_t now = monotonic_now();
+    const std::int64_t now = monotonic_ns();
     if (now >= due) return true;
-    sleep_until(std::min(due, now + slice));
+    sleep_until_ns(std::min(due, now + slice));
   }
 }
 
 /// One run of the servo thread, from start() to stop().
 class Servo::State::Run {
  public:
-  explicit Run(State& state) : s_(state), start_(monotonic_now()), schedule_{.due = start_} {}
+  explicit Run(State& state) : s_(state), start_(monotonic_ns()), schedule_{.due = start_} {}
 
   void go() noexcept {
     name_thread("sonde-servo");
     touch_stack();
     if (s_.settings.real_time) timing_.real_time = request_real_time();
-    schedule_.due = start_ = monotonic_now();
+    schedule_.due = start_ = monotonic_ns();
     while (s_.wait_for(schedule_.due)) {
-      const std::int64_t begin = monotonic_now();
+      const std::int64_t begin = monotonic_ns();
       take_settings();
       if (s_.paused.load(std::memory_order_relaxed))
         idle(begin);
@@ -171,7 +157,7 @@ class Servo::State::Run {
     render(done.wrench);
     s_.geometry.ask(s_.loop.device(), clock.tick, clock.now);
     meter_.tick(begin);
-    const std::int64_t end = monotonic_now();
+    const std::int64_t end = monotonic_ns();
     measure(since, end - begin, done.hand.rows);
     publish(clock, end, done);
   }
@@ -209,10 +195,10 @@ class Servo::State::Run {
     if (!s_.force.load(std::memory_order_relaxed)) return;
     const double dt = static_cast<double>(schedule_.period) * 1e-9;
     for (double left = time; left > 0; left -= dt) {
-      const HandTick& done = s_.loop.fade(sample(monotonic_now()), dt, left);
+      const HandTick& done = s_.loop.fade(sample(monotonic_ns()), dt, left);
       render(done.wrench);
       if (done.wrench.force.isZero(0) && done.wrench.torque.isZero(0)) return;
-      sleep_until(monotonic_now() + schedule_.period);
+      sleep_until_ns(monotonic_ns() + schedule_.period);
     }
   }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 #include "engine/haptics/coupling/coupling.hpp"
 #include "engine/haptics/loop/hand_loop.hpp"
 #include "engine/haptics/loop/time_histogram.hpp"

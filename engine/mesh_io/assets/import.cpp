@@ -16,7 +16,7 @@
 #include <system_error>
 
 #include "engine/base/progress.hpp"
-#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 #include "engine/mesh_io/assets/packed_soup.hpp"
 
 namespace sonde {

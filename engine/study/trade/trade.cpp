@@ -6,7 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/numbers.hpp"
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/body/body.hpp"
 #include "engine/geometry/random.hpp"
 #include "engine/penetration/bound/lower_bound.hpp"

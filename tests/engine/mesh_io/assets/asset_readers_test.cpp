@@ -12,7 +12,7 @@
 
 #include "engine/geometry/mass.hpp"
 #include "engine/geometry/mass_integrals.hpp"
-#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 #include "engine/mesh_io/assets/packed_soup.hpp"
 #include "tests/engine/mesh_io/assets/asset_files.hpp"
 #include "tests/engine/mesh_io/mesh_checks.hpp"

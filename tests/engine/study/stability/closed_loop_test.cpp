@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 #include "engine/geometry/rotation.hpp"
 #include "engine/scene/poses.hpp"
 #include "engine/scene/scene.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the system permits is not ours to say: the test asks it for what it granted.
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

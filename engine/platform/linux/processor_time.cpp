@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/base/processor_time.hpp"
+#include "engine/platform/processor_time.hpp"
 
 #include <time.h>
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/base/real_time.hpp"
+#include "engine/platform/real_time.hpp"
 
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
 #include <thread>
 
 namespace sonde {
@@ -60,18 +61,6 @@ bool lock_what_comes() noexcept {
 
 }  // namespace
 
-void touch_stack() noexcept {
-  constexpr std::size_t bytes = 256 * 1024, page = 4096;
-  volatile char pages[bytes];
-  for (std::size_t i = 0; i < bytes; i += page) pages[i] = 0;
-  static_cast<void>(pages[0]);
-}
-
-int processor_for(LoopThread thread, const int* allowed, int count) noexcept {
-  if (count <= 2) return -1;
-  return allowed[thread == LoopThread::servo ? count - 1 : count - 2];
-}
-
 const char* request_processor(LoopThread thread) noexcept {
   cpu_set_t set;
   if (sched_getaffinity(0, sizeof set, &set) != 0) return "processor: the system does not say";
@@ -87,6 +76,11 @@ const char* request_processor(LoopThread thread) noexcept {
 }
 
 void name_thread(const char* name) noexcept { pthread_setname_np(pthread_self(), name); }
+
+void stand_back() noexcept {
+  constexpr int nice = 10;  // a tenth of the processor where others want it
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), nice);
+}
 
 RealTime request_real_time() noexcept {
   const int scheduling = schedule(SCHED_FIFO, priority);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/base/wakeful_processors.hpp"
+#include "engine/platform/wakeful_processors.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -31,6 +31,10 @@ void touch_stack() noexcept;
 /// The calling thread's name in the system's tools (top -H); up to 15 letters.
 void name_thread(const char* name) noexcept;
 
+/// The calling thread, and those that it starts, take about a tenth of a processor that others
+/// want.
+void stand_back() noexcept;
+
 /// Requests both, for the calling thread and for the process. May wait; do not call it in a tick.
 RealTime request_real_time() noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/mesh_io/assets/child_process.hpp"
+#include "engine/platform/child_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -51,7 +51,7 @@ class Child {
   int pipe_;
 };
 
-bool write_all(int to, std::string_view bytes) {
+bool send_all(int to, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = write(to, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
@@ -74,7 +74,7 @@ bool write_all(int to, std::string_view bytes) {
   dup2(nowhere, STDERR_FILENO);
   bool done = false;
   try {
-    done = write_all(to, work());
+    done = send_all(to, work());
   } catch (...) {
     done = false;
   }

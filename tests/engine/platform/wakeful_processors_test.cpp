@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file stands in for the system's, which only root may open. The reference is its kernel manual:
 // what is written is a 32-bit number of microseconds, in force while the file is open.
-#include "engine/base/wakeful_processors.hpp"
+#include "engine/platform/wakeful_processors.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
