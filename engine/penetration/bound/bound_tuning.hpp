@@ -39,12 +39,11 @@ struct BoundTuning {
   int most_boxes = 60;     ///< boxes of the cover of the overlap of two solids
   double large_triangle =
       0.1;  ///< half box diagonal / body radius: a larger triangle is also sampled inside
-  double apart = 0.5;  ///< times the depth: points closer than this count as one
-  double meeting_stride =
-      0.02;                  ///< times the smaller radius: first step uphill from an intersection
-  int meeting_ascent = 8;    ///< evaluations of that ascent
-  double last_stride = 0.5;  ///< times the depth: first step of the final ascent
-  int last_ascent = 10;      ///< evaluations of the final ascent
+  double apart = 0.5;            ///< times the depth: points closer than this count as one
+  double meeting_stride = 0.02;  ///< times the smaller radius: first step uphill from there
+  int meeting_ascent = 8;        ///< evaluations of that ascent
+  double last_stride = 0.5;      ///< times the depth: first step of the final ascent
+  int last_ascent = 10;          ///< evaluations of the final ascent
   double inwards[3] = {0.75, 0.5, 0.25};  ///< factors on the distance from the centre of mass
   double as_deep = 0.97;  ///< times the depth: the walk inwards ends at a shallower point
 

@@ -128,11 +128,11 @@ struct Separation {
   /// ended at its maximum number of starts without evidence that it was done. The result is
   /// verified in any case.
   int limited = 0;
-  /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
-  /// In a tick, the held pose was no optimum any more, and the path swept free led to another
-  /// place: the depth fell by more than the device moved, or, on a part of the way, more steeply
-  /// (with translation only: than any point of the device moved). True in each tick of a fall that
-  /// takes several.
+  /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not
+  /// along a path. In a tick, the held pose was no longer an optimum, and the path swept free led
+  /// to another place: the depth fell by more than the device moved, or more steeply on a part of
+  /// the way (with translation only: by more than any point of the device moved). True in each tick
+  /// of a fall that takes several.
   bool jumped = false;
   /// m², coherent only: the part of σ that a tick that jumped neither stored nor gave back to the
   /// hand; the energy released is ½ k times that. 0 in any other tick.
