@@ -113,7 +113,7 @@ class Regions {
     }
   }
 
-  /// Parts with the inside on both of their sides; none where the region needs one of them.
+  /// Parts with the inside on both of their sides; none if the region needs one of them.
   std::vector<bool> hidden_parts() const {
     std::vector<bool> hidden(roles_.size());
     bool any = false;

@@ -19,13 +19,12 @@ struct ClosedLoopSetup {
   Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
 };
 
-/// A simulated device with a hand on it, and the haptic loop on two real bodies: the object that
-/// `sonde tune` studies. The handle's origin is the probe's centre of mass, so that the loop's
-/// torque is about it; scene and device have the same scale. No thread and no clock: same input,
-/// same bits.
+/// A simulated device with a hand on it, and the haptic loop on two real bodies: the system that
+/// `sonde tune` studies. The handle's origin is the probe's centre of mass, so the loop's torque is
+/// about it; scene and device have the same scale. No thread and no clock: same input, same bits.
 class ClosedLoop {
  public:
-  /// Throws std::invalid_argument as SimulatedDevice. Allocates.
+  /// Throws std::invalid_argument as SimulatedDevice does. Allocates.
   explicit ClosedLoop(const ClosedLoopSetup& setup);
 
   /// At rest at X_FM, the hand with it. The loop follows from there; where the probe overlaps, from
