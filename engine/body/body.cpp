@@ -16,11 +16,11 @@
 namespace sonde {
 namespace {
 
-/// Boxes are single precision, and σ is a length squared: sizes must leave room for both.
+/// Boxes are single precision, and σ is a length squared: sizes must be in the range of both.
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
-/// Throws where the numbers leave the range that the engine computes in.
+/// Throws if the numbers leave the range that the engine computes in.
 void check_size(const Soup& soup, const std::string& name) {
   Eigen::AlignedBox3d box;
   for (const Vec3& x : soup.vertices) box.extend(x);
@@ -31,8 +31,8 @@ void check_size(const Soup& soup, const std::string& name) {
     throw InputError::in(name, "the mesh is smaller than 1e-30 m");
 }
 
-/// The facets of the triangles that bound, and of those that are loose, which none of the others
-/// must absorb.
+/// The facets of the triangles that bound an inside, and separately those of the loose ones, since
+/// neither may absorb the others.
 Facets merge_apart(const Soup& soup, const std::vector<TriangleKind>& kinds,
                    const Progress& progress) {
   Facets out;
@@ -56,8 +56,8 @@ Facets merge_apart(const Soup& soup, const std::vector<TriangleKind>& kinds,
   return out;
 }
 
-/// Joins what is flat. For each triangle of the surface returns one of the soup's that it is
-/// connected with.
+/// Merges coplanar triangles. For each triangle of the surface returns a triangle of the soup that
+/// is connected with it.
 std::vector<std::uint32_t> find_facets(Body& body, const std::vector<TriangleKind>& kinds,
                                        const Progress& progress) {
   Facets facets = kinds.empty()
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> find_facets(Body& body, const std::vector<TriangleKin
   body.facets = compacted(std::move(facets.soup));
   body.merged = facets.merged;
   body.duplicates = facets.duplicates;
-  // What is there twice is no more of a surface than what is there once.
+  // Repeated triangles count once in the mass of a surface.
   if (!body.solid && body.duplicates > 0) body.mass = mass_by_area(body.facets);
   return facets.from;
 }
@@ -87,7 +87,7 @@ void grow_tree(Body& body, const std::vector<TriangleKind>& kinds, const Progres
   }
 }
 
-/// A body that is finer than its outline would be gets one.
+/// Adds an outline to a body that has many more triangles than its outline would have.
 void add_outline(Body& body, const Progress& progress) {
   if (surface(body).triangles.size() < 2 * outline_triangles) return;
   auto rough = std::make_shared<Body>();
@@ -107,7 +107,7 @@ std::shared_ptr<const Body> build(Soup soup, std::vector<std::string> remarks, M
   body->remarks = std::move(remarks);
   body->soup = compacted(std::move(soup), part_of(progress, 0, 0.1));
   body->topology = analyse_topology(body->soup, part_of(progress, 0.1, 0.2));
-  // Triangles without an area still connect others.
+  // Triangles without an area still connect others, so this comes before they are removed.
   const bool mends = asked != Model::surface && repair == Repair::automatic &&
                      may_need_mending(*body, part_of(progress, 0.2, 0.22));
   const Soup all = mends ? body->soup : Soup{};
@@ -202,7 +202,7 @@ std::size_t bytes(const Body& body) {
 std::shared_ptr<const Body> load_body(const std::string& file, Model asked, double scale,
                                       const Progress& progress, Repair repair) {
   std::vector<std::string> remarks;
-  // The polygons are gone before the body is built.
+  // The polygons are freed before the body is built.
   Soup soup = [&] {
     PolygonSoup polygons = read_mesh(file, scale, part_of(progress, 0, 0.45));
     remarks = std::move(polygons.remarks);

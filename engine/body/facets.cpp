@@ -19,10 +19,10 @@ namespace sonde {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-/// Regions grow by the plane of a single triangle, which points a little elsewhere the smaller it
-/// is beside the region; what they hold is measured against a plane through all of it afterwards.
+/// A region grows by the plane of a single triangle, whose direction is the less accurate the
+/// smaller the triangle is. The region is checked afterwards against a plane through all of it.
 constexpr double grows_by = 1e4;  // times the flatness
-/// Fewer triangles are not worth joining: two are what a square needs.
+/// Fewer triangles are not worth merging: a square already needs two.
 constexpr std::size_t fewest = 3;
 
 struct Plane {
@@ -32,7 +32,7 @@ struct Plane {
 };
 
 using Triangles = std::vector<std::uint32_t>;
-/// For each side of each triangle (3 i + k: from corner k to the next) the triangle beyond.
+/// For each side of each triangle (3 i + k: from corner k to the next), the adjacent triangle.
 using Neighbours = std::vector<std::uint32_t>;
 using Segments = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -71,7 +71,7 @@ class Merger {
     out_.from.push_back(i);
   }
 
-  /// Across edges of two triangles that agree in orientation.
+  /// Finds neighbours across edges of two triangles that agree in orientation.
   void find_neighbours(const Progress& progress) {
     struct Side {
       std::uint32_t other, side;
@@ -110,7 +110,7 @@ class Merger {
     });
   }
 
-  /// Large triangles know best how their plane lies.
+  /// The planes of large triangles are the most accurate.
   Triangles largest_first() const {
     std::vector<std::pair<double, std::uint32_t>> by_area;
     for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i) {
@@ -133,7 +133,7 @@ class Merger {
   bool lies_in(std::uint32_t i, const Plane& plane, double flatness) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (!(std::abs(plane.height(at(i, k))) <= flatness)) return false;
-    // A sliver's own normal says little.
+    // A sliver's own normal is inaccurate.
     const Vec3 area = twice_area(i);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -155,7 +155,7 @@ class Merger {
     return region;
   }
 
-  /// Through three corners far from each other; normal as that of the triangles.
+  /// A plane through three corners far from each other, with the normal of the triangles.
   Plane plane_of(const Triangles& region) const {
     const Vec3 first = at(region[0], 0);
     const auto farthest = [&](const auto& distance) {
@@ -179,7 +179,7 @@ class Merger {
       for (const std::uint32_t i : region) keep(i);
   }
 
-  /// Puts the region out in fewer triangles; false, and nothing done, where that cannot be.
+  /// Outputs the region in fewer triangles. Returns false, and does nothing, if that is impossible.
   bool join(const Triangles& region) {
     const Plane plane = plane_of(region);
     double area = 0;
@@ -222,8 +222,8 @@ class Merger {
       covered += (b - a).cross(c - a).dot(plane.normal);
       found.push_back(whole);
     }
-    // Folded over itself, or touching itself in a way that the outline does not tell: however small
-    // that is, what should be beside the outline is on its other side.
+    // The region folds over itself, or touches itself in a way that the outline does not show:
+    // then, however small the fold is, some triangle lies on the wrong side of the outline.
     if (!(std::abs(covered - area) <= 1e-9 * area) || !have_sides(found, *outline)) return false;
     for (const Triangle& t : found) {
       out_.soup.triangles.push_back(t);
@@ -233,7 +233,7 @@ class Merger {
     return true;
   }
 
-  /// Is each segment, in its direction, a side of a triangle?
+  /// Whether each segment, in its direction, is a side of a triangle.
   static bool have_sides(const std::vector<Triangle>& triangles, const Segments& segments) {
     Segments sides;
     for (const Triangle& t : triangles)
@@ -244,8 +244,8 @@ class Merger {
     });
   }
 
-  /// The sides that one triangle of the region has alone, straight runs of them joined. None where
-  /// they do not close.
+  /// The sides that belong to only one triangle of the region, with straight runs joined. None if
+  /// they do not form closed loops.
   std::optional<Segments> outline_of(const Triangles& region) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const std::uint32_t i : region)
@@ -264,7 +264,7 @@ class Merger {
       next[side.first].push_back(side.second);
       ++arriving[side.second];
     }
-    // Where the outline meets itself every run ends.
+    // A vertex at which the outline meets itself ends every run.
     const auto is_fixed = [&](std::uint32_t v) {
       return next.at(v).size() != 1 || arriving.at(v) != 1;
     };
@@ -292,7 +292,7 @@ class Merger {
     return out;
   }
 
-  /// A vertex of the loop through v that is certain to be a corner: the farthest from v's.
+  /// A vertex of the loop through v that is certainly a corner: the one farthest from the mean.
   std::uint32_t sharp_corner(
       std::uint32_t v, const std::map<std::uint32_t, std::vector<std::uint32_t>>& next) const {
     Vec3 sum = Vec3::Zero();
@@ -308,10 +308,10 @@ class Merger {
     return best;
   }
 
-  /// A run of vertices as the fewest segments that all of them lie on.
+  /// Replaces a run of vertices by the fewest segments that contain all of them.
   void add_straight(const std::vector<std::uint32_t>& run, Segments& out) const {
     for (std::size_t from = 0; from + 1 < run.size();) {
-      // In strides that grow, and then shrink: a straight run may have very many vertices.
+      // With strides that grow and then shrink: a straight run may have very many vertices.
       std::size_t to = from + 1, stride = 1;
       const auto may_go = [&] {
         return to + stride < run.size() && is_straight(run, from, to + stride);

@@ -15,12 +15,12 @@
 namespace sonde {
 namespace {
 
-/// The integral over a flat closed mesh is rounding noise of about this size.
+/// The volume integral over a flat closed mesh is rounding noise of about this size.
 bool has_volume(const MassProperties& by_volume, const MassProperties& by_area) {
   return std::abs(by_volume.measure) > 1e-12 * by_area.measure * 2 * by_area.radius;
 }
 
-/// Why the inside of the mesh cannot count, as it is; empty where it can.
+/// The reason why the mesh, as it is, has no inside; empty if it has one.
 std::string why_not_closed(const Topology& topology) {
   if (topology.open_edges > 0) return counted(topology.open_edges, "open edge");
   if (topology.misoriented_edges > 0)
@@ -38,8 +38,8 @@ void turn_inside_out(Body& body) {
   settle(body.places);
 }
 
-/// Solid by the mass of the region, surface by that of the area where there is no volume. Returns
-/// false for the latter.
+/// Takes the mass of the region if it has a volume (solid), otherwise that of the area (surface).
+/// Returns false for the latter.
 bool take_mass(Body& body, const MassProperties& by_area, const MassProperties& sum,
                const Region& region) {
   body.mass = region.overlaps ? mass_of(region) : sum;
@@ -51,7 +51,7 @@ bool take_mass(Body& body, const MassProperties& by_area, const MassProperties& 
   return body.solid;
 }
 
-/// Leaves out the parts that lie inside.
+/// Marks the parts that lie inside as hidden.
 void hide(Mended& mended, const std::vector<bool>& parts) {
   if (parts.empty()) return;
   mended.as_given = false;
@@ -63,7 +63,7 @@ void hide(Mended& mended, const std::vector<bool>& parts) {
     }
 }
 
-/// Where it was mended, with the triangles that were left out since.
+/// The places of the repairs, with the triangles that have been hidden since.
 RepairPlaces places_of(Mended& mended, const Soup& all) {
   RepairPlaces places = std::move(mended.places);
   std::vector<Triangle> hidden;
@@ -127,7 +127,7 @@ std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked
     body.mass = by_area;
     return {};
   }
-  // As it was given, the sum is over the very triangles that are touched.
+  // If the mesh is as given, the sum is taken over exactly the triangles used for contact.
   const bool sound = mended.as_given && body.repairs.repeated == 0 &&
                      body.repairs.solid_parts == body.repairs.parts;
   const MassProperties sum =
@@ -160,7 +160,8 @@ std::vector<TriangleKind> choose_model(Body& body, Model asked, Repair repair,
     body.mass = by_area;
     return {};
   }
-  // It crosses itself: perhaps parts that hang together at corners alone, one of them inside out.
+  // The mesh crosses itself: perhaps it has parts that are connected only at corners, one of them
+  // inside out.
   if (region.overlaps && repair == Repair::automatic)
     return choose_mended(body, Soup(body.soup), asked, progress);
   std::string why_not = why_not_closed(body.topology);

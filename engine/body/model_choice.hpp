@@ -10,26 +10,26 @@
 
 namespace sonde {
 
-/// How a body comes to be a solid or a surface. Each step takes a body with name, soup, topology
-/// and degenerate.
+/// How a body becomes a solid or a surface. Each function takes a body with name, soup, topology
+/// and degenerate set.
 
-/// Whether mending could change anything: not in one closed piece whose edges have two triangles
+/// Whether mending could change anything: not for one closed piece whose edges have two triangles
 /// each.
 bool may_need_mending(const Body& body, const Progress& progress = {});
 
-/// Removes the triangles without an area, and returns how many. Vertices stay.
+/// Removes the triangles without an area, and returns their number. Vertices stay.
 std::size_t set_aside_degenerate(Soup& soup, const Progress& progress = {});
 
-/// Decides by the mesh as it is: solid where it is closed and has a volume; one that crosses itself
-/// is mended, where `repair` allows it. Fills in all that says so, and the mass. Throws InputError
-/// where `asked` is solid and it cannot be.
+/// Decides by the mesh as it is: solid if it is closed and has a volume. A mesh that crosses itself
+/// is mended, if `repair` allows it. Sets the results and the mass. Throws InputError if `asked` is
+/// solid and the body cannot be.
 /// @return As choose_mended.
 std::vector<TriangleKind> choose_model(Body& body, Model asked, Repair repair,
                                        const Progress& progress = {});
 
-/// Decides part by part by the mesh as it is once mended; `all` is its soup with the degenerate
-/// triangles. May exchange body.soup. Throws as choose_model.
-/// @return What each triangle of body.soup is for; empty where none is loose.
+/// Mends the mesh and decides for each part; `all` is its soup with the degenerate triangles. May
+/// replace body.soup. Throws as choose_model does.
+/// @return The kind of each triangle of body.soup; empty if none is loose.
 std::vector<TriangleKind> choose_mended(Body& body, const Soup& all, Model asked,
                                         const Progress& progress = {});
 

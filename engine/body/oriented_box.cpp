@@ -19,7 +19,7 @@ float rounded_up(double x) {
 }  // namespace
 
 SmallAxes small_axes(const Mat3& axes) {
-  // Squared up again: the axes of a minute triangle come from squares that are denormal.
+  // Orthogonalised again: for a tiny triangle, the axes come from denormal squares.
   Vec3 along[2] = {axes.col(0).normalized(), axes.col(1)};
   for (int twice = 0; twice < 2; ++twice)
     along[1] = (along[1] - along[1].dot(along[0]) * along[0]).normalized();
@@ -75,7 +75,7 @@ Mat3 triangle_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int i = 1; i < 3; ++i)
     if (edges[i].squaredNorm() > edges[longest].squaredNorm()) longest = i;
   const Vec3 along = edges[longest].normalized();
-  // The other edge, less what it has along the longest, spans the plane with it even in a needle.
+  // The component of the other edge across the longest spans the plane with it even in a needle.
   Vec3 across = edges[(longest + 1) % 3];
   for (int twice = 0; twice < 2; ++twice) across -= across.dot(along) * along;
   if (!(across.norm() > 0)) across = along.unitOrthogonal();
@@ -96,7 +96,7 @@ SmallBox small_box(const Extent& extent, double slack) {
   }
   const Vec3 at = extent.to_axes * center;
   const Vec3 half = (extent.high - at).cwiseMax(at - extent.low);
-  // A corner of the box is at Σ hᵢ aᵢ only where the axes aᵢ are orthonormal; they are to 2⁻²².
+  // The corners of the box are at Σ ±hᵢ aᵢ only if the axes aᵢ are orthonormal; they are to 2⁻²².
   const double crooked = 0x1p-20 * half.sum();
   for (int i = 0; i < 3; ++i)
     box.half[static_cast<std::size_t>(i)] = rounded_up(half[i] + crooked + slack);

@@ -11,26 +11,26 @@ namespace sonde {
 /// Two axes of a box in single precision; the third is their cross product.
 using SmallAxes = std::array<std::array<float, 3>, 2>;
 
-/// The axes given as columns, made square to each other; those of the frame where that fails.
+/// The given axes (columns), orthogonalised; the frame's axes if that fails.
 SmallAxes small_axes(const Mat3& axes);
-/// What they stand for, as columns: orthonormal to 1e-6.
+/// The axes in double precision, as columns: orthonormal to 1e-6.
 Mat3 axes_of(const SmallAxes& small);
 
-/// Mean and covariance of the area of triangles, summed piece by piece.
+/// Mean and covariance of the area of triangles, summed incrementally.
 struct AreaMoments {
   double area = 0;
   Vec3 first = Vec3::Zero();
   Mat3 second = Mat3::Zero();
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
   void add(const AreaMoments& other);
-  /// Principal axes, as columns; the unit matrix where there is no area.
+  /// Principal axes, as columns; the identity if there is no area.
   Mat3 axes() const;
 };
 
-/// Axes along the longest edge, and the normal, of a triangle.
+/// Axes of a triangle: along its longest edge and its normal.
 Mat3 triangle_axes(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Interval of points along three axes.
+/// The range of points along three axes.
 struct Extent {
   explicit Extent(const Mat3& axes) : to_axes(axes.transpose()) {}  // columns: the axes
   void add(const Vec3& x) {
@@ -43,8 +43,8 @@ struct Extent {
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-/// A box in single precision that holds the extent, with as much more on each side as makes up for
-/// axes that are not quite square to each other, and `slack` (m) for the rounding of the points.
+/// A single-precision box that contains the extent, enlarged for axes that are not exactly
+/// orthogonal and by `slack` (m) for the rounding of the points.
 struct SmallBox {
   std::array<float, 3> center;
   std::array<float, 3> half;

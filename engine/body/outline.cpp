@@ -13,7 +13,7 @@
 namespace sonde {
 namespace {
 
-/// The vertices of a soup by the cells of a grid.
+/// The vertices of a soup, grouped by the cells of a grid.
 class Cells {
  public:
   Cells(const Soup& soup, double width, const Progress& progress)
@@ -31,7 +31,8 @@ class Cells {
   std::vector<Vec3> points() { return std::move(points_); }
 
  private:
-  /// 21 bits for each coordinate; where there are more cells along one, the furthest are one.
+  /// 21 bits for each coordinate; if there are more cells along an axis, the last cell holds the
+  /// rest.
   std::uint64_t key(const Vec3& x) const {
     constexpr double most = (1 << 21) - 1;
     std::uint64_t out = 0;
@@ -89,7 +90,7 @@ double area(const Soup& soup) {
 }  // namespace
 
 Soup outline(const Soup& soup, std::size_t triangles, const Progress& progress) {
-  // A smooth surface gives two triangles for each cell that it passes through; a crumpled one more.
+  // A smooth surface gives two triangles for each cell that it crosses; a crumpled one gives more.
   double width = std::sqrt(2 * area(soup) / static_cast<double>(triangles));
   constexpr int attempts = 6;
   for (int attempt = 0; attempt < attempts && width > 0; ++attempt) {

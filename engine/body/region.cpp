@@ -14,7 +14,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr int unknown = -1;
 struct Depth {
-  int value = unknown;  ///< segments between here and the outside
+  int value = unknown;  ///< number of segments between a place and the outside
 };
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using Face = CGAL::Constrained_triangulation_face_base_2<
@@ -40,7 +40,7 @@ void mark_depths(Triangulation& triangulation) {
     }
 }
 
-/// False where a segment leads through a point, or along another one: CGAL takes it in pieces then.
+/// False if a segment passes through a point, or along another one: CGAL then splits it.
 bool has_whole(const Triangulation& triangulation, const PlanarRegion& region,
                const std::vector<Triangulation::Vertex_handle>& vertices) {
   for (const auto& [a, b] : region.outline)

@@ -9,15 +9,15 @@
 
 namespace sonde {
 
-/// A part of the plane by its outline: segments between points (indices), in any order, that may
-/// meet only at their ends. A place that an odd number of them surrounds is inside.
+/// A part of the plane given by its outline: segments between points (indices), in any order, that
+/// may meet only at their ends. A place is inside by the even-odd rule.
 struct PlanarRegion {
   std::vector<std::array<double, 2>> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> outline;
 };
 
-/// Triangles, anticlockwise, that fill a region and have no corner but its points: a constrained
-/// Delaunay triangulation (CGAL, exact predicates). None where segments cross or overlap.
+/// Anticlockwise triangles that fill a region, with only its points as corners: a constrained
+/// Delaunay triangulation (CGAL, exact predicates). No value if segments cross or overlap.
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const PlanarRegion& region);
 
 }  // namespace sonde

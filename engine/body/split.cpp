@@ -42,7 +42,7 @@ struct Box {
   }
 };
 
-/// Twice the middle of the item's box.
+/// Twice the centre of the item's box.
 FloatX4 middle(const SplitItem& item) { return load(item.low) + load(item.high); }
 
 float middle(const SplitItem& item, int axis) { return item.low[axis] + item.high[axis]; }
@@ -56,11 +56,11 @@ Box middles_of(std::span<const SplitItem> items) {
 struct Cut {
   double cost = std::numeric_limits<double>::infinity();
   int axis = 0;
-  int bin = 0;            ///< the last of the left side
-  std::size_t count = 0;  ///< items of the left side
+  int bin = 0;            ///< the last bin of the left side
+  std::size_t count = 0;  ///< number of items of the left side
 };
 
-/// Maps middles to bins along the three axes.
+/// Maps box centres to bins along the three axes.
 struct Bins {
   FloatX4 low, per_length;
   explicit Bins(const Box& middles) : low(middles.low), per_length{} {
@@ -115,8 +115,7 @@ Cut cheapest_cut(std::span<const SplitItem> items, const Bins& bin_of) {
   return best;
 }
 
-/// Puts the `count` items that come first along an axis to the left; ties go by the triangle's
-/// number.
+/// Moves the first `count` items along an axis to the left; the triangle's number breaks ties.
 std::size_t cut_at(std::span<SplitItem> items, int axis, std::size_t count) {
   ordering::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count),
                         items.end(), [axis](const SplitItem& a, const SplitItem& b) {
@@ -126,7 +125,7 @@ std::size_t cut_at(std::span<SplitItem> items, int axis, std::size_t count) {
   return count;
 }
 
-/// The multiple of `whole` next to a count, neither nothing nor all of it.
+/// The multiple of `whole` nearest to `count` that leaves neither side empty.
 std::size_t to_whole(std::size_t count, std::size_t all, std::size_t whole) {
   const std::size_t near = (count + whole / 2) / whole * whole;
   return std::clamp(near, whole, (all - 1) / whole * whole);

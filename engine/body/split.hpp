@@ -9,8 +9,8 @@
 
 namespace sonde {
 
-/// A triangle while a tree is built: its axis-aligned box, in a unit that makes the whole of the
-/// order of 1 (it decides how to split, never what a box must hold).
+/// A triangle while a tree is built: its axis-aligned box, in a unit that makes the whole body of
+/// the order of 1 (it only affects how to split, not what a box contains).
 struct SplitItem {
   float low[3];
   std::uint32_t triangle;
@@ -26,7 +26,7 @@ double half_area(std::span<const SplitItem> items);
 /// How to split a range.
 enum class SplitBy {
   cost,  ///< the surface-area heuristic in 16 bins (after Wald, 2007)
-  half   ///< by count, along the longest axis: ends in time whatever the items are
+  half   ///< by count, along the longest axis: terminates for any items
 };
 
 /// Reorders the items and returns how many go to the left: at least one, not all. Ranges of up to

@@ -19,17 +19,17 @@ namespace sonde {
 namespace {
 
 constexpr std::size_t width = Tree::width;
-/// So many triangles are put in a box by the boxes that they are in already.
+/// From this number of triangles on, a box is fitted to the boxes below instead.
 constexpr std::size_t many = 4096;
 using Items = std::span<SplitItem>;
 
-/// How far the build has come; one thread tells, all of them stop where the answer was no.
+/// Progress of the build. One thread reports it; all threads stop if the report returned false.
 struct Advance {
   const Progress& tell;
   std::size_t total;
   std::atomic<std::size_t> done = 0;
   std::atomic<bool> cancelled = false;
-  /// Who has said stop is not asked again.
+  /// Once stopped, the callback is not called again.
   void report() {
     if (cancelled) return;
     const double fraction = static_cast<double>(done.load()) / static_cast<double>(total);
@@ -37,12 +37,12 @@ struct Advance {
   }
 };
 
-/// What all of the build reads.
+/// The data that all of the build reads.
 struct Job {
   const Soup& soup;
   Vec3 origin;
-  double size;   // m to a unit of the items
-  double slack;  // the rounding of a corner's coordinates and of their difference to the origin, m
+  double size;   // m per unit of the items
+  double slack;  // m: rounding of a corner's coordinates and of their difference from the origin
   Items all;
   Advance& advance;
 
@@ -53,7 +53,7 @@ struct Job {
   }
 };
 
-/// Least number of nodes from one over n items down to the last.
+/// Least number of levels of nodes over n items.
 int levels_below(std::size_t n) {
   int levels = 1;
   for (; n > width; n = (n + width - 1) / width) ++levels;
@@ -66,7 +66,7 @@ struct Parts {
   std::size_t count = 0;
 };
 
-/// `told`: after each split of something large; nothing where there is no one to tell.
+/// `told`: reports progress after each large split; null: no reports.
 Parts divide(Items items, int level, Advance* told = nullptr) {
   Parts parts;
   if (items.size() <= width) {
@@ -74,7 +74,7 @@ Parts divide(Items items, int level, Advance* told = nullptr) {
       parts.part[parts.count] = items.subspan(parts.count, 1);
     return parts;
   }
-  // Halving from here on still ends in time; an uneven split might not.
+  // Halving from here on keeps the depth within its limit; an uneven split might not.
   const bool halve = level + levels_below(items.size()) + 2 >= Tree::max_depth;
   std::array<double, width> weight{};
   parts.part[parts.count++] = items;
@@ -101,8 +101,8 @@ Parts divide(Items items, int level, Advance* told = nullptr) {
   return parts;
 }
 
-/// What is to be put in a box: the triangles of a range, or, where they are many, the boxes that
-/// they are in already, which are small beside the whole.
+/// The content of a box: the triangles of a range or, if there are many, the boxes below, which are
+/// small compared with the whole.
 struct Content {
   Items items;
   const Tree::Node* boxes;
@@ -133,16 +133,16 @@ Extent extent_along(const Job& job, const Content& content, const SmallAxes& axe
   return extent;
 }
 
-/// What a box with these sides costs: its volume, with a hundredth of its longest side added to
-/// each, so that of two flat ones the smaller is the better. Not its surface, for which a thick box
-/// over a small part of a surface may be as good as a thin one: two surfaces beside each other are
-/// told apart by the thickness of the boxes.
+/// Cost of a box with these sides: its volume, with a hundredth of its longest side added to each
+/// side, so that of two flat boxes the smaller is better. Surface area would be a bad measure: a
+/// thick box over a small part of a surface may have as little as a thin one, but only thin boxes
+/// separate two surfaces near each other.
 double cost(const Vec3& sides) {
   const double longest = sides.maxCoeff();
   return (sides / longest + Vec3::Constant(0.01)).prod() * longest * longest * longest;
 }
 
-/// The sides of the box along the axes of the mesh frame, to single precision.
+/// The sides of the axis-aligned box in the mesh frame, to single precision.
 Vec3 straight_sides(const Job& job, Items items) {
   const auto [low, high] = bounds(items);
   return job.size * (high - low).cast<double>();
@@ -158,7 +158,7 @@ void set_box(Tree::Node& node, std::size_t lane, const SmallAxes& axes, const Sm
   node.child[lane] = child;
 }
 
-/// The cheaper of the boxes along the principal axes and along those of the mesh frame.
+/// Chooses the cheaper of the boxes along the principal axes and along the mesh frame's axes.
 void fit_box(const Job& job, const Content& content, const Mat3& axes, Tree::Node& node,
              std::size_t lane, std::uint32_t child) {
   SmallAxes chosen = small_axes(axes);
@@ -181,7 +181,7 @@ void fill_unused(Tree::Node& node, std::size_t used) {
   }
 }
 
-/// A part of the tree: its nodes, numbered from 0.
+/// A part of the tree, with its nodes numbered from 0.
 struct Branch {
   std::vector<Tree::Node> nodes;
   int depth = 0;
@@ -189,7 +189,7 @@ struct Branch {
 
 std::uint32_t build(const Job& job, Items items, int level, Branch& branch, AreaMoments& moments);
 
-/// Builds what is below a part and its box.
+/// Builds the subtree of a part and its box.
 void build_part(const Job& job, Items part, int level, Branch& branch, Tree::Node& node,
                 std::size_t lane, AreaMoments& moments) {
   AreaMoments own;
@@ -252,8 +252,8 @@ std::vector<SplitItem> items_of(const Soup& soup, const Vec3& origin, double siz
   return items;
 }
 
-/// Runs task(0) … task(count − 1), each once, on two threads where there is enough to do; this one
-/// tells how far they are.
+/// Runs task(0) … task(count − 1), each once, on two threads if there is enough to do; this thread
+/// reports the progress.
 template <class Task>
 void run(std::size_t count, Advance& advance, const Task& task) {
   std::atomic<std::size_t> next = 0;

@@ -10,10 +10,11 @@
 
 namespace sonde {
 
-/// A tree of oriented boxes over the triangles of a soup, sixteen to a node, in the mesh frame. An
-/// oriented box over a piece of a smooth surface is thin, by the square of the piece's size; one
-/// along the axes is as thick as the piece is long, and a query would open far more of them (after
-/// Gottschalk, Lin and Manocha, OBB-Tree, 1996). Sixteen are what a vector unit compares at a time.
+/// A bounding volume tree of oriented boxes over the triangles of a soup, sixteen to a node, in the
+/// mesh frame. An oriented box over a piece of a smooth surface has a thickness of second order in
+/// the piece's size; an axis-aligned one is as thick as the piece is long, and a query would open
+/// far more of them (after Gottschalk, Lin and Manocha, OBB-Tree, 1996). A vector unit compares
+/// sixteen boxes at a time.
 ///
 /// A *slot* is one box: lane `slot % width` of node `slot / width`. Slot 0 is the root's.
 struct Tree {
@@ -23,22 +24,22 @@ struct Tree {
   static constexpr int max_depth = 24;
 
   /// Sixteen boxes, structure of arrays. The box of a lane is {x : |aᵢ·(x − origin − center)| ≤
-  /// halfᵢ}, with a₃ = a₁ × a₂: it holds every corner below it. Unused lanes follow the used ones
+  /// halfᵢ}, with a₃ = a₁ × a₂; it contains all corners below it. Unused lanes follow the used ones
   /// and repeat the first.
   struct alignas(64) Node {
-    float center[3][width];   // from the tree's origin, m
+    float center[3][width];   // relative to the tree's origin, m
     float half[3][width];     // m
-    float axis[2][3][width];  // unit, square to each other
+    float axis[2][3][width];  // unit, orthogonal to each other
     /// Half the sum of a box's three sides, m.
     float half_sum(std::uint32_t k) const { return half[0][k] + half[1][k] + half[2][k]; }
-    std::uint32_t child[width];  // a node, or a triangle with its triangle_bit set; or none
+    std::uint32_t child[width];  // a node, or a triangle with triangle_bit set; or none
   };
 
-  std::vector<Node> nodes;     ///< node 0 holds the root's box alone
-  Vec3 origin = Vec3::Zero();  ///< mesh frame; boxes are kept relative to it
-  Vec3 low = Vec3::Zero();     ///< of the box along the axes of the mesh frame, m
+  std::vector<Node> nodes;     ///< node 0 holds only the root's box
+  Vec3 origin = Vec3::Zero();  ///< mesh frame; boxes are relative to it
+  Vec3 low = Vec3::Zero();     ///< of the axis-aligned box in the mesh frame, m
   Vec3 high = Vec3::Zero();
-  int depth = 0;  ///< nodes from the root to the deepest, at most max_depth
+  int depth = 0;  ///< number of nodes from the root to the deepest, at most max_depth
 
   bool empty() const { return nodes.empty(); }
   std::uint32_t child(std::uint32_t slot) const { return nodes[slot / width].child[slot % width]; }
@@ -54,7 +55,7 @@ struct Tree {
 /// Throws Cancelled.
 Tree build_tree(Soup& soup, std::vector<std::uint32_t>& order, const Progress& progress = {});
 
-/// What a tree keeps in memory, bytes.
+/// The memory that a tree takes, bytes.
 std::size_t bytes(const Tree& tree);
 
 }  // namespace sonde

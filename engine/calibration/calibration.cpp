@@ -14,14 +14,15 @@
 namespace sonde {
 namespace {
 
-/// Shares below this are one to the interpolation; it is what the reference is worth.
+/// Shares below this count as equal in the interpolation; it is the accuracy of the reference.
 constexpr double least_within = 1e-6;
 
-/// The answers of one pair depend on each other: of fewer pairs than this, the worst one counts,
-/// since another may be as bad. Larger: claims of kinds with few pairs are wider than they need be.
+/// The answers of one pair are not independent. With fewer pairs than this, the worst one counts,
+/// since another may be as bad. If it is larger, claims of kinds with few pairs are wider than
+/// necessary.
 constexpr std::size_t enough_pairs = 10;
 
-/// The errors of each pair with one limit of time, by that.
+/// The errors of each pair with one time limit, by that limit.
 using ErrorsByTime = std::map<double, std::vector<std::vector<double>>>;
 
 struct KindOfAnswer {
@@ -48,7 +49,7 @@ ErrorsByTime of_kind(const Calibration& calibration, const KindOfAnswer& kind) {
   return out;
 }
 
-/// What so many answers keep to.
+/// The error that this share of the answers keeps.
 double kept_to(const std::vector<std::vector<double>>& of_pairs, double sure) {
   if (of_pairs.size() < enough_pairs) {
     double worst = 0;
@@ -63,7 +64,7 @@ double kept_to(const std::vector<std::vector<double>>& of_pairs, double sure) {
   return quantile(all, sure);
 }
 
-/// The point in between, both axes logarithmic.
+/// Linear interpolation in logarithmic axes.
 double between(double x, double x0, double y0, double x1, double y1) {
   const auto up = [](double y) { return elementary::log(std::max(y, least_within)); };
   const double part =
@@ -106,7 +107,7 @@ AccuracyCurve::AccuracyCurve(const Calibration& calibration, Answers answers, Me
       best = std::min(best, kept_to(of_pairs, sure));
       out.points.push_back({time_us, best});
     }
-    // Ticks without a limit are what other ticks were compared with.
+    // Ticks without a limit are the reference of the other ticks.
     const auto unlimited = errors.find(0);
     if (answers == Answers::search && unlimited != errors.end())
       out.without_limit = std::min(best, kept_to(unlimited->second, sure));

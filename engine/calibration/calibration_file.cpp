@@ -20,7 +20,7 @@ constexpr int format_version = 1;
 constexpr std::size_t most_bytes = 1 << 26;
 constexpr std::array<const char*, 2> answers_names{"search", "tick"};
 
-/// Reads the values of one file and complains with its name and the line.
+/// Reads the values of one file; its errors name the file and the line.
 struct Reader {
   const std::filesystem::path& file;
 
@@ -30,7 +30,7 @@ struct Reader {
     return node;
   }
 
-  /// The place of a word among two.
+  /// The index of a word among two.
   template <class Value>
   Value choice(const JsonNode& object, std::string_view key,
                const std::array<const char*, 2>& names) const {
@@ -105,7 +105,7 @@ std::string to_json(const Calibration& calibration) {
   Json all = Json::array();
   for (const CalibrationSeries& series : calibration.series) {
     Json points = Json::array();
-    for (const CalibrationPoint& point : series.points) {  // what is infinite becomes null
+    for (const CalibrationPoint& point : series.points) {  // infinite values become null
       points.push_back({{"time_us", point.time_us}, {"errors", point.errors}});
       if (point.far_out) points.back()["far_out"] = *point.far_out;
     }
@@ -117,7 +117,7 @@ std::string to_json(const Calibration& calibration) {
     one["points"] = std::move(points);
     all.push_back(std::move(one));
   }
-  // A series a line: files that are looked at, and compared.
+  // One series per line: such files are read and compared by people.
   std::string out = "{\"calibration\": " + std::to_string(format_version) + ",\n \"series\": [";
   for (const Json& series : all)
     out += (&series == &all.front() ? "\n  " : ",\n  ") + series.dump();

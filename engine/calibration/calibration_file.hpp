@@ -13,13 +13,13 @@ namespace sonde {
 /// failure.
 std::string to_json(const Calibration& calibration);
 
-/// Reads one again. Throws InputError with the file, the line and the reason: text that is cut off
-/// or no JSON, another version of the format, an unknown or missing key, times or errors that are
-/// negative or out of order.
+/// Parses such a text. Throws InputError with the file, the line and the reason: a truncated text
+/// or no JSON, another version of the format, an unknown or missing key, or times or errors that
+/// are negative or out of order.
 Calibration calibration_in(const std::string& text, const std::filesystem::path& file);
 Calibration read_calibration(const std::filesystem::path& file);
 
-/// The calibration that comes with the build (resources/calibration.json), measured on the pairs of
+/// The calibration included in the build (resources/calibration.json), measured on the pairs of
 /// tests/reference/pairs.cpp, the scenes of tests/reference/surfaces and the bundled scenes' paths.
 const Calibration& default_calibration();
 

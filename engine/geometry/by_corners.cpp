@@ -26,7 +26,7 @@ bool is_before(const CornerTriangle& x, const CornerTriangle& y) {
 
 std::vector<CornerTriangle> triangles_by_corners(const Soup& soup, const Progress& progress) {
   const std::size_t n = soup.triangles.size();
-  // Into the places of their lowest corners, of which each has few; then in order there.
+  // Bucket sort by the lowest corner (few triangles each), then a sort within each bucket.
   std::vector<std::uint32_t> first(soup.vertices.size() + 1, 0);
   for (const Triangle& t : soup.triangles) ++first[*std::min_element(t.begin(), t.end()) + 1];
   for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];

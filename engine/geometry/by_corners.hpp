@@ -10,18 +10,18 @@
 
 namespace sonde {
 
-/// A triangle by its corners, whichever is the first.
+/// A triangle identified by its corners, independent of which is the first.
 struct CornerTriangle {
   Triangle corners;        ///< ascending
-  std::uint32_t triangle;  ///< of the soup
-  bool even;               ///< goes round them in that order
+  std::uint32_t triangle;  ///< its index in the soup
+  bool even;               ///< its orientation agrees with that order
 };
 
-/// The triangles of a soup, ascending by their corners and, where these are the same, by number:
-/// those with the same corners lie beside each other. Throws Cancelled.
+/// The triangles of a soup, ascending by their corners and, if these are equal, by index: triangles
+/// with the same corners are adjacent. Throws Cancelled.
 std::vector<CornerTriangle> triangles_by_corners(const Soup& soup, const Progress& progress = {});
 
-/// Calls each(span of those that have the same corners), in order.
+/// Calls each(span of the triangles that have the same corners), in order.
 template <class Each>
 void for_each_alike(const std::vector<CornerTriangle>& all, Each each) {
   for (std::size_t i = 0, j = 0; i < all.size(); i = j) {

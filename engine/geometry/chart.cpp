@@ -21,7 +21,7 @@ Chart::Chart(const MassProperties& mass, const Pose& X_FO)
 void Chart::absorb_free_spin(const Pose& X_FM) {
   for (int i = 0; i < 3; ++i) {
     if (root_[i] > 0) continue;
-    // The twist about the axis, of the relative rotation split into twist and swing.
+    // The twist about the axis, from the swing-twist decomposition of the relative rotation.
     const Quat turn = q_FP_.conjugate() * (X_FM.q * q_MP_);
     Quat twist(turn.w(), 0, 0, 0);
     twist.coeffs()[i] = turn.coeffs()[i];
@@ -51,8 +51,9 @@ Vec6 Chart::row(const Vec6& y, const Vec3& a, const Vec3& n) const {
   const Quat turn(w, u.x(), u.y(), u.z());
   const Mat3 R = (q_FP_ * turn).toRotationMatrix();
   const Vec3 r = a - (com_ + y.tail<3>());
-  // Moment of n about the centre of mass in principal axes at Q; the body's angular velocity is
-  // ω = 2 (w + v vᵀ/w − [v]×) v̇, so the row in v̇ is its transpose applied to the moment.
+  // m is the moment of n about the centre of mass in principal axes at Q. The body's angular
+  // velocity is ω = 2 (w + v vᵀ/w − [v]×) v̇, so the row in v̇ is the transpose of this applied to
+  // m.
   const Vec3 m = R.transpose() * r.cross(n);
   const Vec3 in_v = 2 * (w * m + u * (u.dot(m) / w) + u.cross(m));
   Vec6 row;

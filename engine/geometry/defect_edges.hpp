@@ -9,15 +9,15 @@
 
 namespace sonde {
 
-/// The edges where a mesh is not closed, to be shown: those that Topology counts, as pairs of
+/// The edges at which a mesh is not closed, for display: those that Topology counts, as pairs of
 /// vertices.
 struct DefectEdges {
   using Edge = std::array<std::uint32_t, 2>;
-  std::vector<Edge> open;     ///< of one triangle only
-  std::vector<Edge> flipped;  ///< of two triangles or more that do not agree which side is out
+  std::vector<Edge> open;     ///< edges of only one triangle
+  std::vector<Edge> flipped;  ///< edges of two or more triangles with inconsistent orientation
 };
 
-/// Of a soup with one vertex for each place (Body::soup). Both lists ascend.
+/// For a soup with one vertex for each place (Body::soup). Both lists are ascending.
 DefectEdges defect_edges(const Soup& soup);
 
 }  // namespace sonde

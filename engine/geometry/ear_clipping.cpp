@@ -9,12 +9,12 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Angles whose sine is below this count as straight while ears are clipped. It only steers the
-/// choice of ears, never what is kept.
+/// Angles whose sine is below this count as straight while ears are clipped. This affects only the
+/// choice of ears, not which corners are kept.
 constexpr double straight = 1e-12;
-/// Corners of a polygon that crosses itself among which the next one is chosen.
+/// For a polygon that crosses itself: number of corners among which the next one is chosen.
 constexpr std::size_t window = 64;
-/// Corners that are not convex, by where they are, so that an ear is not compared with all of them.
+/// The reflex corners on a grid, so that an ear need not be compared with all of them.
 class Blockers {
  public:
   void build(const std::vector<Vec2>& at, const std::vector<std::size_t>& corners) {
@@ -33,10 +33,10 @@ class Blockers {
   bool has(std::size_t i) const { return blocks_[i] != 0; }
   void remove(std::size_t i) { blocks_[i] = 0; }
 
-  /// Is there one of them in the box for which this holds?
+  /// Whether `test` holds for one of the corners in the box.
   template <class Test>
   bool any(const Vec2& low, const Vec2& high, const Test& test) const {
-    const double slack = side_ > 1 ? 1e-9 : 0;  // what is straight within rounding
+    const double slack = side_ > 1 ? 1e-9 : 0;  // tolerance for straight corners
     const std::size_t x0 = column(low, 0, -slack), x1 = column(high, 0, slack);
     const std::size_t y0 = column(low, 1, -slack), y1 = column(high, 1, slack);
     for (std::size_t y = y0; y <= y1; ++y)
@@ -90,7 +90,7 @@ class EarClipper {
       } else if (may_be_ear_[at] != 0 && is_ear(at)) {
         cut(at);
       } else {
-        may_be_ear_[at] = 0;  // until a neighbour goes
+        may_be_ear_[at] = 0;  // until a neighbour is removed
         at = next_[at];
         ++tried;
         continue;
@@ -106,10 +106,10 @@ class EarClipper {
     return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]);
   }
 
-  /// Looks in a row that find no ear: more, and there is none.
+  /// Number of consecutive corners without an ear after which none is expected.
   std::size_t patience() const { return crosses_ ? std::min(left_, window) : left_; }
 
-  /// Convex, and no other corner inside or on it. Only corners that are not convex can be.
+  /// Convex, with no other corner inside or on it. Only reflex corners can be inside.
   bool is_ear(std::size_t i) const {
     if (turn_at(i) <= 0) return false;
     const Vec2 &a = flat_[previous_[i]], &b = flat_[i], &c = flat_[next_[i]];
@@ -140,7 +140,7 @@ class EarClipper {
     previous_[next_[i]] = previous_[i];
     --left_;
     blockers_.remove(i);
-    // A corner only becomes more convex when its neighbour goes, so blockers only ever leave.
+    // A corner only becomes more convex when a neighbour is removed, so blockers are only removed.
     for (const std::size_t k : {previous_[i], next_[i]}) {
       may_be_ear_[k] = 1;
       if (blockers_.has(k) && turn_at(k) > 0) blockers_.remove(k);

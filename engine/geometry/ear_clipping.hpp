@@ -8,15 +8,15 @@
 
 namespace sonde {
 
-/// Cuts one polygon into triangles by clipping its ears, going round so that a convex polygon does
-/// not become a fan. `flat` are its corners in a plane, counter-clockwise, of about unit size;
+/// Triangulates one polygon by ear clipping, in turns round the polygon so that a convex polygon
+/// does not become a fan. `flat` are its corners in a plane, counter-clockwise, of about unit size;
 /// `polygon` their indices in the soup. A polygon that does not cross itself is covered once. One
-/// that does has no such triangles: it gets as many, with the same total signed area, from whatever
-/// corners are most convex nearby, so that a large polygon takes no longer than others.
+/// that does has no such triangulation: it gets as many triangles, with the same total signed area,
+/// from the most convex corners near by, so that a large polygon takes no longer than others.
 void clip_ears(const std::vector<std::size_t>& polygon, std::vector<Eigen::Vector2d> flat,
                std::vector<Triangle>& out);
 
-/// Turn from a→b to b→c: positive where it is to the left, zero where it is straight.
+/// The turn from a→b to b→c: positive to the left, zero if straight.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
 }  // namespace sonde

@@ -7,7 +7,7 @@ namespace sonde {
 
 /// Mass properties at density 1 (by volume for a solid, by area for a surface).
 struct MassProperties {
-  bool by_volume = false;  ///< of a solid, by volume; else of a surface, by area
+  bool by_volume = false;  ///< true for a solid; false for a surface, by area
   /// V: volume in m³ or area in m²; a solid's is signed (negative: inside out).
   double measure = 0;
   Vec3 com = Vec3::Zero();  ///< centre of mass in the mesh frame, m
@@ -15,8 +15,8 @@ struct MassProperties {
   /// inertia and canonical signs: the largest component of the first two is positive, and the third
   /// completes a right-handed frame. The identity where all three inertias agree to rounding.
   Mat3 R_MP = Mat3::Identity();
-  /// Principal moments of Î = I/V in m², ascending, never negative. A moment that cannot be told
-  /// from zero (≤ 1e-14 of the largest) is exactly zero: a turn about that axis moves nothing.
+  /// Principal moments of Î = I/V in m², ascending, never negative. A moment indistinguishable from
+  /// zero (≤ 1e-14 of the largest) is exactly zero: a turn about that axis moves no mass.
   Vec3 inertia = Vec3::Zero();
   double radius = 0;  ///< R: largest distance of a vertex of a triangle from com, m
 };

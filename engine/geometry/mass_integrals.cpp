@@ -11,11 +11,11 @@
 namespace sonde {
 namespace {
 
-/// Inertias that agree to this, relative to the largest, count as equal: their axes are noise.
+/// Inertias that agree to this, relative to the largest, count as equal: their axes are only noise.
 constexpr double agree = 1e-9;
 
-/// The affine frame a pass integrates in. The integrals lose digits far from the origin, in units
-/// far from one and, for a thin body, in slanted axes; so passes start near and go nearer.
+/// The affine frame of an integration pass. The integrals lose accuracy far from the origin, in
+/// units far from one and, for a thin body, in slanted axes; so each pass uses a better frame.
 struct Frame {
   Vec3 origin = Vec3::Zero();
   Mat3 axes = Mat3::Identity();
@@ -65,8 +65,8 @@ Frame first_frame(const Soup& soup) {
   return frame;
 }
 
-/// The axis with the sign that makes its largest component positive; of components that are
-/// equal but for rounding the first decides.
+/// The axis with the sign that makes its largest component positive; if components are equal up to
+/// rounding, the first decides.
 Vec3 sign_canonical(const Vec3& axis) {
   const double largest = axis.cwiseAbs().maxCoeff();
   for (int i = 0; i < 3; ++i)
@@ -74,7 +74,7 @@ Vec3 sign_canonical(const Vec3& axis) {
   return axis;
 }
 
-/// A unit vector across the axis: the mesh axis most nearly so, projected.
+/// A unit vector perpendicular to the axis: the mesh axis that is most nearly so, projected.
 Vec3 canonical_across(const Vec3& axis) {
   const double smallest = axis.cwiseAbs().minCoeff();
   int i = 0;
@@ -82,7 +82,7 @@ Vec3 canonical_across(const Vec3& axis) {
   return (Vec3::Unit(i) - axis[i] * axis).normalized();
 }
 
-/// Replaces axes that are arbitrary, because inertias agree, by canonical ones, and fixes signs.
+/// Replaces arbitrary axes (of equal inertias) by canonical ones, and fixes signs.
 void make_canonical(MassProperties& mass) {
   Vec3& inertia = mass.inertia;
   const double tolerance = agree * inertia[2];
@@ -106,7 +106,7 @@ void make_canonical(MassProperties& mass) {
   mass.R_MP << x, y, x.cross(y);
 }
 
-/// Axes of a covariance by falling spread, that is, by rising inertia; right-handed.
+/// The axes of a covariance by falling spread, that is, by rising inertia; right-handed.
 Mat3 principal_axes(const Mat3& covariance) {
   const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
   Mat3 out;
@@ -114,7 +114,7 @@ Mat3 principal_axes(const Mat3& covariance) {
   return out;
 }
 
-/// More moments, in the units of a frame.
+/// Adds moments, converted to the units of a frame.
 void add(Moments& m, const MassMoments& more, const Frame& frame) {
   if (more.measure == 0) return;
   const double unit = frame.unit, cube = unit * unit * unit;
@@ -146,7 +146,7 @@ MassProperties mass_properties(const Soup& soup, bool by_volume, const Progress&
     mass.com = frame.origin + frame.unit * (frame.axes * moments.mean());
     const Mat3 covariance = moments.covariance();
     const Mat3 correction = principal_axes(covariance);
-    // Sums of spreads along the axes, not eigenvalues: those are only exact relative to the
+    // Uses sums of spreads along the axes, not eigenvalues, which are exact only relative to the
     // largest.
     const Vec3 spread =
         (correction.transpose() * covariance * correction).diagonal().cwiseMax(0.0) *

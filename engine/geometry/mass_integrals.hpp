@@ -8,8 +8,8 @@ namespace sonde {
 
 struct Soup;
 
-/// Integrals of 1, x and x xᵀ over a region, with x from an origin (m), in the mesh frame. They may
-/// be negative: what is to be taken off.
+/// Integrals of 1, x and x xᵀ over a region, with x relative to an origin (m), in the mesh frame.
+/// They may be negative, to be subtracted.
 struct MassMoments {
   Vec3 origin = Vec3::Zero();
   double measure = 0;
@@ -17,7 +17,7 @@ struct MassMoments {
   Mat3 second = Mat3::Zero();
 };
 
-/// Of the region that the triangles bound, each place as often as they wind around it, and of
+/// Mass properties of the region that the triangles bound, weighted by the winding number, plus
 /// `more`.
 MassProperties mass_by_volume(const Soup& soup, const Progress& progress = {},
                               const MassMoments& more = {});

@@ -5,10 +5,10 @@
 
 namespace sonde {
 
-using Vec3 = Eigen::Vector3d;  ///< a point, m, or a direction; the name says in which frame
+using Vec3 = Eigen::Vector3d;  ///< a point, m, or a direction; the variable's name gives the frame
 using Mat3 = Eigen::Matrix3d;  ///< a rotation R_BA or a tensor
-/// A rotation q_BA, of length 1. It is not aligned, so that where it lies in a struct does not
-/// depend on the flags that a program is compiled with.
+/// A rotation q_BA, of length 1. It is not aligned, so that its offset in a struct does not depend
+/// on a program's compiler flags.
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// A rigid pose X_BA of frame A in frame B: x_B = q x_A + p. Lengths in metres; q is unit.

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Of a matrix whose entries are at most 1 and whose trace is about 0; rising.
+/// The eigenvalues, ascending, of a matrix with entries of at most 1 and a trace of about 0.
 Vec3 eigenvalues_of(const Mat3& m) {
   const double c0 = m(0, 0) * m(1, 1) * m(2, 2) + 2 * m(1, 0) * m(2, 0) * m(2, 1) -
                     m(0, 0) * m(2, 1) * m(2, 1) - m(1, 1) * m(2, 0) * m(2, 0) -
@@ -28,7 +28,8 @@ Vec3 eigenvalues_of(const Mat3& m) {
   return {mean - size * (cosine + sine), mean - size * (cosine - sine), mean + 2 * size * cosine};
 }
 
-/// Of a matrix of rank 2: what it takes to zero, and one of its columns, which is across that.
+/// For a matrix of rank 2: its null direction, and one of its columns, which is perpendicular to
+/// it.
 struct Kernel {
   Vec3 along, across;
 };
@@ -58,7 +59,7 @@ Mat3 principal_axes(const Mat3& symmetric) noexcept {
   const Vec3 values = eigenvalues_of(scaled);
   if (values[2] - values[0] <= epsilon) return Mat3::Identity();
 
-  // First that of the eigenvalue which is the farthest from the others.
+  // First the eigenvector of the eigenvalue that is farthest from the others.
   double near = values[2] - values[1], far = values[1] - values[0];
   int first = 0, second = 2;
   if (near > far) {

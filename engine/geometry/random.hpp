@@ -11,7 +11,7 @@
 namespace sonde {
 
 /// SplitMix64 (Steele, Lea and Flood, 2014): the same numbers on every machine, which the
-/// distributions of the standard library do not promise.
+/// distributions of the standard library do not guarantee.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -25,7 +25,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
   }
-  /// Uniform in the six-dimensional ball.
+  /// Uniform in the six-dimensional ball of this radius.
   Vec6 in_ball(double radius) {
     for (;;) {
       Vec6 y;

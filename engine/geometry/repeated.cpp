@@ -10,7 +10,7 @@
 namespace sonde {
 namespace {
 
-/// How much more often they turn the one way than the other.
+/// How many more of them have even than odd orientation.
 long turns(std::span<const CornerTriangle> same) {
   return std::accumulate(same.begin(), same.end(), 0L,
                          [](long sum, const CornerTriangle& t) { return sum + (t.even ? 1 : -1); });

@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The triangles of a soup that may be left out, because others have the same corners. One of
-/// either orientation stays, as the two sides of a sheet. With `solid`, as many stay in one or the
-/// other as leave all winding numbers in proportion: triangles that occur equally often in both
-/// orientations stay once in each. Throws Cancelled.
+/// The triangles of a soup that may be left out, because others have the same corners. One of each
+/// orientation stays, as the two sides of a sheet. With `solid`, as many stay in one orientation as
+/// keeps the ratios of all winding numbers; triangles that occur equally often in both orientations
+/// stay once in each. Throws Cancelled.
 std::vector<bool> repeated_triangles(const Soup& soup, bool solid, const Progress& progress = {});
 
 }  // namespace sonde

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refuses compiler options by which the same input would give other bits than elsewhere: see
+// Rejects compiler options with which the same input would give other bits than elsewhere: see
 // packaging/cmake/SondeOptions.cmake.
 #include <Eigen/Core>
 #include <cfloat>

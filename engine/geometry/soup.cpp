@@ -13,7 +13,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Newell's normal, relative to the first corner so that far from the origin it stays accurate;
+/// Newell's normal, relative to the first corner, which keeps it accurate far from the origin;
 /// `unit` is the size of the polygon.
 Vec3 newell_normal(const std::vector<Vec3>& points, const Polygon& polygon, double unit) {
   const Vec3 origin = points[polygon[0]];
@@ -31,7 +31,7 @@ double polygon_size(const std::vector<Vec3>& points, const Polygon& polygon) {
   return size;
 }
 
-/// The corners in the plane of the normal, counter-clockwise, of unit size.
+/// The corners projected on the plane of the normal, counter-clockwise, of unit size.
 std::vector<Vec2> flatten(const std::vector<Vec3>& points, const Polygon& polygon,
                           const Vec3& normal, double unit) {
   int smallest = 0;
@@ -52,7 +52,7 @@ Triangle triangle(std::size_t a, std::size_t b, std::size_t c) {
           static_cast<std::uint32_t>(c)};
 }
 
-/// A quad is cut along the shorter diagonal of those that lie inside it.
+/// A quad is cut along the shorter of the diagonals that lie inside it.
 void split_quad(const std::vector<Vec3>& points, const Polygon& q, const std::vector<Vec2>& flat,
                 std::vector<Triangle>& out) {
   const auto fits = [&](std::size_t i) {  // both triangles of the diagonal from corner i
@@ -71,7 +71,7 @@ void split_quad(const std::vector<Vec3>& points, const Polygon& q, const std::ve
   }
 }
 
-/// The polygon without corners that repeat the one before.
+/// The polygon without corners that repeat the previous one.
 const Polygon& without_repeats(const Polygon& polygon, Polygon& scratch) {
   bool repeats = polygon.size() > 1 && polygon.front() == polygon.back();
   for (std::size_t i = 1; i < polygon.size() && !repeats; ++i)
@@ -100,7 +100,7 @@ void triangulate_one(const std::vector<Vec3>& points, const Polygon& polygon,
   if (normal.squaredNorm() > 0) flat = flatten(points, polygon, normal, unit);
   if (polygon.size() == 4) {
     split_quad(points, polygon, flat, out);
-  } else if (flat.empty()) {  // no area at all: any triangulation that keeps the corners will do
+  } else if (flat.empty()) {  // no area: any triangulation that keeps the corners is valid
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       out.push_back(triangle(polygon[0], polygon[i], polygon[i + 1]));
   } else {
@@ -108,8 +108,9 @@ void triangulate_one(const std::vector<Vec3>& points, const Polygon& polygon,
   }
 }
 
-/// A sine of 1e-12 is far enough from the 1e-15 of is_degenerate for rounding not to matter, and
-/// these sizes keep their fourth powers in range: true is certain, and takes no root or division.
+/// Quick test: true is certain, and needs no root or division. A sine of 1e-12 is far enough above
+/// the 1e-15 of is_degenerate that rounding does not matter, and for these sizes fourth powers stay
+/// in range.
 bool has_clear_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, bc = c - b;
   const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), (a - c).squaredNorm()});
@@ -122,7 +123,7 @@ bool has_clear_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   if (has_clear_area(a, b, c)) return false;
   Vec3 edge[3] = {b - a, c - b, a - c};
-  double unit = 0;  // in units of their own size, edges neither overflow nor vanish when squared
+  double unit = 0;  // in units of their own size, squared edges neither overflow nor underflow
   for (const Vec3& e : edge) unit = std::max(unit, e.cwiseAbs().maxCoeff());
   if (!(unit > 0)) return true;
   for (Vec3& e : edge) e /= unit;

@@ -3,9 +3,9 @@
 
 namespace sonde {
 
-/// x in single precision, where the rounding counts. It is not inlined, because g++ 12 removes
-/// double → float → double where it vectorises both together. A result computed from the
-/// difference, or checked by it, would then be wrong without notice.
+/// x rounded to single precision, for code that depends on this rounding. It is not inlined,
+/// because g++ 12 removes double → float → double where it vectorises both together; a result that
+/// uses the difference would then be wrong without notice.
 float to_float(double x);
 
 }  // namespace sonde

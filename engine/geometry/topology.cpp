@@ -30,13 +30,13 @@ std::uint64_t hash(const Vec3& x) {
   return h;
 }
 
-/// Triangles that collapse to a line or a point do not count: their edges cancel.
+/// Triangles that collapse to a line or a point are ignored: their edges cancel.
 bool has_repeated_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-/// Values sorted into buckets by counting, and within each bucket by comparison: a few steps a
-/// value where the keys of a mesh (the vertices of an edge) are spread over all the buckets.
-/// `each_triangle(i, put)` calls put(bucket, value) for what triangle i has to give; `use` gets
-/// each bucket's values, ascending.
+/// Sorts values into buckets by counting, and within each bucket by comparison: a few steps a value
+/// if the keys of a mesh (the vertices of an edge) are spread over all buckets. `each_triangle(i,
+/// put)` calls put(bucket, value) for the values of triangle i; `use` receives the values of each
+/// bucket, ascending.
 template <class Value, class EachTriangle, class Use>
 void sort_into_buckets(std::size_t triangles, std::size_t buckets, const Progress& progress,
                        EachTriangle each_triangle, Use use) {
@@ -46,7 +46,7 @@ void sort_into_buckets(std::size_t triangles, std::size_t buckets, const Progres
   });
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<Value> values(end.back());
-  // As values arrive, end[b] goes from the start of bucket b to its end.
+  // While values are stored, end[b] moves from the start of bucket b to its end.
   for_each_index(triangles, part_of(progress, 0.2, 0.5), [&](std::size_t i) {
     each_triangle(i, [&](std::uint32_t bucket, Value value) { values[end[bucket]++] = value; });
   });
@@ -59,7 +59,8 @@ void sort_into_buckets(std::size_t triangles, std::size_t buckets, const Progres
   });
 }
 
-/// Edges in the bucket of their lower vertex: twice the higher one, plus one if it comes second.
+/// Edges in the bucket of their lower vertex; value: twice the higher one, plus one if it comes
+/// second.
 void count_edges(const Soup& soup, const Progress& progress, Topology& out) {
   bool any = false;
   const auto edges_of = [&](std::size_t i, auto put) {
@@ -86,7 +87,7 @@ void count_edges(const Soup& soup, const Progress& progress, Topology& out) {
   out.closed = any && out.open_edges == 0 && out.misoriented_edges == 0;
 }
 
-/// Triangles in the bucket of their lowest vertex: the middle one above the highest.
+/// Triangles in the bucket of their lowest vertex; value: the middle one above the highest.
 std::size_t count_duplicates(const Soup& soup, const Progress& progress) {
   std::size_t duplicates = 0;
   const auto corners_of = [&](std::size_t i, auto put) {
@@ -108,7 +109,7 @@ std::size_t count_duplicates(const Soup& soup, const Progress& progress) {
 std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices, const Progress& progress) {
   const std::size_t slots = std::bit_ceil(2 * vertices.size() + 1);
   std::vector<std::uint32_t> table(slots, none), first(vertices.size());
-  // A large table is nowhere near: its slots are asked for some steps before they are needed.
+  // A large table does not fit in the cache: its slots are prefetched some steps in advance.
   std::array<std::size_t, 32> ahead;
   const auto ask_for = [&](std::size_t i) {
     const std::size_t slot = hash(vertices[i]) & (slots - 1);

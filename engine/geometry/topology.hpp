@@ -21,18 +21,18 @@ struct Topology {
   bool closed = false;
 };
 
-/// Which triangles hang together through shared vertices.
+/// Which triangles are connected through shared vertices.
 struct Components {
   std::size_t count = 0;
   std::vector<std::uint32_t> of;  ///< component of each triangle, 0 .. count - 1
 };
 
-/// For each vertex the first one at the same coordinates (itself where it is the first).
+/// For each vertex, the first one at the same coordinates (itself if it is the first).
 std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices, const Progress& progress = {});
 
-/// The soup with one vertex for each place, in the order the triangles use them, and none that no
-/// triangle uses. A mesh written corner by corner (STL) is closed where it looks closed only once
-/// this has been done: the functions below take vertices for different that have different indices.
+/// The soup with one vertex for each place, in the order in which the triangles use them, without
+/// unused vertices. A mesh written corner by corner (STL) is closed only after this: the functions
+/// below treat vertices with different indices as different.
 Soup compacted(Soup soup, const Progress& progress = {});
 
 Topology analyse_topology(const Soup& soup, const Progress& progress = {});

@@ -5,9 +5,9 @@
 
 namespace sonde {
 
-/// A pose as a rotation matrix and a translation, with which the geometric kernels multiply points.
-/// Every kernel and every test for a free pose uses this one conversion, so all of them see the
-/// same transformed vertices, to the bit.
+/// A pose as a rotation matrix and a translation, as the geometric kernels need it. Every kernel
+/// and every test for a free pose uses this one conversion, so all of them see the same transformed
+/// vertices, to the bit.
 struct Transform {
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();

@@ -9,7 +9,7 @@
 
 namespace sonde {
 
-/// Sets of the numbers below n that are joined, each found by its least member.
+/// Disjoint sets of the numbers below n; each set is identified by its least member.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// A side that is missing in a part: it leads against what is there.
+/// A side that a part lacks for its edges to balance, opposite to the existing one.
 struct Missing {
   std::uint32_t part, from, to;
 };
@@ -26,7 +26,7 @@ std::vector<Missing> missing_sides(const std::vector<EdgeUse>& uses,
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() == 2 && direction(edge[0]) != direction(edge[1]) &&
         orientation.part[edge[0].triangle()] == orientation.part[edge[1].triangle()])
-      return;  // nearly all
+      return;  // the usual case
     sums.clear();
     for (const EdgeUse& use : edge) {
       const std::uint32_t part = orientation.part[use.triangle()];
@@ -47,8 +47,8 @@ std::vector<Missing> missing_sides(const std::vector<EdgeUse>& uses,
   return missing;
 }
 
-/// The missing sides of one part as loops that meet no vertex twice. As many leave each vertex as
-/// arrive there.
+/// The missing sides of one part, as loops that visit no vertex twice. At each vertex, as many
+/// sides start as end.
 class Loops {
  public:
   explicit Loops(std::span<const Missing> sides) : sides_(sides) {
@@ -97,8 +97,8 @@ class Loops {
 
   std::span<const Missing> sides_;
   std::vector<std::uint32_t> starts_;    // vertices, ascending
-  std::vector<std::size_t> next_, end_;  // of each: sides not taken yet
-  std::vector<std::size_t> place_;       // of each on the way that is followed
+  std::vector<std::size_t> next_, end_;  // of each vertex: sides not used yet
+  std::vector<std::size_t> place_;       // of each vertex on the current path
 };
 
 Cap cap_over(const Soup& soup, std::uint32_t part, std::vector<std::uint32_t> loop) {
@@ -126,7 +126,7 @@ std::vector<Cap> find_caps(const Soup& soup, const std::vector<EdgeUse>& uses,
     const auto last = std::find_if(first, missing.end(),
                                    [&](const Missing& side) { return side.part != first->part; });
     for (std::vector<std::uint32_t>& loop : Loops({first, last}).taken_out())
-      if (loop.size() >= 3)  // fewer go there and back: nothing is between
+      if (loop.size() >= 3)  // two sides go there and back: nothing lies between
         caps.push_back(cap_over(soup, first->part, std::move(loop)));
     first = last;
   }

@@ -11,16 +11,17 @@
 
 namespace sonde {
 
-/// One opening in a part, closed: a loop of its border, and the triangles across it.
+/// A closed opening of a part: a loop of its border, and the triangles across it.
 struct Cap {
   std::uint32_t part = 0;
-  std::vector<std::uint32_t> loop;  ///< vertices (labels), against the direction of the border
+  std::vector<std::uint32_t> loop;  ///< vertices (labels), opposite to the border's direction
   std::vector<Triangle> triangles;  ///< between vertices of the loop
   double area = 0;                  ///< m²
 };
 
-/// The caps that close every part: with them, all edges between labels balance. A loop is cut by
-/// clipping its ears in the plane that fits it best. `uses` are sorted; ordered by part.
+/// The caps that close every part: with them, all edges between labels balance. A loop is
+/// triangulated by ear clipping in its best-fit plane. `uses` must be sorted; the result is ordered
+/// by part.
 std::vector<Cap> find_caps(const Soup& soup, const std::vector<EdgeUse>& uses,
                            const Orientation& orientation);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Of each polygon, the number of its piece; pieces in the order of their first polygons.
+/// For each polygon, the number of its piece; pieces are in the order of their first polygons.
 std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progress) {
   const std::vector<std::uint32_t> place = weld(soup.points, part_of(progress, 0, 0.6));
   UnionFind sets(soup.points.size());
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> pieces(const PolygonSoup& soup, const Progress& progr
 std::vector<PolygonSoup> taken_apart(const PolygonSoup& soup,
                                      const std::vector<std::uint32_t>& piece) {
   std::vector<PolygonSoup> out;
-  std::vector<std::size_t> index(soup.points.size(), none);  // a point may be of several pieces
+  std::vector<std::size_t> index(soup.points.size(), none);  // a point may belong to several pieces
   std::vector<std::uint32_t> index_in(soup.points.size(), none);
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (piece[i] == none) continue;
@@ -70,11 +70,11 @@ double signed_volume(const Soup& soup) {
   return six_volumes / 6;
 }
 
-/// The closed ones of some pieces, side by side; `part` numbers the pieces.
+/// The closed ones of some pieces, collected; `part` numbers the pieces.
 struct ClosedPieces {
   Sealed all;
   std::vector<double> volume;      ///< of each piece, signed, m³; 0: not closed
-  std::vector<PartPoint> on_each;  ///< a point on each closed one
+  std::vector<PartPoint> on_each;  ///< a point on each closed piece
 };
 
 ClosedPieces closed_pieces(const std::vector<PolygonSoup>& pieces, const Progress& progress) {
@@ -97,7 +97,7 @@ ClosedPieces closed_pieces(const std::vector<PolygonSoup>& pieces, const Progres
   return out;
 }
 
-/// Of each piece, the one that it belongs to: itself, or that whose cavity it is.
+/// For each piece, the piece that it belongs to: itself, or the piece whose cavity it is.
 std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
                                   const Progress& progress) {
   std::vector<std::uint32_t> owner(pieces.size());
@@ -108,16 +108,16 @@ std::vector<std::uint32_t> owners(const std::vector<PolygonSoup>& pieces,
   const auto is_one_sign = [&](double sign) {
     return std::ranges::none_of(volume, [sign](double v) { return v * sign < 0; });
   };
-  if (is_one_sign(1) || is_one_sign(-1)) return owner;  // no cavity anywhere
+  if (is_one_sign(1) || is_one_sign(-1)) return owner;  // there is no cavity
   const auto around = part_windings(closed.all, closed.on_each, part_of(progress, 0.5, 1));
-  // From the largest on: what is around a piece is known before the piece.
+  // From the largest on, so that the piece around another is processed first.
   std::vector<std::size_t> order(closed.on_each.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::greater(),
                            [&](std::size_t i) { return std::abs(volume[closed.on_each[i].part]); });
   for (const std::size_t i : order) {
     const std::uint32_t k = closed.on_each[i].part;
-    std::uint32_t next = none;  // around it, with none between
+    std::uint32_t next = none;  // the innermost piece around it
     for (const auto& [q, winding] : around[i])
       if (q != k && std::abs(volume[q]) > std::abs(volume[k]) &&
           (next == none || std::abs(volume[q]) < std::abs(volume[next])))
@@ -133,7 +133,7 @@ std::vector<PolygonSoup> components_of(const PolygonSoup& soup, const Progress& 
   std::vector<std::uint32_t> piece = pieces(soup, part_of(progress, 0, 0.3));
   const std::vector<std::uint32_t> owner =
       owners(taken_apart(soup, piece), part_of(progress, 0.3, 0.9));
-  // A cavity may come before what it is in: numbers in the order of first polygons again.
+  // A cavity may come before its piece: renumber in the order of first polygons.
   std::vector<std::uint32_t> number(owner.size(), none);
   std::uint32_t count = 0;
   for (std::uint32_t& p : piece) {

@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The pieces of a soup that a person would take for things of their own, in the order of their
-/// first polygons: what hangs together by corners at the same places, and with it its cavities. A
-/// cavity is closed, lies in a closed piece with none between the two, and is turned the other way.
-/// The soup's remarks go with the first piece. Throws Cancelled.
+/// The pieces of a soup that a person would regard as separate objects, in the order of their first
+/// polygons: polygons connected by corners at the same places, together with their cavities. A
+/// cavity is a closed piece that lies directly inside another closed piece and has the opposite
+/// orientation. The soup's remarks go with the first piece. Throws Cancelled.
 std::vector<PolygonSoup> components_of(const PolygonSoup& soup, const Progress& progress = {});
 
 }  // namespace sonde

@@ -16,10 +16,10 @@
 namespace sonde {
 namespace {
 
-/// Triangles that are there several times, not as often as the rest of their component: either
-/// walls and shells in their own right (between two bodies, of a part within another), at whose rim
-/// the rest closes without them; or repeated by accident, and then the rest is open along their
-/// rim, and closes with one of each. Each patch of such triangles is one or the other.
+/// Triangles that occur more often than the rest of their component. They are either walls and
+/// shells of their own (between two bodies, or of a part within another), and the rest closes along
+/// their rim without them; or they are repeated by accident, and the rest is open along their rim,
+/// and closes with one of each. Each patch of such triangles is one or the other.
 class DoubtfulPatches {
  public:
   explicit DoubtfulPatches(std::vector<SameTriangles>& all) : all_(all), sets_(all.size()) {
@@ -29,8 +29,7 @@ class DoubtfulPatches {
       for (const std::uint64_t edge : edge_keys(all[k].corners)) edges_[edge].doubtful.push_back(k);
     }
     if (doubtful_.empty()) return;
-    // What is shared comes first: its other owners are taken for bodies until they turn out not to
-    // be.
+    // Shared triangles come first: their other owners count as bodies until the contrary is found.
     std::stable_partition(doubtful_.begin(), doubtful_.end(),
                           [&](std::uint32_t k) { return all[k].shared; });
     for (const SameTriangles& same : all) {
@@ -41,7 +40,7 @@ class DoubtfulPatches {
           found->second.odd ^= same.wanted % 2 != 0;
         }
     }
-    // Where more meet, as a skin and a wall do, each is a patch of its own.
+    // Where more than two meet, as a skin and a wall do, each is a patch of its own.
     for (const auto& [key, edge] : edges_)
       if (edge.doubtful.size() == 2 && edge.others == 0)
         sets_.join(edge.doubtful[0], edge.doubtful[1]);
@@ -50,7 +49,7 @@ class DoubtfulPatches {
   }
 
   void settle() {
-    // At first: what faces one way is there by accident, what faces both is a wall.
+    // Initially, triangles of one orientation count as accidental, and those of both as a wall.
     for (const std::uint32_t k : doubtful_) once_[sets_.set_of(k)] |= all_[k].net() != 0;
     bool changed = !doubtful_.empty();
     for (int round = 0; changed && round < most_rounds; ++round) {
@@ -71,18 +70,18 @@ class DoubtfulPatches {
   }
 
  private:
-  /// One patch may be settled by what its neighbours are settled to be.
+  /// The decision on one patch may depend on those of its neighbours, hence rounds.
   static constexpr int most_rounds = 8;
   struct Edge {
     std::vector<std::uint32_t> doubtful;
-    int others = 0;    // triangles that are in no doubt,
+    int others = 0;    // triangles that are not doubtful
     bool odd = false;  // an odd number of which stay
   };
   static bool is_doubtful(const SameTriangles& same) {
     return same.size() >= 2 && (same.wanted != 1 || same.shared) && !same.settled;
   }
 
-  /// Edges of the rim along which the rest is open without the patch, less others.
+  /// Number of rim edges along which the rest is open without the patch, minus the others.
   int votes(std::uint32_t patch) {
     int open = 0;
     for (const Edge* edge : rims_[patch]) {
@@ -103,7 +102,7 @@ class DoubtfulPatches {
   TurnedSets sets_;
   std::vector<std::uint32_t> doubtful_;
   std::map<std::uint64_t, Edge> edges_;
-  std::map<std::uint32_t, std::vector<const Edge*>> rims_;  // by patch, its lowest triangle
+  std::map<std::uint32_t, std::vector<const Edge*>> rims_;  // by patch (its lowest triangle)
   std::map<std::uint32_t, bool> once_;
 };
 
@@ -136,7 +135,7 @@ Distinct find_distinct(const Soup& soup, const Progress& progress) {
   out.by.assign(soup.triangles.size(), Distinct::none);
   out.backs.assign(soup.triangles.size(), false);
   for (const SameTriangles& same : all) {
-    const bool whole = common[same.component] == 0 && same.wanted > 0;  // each against another one
+    const bool whole = common[same.component] == 0 && same.wanted > 0;  // each has an opposite one
     const bool even = same.net() == 0 ? entries[same.begin].even : same.net() > 0;
     long wanted = same.wanted;
     std::uint32_t last = Distinct::none;

@@ -9,7 +9,7 @@
 
 namespace sonde {
 
-/// Into buckets by the lower end, where a few uses remain to be compared.
+/// Bucket sort by the lower end, then comparison of the few uses in each bucket.
 void sort_uses(std::vector<EdgeUse>& uses, std::size_t vertices, const Progress& progress) {
   std::vector<std::size_t> end(vertices + 1, 0);
   for (const EdgeUse& use : uses) ++end[use.low + 1];

@@ -12,13 +12,13 @@
 namespace sonde {
 namespace {
 
-constexpr int bits = 20;  // of a pixel, to which corners are rounded
+constexpr int bits = 20;  // of a pixel: resolution to which corners are rounded
 constexpr std::int64_t one = std::int64_t{1} << bits;
-/// Where in a pixel its line is: off the middle, where modelled corners and edges tend to be.
+/// Position of a line in its pixel: off the middle, where modelled corners and edges tend to be.
 constexpr std::int64_t offset = one / 2 + one / 7 + 1237;
 
 using Corner = std::array<std::int64_t, 2>;
-/// Corners may lie far outside of the raster: products of two coordinates take twice their bits.
+/// Corners may lie far outside the raster: products of two coordinates need twice their bits.
 __extension__ using Wide = __int128;
 constexpr double farthest = 0x1p60;
 
@@ -26,14 +26,14 @@ Wide turn(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
   return Wide{b[0] - a[0]} * (y - a[1]) - Wide{b[1] - a[1]} * (x - a[0]);
 }
 
-/// Left of the edge, or on it where that is this triangle's and not its neighbour's.
+/// Left of the edge, or on it if this triangle, and not its neighbour, owns the edge.
 bool within(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
   const Wide side = turn(a, b, x, y);
   const bool owns = b[1] < a[1] || (b[1] == a[1] && b[0] > a[0]);
   return owns ? side >= 0 : side > 0;
 }
 
-/// First and last pixel whose line may be between two coordinates.
+/// First and last pixel whose line may lie between two coordinates.
 std::pair<std::int64_t, std::int64_t> pixels(std::int64_t low, std::int64_t high, int count) {
   const auto floor_pixel = [](std::int64_t v) { return (v - offset) >> bits; };
   return {std::max<std::int64_t>(0, floor_pixel(low + one - 1)),

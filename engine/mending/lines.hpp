@@ -10,18 +10,18 @@
 
 namespace sonde {
 
-/// Where a line goes through a triangle.
+/// The point where a line passes through a triangle.
 struct LineHit {
   double along;            ///< m, in the direction of the line
   std::uint32_t triangle;  ///< of the soup
-  int sign;                ///< 1 where it leaves through the triangle's front, -1 where it enters
+  int sign;                ///< 1 if it leaves through the triangle's front, -1 if it enters there
 };
 
-/// Parallel lines through a soup, as a square raster of count x count pixels, each with one line
-/// somewhat off its middle, and where they go through triangles. Corners are rounded to 2^-20 of a
-/// pixel across the lines, and then all is exact: on triangles that share their corners (by index)
-/// and are closed, the signs along every line sum to zero, and no line slips through between two
-/// of them.
+/// Parallel lines through a soup, one for each pixel of a square raster of count x count pixels,
+/// slightly off the pixel's middle, and their hits on triangles. Corners are rounded to 2^-20 of a
+/// pixel across the lines; after that everything is exact: for closed triangles that share their
+/// corners (by index), the signs along every line sum to zero, and no line slips through between
+/// two of them.
 class Lines {
  public:
   /// @param across_to Rows: two directions across the lines, then that of the lines; orthonormal.
@@ -30,7 +30,7 @@ class Lines {
   /// size > 0.
   Lines(const Soup& soup, const Eigen::Matrix3d& across_to, int count, const Eigen::Vector2d& low,
         double size);
-  /// Through all of a soup that has an extent.
+  /// Lines through all of a soup that has an extent.
   Lines(const Soup& soup, const Eigen::Matrix3d& across_to, int count);
 
   std::size_t size() const { return start_.size() - 1; }
@@ -53,8 +53,8 @@ class Lines {
   std::vector<LineHit> hits_;
 };
 
-/// Directions of lines in general position, square to each other: rows as Lines takes them, the
-/// k-th of three with another of the rows last.
+/// Orthogonal directions of lines in general position: rows as Lines takes them; each of the three
+/// k has another row last.
 Eigen::Matrix3d line_frame(int k);
 
 }  // namespace sonde

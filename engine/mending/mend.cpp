@@ -16,8 +16,8 @@
 namespace sonde {
 namespace {
 
-/// Of what is seen of a part from all around: where less of it are openings, most of the part
-/// bounds an inside, and a user is told that it is taken as a surface all the same.
+/// Share of what is seen of a part from all around: if its openings have a smaller share, most of
+/// the part bounds an inside, and the user is told that it is nevertheless treated as a surface.
 constexpr double most_doubtful = 0.25;
 
 class Mender {
@@ -72,18 +72,17 @@ class Mender {
         std::swap(out_.solid.soup.triangles[i][1], out_.solid.soup.triangles[i][2]);
   }
 
-  /// The triangles that are touched.
+  /// Outputs the triangles used for contact.
   void put_out() {
     for (std::uint32_t i = 0; i < soup_.triangles.size(); ++i) {
       if (distinct_.backs[i] || repeats_solid(i)) continue;
       Triangle t = soup_.triangles[i];
-      TriangleKind kind =
-          TriangleKind::bounds;  // a pair that cancels out bounds nothing either way
+      TriangleKind kind = TriangleKind::bounds;  // a pair that cancels bounds nothing in any case
       std::uint32_t own = Mended::no_part;
       if (const std::uint32_t by = distinct_.by[i]; by != Distinct::none) {
         const std::uint32_t k = number_[by], part = own = orientation_.part[k];
         if (!solid_[part]) kind = TriangleKind::loose;
-        // What bounds nothing stays as it was drawn.
+        // Triangles that bound nothing keep their orientation.
         if (solid_[part] && orientation_.turned[k] != turn_[part]) {
           std::swap(t[1], t[2]);
           out_.as_given = false;
@@ -104,8 +103,8 @@ class Mender {
     }
   }
 
-  /// A copy of one that stays, in a solid: with both, a shell that is there more often than the
-  /// others would have another winding number than the mass is of.
+  /// Whether it is a copy of a triangle that stays, in a solid. With both, a shell that occurs more
+  /// often than others would have another winding number than that used for the mass.
   bool repeats_solid(std::uint32_t i) const {
     const std::uint32_t by = distinct_.by[i];
     return by != i && by != Distinct::none && solid_[orientation_.part[number_[by]]];
@@ -117,8 +116,8 @@ class Mender {
     out_.parts.push_back(part);
   }
 
-  /// Of pairs that cancel out, those with the inside on both sides are walls that nothing reaches;
-  /// others are fins, which are touched.
+  /// Of pairs that cancel, those with the inside on both sides are unreachable walls; the others
+  /// are fins, which can be touched.
   void hide_walls() {
     std::vector<PartPoint> middles;
     std::vector<std::size_t> walls;
@@ -144,7 +143,7 @@ class Mender {
     Repairs& r = out_.repairs;
     const bool any = !out_.solid.soup.triangles.empty();
     r.parts = facts_.size();
-    if (any) {  // a surface is as it was given: nothing that was tried counts
+    if (any) {  // a surface stays as given: the attempts are not counted
       r.joined = seams_.joined;
       r.on_edges = seams_.on_edges;
       r.reach = r.joined + r.on_edges > 0 ? seams_.reach : 0;
@@ -180,7 +179,7 @@ class Mender {
       out_.why = "closed: the inside counts";
   }
 
-  /// Where anything was done, by the labels of corners: what was cracked hangs together by them.
+  /// Finds the places of repairs, by the labels of corners: cracked parts are connected by these.
   void find_places() {
     if (out_.solid.soup.triangles.empty() || !out_.repairs.any()) return;
     const auto& x = soup_.vertices;
@@ -223,7 +222,7 @@ class Mender {
       if (seams_.label[v] != v) marked[seams_.label[v]] = true;
     for (const Seams::Cut& cut : seams_.cuts) {
       for (const std::uint32_t v : cut.at) marked[v] = true;
-      // The ends of the side too: cuts in sides that meet are one seam.
+      // Also marks the ends of the side: cuts in sides that meet are one seam.
       const Triangle& t = once_.triangles[cut.side / 3];
       for (const std::uint32_t k : {cut.side % 3, (cut.side + 1) % 3})
         marked[seams_.label[t[k]]] = true;
@@ -238,7 +237,7 @@ class Mender {
     add_corner_places(out_.places, RepairKind::seam, soup_.vertices, triangles, marked);
   }
 
-  /// The largest part that is no solid; none where there is none.
+  /// The largest part that is no solid; null if there is none.
   const PartFacts* largest_open() const {
     const PartFacts* largest = nullptr;
     for (std::size_t p = 0; p < facts_.size(); ++p)
@@ -267,12 +266,12 @@ class Mender {
   const std::string& name_;
   Distinct distinct_;
   Soup once_;                          // the triangles that stay
-  std::vector<std::uint32_t> number_;  // of each triangle of the soup in it
+  std::vector<std::uint32_t> number_;  // index in once_ of each triangle of the soup
   Seams seams_;
   Orientation orientation_;
   std::vector<Cap> caps_;
   std::vector<PartFacts> facts_;
-  std::vector<bool> solid_, turn_;  // of each part
+  std::vector<bool> solid_, turn_;  // by part
   Mended out_;
 };
 

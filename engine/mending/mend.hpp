@@ -16,37 +16,38 @@
 
 namespace sonde {
 
-/// What a triangle of a mended soup is for.
+/// The role of a triangle of a mended soup.
 enum class TriangleKind : std::uint8_t {
   bounds,  ///< it bounds the inside
-  loose,   ///< it is touched, and bounds nothing: of a sheet, a vessel, a part with one side
+  loose,   ///< can be touched, but bounds nothing: of a sheet, a vessel, a part with one side
   cap,     ///< added to close an opening; bounds the inside
-  hidden   ///< it lies inside, where nothing touches it, and is left out
+  hidden   ///< it lies inside, where nothing can touch it, and is left out
 };
 
-/// A soup whose inside is known.
+/// A mended soup, whose inside is known.
 struct Mended {
-  /// The triangles that are touched, and what each is for: those of the soup in their order, turned
-  /// where they were the wrong way, without backs; then caps. The vertices are those of the soup.
+  /// The triangles used for contact, with the role of each: those of the soup in their order,
+  /// turned if their orientation was wrong, without backs; then caps. The vertices are those of the
+  /// soup.
   std::vector<Triangle> triangles;
   std::vector<TriangleKind> kinds;
-  std::vector<std::uint32_t> parts;  ///< of each of them: the part it belongs to, or no_part
+  std::vector<std::uint32_t> parts;  ///< for each triangle: its part, or no_part
   static constexpr std::uint32_t no_part = std::numeric_limits<std::uint32_t>::max();
-  /// The closed parts whose inside counts, for mass (Region); empty: the body is a surface.
+  /// The closed parts whose inside counts, for mass (Region); empty if the body is a surface.
   Sealed solid;
-  /// Cracks and cuts are closed by name alone: a ray may slip through between the triangles.
+  /// Cracks and cuts are closed by index only: a ray may slip through between the triangles.
   bool cracked = false;
   bool as_given = true;  ///< the triangles are the soup's own, unturned, in their order
   std::string why;       ///< why it is a solid or a surface
   Repairs repairs;
-  RepairPlaces places;  ///< all but the hidden triangles, not settled yet
+  RepairPlaces places;  ///< all except the hidden triangles; settle() has not been called
 };
 
 /// Joins, turns and caps a soup until every part of it is closed, and decides for each part whether
-/// its inside counts: with Model::automatic where it looks solid (PartFacts), with Model::solid
-/// wherever it bounds any inside. `soup` has one vertex for each place; its degenerate triangles
-/// still connect others. `topology` is its own. Throws InputError, naming `name`, where `asked` is
-/// solid and nothing has an inside; throws Cancelled.
+/// its inside counts: with Model::automatic if it looks solid (PartFacts), with Model::solid if it
+/// bounds any inside. `soup` has one vertex for each place; its degenerate triangles still connect
+/// others. `topology` is that of `soup`. Throws InputError, naming `name`, if `asked` is solid and
+/// no part has an inside; throws Cancelled.
 Mended mend(const Soup& soup, const Topology& topology, Model asked, const std::string& name,
             const Progress& progress = {});
 

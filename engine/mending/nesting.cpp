@@ -11,14 +11,14 @@
 namespace sonde {
 namespace {
 
-/// Points on a part that all must lie inside another for it to be nested there, as its bounds must
-/// within the other's. Where parts cross, they only may; what then is taken wrongly for nested
-/// keeps the sign that the file gave it.
+/// Number of sample points on a part. A part is nested in another if all of them lie inside it, and
+/// its bounds within the other's. If parts cross, this may be wrong; a part wrongly taken as nested
+/// keeps the orientation of the file.
 constexpr std::size_t samples = 64;
-/// Of the size of a part: its bounds are within another's where they stand out by less.
+/// Share of a part's size: tolerance of the test that its bounds are within another's.
 constexpr double bounds_rounding = 1e-6;
 
-/// Middles of triangles, spread over those of a part.
+/// Centroids of triangles, spread over those of a part.
 std::vector<PartPoint> sample_points(const Sealed& sealed, const std::vector<PartFacts>& facts) {
   std::vector<std::size_t> count(facts.size(), 0), seen(facts.size(), 0);
   for (const std::uint32_t p : sealed.part) ++count[p];
@@ -60,7 +60,8 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
   }
   const std::vector<PartPoint> points = sample_points(sealed, facts);
   const std::vector<PartWindings> around = part_windings(sealed, points, progress);
-  // How many of its points, of how many, lie inside of which others, and of any other.
+  // For each part: how many of its points were tested, and how many lie inside which others, and
+  // inside any other.
   std::vector<std::map<std::uint32_t, std::size_t>> inside(facts.size());
   std::vector<std::size_t> asked(facts.size(), 0), covered(facts.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -87,8 +88,8 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
              return further.first != but && nested_in(q, further.first);
            });
   };
-  // Within several together, as a cavity across two halves; where one of these is mirrored and the
-  // other is not, it is a cavity still.
+  // Nested in several parts together, as a cavity across two halves: if one of the halves is
+  // mirrored and the other is not, it must still be a cavity.
   const auto turns_with_all = [&](std::uint32_t p) {
     bool any_over = false, any_not = false;
     for (const auto& [q, count] : inside[p])
@@ -97,7 +98,7 @@ std::vector<bool> parts_to_turn(const Sealed& sealed, const std::vector<PartFact
            : any_over || any_not ? any_over
                                  : facts[p].volume < 0;
   };
-  // The outermost part around each: one that holds it and is nested in none itself.
+  // The outermost part around each part: it contains the part and is not nested itself.
   for (std::uint32_t p = 0; p < facts.size(); ++p) {
     if (!solid[p]) continue;
     const auto around_it = std::ranges::find_if(inside[p], [&](const auto& found) {

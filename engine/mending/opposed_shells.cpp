@@ -40,10 +40,10 @@ class OpposedShells {
   }
 
  private:
-  /// Points on a shell that must all lie inside of another part for it to be in there.
+  /// Sample points on a shell that must all lie inside another part for the shell to be inside it.
   static constexpr std::size_t samples = 64;
 
-  /// Where an odd number of pairs is, in proportion to how often the component is written.
+  /// Finds triangles with an odd number of pairs, relative to how often the component occurs.
   void find_odd_pairs() {
     std::map<std::uint32_t, long> common;
     for (const SameTriangles& same : all_)
@@ -56,17 +56,17 @@ class OpposedShells {
       if (all_[k].pairs() == 0) continue;
       if (all_[k].pairs() / common[all_[k].component] % 2 != 0)
         odd_.push_back(k);
-      else if (all_[k].net() == 0)  // two such shells share it, perhaps
+      else if (all_[k].net() == 0)  // perhaps two such shells share it
         all_[k].shared = true;
     }
   }
 
-  /// Of those, what hangs together by edges and is closed.
+  /// Finds closed sets of those, connected by edges.
   void find_shells() {
-    std::map<std::uint64_t, std::vector<std::uint32_t>> edges;  // by their places in odd_
+    std::map<std::uint64_t, std::vector<std::uint32_t>> edges;  // by index in odd_
     for (std::uint32_t i = 0; i < odd_.size(); ++i)
       for (const std::uint64_t edge : edge_keys(all_[odd_[i]].corners)) edges[edge].push_back(i);
-    // Where more meet, as a shell and a wall do, each is a shell of its own.
+    // Where more than two meet, as a shell and a wall do, each is a shell of its own.
     TurnedSets sets(odd_.size());
     for (const auto& [key, at] : edges)
       if (at.size() == 2) sets.join(at[0], at[1]);
@@ -84,7 +84,7 @@ class OpposedShells {
     for (auto& [set, shell] : shells) shells_.push_back(std::move(shell));
   }
 
-  /// All without what stands against each other, and which of its components are open.
+  /// Finds the remaining triangles (without opposed pairs), and which of their components are open.
   void find_rest() {
     rest_.soup.vertices = x_;
     std::map<std::uint64_t, std::pair<std::uint32_t, bool>> odd_edges;
@@ -123,7 +123,7 @@ class OpposedShells {
         same.wanted = within ? 0 : 1;
       } else if (within) {
         same.settled = true;
-      } else {  // a wall between the two, or not: it depends on the other
+      } else {  // it may be a wall between the two: that depends on the other
         same.shared = true;
         --same.wanted;
       }

@@ -14,12 +14,12 @@ namespace sonde {
 namespace {
 
 constexpr std::uint32_t unnumbered = std::numeric_limits<std::uint32_t>::max();
-/// Rounds over all patches at most. In the plain cases two are needed, and what a further one would
-/// turn is capped instead.
+/// Maximum number of rounds over all patches. Plain cases need two; what a further round would turn
+/// is capped instead.
 constexpr int most_rounds = 8;
 
-/// Where several sheets meet, what the file writes one after the other belongs together, if that
-/// pairs all uses off against each other: so bodies that share an edge or a face stay apart.
+/// Where several sheets meet at an edge, uses that follow each other in the file belong together,
+/// if this pairs all uses with opposite ones: so bodies that share an edge or a face stay separate.
 bool pairs_up(std::span<const EdgeUse> edge) {
   if (edge.size() % 2 != 0) return false;
   for (std::size_t k = 0; k < edge.size(); k += 2)
@@ -77,7 +77,7 @@ class Orienter {
       if (as_drawn[patch_[i]] < 0) out_.turned[i] = !out_.turned[i];
   }
 
-  /// An edge where three patches or more meet, with the sum of the directions of each.
+  /// An edge where three patches or more meet, with each one's sum of directions.
   struct Meeting {
     std::vector<std::pair<std::uint32_t, int>> of_patch;
     double length;
@@ -121,7 +121,7 @@ class Orienter {
         out_.turned[i] = !out_.turned[i];
   }
 
-  /// The sum of the directions of each patch at an edge, ascending by patch.
+  /// Each patch's sum of directions at an edge, ascending by patch.
   std::vector<std::pair<std::uint32_t, int>> balance(std::span<const EdgeUse> edge) const {
     std::vector<std::pair<std::uint32_t, int>> sums;
     for (const EdgeUse& use : edge) {
@@ -137,7 +137,7 @@ class Orienter {
     return sums;
   }
 
-  /// What does not balance by itself belongs together.
+  /// Joins patches that do not balance by themselves.
   void find_parts() {
     TurnedSets sets(soup_.triangles.size());
     for (std::uint32_t i = 0; i < patch_.size(); ++i) sets.join(patch_[i], i);

@@ -12,16 +12,15 @@
 namespace sonde {
 namespace {
 
-/// Ends of lines on parts and on their caps.
+/// Numbers of line ends on parts and on their caps.
 struct Ends {
   Ends(std::size_t parts, std::size_t caps) : on_part(parts, 0), on_cap(caps, 0) {}
-  std::vector<std::size_t> on_part;  ///< with its caps, whatever covers it
-  std::vector<std::size_t> on_cap;   ///< where no other part covers it
+  std::vector<std::size_t> on_part;  ///< including its caps, whether covered or not
+  std::vector<std::size_t> on_cap;   ///< if no other part covers it
 };
 
-/// Looks along a line from one end, to the first of each part. What other parts hide of an opening
-/// does not count as open: a lid covers it. Caps hide nothing but what is behind them of their own
-/// part.
+/// Follows a line from one end to the first hit of each part. An opening hidden by another part
+/// does not count as open: a lid covers it. Caps hide only what is behind them in their own part.
 template <class Hits>
 void look_along(const Hits& hits, const Sealed& sealed, Ends& ends,
                 std::vector<std::uint32_t>& seen) {
@@ -96,7 +95,7 @@ class Judge {
     for (const Cap& cap : caps_) ++facts_[cap.part].caps;
   }
 
-  /// A part as the only one, its caps counted from `first_cap`.
+  /// A part alone, with its caps counted from `first_cap`.
   Sealed alone(std::uint32_t p, std::size_t first_cap = 0) const {
     Sealed out;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> number;
@@ -121,13 +120,13 @@ class Judge {
     return out;
   }
 
-  /// Lobes of opposite winding may cancel in the volume: then lines tell.
+  /// Lobes of opposite winding may cancel in the volume; lines then decide.
   void find_flat(std::uint32_t p) {
     PartFacts& part = facts_[p];
     const double unit = part.area * boxes_[p].sizes().norm();
     if (std::abs(part.volume) > part_tuning.flat * unit) return;
     part.flat = !(unit > 0);
-    if (part.flat || part.triangles < 4) {  // no fewer bound anything
+    if (part.flat || part.triangles < 4) {  // fewer bound no volume
       part.flat = true;
       return;
     }
@@ -185,7 +184,7 @@ class Judge {
     }
   }
 
-  /// The first of the caps of a part, and their number.
+  /// The index of the first cap of a part, and the number of its caps.
   std::pair<std::size_t, std::size_t> caps_of(std::uint32_t p) const {
     const auto first = std::partition_point(caps_.begin(), caps_.end(),
                                             [p](const Cap& cap) { return cap.part < p; });
@@ -195,7 +194,7 @@ class Judge {
             static_cast<std::size_t>(last - first)};
   }
 
-  /// The box of a part across the lines, in each of their three directions.
+  /// The bounding box of a part across the lines, in each of their three directions.
   using Boxes = std::array<Eigen::AlignedBox2d, 3>;
   Boxes box_of(std::uint32_t p) const {
     Boxes boxes;
@@ -222,7 +221,7 @@ class Judge {
   const std::vector<Cap>& caps_;
   std::vector<PartFacts> facts_;
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<std::size_t> start_;    // of each part in order_
+  std::vector<std::size_t> start_;    // by part, in order_
   std::vector<std::uint32_t> order_;  // triangles by part
 };
 

@@ -13,11 +13,11 @@
 
 namespace sonde {
 
-/// Some of a list of points, in cubes of a grid.
+/// Some of a list of points, in the cubes of a grid.
 class PointGrid {
  public:
-  /// @param cell Side of a cube, m, positive. The numbers of the cubes must fit 21 bits along each
-  /// axis from `low`: others share a cube, which costs time alone.
+  /// @param cell Side of a cube, m, positive. Indices of cubes must fit in 21 bits along each axis
+  /// from `low`; otherwise cubes coincide, which only costs time.
   PointGrid(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& some,
             const Vec3& low, double cell)
       : low_(low), cell_(cell) {
@@ -30,7 +30,7 @@ class PointGrid {
         slots_[free_slot(points_[k].first)] = k;
   }
 
-  /// Calls use(i) for the points in the cubes that a box touches, some perhaps more than once.
+  /// Calls use(i) for the points in the cubes that a box touches, for some perhaps more than once.
   template <class Use>
   void each_within(const Vec3& low, const Vec3& high, Use use) const {
     const Cube from = cube(low), to = cube(high);
@@ -62,7 +62,7 @@ class PointGrid {
            (static_cast<std::uint64_t>(c.y) & most) << 21 |
            (static_cast<std::uint64_t>(c.z) & most);
   }
-  /// Where the points of a cube are named, or would be.
+  /// The slot that holds a cube's points, or where they would be inserted.
   std::size_t free_slot(std::uint64_t wanted) const {
     std::uint64_t h = (wanted ^ (wanted >> 30)) * 0xbf58476d1ce4e5b9u;
     h ^= h >> 31;

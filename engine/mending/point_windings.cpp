@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Of the size of all: nearer to a triangle, a point counts as on it.
+/// Share of the total size: a point nearer to a triangle counts as on it.
 constexpr double on_it = 1e-10;
 constexpr double points_a_cell = 2;
 

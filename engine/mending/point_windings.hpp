@@ -15,12 +15,12 @@ struct PartPoint {
   Vec3 x;
   std::uint32_t part;
 };
-/// Windings of parts around a point, ascending by part, those of 0 left out.
+/// Windings of parts around a point, ascending by part, without zeros.
 using PartWindings = std::vector<std::pair<std::uint32_t, int>>;
 
-/// How often each part winds around each point, by a line through it in general position. A part
-/// that has the point within rounding on it does not count as around it. All points are asked about
-/// in one walk over the triangles. Throws Cancelled.
+/// The winding number of each part around each point, by a line through it in general position. A
+/// part that contains the point, to rounding, does not count as around it. One pass over the
+/// triangles serves all points. Throws Cancelled.
 std::vector<PartWindings> part_windings(const Sealed& sealed, const std::vector<PartPoint>& points,
                                         const Progress& progress = {});
 

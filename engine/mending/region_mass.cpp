@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// Hits of a line at one place, in one step of the winding number.
+/// Calls `use` for the hits of a line at one place, which make one step of the winding number.
 template <class Use>
 void each_step(std::span<const LineHit> hits, double rounding, Use use) {
   int winding = 0;
@@ -32,7 +32,7 @@ double size_of(const Soup& soup) {
   return box.isEmpty() ? 0 : box.sizes().norm();
 }
 
-/// How a part bounds the region: as the lines have seen it so far.
+/// How a part bounds the region, as far as the lines have shown.
 struct Role {
   bool seen = false;
   bool constant = true;
@@ -78,7 +78,8 @@ class Regions {
   }
 
  private:
-  /// Any winding number but 0 and 1 along more than rounding; of what is inside out, but 0 and -1.
+  /// Whether winding numbers other than 0 and 1 occur over more than rounding; for an inverted
+  /// region, other than 0 and -1.
   bool any_overlap(const Progress& progress) const {
     int inside = 0;
     for (int k = 0; k < 3; ++k) {
@@ -103,7 +104,7 @@ class Regions {
   void note(std::span<const LineHit> hits, int before, int after) {
     for (const LineHit& hit : hits) {
       Role& role = roles_[part_[hit.triangle]];
-      // The front is towards the line's end where it leaves through it.
+      // The front faces the line's end if the line leaves through it.
       const int front = hit.sign > 0 ? after : before, back = hit.sign > 0 ? before : after;
       const int weight = (back != 0) - (front != 0);
       role.constant = role.constant && hits.size() == 1 && (!role.seen || role.weight == weight);
@@ -112,7 +113,7 @@ class Regions {
     }
   }
 
-  /// Parts with the inside on both of their sides; none where the region needs one of them.
+  /// Parts with the inside on both of their sides; none if the region needs one of them.
   std::vector<bool> hidden_parts() const {
     std::vector<bool> hidden(roles_.size());
     bool any = false;

@@ -10,14 +10,14 @@
 namespace sonde {
 namespace {
 
-/// Of the area: where normals cancel out to less than this, no side is the outer one.
+/// Share of the area: if the sum of normals is shorter than this, no side is the outer one.
 constexpr double faces_all_ways = 0.1;
 
-/// What a place grows from.
+/// The quantities that a place accumulates.
 struct Spread {
   Eigen::AlignedBox3d box;
-  Vec3 normals = Vec3::Zero();  // by twice their area
-  double area = 0;              // twice
+  Vec3 normals = Vec3::Zero();  // weighted by twice their area
+  double area = 0;              // twice the area
 
   void add(const std::vector<Vec3>& x, const Triangle& t) {
     const Vec3 normal = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]);
@@ -31,11 +31,13 @@ struct Spread {
   }
 };
 
-/// Triangles that share a corner which counts are of one place, which those corners span.
+/// Triangles that share a corner which counts form one place, whose extent is given by these
+/// corners.
 template <class Counts>
 void add_grouped(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& x,
                  const std::vector<Triangle>& triangles, Counts counts) {
-  std::vector<std::uint32_t> corners;  // that count, ascending: there may be few in a large mesh
+  std::vector<std::uint32_t>
+      corners;  // the corners that count, ascending: there may be few in a large mesh
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t)
       if (counts(v)) corners.push_back(v);

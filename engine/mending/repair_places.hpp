@@ -9,46 +9,46 @@
 
 namespace sonde {
 
-/// What was done at a place, in the order in which places are shown: what collides and was not in
-/// the file first.
+/// The kind of a repair, in display order: first those that add contact surface which was not in
+/// the file.
 enum class RepairKind : std::uint8_t {
   cap,         ///< an opening, closed
   turned,      ///< triangles that were turned to agree with their neighbours
-  inside_out,  ///< a whole part that was turned
+  inside_out,  ///< a whole part that was inverted
   hidden,      ///< triangles inside, left out
-  repeated,    ///< triangles there several times, counted once
+  repeated,    ///< triangles that occur several times, counted once
   seam         ///< corners joined, or found on edges of others
 };
 
-/// One place where a mesh was mended: what is adjacent and of one kind.
+/// One place of repair: adjacent triangles with the same kind of repair.
 struct RepairPlace {
   RepairKind kind = RepairKind::cap;
-  Vec3 at = Vec3::Zero();       ///< its middle, m, mesh frame
-  double size = 0;              ///< of a ball about `at` that holds it, the radius, m
-  Vec3 outward = Vec3::Zero();  ///< unit, off the triangles there; zero where they face all ways
+  Vec3 at = Vec3::Zero();       ///< its centre, m, mesh frame
+  double size = 0;              ///< radius of a ball about `at` that contains it, m
+  Vec3 outward = Vec3::Zero();  ///< unit, away from the triangles; zero if they face all ways
 };
 
-/// The places where a mesh was mended.
+/// The places of repair of a mesh.
 struct RepairPlaces {
   static constexpr std::size_t most = 1000;
-  std::vector<RepairPlace> places;  ///< once settled: by kind, large ones first, `most` at most
-  std::size_t all = 0;              ///< how many there are, also of those left out
+  std::vector<RepairPlace> places;  ///< after settle(): by kind, large ones first, at most `most`
+  std::size_t all = 0;              ///< total number, including those left out
 };
 
-/// Adds a place for all that these triangles cover; none where there are none.
+/// Adds one place for all these triangles; none if there are no triangles.
 void add_place(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& vertices,
                const std::vector<Triangle>& triangles);
 
-/// Adds a place for each set of triangles that hang together by their corners.
+/// Adds a place for each set of triangles that are connected by their corners.
 void add_places(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& vertices,
                 const std::vector<Triangle>& triangles);
 
-/// The same by some corners alone (`marked`, by vertex): a place holds these, and what hangs
-/// together by them is one. Triangles without one do not count.
+/// The same with only the `marked` corners (by vertex): a place contains these, and triangles
+/// connected by them form one place. Triangles without a marked corner are ignored.
 void add_corner_places(RepairPlaces& to, RepairKind kind, const std::vector<Vec3>& vertices,
                        const std::vector<Triangle>& triangles, const std::vector<bool>& marked);
 
-/// Puts the places in order, counts them, and leaves out the last.
+/// Sorts and counts the places, and drops those beyond the maximum.
 void settle(RepairPlaces& places);
 
 }  // namespace sonde

@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// What was done, a sentence each, without a full stop: "1 triangle turned to agree with its
-/// neighbours". Empty where nothing was.
+/// The repairs, one sentence each, without a full stop: "1 triangle turned to agree with its
+/// neighbours". Empty if there were none.
 std::vector<std::string> sentences(const Repairs& repairs);
 
 }  // namespace sonde

@@ -15,14 +15,14 @@ namespace sonde {
 struct SameTriangles {
   Triangle corners;             ///< ascending
   std::uint32_t component = 0;  ///< of the soup
-  std::size_t begin, end;       ///< in the list of all triangles that they are told by
-  long evens = 0, odds = 0;     ///< in either orientation
-  long wanted = 1;              ///< how many stay, of the orientation that prevails
-  bool once = false;            ///< one stays, and all others are copies of it
-  bool settled = false;         ///< that is no longer in doubt
-  bool shared = false;          ///< a shell that is there both ways round shares it with others
+  std::size_t begin, end;       ///< range in the list of all triangles, sorted by corners
+  long evens = 0, odds = 0;     ///< number in each orientation
+  long wanted = 1;              ///< number that stay, of the prevailing orientation
+  bool once = false;            ///< one stays, and the others are copies of it
+  bool settled = false;         ///< the decision is final
+  bool shared = false;          ///< shared with other shells that occur in both orientations
   long net() const { return evens - odds; }
-  long pairs() const { return std::min(evens, odds); }  ///< that stand against each other
+  long pairs() const { return std::min(evens, odds); }  ///< number of opposed pairs
   std::size_t size() const { return end - begin; }
 };
 

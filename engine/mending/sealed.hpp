@@ -12,21 +12,21 @@
 
 namespace sonde {
 
-/// A soup as it is once mended: corners that belong together are one, sides are cut where corners
-/// lie on them, triangles are turned to agree, and openings are capped. Every part of it is closed,
-/// by indices: what counts windings or integrates works on this. What is touched does not: there no
-/// coordinate has changed.
+/// A mended soup: corners that belong together are one, sides are cut where corners lie on them,
+/// triangles agree in orientation, and openings are capped. Every part of it is closed, by indices.
+/// Winding numbers and integrals are computed on this. Contact does not use it: there no coordinate
+/// has changed.
 struct Sealed {
   static constexpr std::uint32_t no_cap = std::numeric_limits<std::uint32_t>::max();
   Soup soup;
-  std::vector<std::uint32_t> part;  ///< of each triangle
-  std::vector<std::uint32_t> cap;   ///< of each triangle: which cap it is of, or no_cap
+  std::vector<std::uint32_t> part;  ///< for each triangle
+  std::vector<std::uint32_t> cap;   ///< for each triangle: its cap, or no_cap
 };
 
 Sealed seal(const Soup& soup, const Seams& seams, const Orientation& orientation,
             const std::vector<Cap>& caps);
 
-/// The triangles of some parts, with all vertices.
+/// The triangles of the wanted parts, with all vertices.
 Sealed parts_of(const Sealed& sealed, const std::vector<bool>& wanted);
 
 }  // namespace sonde

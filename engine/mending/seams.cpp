@@ -25,7 +25,7 @@ Eigen::AlignedBox3d box_of(const Soup& soup) {
   return box;
 }
 
-/// The corners of open edges, and the length of the shortest of these at each.
+/// The corners of open edges, with the length of the shortest open edge at each.
 struct OpenCorners {
   std::vector<std::uint32_t> vertices;  // ascending
   std::vector<double> shortest;         // by vertex of the soup, m
@@ -48,13 +48,13 @@ OpenCorners open_corners(const Soup& soup, const Uses& uses) {
   return out;
 }
 
-/// One attempt to close the open edges within a reach.
+/// One attempt to close the open edges with a given reach.
 class Attempt {
  public:
   Attempt(const Soup& soup, const Eigen::AlignedBox3d& box, double reach)
       : soup_(soup), low_(box.min()), diagonal_(box.sizes().norm()), reach_(reach) {}
 
-  /// `open` are the uses of edges of which an odd number are used; `all` counts all uses.
+  /// `open`: the uses of edges with an odd number of uses; `all`: the number of all uses.
   Seams run(const Uses& open, std::size_t all) {
     out_.reach = reach_;
     join_corners(open);
@@ -95,7 +95,8 @@ class Attempt {
     }
   }
 
-  /// Sorted uses between labels, to out_.uses: open ones in pieces between the corners on them.
+  /// Writes the uses between labels, sorted, to out_.uses; open edges are split at the corners on
+  /// them.
   void cut_at_corners(const Uses& uses, std::size_t all) {
     std::size_t open = 0;
     for_each_edge(uses, [&](std::span<const EdgeUse> edge) { open += is_open(edge); });
@@ -131,7 +132,7 @@ class Attempt {
     return *middle;
   }
 
-  /// Labels on an open edge, from its lower end to the higher one.
+  /// The labels on an open edge, from its lower end to the higher one.
   std::vector<std::uint32_t> on_edge(const EdgeUse& edge, const OpenCorners& corners,
                                      const PointGrid& grid) const {
     const Vec3 from = at(edge.low), way = at(edge.high) - from;
@@ -211,7 +212,7 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
     return Attempt(soup, box, std::max(reach * size, at_least)).run(open, uses.size());
   };
   report(progress, 0);
-  // Where the widest reach finds nothing, none does.
+  // If the widest reach finds nothing, no smaller one does.
   if (border > 0) {
     const Seams widest = within(widest_reach);
     best.unsearched = widest.unsearched;
@@ -226,7 +227,7 @@ Seams find_seams(const Soup& soup, const Uses& uses, const Progress& progress) {
     best = std::move(tried);
     border = left;
   }
-  // Paired edges keep their names: what is paired stays so, whatever stands for its ends.
+  // Edges that are already paired keep their vertices, whatever the labels of their ends.
   best.uses.insert(best.uses.end(), paired.begin(), paired.end());
   sort_uses(best.uses, soup.vertices.size());
   return best;

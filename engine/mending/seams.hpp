@@ -11,50 +11,51 @@
 
 namespace sonde {
 
-/// How open edges are brought together. A crack is closed by name alone: no coordinate changes, so
-/// nothing that is felt moves.
+/// How open edges are joined. A crack is closed by index only: no coordinate changes, so the
+/// contact surface stays the same.
 struct SeamTuning {
-  /// Of the diagonal of the soup's box: how far corners of open edges may be apart, or from an open
-  /// edge that they lie on, to count as joined. Tried in this order, each from the soup as it is: a
-  /// step is kept only where it shortens the border of the best before it by a fifth. The last one
-  /// is ten times the rounding of a file with six digits; what is further apart stays open.
+  /// Share of the diagonal of the soup's box: largest distance of corners of open edges from each
+  /// other, or from an open edge that they lie on, for joining. Tried in this order, each from the
+  /// original soup: a step is kept only if it shortens the border of the best one before by a
+  /// fifth. The last value is ten times the rounding of a file with six digits; larger gaps stay
+  /// open.
   double reaches[4] = {0, 1e-7, 1e-6, 1e-5};
-  /// Of the largest coordinate: how far apart rounding to single precision puts what was one place.
-  /// Far from the origin this is more than the last reach, and takes its place. Of the diagonal,
-  /// it is never more than `farthest_rounding`.
+  /// Share of the largest coordinate: distance by which rounding to single precision separates
+  /// equal points. Far from the origin it exceeds the last reach and replaces it. It is limited to
+  /// `farthest_rounding` of the diagonal.
   double single_precision = 2.1e-7;
   double farthest_rounding = 1e-3;
   double shorter = 0.8;
-  /// Of the shortest open edge there: a reach beyond would close what is drawn that small.
+  /// Share of the shortest open edge at a corner: a larger reach would close features of that size.
   double of_edge = 0.2;
-  /// Of the diagonal: what lies on an edge but for the rounding of its coordinates.
+  /// Share of the diagonal: tolerance for a point on an edge, from the rounding of coordinates.
   double rounding = 1e-12;
-  /// Corners on edges are looked for where at most so many edges, or a tenth of all, are open:
-  /// more are no cracks in a surface, but loose triangles. Counted in Seams::unsearched.
+  /// Corners on edges are searched for only if at most this many edges, or a tenth of all, are
+  /// open: more are no cracks in a surface, but loose triangles. Counted in Seams::unsearched.
   std::size_t most_open = 20'000;
 };
 inline constexpr SeamTuning seam_tuning;
 
 /// Which corners of open edges belong together.
 struct Seams {
-  /// For each vertex the one that stands for it, itself where it is alone.
+  /// For each vertex its representative: itself if it is alone.
   std::vector<std::uint32_t> label;
-  /// All uses of edges between labels, sorted. An open edge that corners lie on is cut at them: it
+  /// All uses of edges between labels, sorted. An open edge with corners on it is split there, and
   /// has a use for each piece.
   std::vector<EdgeUse> uses;
-  /// A side (3 i + k) that is cut, and the labels on it in its own direction. Ascends by side.
+  /// A side (3 i + k) that is split, and the labels on it in its own direction. Ascending by side.
   struct Cut {
     std::uint32_t side;
     std::vector<std::uint32_t> at;
   };
   std::vector<Cut> cuts;
-  std::size_t joined = 0;      ///< vertices that another one stands for
+  std::size_t joined = 0;      ///< vertices with another representative
   std::size_t on_edges = 0;    ///< corners found on open edges (T-junctions)
-  double reach = 0;            ///< m, up to which corners are joined
-  std::size_t unsearched = 0;  ///< open edges on which no corners were looked for
+  double reach = 0;            ///< m, up to which corners were joined
+  std::size_t unsearched = 0;  ///< open edges not searched for corners
 };
 
-/// `uses` are all those of the soup (edge_uses). Open is an edge of an odd number of them. Throws
+/// `uses` are all those of the soup (edge_uses). An edge with an odd number of uses is open. Throws
 /// Cancelled.
 Seams find_seams(const Soup& soup, const std::vector<EdgeUse>& uses, const Progress& progress = {});
 

@@ -10,8 +10,8 @@
 
 namespace sonde {
 
-/// Disjoint sets of indices; each is named by its lowest. An element may be turned against its
-/// set's name.
+/// Disjoint sets of indices, each identified by its lowest. An element may be turned relative to
+/// that one.
 class TurnedSets {
  public:
   explicit TurnedSets(std::size_t n) : parent_(n), turned_(n, false) {
@@ -28,7 +28,7 @@ class TurnedSets {
       turned ^= turned_[root];
       root = parent_[root];
     }
-    for (bool left = turned; parent_[i] != i && i != root;) {  // all on the way lead there now
+    for (bool left = turned; parent_[i] != i && i != root;) {  // path compression
       const bool own = turned_[i];
       turned_[i] = left;
       left ^= own;
@@ -36,7 +36,7 @@ class TurnedSets {
     }
     return {root, turned};
   }
-  /// False where they are in one set already, and turned to each other in the other way.
+  /// Returns false if they are already in one set with the other relative orientation.
   bool join(std::uint32_t a, std::uint32_t b, bool turned = false) {
     const Place x = find(a), y = find(b);
     const bool way = x.turned ^ y.turned ^ turned;

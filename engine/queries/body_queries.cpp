@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-constexpr double farthest = 1e30;  // as for the coordinates of a body
+constexpr double farthest = 1e30;  // the same limit as for a body's coordinates
 
 void check(const Vec3& x, const char* what) {
   if (!x.allFinite()) throw InputError(std::string(what) + " is not finite");

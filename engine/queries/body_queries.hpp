@@ -11,38 +11,37 @@ namespace sonde {
 
 struct Body;
 
-/// A place on a body's surface, in its mesh frame.
+/// A point on a body's surface, in its mesh frame.
 struct SurfacePoint {
   Vec3 point = Vec3::Zero();    ///< m
-  Vec3 normal = Vec3::UnitZ();  ///< unit, of the triangle; outwards where that bounds an inside
-  double distance = 0;          ///< from what was asked about, m
+  Vec3 normal = Vec3::UnitZ();  ///< unit, of the triangle; outwards if that bounds an inside
+  double distance = 0;          ///< from the query point, m
 };
 
-/// Is the point x (mesh frame, m) inside the body? By the winding number of the surface that bounds
-/// its inside (repaired as facts() says); never in a body that is a surface. Within rounding of the
-/// surface it may be either. 0.05 µs in the median, some µs within
-/// the bounds. Does not allocate, and any number of threads may
-/// call it.
-/// @throws InputError where x is not finite.
+/// Whether the point x (mesh frame, m) is inside the body, by the winding number of the surface
+/// that bounds its inside (repaired as facts() says); never in a body that is a surface. Within
+/// rounding of the surface the result may be either. 0.05 µs in the median, some µs within the
+/// bounds. Does not allocate; any number of threads may call it.
+/// @throws InputError if x is not finite.
 bool inside(const Body& body, const Vec3& x);
 
 /// The nearest point of the body's triangles to x (mesh frame, m), at a distance that is exact to
-/// about 1e-15 of the largest coordinate. 2 to 4 µs in the median. Does not allocate, and any
-/// number of threads may call it.
-/// @throws InputError where x is not finite, or beyond 1e30 m.
+/// about 1e-15 of the largest coordinate. 2 to 4 µs in the median. Does not allocate; any number of
+/// threads may call it.
+/// @throws InputError if x is not finite, or beyond 1e30 m.
 SurfacePoint nearest_point(const Body& body, const Vec3& x);
 
-/// Where a ray from a point along a direction (mesh frame; of any length but 0) first meets the
-/// body's triangles, from either side; no value where it meets none. A ray does not slip through
-/// between triangles that share an edge; one that runs in a triangle's plane misses that triangle.
-/// Some µs. Does not allocate, and any number of threads may call it.
-/// @throws InputError where a number is not finite or beyond 1e30, or the direction has no length.
+/// The first point at which a ray from a point along a direction (mesh frame; of any length but 0)
+/// meets the body's triangles, from either side; no value if it meets none. A ray does not slip
+/// through between triangles that share an edge; one that runs in a triangle's plane misses that
+/// triangle. Some µs. Does not allocate; any number of threads may call it.
+/// @throws InputError if a number is not finite or beyond 1e30, or the direction has no length.
 std::optional<SurfacePoint> ray(const Body& body, const Vec3& from, const Vec3& direction);
 
-/// The name of the part of a body that is nearest to the point x (mesh frame, m): of a scene's body
-/// that is joined of several; else the body's own name. It is the body's and lives as long as that.
-/// Some µs a part. Does not allocate, and any number of threads may call it.
-/// @throws InputError where x is not finite, or beyond 1e30 m.
+/// The name of the part of a body that is nearest to the point x (mesh frame, m), if the body is
+/// joined of several parts (in a scene); otherwise the body's own name. The body owns the text.
+/// Some µs a part. Does not allocate; any number of threads may call it.
+/// @throws InputError if x is not finite, or beyond 1e30 m.
 std::string_view part_at(const Body& body, const Vec3& x);
 
 }  // namespace sonde

@@ -13,7 +13,7 @@
 namespace sonde {
 namespace {
 
-/// R: the gap that a swept path ends with; more than what poses of the probe's size are rounded to.
+/// R: the gap at the end of a swept path; larger than the rounding of poses of the probe's size.
 constexpr double kept_gap = 1e-9;
 
 Pose checked(const Pose& X) {
@@ -29,7 +29,7 @@ bool meet(const Pair& pair, const Pose& X) {
   return !apart;
 }
 
-/// The points of the two triangles that are nearest to each other.
+/// The closest points of the two triangles.
 Contact contact_of(const Body& probe, const Body& fixed, const Pose& X_FM, const Sweep& stop) {
   const ClosestPoints points =
       closest_points(place(Transform(X_FM), corners(surface(probe), stop.triangle_a)),
@@ -49,12 +49,12 @@ bool touch(const Pair& pair, const Pose& X_FM) { return meet(pair, checked(X_FM)
 Clearance distance(const Pair& pair, const Pose& X_FM) {
   const Pose X = checked(X_FM);
   const Body &probe = pair.probe(), &fixed = pair.fixed();
-  // Where rounding is large, the exact test says first whether a distance means anything.
+  // If rounding is large, the exact test decides first whether a distance means anything.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X.p);
   if (!(rounding < kept_gap * probe.mass.radius))
     return clearance_of(probe, fixed, X, meet(pair, X));
   Clearance apart = clearance_of(probe, fixed, X, false);
-  // Where the distance is more than rounding, no two triangles meet.
+  // If the distance exceeds the rounding error, no two triangles meet.
   const bool clear = apart.distance > rounding;
   if (clear ? !component_inside(probe, fixed, Transform(X)) : !meet(pair, X)) return apart;
   return {0, apart.on_probe, apart.on_fixed, true};

@@ -10,9 +10,9 @@
 namespace sonde {
 
 /// The pose X_BA of a homogeneous matrix, by rows: x_B = M x_A with x = (x, y, z, 1), lengths in
-/// metres. The rotation is made square where it is off by rounding.
-/// @throws InputError where a number is not finite, the last row is not 0, 0, 0, 1 (to 1e-9), or
-/// the upper left is no rotation (to 1e-3).
+/// metres. Rounding errors of the rotation are removed (orthogonalised).
+/// @throws InputError if a number is not finite, the last row is not 0, 0, 0, 1 (to 1e-9), or the
+/// upper left is no rotation (to 1e-3).
 Pose pose_of_matrix(std::span<const double, 16> by_rows);
 
 /// As pose_of_matrix().
@@ -28,7 +28,7 @@ inline Pose pose_of(const Eigen::Isometry3d& X_BA) {
 }
 
 /// The homogeneous matrix of a pose: x_B = M x_A with x = (x, y, z, 1).
-/// @pre X_BA.q is of length 1.
+/// @pre X_BA.q has length 1.
 inline Eigen::Matrix4d matrix_of(const Pose& X_BA) {
   Eigen::Matrix4d M = Eigen::Matrix4d::Identity();
   M.topLeftCorner<3, 3>() = X_BA.q.toRotationMatrix();
@@ -36,7 +36,7 @@ inline Eigen::Matrix4d matrix_of(const Pose& X_BA) {
   return M;
 }
 /// The pose as Eigen's isometry.
-/// @pre X_BA.q is of length 1.
+/// @pre X_BA.q has length 1.
 inline Eigen::Isometry3d isometry_of(const Pose& X_BA) {
   return Eigen::Isometry3d(matrix_of(X_BA));
 }

@@ -4,7 +4,7 @@
 namespace sonde {
 namespace {
 
-constexpr double opposed = 1e-3;  // of all multipliers: less is left of them by a force
+constexpr double opposed = 1e-3;  // share of all multipliers: below it, the forces cancel
 
 }  // namespace
 

@@ -42,7 +42,8 @@ Wrench Coupler::classic(const Coupling& coupling, const SeparationMotion& now,
   Vec3 t_rate = Vec3::Zero(), theta_rate = Vec3::Zero();
   if (has_motion_ && dt > 0 && std::isfinite(dt)) {
     t_rate = (now.t - motion_.t) / dt;
-    // Past half a turn the rotation vector starts again from the other side: no motion did that.
+    // Beyond half a turn the rotation vector continues on the opposite side; no motion caused that
+    // change.
     const Vec3 turn = now.theta - motion_.theta;
     if (turn.norm() <= std::numbers::pi) theta_rate = turn / dt;
   }

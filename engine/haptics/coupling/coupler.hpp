@@ -20,13 +20,13 @@ class Coupler {
   void set_coupling(const Coupling& coupling) noexcept {
     blend_ = {.now = coupling, .before = coupling};
   }
-  /// For a change from one mode to another.
+  /// For a change from one mode to another: two sets of gains.
   void set_coupling(const GainGlide::Blend& blend) noexcept { blend_ = blend; }
   const Coupling& coupling() const noexcept { return blend_.now; }
-  /// The next separation has nothing to do with the previous one.
+  /// Call it before a separation that is unrelated to the previous one.
   void forget() noexcept { has_motion_ = false; }
-  /// The wrench of the next separation, within the limits of the coupling; zero where it failed. dt
-  /// is the time since the last one, s; 0 where it is not known, and then there is no damping.
+  /// The wrench of the next separation, within the limits of the coupling; zero if it failed. dt is
+  /// the time since the last one, s; 0 if unknown, and then there is no damping.
   Wrench wrench(const Separation& separation, double dt) noexcept;
 
  private:
@@ -37,7 +37,7 @@ class Coupler {
   MassProperties mass_;
   GainGlide::Blend blend_;
   SeparationMotion motion_;  ///< of the last tick
-  bool has_motion_ = false;  ///< the next separation may be compared with `motion_`
+  bool has_motion_ = false;  ///< `motion_` belongs to the same contact as the next separation
 };
 
 }  // namespace sonde

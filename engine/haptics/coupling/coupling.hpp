@@ -10,7 +10,7 @@ struct Coupling {
   /// - object: the gradient of U = ½ k σ, one gain for translation and rotation.
   /// - classic: a spring and a damper for the translation, and one each for the rotation.
   enum class Mode { object, classic };
-  Mode mode = Mode::object;  ///< which of the gains below count
+  Mode mode = Mode::object;  ///< selects the gains below
   double k = 500;            ///< N/m, object-norm mode: U = ½ k σ
   double k_t = 500;          ///< N/m, classic: translation
   double k_r = 1;            ///< N·m/rad, classic: rotation

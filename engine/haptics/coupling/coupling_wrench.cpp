@@ -8,7 +8,7 @@
 namespace sonde {
 namespace {
 
-/// The rotation from O to Q by the shorter way round.
+/// The rotation from O to Q, by at most half a turn.
 Quat relative_rotation(const Pose& X_FO, const Pose& X_FQ) {
   Quat q = X_FO.q.conjugate() * X_FQ.q;
   if (q.w() < 0) q.coeffs() = -q.coeffs();
@@ -19,7 +19,8 @@ Vec3 displacement_of_com(const MassProperties& mass, const Pose& X_FO, const Pos
   return X_FQ * mass.com - X_FO * mass.com;
 }
 
-/// Scales x down to the limit. What is not a number must never reach a hand: it becomes zero.
+/// Scales x down to the limit. A value that is not a number must never reach a hand: it becomes
+/// zero.
 Vec3 scaled_down(const Vec3& x, double maximum, bool& acted) {
   const double length = x.stableNorm();
   if (length <= maximum) return x;
@@ -40,7 +41,7 @@ Wrench object_norm_wrench(const MassProperties& mass, const Pose& X_FO, const Po
   const Quat q_rel = relative_rotation(X_FO, X_FQ);
   const Vec3 v = mass.R_MP.transpose() * q_rel.vec();
   const Vec3 Iv = mass.inertia.cwiseProduct(v);
-  // The sign of the cross term belongs to the axes at O; in those at Q it is the opposite.
+  // The sign of the cross term is that for the axes at O; for those at Q it is the opposite.
   const Vec3 torque_P = 2 * k * (q_rel.w() * Iv + v.cross(Iv));
   Wrench out;
   out.force = k * displacement_of_com(mass, X_FO, X_FQ);

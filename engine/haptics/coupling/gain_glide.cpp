@@ -35,7 +35,7 @@ const GainGlide::Blend& GainGlide::next(double dt, double most) noexcept {
   if (there_) return blend_;
   const double step = dt > 0 ? dt : 0;
   share_ += std::min(time_ > 0 ? step / time_ : 1, most);
-  there_ = share_ >= 1 - 1e-12;  // as many steps as the time has
+  there_ = share_ >= 1 - 1e-12;  // within rounding of the last step
   blend_ = {.now = to_, .before = to_};
   if (!there_) blend(share_);
   if (!next_) return blend_;

@@ -7,17 +7,17 @@
 
 namespace sonde {
 
-/// Moves the gains smoothly to their new values. In a contact the force is a multiple of the gains,
-/// so gains that jump would knock at the hand. Stiffness, damping, and limits that rise move in a
-/// straight line over `time`; limits that fall act at once. The gains of another mode have another
-/// meaning: there the wrench moves, in the same time, from the wrench of the old mode to that of
-/// the new one. Changes during that time wait for its end, except limits that fall. It may go more
-/// slowly, so that the force does not move faster than a hand can bear.
+/// Moves the gains smoothly to their new values. In a contact the force is proportional to the
+/// gains, so a jump of the gains would knock at the hand. Stiffness, damping, and rising limits
+/// move in a straight line over `time`; falling limits act immediately. The gains of another mode
+/// have another meaning: then the wrench moves, in the same time, from that of the old mode to that
+/// of the new one. Other changes during that time wait for its end, except falling limits. The
+/// glide may take longer, so that the force does not change faster than a hand can hold.
 class GainGlide {
  public:
   struct Blend {
-    Coupling now;      ///< limits included
-    Coupling before;   ///< gains of the old mode; valid where share < 1
+    Coupling now;      ///< gains now, with the limits
+    Coupling before;   ///< gains of the old mode; valid if share < 1
     double share = 1;  ///< share of `now` in the wrench
   };
 
@@ -25,23 +25,23 @@ class GainGlide {
   explicit GainGlide(const Coupling& coupling, double time = 0.1)
       : time_(time), from_(coupling), to_(coupling), blend_{.now = coupling, .before = coupling} {}
 
-  /// Without a glide.
+  /// Sets the gains without a glide.
   void restart(const Coupling& coupling) noexcept;
   /// Starts a glide from the present gains; the newest call wins.
   void set(const Coupling& wanted) noexcept;
-  /// The gains dt (s) later; no more than `most` of the way, a share, is made of it.
+  /// The gains dt (s) later. The step makes at most `most` of the whole glide, a share.
   const Blend& next(double dt, double most = 1) noexcept;
-  /// The ends of the way; the same where there is none to go.
+  /// The start and the end of the glide; equal if there is none.
   const Coupling& from() const noexcept { return there_ ? to_ : from_; }
   const Coupling& to() const noexcept { return to_; }
-  /// The share of it that is made.
+  /// The share of the glide that is done.
   double made() const noexcept { return there_ ? 1 : share_; }
 
  private:
   void blend(double share) noexcept;
 
   double time_;
-  double share_ = 0;  ///< of the way that is made
+  double share_ = 0;  ///< share of the glide that is done
   bool there_ = true;
   Coupling from_, to_;
   std::optional<Coupling> next_;  ///< the newest change that waits for the end of a change of mode

@@ -6,12 +6,12 @@
 
 namespace sonde {
 
-/// Holds the probe exactly at its target, and feels nothing: the mouse without a device.
+/// A hand that holds the probe exactly at its target and feels nothing: a mouse without a device.
 class DirectHand {
  public:
   explicit DirectHand(const Pose& X_FM) : targets_(X_FM) {}
 
-  /// For the servo; this object must outlive it.
+  /// Functions for the servo; this object must outlive it.
   Hand hand() {
     return {.sample =
                 [this](double /*dt*/) {
@@ -20,7 +20,7 @@ class DirectHand {
                 },
             .render = {}};
   }
-  /// From one other thread; the newest wins.
+  /// To be called from one other thread; the newest call wins.
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
 
  private:

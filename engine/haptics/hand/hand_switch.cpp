@@ -28,7 +28,8 @@ Hand HandSwitch::hand() {
   return {.sample = [this](double dt) { return sample(dt); },
           .render =
               [this](const Wrench& wrench) {
-                // A servo that is stopped before its first tick says its last word all the same.
+                // A servo that is stopped before its first tick still renders the final zero
+                // wrench.
                 if (held_ && held_->render) held_->render(wrench);
               }};
 }
@@ -39,7 +40,7 @@ void HandSwitch::set(std::shared_ptr<const Hand> next) {
   sweep();
 }
 
-/// Those set before the one in use are never used again.
+/// Hands set before the one in use are never used again.
 void HandSwitch::sweep() {
   const Hand* used = used_.load(std::memory_order_acquire);
   const auto first = std::ranges::find_if(kept_, [&](const auto& h) { return h.get() == used; });

@@ -13,20 +13,21 @@ namespace sonde {
 /// hand until the servo no longer uses it.
 class HandSwitch {
  public:
-  /// The pointers own whatever the hand's functions need.
+  /// The pointers own everything that the hand's functions need.
   explicit HandSwitch(std::shared_ptr<const Hand> first);
   HandSwitch(const HandSwitch&) = delete;
   HandSwitch& operator=(const HandSwitch&) = delete;
 
-  /// For the servo: whichever hand is set. A hand's first sample gets dt = 0, and is `changed` if
-  /// another hand held before; its last wrench is zero. This object must outlive the servo.
+  /// The servo's hand, which forwards to the one that is set. A hand's first sample gets dt = 0,
+  /// and is `changed` if another hand was used before; its last wrench is zero. This object must
+  /// outlive the servo.
   Hand hand();
 
-  // From one other thread.
-  /// A paused hand is not sampled: its pose stays. After the pause it gets dt = 0.
+  // To be called from one other thread.
+  /// A paused hand is not sampled: its pose stays. Its first sample after the pause gets dt = 0.
   void set_paused(bool paused) { paused_.store(paused, std::memory_order_relaxed); }
   void set(std::shared_ptr<const Hand> next);
-  /// Frees the hands that the servo no longer uses. Call it now and then.
+  /// Frees the hands that the servo no longer uses. To be called from time to time.
   void sweep();
   std::size_t kept() const { return kept_.size(); }
 
@@ -38,10 +39,10 @@ class HandSwitch {
   std::atomic<const Hand*> used_;  ///< by the servo; one of kept_
   std::atomic<bool> paused_{false};
 
-  // The servo thread's own.
+  // Used by the servo thread only.
   const Hand* held_ = nullptr;  ///< null before its first tick
   HandSample last_;
-  bool resting_ = false;  ///< last_ was given instead of asking
+  bool resting_ = false;  ///< last_ was returned without a sample
 };
 
 }  // namespace sonde

@@ -13,8 +13,8 @@
 namespace sonde {
 namespace {
 
-/// A swing of the hand's spring turns by at most this in a step, so that what ends a step at rest
-/// is friction and not the phase.
+/// rad: largest phase of an oscillation in the hand's spring per step, so that a step that ends at
+/// rest does so because of friction, not because of the phase.
 constexpr double most_phase = 1;
 constexpr double most_steps = 1000;
 
@@ -30,7 +30,7 @@ void check(const HandleMotion& m) {
     expect(at_least_zero(x), "no number may be below zero");
 }
 
-/// rad/s at which the handle swings in the hand; zero where it does not.
+/// rad/s: frequency of the handle's oscillation in the hand; zero if it is overdamped.
 double swing(const HandleMotion& m) {
   const double decay = (m.damping + m.hand_damping) / (2 * m.inertia);
   return std::sqrt(std::max(0.0, m.hand_stiffness / m.inertia - decay * decay));
@@ -46,7 +46,7 @@ Vec3 rounded(const Vec3& x, double step) {
 SimulatedDevice::LinearStep SimulatedDevice::linear_step(const HandleMotion& motion, double time) {
   const double stiffness = motion.hand_stiffness / motion.inertia;
   const double damping = (motion.damping + motion.hand_damping) / motion.inertia;
-  // In units of the step, so that the exponential is of numbers near one.
+  // In units of the step, so that the matrix exponential is of numbers near one.
   Mat3 rates = Mat3::Zero();
   rates(0, 1) = 1;
   rates(1, 0) = -stiffness * time * time;
@@ -120,13 +120,13 @@ void SimulatedDevice::step(const Wrench& command, const Pose& X_WH, const Wrench
   };
   advance(older_, with_push(given(samples_late_ + 1)), hand_velocity, hand_spin);
   advance(newer_, with_push(given(samples_late_)), hand_velocity, hand_spin);
-  X_WH_ = X_WH;  // to the bit, whatever the steps have rounded
+  X_WH_ = X_WH;  // exactly, whatever the steps have rounded
   motors_ = given(samples_late_);
 }
 
 namespace {
 
-/// One kind of motion over one step. `error` is from target to handle; all of it changes in place.
+/// One kind of motion over one step. `error` is the vector from target to handle; updates both.
 template <class Step>
 void move(const HandleMotion& motion, const Step& s, const Vec3& force, const Vec3& hand_velocity,
           Vec3& error, Vec3& velocity) {
@@ -134,7 +134,7 @@ void move(const HandleMotion& motion, const Step& s, const Vec3& force, const Ve
   Vec3 g = force - motion.damping * hand_velocity;
   const Vec3 free = s.v_e * error + s.v_v * rate + s.v_g * g + hand_velocity;
   if (motion.friction > 0) {
-    // The friction that ends the step at rest, or as much of it as there is.
+    // The friction that brings the handle to rest at the end of the step, up to its limit.
     const Vec3 stopping = -free / s.v_g;
     const double size = stopping.norm();
     g += size <= motion.friction ? stopping : Vec3(stopping * (motion.friction / size));

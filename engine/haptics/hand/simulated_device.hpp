@@ -9,20 +9,20 @@
 
 namespace sonde {
 
-/// Parameters of the handle and the hand in one kind of motion, the same along every axis: its
-/// three translations (units on the left) or its three rotations (on the right).
+/// Parameters of the handle and the hand for one kind of motion, equal along every axis: for the
+/// three translations (units on the left) or the three rotations (on the right).
 struct HandleMotion {
-  double inertia = 0.1;       ///< kg | kg·m²: what the hand moves; above zero
+  double inertia = 0.1;       ///< kg | kg·m², moved by the hand; above zero
   double damping = 0;         ///< N·s/m | N·m·s/rad, of the mechanism
-  double friction = 0;        ///< N | N·m, Coulomb's, of the mechanism
+  double friction = 0;        ///< N | N·m, Coulomb friction of the mechanism
   double resolution = 0;      ///< m | rad, one step of the encoders; 0: exact
   double limit = 10;          ///< N | N·m, largest output of the motors
   double hand_stiffness = 0;  ///< N/m | N·m/rad, from the handle to the hand's target
   double hand_damping = 0;    ///< N·s/m | N·m·s/rad, against the hand's own motion
-  /// N·s/m | N·m·s/rad, the largest virtual damping that the driver allows; 0: not known. It helps
-  /// to choose gains; the motion does not depend on it.
+  /// N·s/m | N·m·s/rad, the largest virtual damping that the driver allows; 0: unknown. Used in the
+  /// choice of gains; the motion does not depend on it.
   double most_virtual_damping = 0;
-  double most_stiffness = 0;  ///< N/m | N·m/rad, the same of a stiffness
+  double most_stiffness = 0;  ///< N/m | N·m/rad, likewise for the stiffness
 };
 
 struct SimulatedDeviceParameters {
@@ -59,35 +59,37 @@ class SimulatedDevice {
 
   /// `sample_time` in s. The handle starts at rest at X_WD, with the hand there. Allocates. Throws
   /// std::invalid_argument for parameters that no device has: an inertia or a sample time that is
-  /// not above zero, another number below zero or not finite, a delay of more than 64 samples, a
-  /// hand so stiff that it swings more than a hundred times in one sample.
+  /// not above zero, another number that is negative or not finite, a delay of more than 64
+  /// samples, or a hand so stiff that it oscillates more than a hundred times in one sample.
   SimulatedDevice(const SimulatedDeviceParameters& parameters, double sample_time,
                   const Pose& X_WD = {});
 
-  /// At rest at X_WD, with the hand there and no pending command.
+  /// Puts the handle at rest at X_WD, with the hand there and no pending command.
   void reset(const Pose& X_WD) noexcept { reset(X_WD, X_WD); }
   /// The same with the hand at X_WH.
   void reset(const Pose& X_WD, const Pose& X_WH) noexcept;
-  /// Takes over handle, hand and pending commands of one that ran until now, at its own rate.
+  /// Takes over the handle, hand and pending commands of a device that ran until now at its own
+  /// rate.
   void go_on_from(const SimulatedDevice& before) noexcept;
   /// Advances from this sample to the next. `command` is the wrench on the hand, in W, about the
-  /// handle's origin, cut to the motors' limits. X_WH is where the hand wants the handle by the
-  /// next sample. `push` is a wrench that the hand gives beside its spring, constant until then, at
-  /// once. No allocation, lock, log, throw.
+  /// handle's origin, cut to the motors' limits. X_WH is where the hand wants the handle at the
+  /// next sample. `push` is a wrench that the hand adds to that of its spring, immediately and
+  /// constant until then. No allocation, lock, log, throw.
   void step(const Wrench& command, const Pose& X_WH, const Wrench& push = {}) noexcept;
 
-  /// The encoders' reading: coordinates, and those of the rotation vector, rounded to their step.
+  /// The encoders' reading: position and rotation vector, with each coordinate rounded to a step.
   Pose measured() const noexcept;
   const HandleState& state() const noexcept { return state_; }
   /// Output of the motors at the end of the last step: delayed and cut to their limits.
   const Wrench& motors() const noexcept { return motors_; }
 
  private:
-  /// The exact step of m ë + c ė + k e = g, g constant: new (e, ė) from the old and g.
+  /// The exact step of m ë + c ė + k e = g with constant g: gives the new (e, ė) from the old and
+  /// g.
   struct LinearStep {
     double e_e, e_v, e_g, v_e, v_v, v_g;
   };
-  /// A part of the sample during which the motors give one force, in equal steps.
+  /// A part of the sample with a constant motor force, divided into equal steps.
   struct Part {
     double step_time = 0;  ///< s
     std::size_t steps = 0;
@@ -102,12 +104,12 @@ class SimulatedDevice {
   SimulatedDeviceParameters parameters_;
   double sample_time_;
   std::size_t samples_late_;  ///< whole samples from command to motors
-  Part older_;  ///< while the motors still give the command before: the rest of the delay
+  Part older_;                ///< while the motors still output the last command: rest of the delay
   Part newer_;
   HandleState state_;
   Pose X_WH_;
   Wrench motors_;
-  std::array<Wrench, most_samples_late + 2> commands_{};  ///< the last ones, as a ring
+  std::array<Wrench, most_samples_late + 2> commands_{};  ///< the latest ones, as a ring
   std::size_t newest_ = 0;
 };
 

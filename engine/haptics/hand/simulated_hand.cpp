@@ -9,7 +9,8 @@
 namespace sonde {
 namespace {
 
-/// A mouse tells its place some hundred times a second: without this the hand would jerk at each.
+/// A mouse reports its position some hundred times a second; without this lag each report would
+/// jerk.
 constexpr double hand_lag = 0.025;  // s
 
 double share_of(double period) { return 1 - elementary::exp(-period / hand_lag); }
@@ -35,7 +36,7 @@ SimulatedHand::SimulatedHand(const SimulatedDeviceParameters& parameters, double
       hand_(X_FM),
       targets_(X_FM) {}
 
-/// The handle's origin is the centre of mass.
+/// The handle's origin corresponds to the probe's centre of mass.
 Pose SimulatedHand::to_device(const Pose& X_FM) const noexcept {
   return {X_FM.q, X_FM * com_ / scaling_};
 }
@@ -92,10 +93,11 @@ HandSample SimulatedHand::sample() noexcept {
     pace_.device.step(command_, to_device(hand_));
   }
   begun_ = true;
-  // The power is the same at both ends: b v² with velocities `scaling` times greater at the probe.
+  // The power b v² is the same at both ends, and velocities are `scaling` times greater at the
+  // probe.
   DeviceTraits at_probe = traits_;
   at_probe.turn_ratio = 0;
-  at_probe.ratio = 0;  // it goes wherever the mouse points, as fast as that
+  at_probe.ratio = 0;  // it follows the mouse, however fast that moves
   at_probe.damping /= scaling_ * scaling_;
   at_probe.max_damping /= scaling_ * scaling_;
   at_probe.max_stiffness /= scaling_ * scaling_;

@@ -10,35 +10,35 @@
 namespace sonde {
 
 /// A simulated device that holds the probe, in a hand that follows a target (the mouse). Its handle
-/// is the probe's centre of mass, in a workspace that is `scaling` times smaller than the scene. As
-/// with a real device, the handle gets `scaling` times the force, so that the hand does the work
-/// that is done on the probe.
+/// corresponds to the probe's centre of mass, in a workspace `scaling` times smaller than the
+/// scene. As with a real device, the handle gets `scaling` times the force, so that the hand does
+/// the work that is done on the probe.
 ///
 /// Its time is counted in ticks, each as long as the nominal period of the servo. A late tick slows
-/// the simulation down; it does not make it shake.
+/// the simulation down, but does not make it shake.
 class SimulatedHand {
  public:
-  /// `period` of the servo in s; the probe at X_FM, com its centre of mass in its mesh frame.
-  /// Throws as SimulatedDevice.
+  /// `period` of the servo in s; the probe is at X_FM, and `com` is its centre of mass in its mesh
+  /// frame. Throws as SimulatedDevice does.
   SimulatedHand(const SimulatedDeviceParameters& parameters, double period, double scaling,
                 const Vec3& com, const Pose& X_FM);
   SimulatedHand(const SimulatedHand&) = delete;
   SimulatedHand& operator=(const SimulatedHand&) = delete;
 
-  /// For the servo; this object must outlive it.
+  /// Functions for the servo; this object must outlive it.
   Hand hand();
 
-  // From one other thread; they act on the next tick.
-  /// The probe pose that the mouse asks for.
+  // To be called from one other thread; they act on the next tick.
+  /// Sets the probe pose that the mouse asks for.
   void set_target(const Pose& X_FM) { targets_.write(X_FM); }
-  /// Puts the handle and the hand at rest there.
+  /// Puts the handle and the hand at rest at X_FM.
   void place(const Pose& X_FM) { places_.write(X_FM); }
   void set_scaling(double scaling) { scalings_.write(scaling); }
-  /// For another period of the servo, in s: the handle, the hand and its push go on as they are.
-  /// Throws as SimulatedDevice; then all stays.
+  /// Changes to another period of the servo, in s, without a change of the handle, the hand or its
+  /// push. Throws as SimulatedDevice does; then nothing changes.
   void set_period(double period);
-  /// The same with other parameters of the hand and the handle's inertia; the mechanism's damping,
-  /// delay and limits are those of before.
+  /// The same, also with other parameters of the hand and another inertia of the handle. The
+  /// mechanism's damping, delay and limits do not change.
   void set_parameters(const SimulatedDeviceParameters& parameters, double period);
 
  private:
@@ -47,10 +47,10 @@ class SimulatedHand {
   Pose to_device(const Pose& X_FM) const noexcept;
   Pose to_probe(const Pose& X_WD) const noexcept;
 
-  /// What depends on the period.
+  /// The data that depends on the period.
   struct Pace {
     SimulatedDevice device;
-    double share;          ///< of the way to the target that the hand goes in a tick
+    double share;          ///< share of the way to the target that the hand moves in a tick
     double mass, inertia;  ///< of the handle
   };
   static Pace pace_of(const SimulatedDeviceParameters& parameters, double period);
@@ -60,9 +60,9 @@ class SimulatedHand {
   DeviceTraits traits_;  ///< at the handle
   Vec3 com_;
   Pace pace_;
-  Pose hand_;  ///< X_FM where the hand is
+  Pose hand_;  ///< X_FM of the hand
   Wrench command_;
-  bool begun_ = false;  ///< a command is on its way to the motors
+  bool begun_ = false;  ///< a command has been given to the motors
   TripleBuffer<Pose> targets_;
   TripleBuffer<Pose> places_;
   TripleBuffer<double> scalings_;

@@ -16,14 +16,14 @@
 namespace sonde {
 namespace {
 
-/// How far the searches go, and whether they say where their time went.
+/// Limits of the searches, and whether they record where their time went.
 struct Extent {
   double microseconds = 0;  ///< of each search; 0: no limit
   int starts_pdt = StaticOptions{}.starts;
   bool time_phases = false;
 };
 
-/// Adds where its time went to `times`; null: it is not timed.
+/// Adds the times of phases to `times`; null: they are not recorded.
 std::optional<FoundWay> search(const Pair& pair, const Pose& X_FM, Method method,
                                const Extent& extent, PhaseTimes* times) {
   StaticOptions options;
@@ -46,7 +46,7 @@ BackgroundResult compute(const Pair& pair, const Pose& X_FM, const Extent& exten
   out.pdt = search(pair, X_FM, Method::pdt, extent, times);
   out.nearest = out.pdt;
   if (out.pdt && out.pdt->depth > 0) {
-    // A search of its own has other starts, and less time: PD_t may be what it misses.
+    // This search has other starts and less time, so it may miss PD_t.
     const auto turned = search(pair, X_FM, Method::pdg, extent, times);
     if (turned && turned->depth < out.pdt->depth) out.nearest = turned;
   }
@@ -68,7 +68,7 @@ BackgroundResult answer(const Pair& pair, const Pose& X_FM, bool time_phases) {
                    {.microseconds = loop_tuning.background_us,
                     .starts_pdt = loop_tuning.background_starts_pdt,
                     .time_phases = time_phases});
-  } catch (const std::exception&) {  // no memory left: there is no answer for this pose
+  } catch (const std::exception&) {  // out of memory: there is no answer for this pose
     BackgroundResult none;
     none.device = X_FM;
     return none;

@@ -11,30 +11,29 @@
 
 namespace sonde {
 
-/// A separated pose that a global search has found.
+/// A separated pose found by a global search.
 struct FoundWay {
-  double depth = 0;  ///< √σ from the device pose, m; 0 where that is free
+  double depth = 0;  ///< √σ from the device pose, m; 0 if that pose is free
   Pose separated;
 };
 
 /// The result of computations that are too slow for a tick. A separate thread does them for the
-/// newest pose, only while someone asks.
+/// newest requested pose, only while requests arrive.
 struct BackgroundResult {
-  Pose device;  ///< the pose that was searched
-  std::optional<FoundWay>
-      nearest;                  ///< the nearest that either search found: an upper bound of PD_g
-  std::optional<FoundWay> pdt;  ///< without a turn; none where the search failed
-  std::optional<double> lower_bound;         ///< of √PD_g, m
+  Pose device;                        ///< the pose that was searched
+  std::optional<FoundWay> nearest;    ///< the nearest pose of both searches: an upper bound of PD_g
+  std::optional<FoundWay> pdt;        ///< translation only; none if the search failed
+  std::optional<double> lower_bound;  ///< of √PD_g, m
   std::optional<BoundWitness> witness = {};  ///< of that bound
   double time_us = 0;
-  PhaseTimes phases = {};  ///< of both searches and the bound, where they are timed
+  PhaseTimes phases = {};  ///< of both searches and the bound, if recorded
 };
 
-/// The same without a limit of time, in the calling thread: the same bits every time, but for its
+/// The same without a time limit, in the calling thread: the same bits every time, except for its
 /// times.
 BackgroundResult searched_fully(const Pair& pair, const Pose& X_FM);
 
-/// The result, with the pose that the loop followed to in place of the nearest found, where that is
+/// The result, with the separated pose that the loop followed as the nearest one, if that is
 /// nearer: from the same device pose it is a way out too, and a short search may miss it.
 BackgroundResult with_followed(BackgroundResult search, const Separation& followed);
 
@@ -47,7 +46,7 @@ enum class WayOut {
   free_blocked,    ///< the device pose itself is free, but the path to it is blocked
 };
 WayOut way_out(const Separation& followed, const BackgroundResult& search);
-/// A sentence for the window; "" where there is nothing to say.
+/// A sentence for the window; "" if there is nothing to say.
 const char* words(WayOut way);
 
 /// A thread that searches for the ways out of the newest requested pose.
@@ -58,9 +57,9 @@ class BackgroundSearch {
   BackgroundSearch(const BackgroundSearch&) = delete;
   BackgroundSearch& operator=(const BackgroundSearch&) = delete;
   void request(const Pose& X_FM);  ///< replaces a request not yet begun
-  /// Whether the requests from now on say where their time went; off at first.
+  /// Whether results report where their time went, for requests from now on; off initially.
   void set_time_phases(bool on);
-  std::optional<BackgroundResult> latest();  ///< the newest finished, if any
+  std::optional<BackgroundResult> latest();  ///< the newest finished result, if any
 
  private:
   struct State;

@@ -34,7 +34,7 @@ struct ClearanceGauge::State {
   explicit State(const Pair& bodies) : pair(bodies) {}
 
   Pair pair;
-  std::optional<DistanceHint> hint;  ///< of the thread alone: the pair of triangles of last time
+  std::optional<DistanceHint> hint;  ///< used by the thread only: the last pair of triangles
   std::mutex mutex;                  ///< guards the three below
   std::optional<Pose> wanted;
   std::optional<GaugedClearance> newest;

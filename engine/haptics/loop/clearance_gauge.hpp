@@ -10,22 +10,21 @@
 
 namespace sonde {
 
-/// The room between the bodies at one device pose, from triangles alone, in the fixed body's mesh
-/// frame, m.
+/// The distance of the bodies' triangles at one device pose, in the fixed body's mesh frame, m.
 struct GaugedClearance {
-  Pose device;                   ///< X_FM that it is of
-  double distance = 0;           ///< the least; 0 where the bodies overlap
-  Vec3 on_probe = Vec3::Zero();  ///< where it is taken
+  Pose device;                   ///< X_FM for which it was measured
+  double distance = 0;           ///< least distance; 0 if the triangles meet
+  Vec3 on_probe = Vec3::Zero();  ///< the closest points
   Vec3 on_fixed = Vec3::Zero();
 };
 
-/// One continuous quantity: the room where the probe is free (as measured last, the probe being
-/// near there), minus the depth where it is held; none where neither is known.
+/// One continuous quantity: the clearance where the probe is free (the last measured one, at a pose
+/// near by), or minus the depth where it is in contact; none if neither is known.
 std::optional<double> signed_clearance(const Separation& separation,
                                        const GaugedClearance* measured);
 
-/// Measures the clearance of the newest requested pose, in a thread of its own. From a pose near
-/// the last one it takes microseconds to milliseconds, from any other one more.
+/// Measures the clearance of the newest requested pose in its own thread. It takes microseconds to
+/// milliseconds from a pose near the last one, and longer from any other.
 class ClearanceGauge {
  public:
   explicit ClearanceGauge(const Pair& pair);
@@ -33,8 +32,8 @@ class ClearanceGauge {
   ClearanceGauge(const ClearanceGauge&) = delete;
   ClearanceGauge& operator=(const ClearanceGauge&) = delete;
 
-  /// The clearance at that pose, if it is there within so long; else the newest there is, of
-  /// another pose, and this one follows. None before the first.
+  /// The clearance at that pose, if it is ready within `patience`; otherwise the newest available
+  /// one, of another pose, and this one is measured next. None before the first.
   std::optional<GaugedClearance> at(const Pose& X_FM, std::chrono::microseconds patience);
 
  private:

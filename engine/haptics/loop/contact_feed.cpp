@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// For the rows near by, beside what the solver has.
+/// The effort for the near rows, in addition to the solver's.
 Effort effort_of_rows(const Budget& budget) {
   const double share = loop_tuning.budget_of_rows;
   const auto work = static_cast<std::int64_t>(share * static_cast<double>(budget.work));
@@ -41,7 +41,8 @@ const LocalContacts& ContactFeed::reset(const Pose& X_FM, const StaticOptions& o
   return contacts_;
 }
 
-/// From the separated pose that is known, which is free, the device pose is a tick away.
+/// If the separated pose is known from before, starts there, since it is free, and takes one tick
+/// to the device pose.
 const Separation& ContactFeed::begin(const Pose& X_FM, const StaticOptions& options) {
   const bool known = searched_ && searched_->device.p == X_FM.p &&
                      searched_->device.q.coeffs() == X_FM.q.normalized().coeffs();
@@ -88,8 +89,8 @@ void ContactFeed::gather(const Budget& budget) noexcept {
         X_MF * c.on_probe, c.on_fixed, c.normal, std::min(c.gap, margin)};
     return true;
   };
-  // Those that hold the probe come first: with them, the separated pose is the answer at the pose
-  // it was found for.
+  // The rows that hold the probe come first: with them, the answer at the device pose of the solver
+  // is the separated pose.
   for (const Contact& c : s.contacts) add(c);
   Effort effort = effort_of_rows(budget);
   contacts_.reach = gather_near(chart, loop_tuning.flat_within * margin, effort);
@@ -100,7 +101,7 @@ void ContactFeed::gather(const Budget& budget) noexcept {
     if (marked_[static_cast<std::size_t>(i)]) add(near_.contact(i));
   for (int i = 0; i < rows; ++i) {
     if (marked_[static_cast<std::size_t>(i)]) continue;
-    // Nearest first: what finds no room is no nearer than the last one that did.
+    // Nearest first: a row that finds no room is no nearer than the last one that did.
     if (add(near_.contact(i))) continue;
     contacts_.reach = std::min(contacts_.reach, near_.contact(i).gap);
     break;
@@ -112,11 +113,11 @@ double ContactFeed::gather_near(const Chart& chart, double flat, Effort& effort)
   const Pose& at = contacts_.separation.separated;
   const Vec6 y = chart.coordinates(at);
   const Transform now(at), then(gathered_at_);
-  // No point of the probe has moved further.
+  // Upper bound of the displacement of any point of the probe.
   const double moved =
       (now * mass.com - then * mass.com).norm() + (now.R - then.R).norm() * mass.radius;
   const bool move_along = gathered_ && moved < loop_tuning.moved_with_rows * near_.reach();
-  // What becomes flat while the rows move along is flat already.
+  // Pairs that may become flat while the rows move with the probe count as flat already.
   const double soon_flat = flat + loop_tuning.moved_with_rows * near_.reach();
   if (!move_along && near_.gather(chart, y, loop_tuning.widest * mass.radius, soon_flat, effort)) {
     gathered_at_ = at;
@@ -145,7 +146,7 @@ void ContactFeed::mark_holding(const Pose& device) noexcept {
 void ContactFeed::mark_support(double far) noexcept {
   const MassProperties& mass = pair_.probe().mass;
   const Pose& device = contacts_.separation.device;
-  /// The device pose turned about its centre of mass and shifted.
+  /// The device pose, turned about its centre of mass and shifted.
   const auto moved = [&](const Vec3& shift, const Vec3& turn) {
     const Quat q = rotation_by(turn) * device.q;
     return Pose{q.normalized(), device * mass.com + shift - q * mass.com};

@@ -9,33 +9,33 @@
 
 namespace sonde {
 
-/// The geometry's part of the decoupled loop, with no thread and no clock. It follows the device
-/// with the coherent solver, and gathers rows for everything near the separated pose, touched or
-/// not. The room for rows decides how near: as far as the pairs of triangles are not too many.
-/// Where there is no room for all rows, it first keeps those that would hold the probe at other
-/// device poses nearby. A flat contact has more rows than any limit, and the nearest may all belong
-/// to one corner of it.
+/// The geometry's part of the decoupled loop, without thread or clock. It follows the device with
+/// the coherent solver, and gathers rows for everything near the separated pose, touching or not.
+/// Their reach depends on the room for rows: as far as there are not too many pairs of triangles.
+/// If there is no room for all rows, it first keeps those that would hold the probe at other device
+/// poses near by. A flat contact has more rows than any limit, and the nearest may all belong to
+/// one corner of it.
 class ContactFeed {
  public:
   ContactFeed(const Pair& pair, Method method);
 
-  /// The first pose: free, or a static search (by this feed's method). It remembers the result for
-  /// the next start at this pose. Allocates.
+  /// Starts at the first pose: it is free, or a static search (by this feed's method) finds the
+  /// separated pose. Remembers that result for the next start at this pose. Allocates.
   const LocalContacts& reset(const Pose& X_FM, const StaticOptions& options);
-  /// The next device pose, taken in a tick of the servo at a time of its clock, s. No allocation,
-  /// lock, log, throw.
+  /// Follows to the next device pose, sampled in a tick of the servo at a time of its clock, s. No
+  /// allocation, lock, log, throw.
   const LocalContacts& refresh(const Pose& X_FM, std::uint64_t tick, double time,
                                const Budget& budget) noexcept;
-  /// From the next refresh on, whether its separation says where the time went, with that of the
-  /// rows near by.
+  /// Whether a separation reports where its time went, including that of the near rows, from the
+  /// next refresh on.
   void time_phases(bool on) noexcept;
   const LocalContacts& contacts() const noexcept { return contacts_; }
 
  private:
   const Separation& begin(const Pose& X_FM, const StaticOptions& options);
   void gather(const Budget& budget) noexcept;
-  /// Gathers the rows near the separated pose. Where it is near the last one, or the effort runs
-  /// out, it moves the last rows there with the probe. Returns how far they reach from there, m.
+  /// Gathers the rows near the separated pose. If that is near the last one, or if the effort runs
+  /// out, moves the last rows with the probe instead. Returns their reach from there, m.
   double gather_near(const Chart& chart, double flat, Effort& effort) noexcept;
   /// Marks the rows that would hold the probe if the device moved elsewhere: further along its
   /// motion, or by `far` (m, for a point at the probe's radius) in any of twelve directions.
@@ -47,11 +47,11 @@ class ContactFeed {
   CoherentSolver solver_;
   ContactRows near_;
   LocalContacts contacts_;
-  PhaseTimes times_;  ///< of the rows near by, where they are kept
+  PhaseTimes times_;  ///< of the near rows, if recorded
   Pose last_device_;
-  Pose gathered_at_;  ///< of the rows near by
+  Pose gathered_at_;  ///< of the near rows
   bool gathered_ = false;
-  std::vector<bool> marked_;  ///< of the rows near by
+  std::vector<bool> marked_;  ///< of the near rows
   /// The result of the last search.
   std::optional<Separation> searched_;
 };

@@ -45,7 +45,7 @@ void GeometryThread::stop() {
 void GeometryThread::ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept {
   requests_.write({.X_FM = X_FM, .tick = tick, .time = time});
   asked_.fetch_add(1, std::memory_order_release);
-  asked_.notify_one();  // a system call where the thread sleeps, and only then
+  asked_.notify_one();  // a system call only if the thread sleeps
 }
 
 const LocalContacts& GeometryThread::newest() noexcept {

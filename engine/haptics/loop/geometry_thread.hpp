@@ -15,22 +15,22 @@ namespace sonde {
 class GeometryThread {
  public:
   GeometryThread(const Pair& pair, Method method, const Budget& budget, bool real_time = false);
-  ~GeometryThread();  ///< stops it
+  ~GeometryThread();  ///< stops the thread
   GeometryThread(const GeometryThread&) = delete;
   GeometryThread& operator=(const GeometryThread&) = delete;
 
-  /// Begins at X_FM. Where the probe overlaps there, it searches, which can take a while.
+  /// Starts at X_FM. If the probe overlaps there, it searches first, which can take a while.
   void start(const Pose& X_FM);
-  void stop();  ///< after the present refresh has ended
-  /// The wall-clock time of each refresh from the next one on, µs; 0: no limit. From any thread.
+  void stop();  ///< returns after the current refresh has ended
+  /// Sets the wall-clock limit of each refresh from the next one on, µs; 0: no limit. Any thread.
   void set_budget_us(double time_us) noexcept {
     budget_us_.store(time_us, std::memory_order_relaxed);
   }
 
-  /// From the next refresh on, whether it says where its time went. From any thread.
+  /// Whether a refresh reports where its time went, from the next one on. Any thread.
   void set_time_phases(bool on) noexcept { time_phases_.store(on, std::memory_order_relaxed); }
 
-  // For one other thread, the servo: neither allocates, locks or waits.
+  // For one other thread, the servo's: these neither allocate, lock nor wait.
   void ask(const Pose& X_FM, std::uint64_t tick, double time) noexcept;
   /// The newest rows, valid until the next call.
   const LocalContacts& newest() noexcept;
@@ -44,13 +44,13 @@ class GeometryThread {
   void run() noexcept;
 
   ContactFeed feed_;
-  Budget budget_;  ///< but for its time
+  Budget budget_;  ///< without its time limit
   std::atomic<double> budget_us_;
   std::atomic<bool> time_phases_{false};
-  bool real_time_;  ///< ask for more than an ordinary share of the processor
+  bool real_time_;  ///< request a higher scheduling priority and a processor
   TripleBuffer<Request> requests_;
   TripleBuffer<LocalContacts> contacts_;
-  std::atomic<std::int32_t> asked_{0};  ///< requests so far: what the thread waits on
+  std::atomic<std::int32_t> asked_{0};  ///< number of requests so far; the thread waits on it
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -15,7 +15,7 @@
 namespace sonde {
 namespace {
 
-constexpr double slow_enough = 0.03;  // m/s, a third of what a handle may be moved at
+constexpr double slow_enough = 0.03;  // m/s, a third of the speed at which a handle may be moved
 
 }  // namespace
 
@@ -76,7 +76,7 @@ Withheld HandLoop::fault(const HandSample& sample, const LocalContacts& contacts
 
 bool HandLoop::unsettled(const Separation& found) const noexcept {
   if (found.converged || !(force_error_ > 0)) return false;
-  // What the contacts do not hold of y is what the answer may be off by.
+  // The part of y that the contacts do not hold is the possible error of the answer.
   const Coupling& c = coupler_.coupling();
   const double stiffness = c.mode == Coupling::Mode::object ? c.k : c.k_t;
   return stiffness * found.residual * found.depth > force_error_;
@@ -89,18 +89,18 @@ Withheld HandLoop::overdue(const LocalContacts& contacts, const Clock& clock) co
   return of_before && in_time ? rest_ : Withheld::stalled;
 }
 
-/// To the newest pose that can be true. A mouse jumps as it likes: only what is known to be a
-/// device can be thrown.
+/// Follows the newest pose that can be true. Only a known device can be thrown by the force: a
+/// mouse may jump as it likes.
 void HandLoop::follow(const HandSample& sample, double dt) noexcept {
   const bool trusted = sample.trusted && is_finite(sample.X_FM);
   const Pose before = X_FM_;
   if (trusted) X_FM_ = sample.X_FM;
   const bool can_throw = sample.device && !sample.trial;
   const ThrownSpeed fastest = can_throw ? thrown_speed(*sample.device, fastest_) : fastest_;
-  // Of a hand that the mouse leads the ratio is not known.
+  // The ratio of a hand that the mouse leads is unknown.
   const double ratio = can_throw && sample.device->ratio > 0 ? sample.device->ratio : 1;
-  // By the setting: in a device that tells less often than the servo asks, one tick has the way of
-  // several.
+  // Uses the setting: if a device reports less often than the servo samples, one tick may contain
+  // the motion of several.
   measure_way(before, fastest_.way * ratio, dt);
   runaway_.set_fastest(fastest);
   if (!sample.device && !sample.trial) return runaway_.restart();
@@ -119,20 +119,21 @@ void HandLoop::measure_way(const Pose& before, double fastest, double dt) noexce
   way_before_ = way_;
   way_ = Chart(mass_, before).coordinates(X_FM_).norm();
   leapt_ = fastest > 0 && way_ > fastest * dt;
-  if (leapt_) way_ = 0;  // no hand did that
+  if (leapt_) way_ = 0;  // no hand moves that fast
   const Vec3 moved = X_FM_ * mass_.com - before * mass_.com;
   const double force = out_.wrench.force.norm();
   const double given = force > 0 ? out_.wrench.force.dot(moved) / force : 0;
   yields_ = dt > 0 ? given / dt : 0;
-  // Going where it is pushed is no reason for more force.
+  // A motion in the direction of the force is no reason for more force.
   if (given > 0) way_ = std::sqrt(std::max(0.0, way_ * way_ - given * given));
 }
 
-/// What the hand's own motion can make of the wrench, twice over, and the rate at which anything
-/// else may change it: a contact that jumps to another place, a pose that is wrong for a tick,
-/// other gains. Out of contact the wrench ends at once, unless the pose leapt there.
+/// Limits the change of the wrench: to twice what the hand's own motion can cause, plus the rate at
+/// which other causes may change it (a contact that jumps to another place, a pose that is wrong
+/// for a tick, other gains). Out of contact the wrench ends immediately, unless the pose leapt
+/// there.
 void HandLoop::set_slew(double dt) noexcept {
-  constexpr double whole = 0.01;  // s, at least, for all that the device gives
+  constexpr double whole = 0.01;  // s: least time for the whole of the device's force
   constexpr double margin = 2;
   if (!(rate_.force > 0) || !(dt > 0)) return gate_.set_slew({});
   const Coupling& c = coupler_.coupling();
@@ -160,13 +161,13 @@ double HandLoop::most_torque() const noexcept {
   return device_ && device_->max_torque > 0 ? std::min(most, device_->max_torque) : most;
 }
 
-/// Only a known device can be thrown.
+/// The rate is limited for a known device only, since only that can be thrown.
 void HandLoop::set_change_rate(const HandSample& sample) noexcept {
   rate_ = {.force = 0, .torque = 0};
   if (sample.device && !sample.trial)
     rate_ = change_rate_at_probe(of_hand_, most_force(), most_torque(), sample.device->ratio,
                                  sample.device->turn_ratio);
-  // A handle that goes where it is pushed, as one that nobody holds, is pushed no harder.
+  // If the handle yields to the force, as one that nobody holds, the force rises more slowly.
   const double share = std::clamp(1 - yields_ / slow_enough, 0.01, 1.0);
   rate_.force *= share;
   rate_.torque *= share;
@@ -265,7 +266,7 @@ const HandTick& HandLoop::tick(const HandSample& sample, const LocalContacts& co
   return out_;
 }
 
-/// The energy is that of contacts: this wrench is no part of it.
+/// The wrench of a trial is not counted in the energy, which is that of contacts.
 void HandLoop::try_out(HandTrial& trial, Withheld reason, double dt) noexcept {
   coupler_.forget();
   gate_.set_slew({});

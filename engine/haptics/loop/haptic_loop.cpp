@@ -33,7 +33,7 @@ void HapticLoop::reset(const Pose& X_FM, const StaticOptions& options) {
   state_->separation = state_->solver.reset(X_FM, own);
   state_->coupler.forget();
   state_->wrench = state_->coupler.wrench(state_->separation, 0);
-  // The next tick may come any time later: the rate over that time would mean nothing.
+  // The next tick may come much later, so a rate over that time would be meaningless.
   state_->coupler.forget();
 }
 

@@ -5,14 +5,15 @@
 
 namespace sonde {
 
-/// What makes the force or the torque on the hand another than the coupling wants, where several do
-/// that one which holds it now: a force that comes in is far below its limit, whatever is asked.
+/// Why the force or the torque on the hand differs from the coupling's. If there are several
+/// reasons, the one that decides now: a force that is still rising is far below its limit, whatever
+/// is wanted.
 enum class Lessened {
   nothing,
   coming_in,  ///< it rises from zero after a start or a fault (SafetySettings::ramp_time)
   fading,     ///< the separated pose has not settled (Withheld::unsettled)
-  slewed,     ///< it changes no faster than its slew limit
-  limited,    ///< it is at the largest that the coupling allows (max_force, max_torque)
+  slewed,     ///< it is at its largest rate of change
+  limited,    ///< it is at the largest value that the coupling allows (max_force, max_torque)
 };
 
 Lessened force_lessened(const Wrench& given, const HandState& hand, const Coupling& coupling);

@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// The rows in the chart of a new device pose.
+/// The least-distance problem of the rows, in the chart of a new device pose.
 class LocalProblem {
  public:
   LocalProblem(const Chart& chart, Method method, const LocalContacts& contacts)
@@ -27,7 +27,8 @@ class LocalProblem {
   Solution solve() noexcept {
     Solution out{.y = start_, .nearest = {}, .held_back = false};
     const double radius = chart_.mass().radius;
-    // First those that hold the probe by the geometry's word, then those of the round before.
+    // The rows that are probably active: first those that held the probe in the geometry's answer,
+    // then those of the last round.
     std::array<int, 6> likely{0, 1, 2, 3, 4, 5};
     int likely_count = std::min({contacts_.separation.contacts.size, contacts_.size, 6});
     for (int round = 0; round < loop_tuning.most_rounds; ++round) {
@@ -41,7 +42,7 @@ class LocalProblem {
       }
       const Vec6 step = (out.nearest.y - out.y) * turn_limit(out.y, out.nearest.y);
       out.y += step;
-      // A row bends by about the square of the turn.
+      // The error of a linearised row grows with about the square of the turn.
       const double bend = chart_.v(step).squaredNorm() * radius;
       if (bend <= loop_tuning.settled_depth * out.y.norm() + loop_tuning.settled_radius * radius)
         break;
@@ -50,7 +51,7 @@ class LocalProblem {
     return out;
   }
 
-  /// The contacts that hold the answer.
+  /// The contacts that hold the solution.
   ContactSet holding(const Solution& solution) const noexcept {
     ContactSet out;
     const Pose X = chart_.pose(solution.y);
@@ -67,7 +68,7 @@ class LocalProblem {
   }
 
  private:
-  /// The separated pose of the rows; by translation alone it has turned with the device.
+  /// The separated pose of the geometry; with translation only, turned with the device.
   Vec6 start() const {
     Vec6 y = chart_.coordinates(contacts_.separation.separated);
     if (method_ == Method::pdt) y.head<3>().setZero();

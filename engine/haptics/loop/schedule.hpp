@@ -8,7 +8,7 @@ namespace sonde {
 /// When the ticks of a periodic loop are due. Times are nanoseconds of one monotonic clock.
 struct Schedule {
   std::int64_t period = 1'000'000;
-  std::int64_t due = 0;  ///< of the tick now running, or of the next one
+  std::int64_t due = 0;  ///< due time of the tick now running, or of the next one
 
   /// Ends the tick that was due and moves on to the next. Returns whether the tick was past its
   /// deadline, which is the next one's start. One lost period is made up for. After a longer delay
@@ -25,7 +25,8 @@ struct Schedule {
 /// Ticks per second, over windows of 100 ms.
 class RateMeter {
  public:
-  /// A tick began. Until the first window is full, the rate is that of the ticks so far.
+  /// Call it when a tick begins. Until the first window is full, the rate is that of the ticks so
+  /// far.
   void tick(std::int64_t now) {
     if (ticks_++ == 0) {
       begin_ = now;
@@ -44,7 +45,7 @@ class RateMeter {
  private:
   static constexpr std::int64_t window = 100'000'000;
   std::int64_t begin_ = 0;
-  std::int64_t ticks_ = 0;  ///< in this window, with the one that began it
+  std::int64_t ticks_ = 0;  ///< in this window, including the one that began it
   double rate_ = 0;
   bool full_ = false;
 };

@@ -39,9 +39,9 @@ struct Servo::State {
   HandLoop loop;
   GeometryThread geometry;
   ServoSettings settings;
-  Coupling coupling;  ///< the newest asked for, as the calling thread knows it
-  GainGlide glide;    ///< to it, on the servo thread
-  bool seen = false;  ///< the reader's side of `snapshots` holds a tick of this run
+  Coupling coupling;  ///< the newest requested gains, for the calling thread
+  GainGlide glide;    ///< to these gains, on the servo thread
+  bool seen = false;  ///< the reader has seen a tick of this run in `snapshots`
   Hand hand;
 
   TripleBuffer<Pose> poses;
@@ -65,13 +65,13 @@ struct Servo::State {
         rate_hz(possible_rate(s.rate_hz)),
         passivity_control(s.passivity.control) {}
 
-  // On the servo thread.
+  // Used on the servo thread.
   class Run;
   bool wait_for(std::int64_t due) noexcept;
 };
 
-/// False where the servo is to stop. The sleep is cut in slices, so that a slow loop stops promptly
-/// too.
+/// Returns false if the servo is to stop. The sleep is cut into slices, so that a slow loop also
+/// stops promptly.
 bool Servo::State::wait_for(std::int64_t due) noexcept {
   constexpr std::int64_t slice = 20'000'000;
   for (;;) {
@@ -188,9 +188,9 @@ class Servo::State::Run {
     s_.timings.write(timing_);
   }
 
-  /// A pressed hand is not let go of at once: another scene or method begins soon.
+  /// Lets the force of a pressed hand fall gradually: another scene or method may begin soon.
   void fade() noexcept {
-    constexpr double time = 0.3;  // s, at most
+    constexpr double time = 0.3;  // s, longest time
     if (snapshot_.tick == 0 || snapshot_.paused || last_begin_ == 0) return;
     if (!s_.force.load(std::memory_order_relaxed)) return;
     const double dt = static_cast<double>(schedule_.period) * 1e-9;
@@ -202,7 +202,7 @@ class Servo::State::Run {
     }
   }
 
-  /// The last word to the hand.
+  /// Renders the final zero wrench.
   void end() noexcept {
     fade();
     render(Wrench{});
@@ -215,11 +215,11 @@ class Servo::State::Run {
   State& s_;
   std::int64_t start_;
   Schedule schedule_;
-  double rate_hz_ = 0;  ///< that of the schedule; 0: none yet
+  double rate_hz_ = 0;  ///< rate of the schedule; 0: none yet
   RateMeter meter_;
   Snapshot snapshot_;
   ServoTiming timing_;
-  std::int64_t last_begin_ = 0;   ///< 0: no tick right before this one, so no rates from it
+  std::int64_t last_begin_ = 0;   ///< 0: no tick directly before this one, so no rates
   std::int64_t last_sample_ = 0;  ///< 0: none yet
   std::uint64_t last_age_ = 0;
 };

@@ -11,15 +11,15 @@
 
 namespace sonde {
 
-/// Counts of times by length, in bins of equal ratio, from 0.1 µs to 1 s, forty in a decade (6 %
-/// wide). Plain data, no allocation.
+/// A histogram of times with bins of equal ratio, from 0.1 µs to 1 s, forty in a decade (6 % wide).
+/// Plain data, no allocation.
 struct TimeHistogram {
   static constexpr int per_decade = 40;
   static constexpr int bins = 7 * per_decade;
   static constexpr double shortest = 0.1;  ///< µs
 
   std::array<std::uint32_t, bins>
-      counts{};  ///< the first and the last bin also count what lies beyond
+      counts{};  ///< the first and the last bin include all values beyond
   std::uint64_t total = 0;
   double largest = 0;  ///< µs
 
@@ -34,8 +34,8 @@ struct TimeHistogram {
   static double edge(int i) noexcept {
     return shortest * elementary::pow(10, (i + 1.0) / per_decade);
   }
-  /// µs that the given share (0 to 1) of the times did not exceed: the edge of its bin, so never
-  /// too low, and at most 6 % too high; the largest time where that is lower. 0 where there are no
+  /// µs that the given share (0 to 1) of the times did not exceed: the upper edge of its bin, so
+  /// never too low, and at most 6 % too high; the largest time if that is lower. 0 if there are no
   /// times yet.
   double quantile(double share) const noexcept {
     if (total == 0) return 0;

@@ -6,8 +6,8 @@
 namespace sonde {
 namespace {
 
-constexpr double light_hand = 1;        // N·s/m; for rotations times inertia over mass
-constexpr double most_felt_turn = 1.2;  // of kÎ, over real contacts
+constexpr double light_hand = 1;        // N·s/m; for rotations times inertia / mass
+constexpr double most_felt_turn = 1.2;  // factor on kÎ, from real contacts
 
 double largest_k(const BorneStiffness& most, const MassProperties& mass) {
   double out = most.translation;

@@ -6,7 +6,7 @@
 namespace sonde {
 namespace {
 
-constexpr double whole_force = 1;  // s, at least, for the whole of what a device gives
+constexpr double whole_force = 1;  // s: least time for the whole of a device's force
 
 double at_probe(double rate, double most, double ratio) {
   if (!(rate > 0)) return 0;

@@ -9,10 +9,10 @@
 namespace sonde {
 namespace {
 
-/// A tick that comes late must not let by all of the ramp at once.
+/// s: a late tick must not let the whole ramp pass at once.
 constexpr double longest_step = 0.005;
 
-/// From `last` towards `wanted`, by no more than `most`.
+/// Moves from `last` towards `wanted`, by at most `most`.
 Vec3 towards(const Vec3& wanted, const Vec3& last, double most, bool& acted) {
   const Vec3 change = wanted - last;
   const double size = change.norm();
@@ -88,7 +88,7 @@ Wrench ForceGate::pass(const Wrench& wanted, Withheld why, double max_force, dou
   out.torque *= share_;
   slewed_ = false;
   const bool close = pushes || !slew_.ends_at_once;
-  // What falls may fall faster: nobody is pushed by that, and an old force must not stay.
+  // A falling wrench may change faster: it pushes nobody, and an old force must not stay.
   const auto falling = [&](const Vec3& to, const Vec3& from) {
     return settings_.fade_time > 0 && to.norm() < from.norm() ? from.norm() / settings_.fade_time
                                                               : 0;

@@ -5,16 +5,16 @@
 
 namespace sonde {
 
-/// What a hand that is being measured asks of the loop in one tick, in place of the contact's
-/// wrench; and what the loop answers.
+/// For a hand that is being measured: the wrench that it requests from the loop in one tick,
+/// instead of the contact's wrench, and the loop's answer.
 struct HandTrial {
   Wrench wrench;          ///< on the handle, about its point, in the device's base
-  double max_force = 0;   ///< N, what the wrench is limited to
-  double max_torque = 0;  ///< N·m, the same
-  // How the handle moved since the sample before, in the device's base.
+  double max_force = 0;   ///< N, limit of the wrench
+  double max_torque = 0;  ///< N·m, likewise
+  // Motion of the handle since the last sample, in the device's base.
   Vec3 way = Vec3::Zero();   ///< m
   Vec3 turn = Vec3::Zero();  ///< rad, a rotation vector
-  /// Why it got no wrench: set by the loop before it renders.
+  /// Why the wrench was withheld: set by the loop before it renders.
   Withheld withheld = Withheld::nothing;
 };
 

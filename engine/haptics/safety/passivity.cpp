@@ -33,7 +33,7 @@ void Passivity::set_device(const std::optional<DeviceTraits>& device) noexcept {
   ticks_late_ = whole_ticks(device_.delay, period_, most_ticks_late);
 }
 
-/// N·s/m of α: the damping of turns is α Î.
+/// N·s/m: largest α; the damping of turns is α Î.
 double Passivity::most_damping() const noexcept {
   const double most = device_.max_damping > 0 ? device_.max_damping : settings_.max_damping;
   const double largest = mass_.inertia.maxCoeff();
@@ -81,7 +81,7 @@ Wrench Passivity::control(const Wrench& wanted) noexcept {
 }
 
 void Passivity::rendered(const Wrench& wrench) noexcept {
-  // Out of contact the wall stores nothing: what it has taken from the hand is gone.
+  // Out of contact the wall stores no energy: what it has taken from the hand is dissipated.
   if (!pushes(wrench) && !pushes(acting())) energy_.excess = std::max(energy_.excess, 0.0);
   newest_ = (newest_ + 1) % wrenches_.size();
   wrenches_[newest_] = wrench;

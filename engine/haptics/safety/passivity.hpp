@@ -13,46 +13,48 @@
 namespace sonde {
 
 struct PassivitySettings {
-  bool control = true;        ///< take the energy that the loop has added out of the hand's motion
+  bool control =
+      true;  ///< dissipate the energy that the loop has added, by damping the hand's motion
   double max_damping = 5;     ///< N·s/m, the largest damping of the controller
-  double device_damping = 0;  ///< N·s/m, of the mechanism: at least this much leaves by itself
+  double device_damping = 0;  ///< N·s/m, of the mechanism: a lower bound of what it dissipates
   double delay = 0;           ///< s from command to motors, of the device; whole ticks, 64 at most
 };
 
 /// The energy that the loop has given to the hand, from the rendered wrenches and the sampled
 /// poses.
 struct HandEnergy {
-  double given = 0;  ///< J, net work on the hand since the start; a passive wall gives none
-  double excess =
-      0;  ///< J, what contacts gave beyond what the device takes out; not above 0: passive
+  double given = 0;   ///< J, net work on the hand since the start; a passive wall gives none
+  double excess = 0;  ///< J, given by contacts beyond what the device dissipates; ≤ 0: passive
   double dissipated = 0;  ///< J, taken out by the controller so far
   double damping = 0;     ///< N·s/m, of the controller in this tick
 };
 
-/// Observes the energy that passes to the hand, always, and can limit it: time-domain passivity by
-/// Hannaford and Ryu (2002). The force is held between two samples, so its work is exact,
+/// Passivity observer and controller in the time domain, after Hannaford and Ryu (2002). It always
+/// observes the energy that passes to the hand, and can limit it. The force is held between two
+/// samples (zero-order hold), so its work is exact,
 ///
 ///     W_k = W_{k−1} + F_{k−1}·(x_k − x_{k−1}) + τ_{k−1}·θ_k,
 ///
-/// with x the probe's centre of mass and θ the rotation vector of its turn. Where a device's delay
-/// is known, the wrench is the one that acted. A virtual wall stores no energy after the hand has
-/// left it, so then W ≤ 0 if the wall is passive, whoever holds the device. The controller damps
-/// away what a contact gave in excess, in the object norm: F −= α v, τ −= α Î ω, with α as large as
-/// necessary and not above what the device bears. The energy that one contact took does not allow
-/// the next one to give.
+/// with x the probe's centre of mass and θ the rotation vector of its turn. If a device's delay is
+/// known, the wrench is the one that acted. A virtual wall stores no energy after the hand has left
+/// it, so then W ≤ 0 if the wall is passive, whoever holds the device. The controller dissipates
+/// the energy that a contact gave in excess, in the object norm: F −= α v, τ −= α Î ω, with α as
+/// large as necessary and within the device's limit. The energy that one contact took from the hand
+/// does not permit the next one to give energy.
 class Passivity {
  public:
   Passivity(const MassProperties& mass, const PassivitySettings& settings, double period);
 
-  /// The device's properties from the next pose on; they replace the settings'. None: the
-  /// settings'.
+  /// Sets the device's properties from the next pose on; they replace those of the settings. None:
+  /// those of the settings.
   void set_device(const std::optional<DeviceTraits>& device) noexcept;
   void set_control(bool on) noexcept { settings_.control = on; }
   void set_period(double period) noexcept { period_ = period; }  ///< s, from the next device on
   void restart(const Pose& X_FM) noexcept;
-  /// The pose of this tick, which shows the effect of the last wrench. dt in s since the last one.
+  /// The pose of this tick, which includes the effect of the last wrench. dt in s since the last
+  /// pose.
   void observe(const Pose& X_FM, double dt) noexcept;
-  /// The wanted wrench, damped where the controller is on. Call rendered() afterwards.
+  /// The wanted wrench, damped if the controller is on. Call rendered() afterwards.
   Wrench control(const Wrench& wanted) noexcept;
   /// The wrench that went to the hand in this tick.
   void rendered(const Wrench& wrench) noexcept;
@@ -72,7 +74,7 @@ class Passivity {
   Vec3 step_ = Vec3::Zero();  ///< of the centre of mass, m
   Vec3 turn_ = Vec3::Zero();  ///< rad, fixed frame
   double dt_ = 0;
-  std::array<Wrench, most_ticks_late + 1> wrenches_{};  ///< the last ones, as a ring
+  std::array<Wrench, most_ticks_late + 1> wrenches_{};  ///< the latest ones, as a ring
   std::size_t newest_ = 0;
   HandEnergy energy_;
 };

@@ -10,13 +10,13 @@ namespace sonde {
 namespace {
 
 constexpr double averaged_over = 0.02;  // s
-/// A handle that was thrown out of the contact is on its way still.
+/// s: a handle thrown out of the contact still moves.
 constexpr double just_after = 0.05;  // s
-// What moves with the handle of the lightest device that ships a profile.
+// Mass and inertia of the handle of the lightest device with a bundled profile.
 constexpr double light_mass = 0.05;     // kg
 constexpr double light_inertia = 5e-5;  // kg·m²
 
-/// No less than half of `most`: a brisk hand gets there by itself.
+/// At least half of `most`, which a fast hand reaches by itself.
 double reached(double push, double inertia, double light, double most) {
   if (!(push > 0) || !(most > 0)) return most;
   return std::clamp(push * averaged_over / (inertia > 0 ? inertia : light), most / 2, most);
@@ -24,7 +24,8 @@ double reached(double push, double inertia, double light, double most) {
 
 }  // namespace
 
-/// At the probe a force is 1/ratio, a mass 1/ratio² and a speed `ratio` times what the hand has.
+/// Compared with the hand, the force at the probe is 1/ratio, the mass 1/ratio² and the speed
+/// `ratio` times as large.
 ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept {
   const auto of_hand = [](double force, double ratio) { return ratio > 0 ? force * ratio : 0; };
   return {

@@ -6,42 +6,42 @@
 
 namespace sonde {
 
-/// How fast a handle goes that is thrown: m/s and rad/s, in the hand; 0: no limit.
+/// Speed of a handle that is thrown, m/s and rad/s, at the hand; 0: no limit.
 struct ThrownSpeed {
   double way = 0;
   double turn = 0;
 };
 
-/// What all of the device's force (torque) makes of its handle's mass (inertia) in the time over
-/// which Runaway averages; at least half of `most`, since a brisk hand gets there by itself, and no
-/// more than `most`. A mass that is not known is that of a light arm.
+/// The speed to which the device's whole force (torque) accelerates its handle's mass (inertia) in
+/// the time over which Runaway averages; at least half of `most`, which a fast hand reaches by
+/// itself, and at most `most`. An unknown mass is taken as that of a light arm.
 ThrownSpeed thrown_speed(const DeviceTraits& device, const ThrownSpeed& most) noexcept;
 
-/// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to what
-/// the device can. So a loop that is slightly unstable only buzzes, which one feels and sees; this
-/// class does not react to it. But a loop whose force feeds the motion (a device that reports its
-/// pose wrong, a gain far beyond the stable one) moves the handle faster than a hand that feels
+/// Detects a loop that diverges, by its effect: it throws the hand. The force is limited to the
+/// device's. So a loop that is slightly unstable only buzzes, which the user feels and sees; this
+/// class does not react to it. But a loop whose force feeds the motion (a device that reports a
+/// wrong pose, a gain far above the stable one) moves the handle faster than a hand that feels
 /// something moves. The makers' own drivers end the force in the same case.
 ///
 /// A torque throws the handle as a force does, so displacement and turn each have a limit. The
-/// velocities are averaged over some 20 ms, as vectors: oscillations, the grid of an encoder and a
-/// device slower than the servo do not add up.
+/// velocities are averaged over some 20 ms, as vectors, so that oscillations, the grid of an
+/// encoder and a device slower than the servo do not add up.
 class Runaway {
  public:
   explicit Runaway(const ThrownSpeed& fastest) : fastest_(fastest) { restart(); }
 
-  /// From the next sample on.
+  /// Sets the limit from the next sample on.
   void set_fastest(const ThrownSpeed& fastest) noexcept { fastest_ = fastest; }
 
-  /// Another hand, or another scene.
+  /// Call it for another hand or another scene.
   void restart() noexcept;
-  /// The next sample is not continuous with the last. What has been seen is not forgotten: a handle
-  /// that is thrown is soon where its device is not trusted.
+  /// Call it if the next sample is not continuous with the last. The detection is kept: a handle
+  /// that is thrown soon reaches a place where its device is not trusted.
   void lose_track() noexcept;
   /// The displacement (m) and the turn (rad, a rotation vector) of the hand in the dt (s) since the
   /// last call, and whether a wrench acted on it.
   void observe(const Vec3& way, const Vec3& turn, double dt, bool pushed) noexcept;
-  /// The probe is out of contact: a hand that is slow again counts as held.
+  /// Call it while the probe is out of contact: a hand that is slow again then counts as held.
   void release() noexcept;
   /// True if the hand was too fast under a force, or just after it, and not held since.
   bool seen() const noexcept { return seen_; }
@@ -52,7 +52,7 @@ class Runaway {
   ThrownSpeed fastest_;
   Vec3 velocity_ = Vec3::Zero();  ///< m/s, averaged
   Vec3 spin_ = Vec3::Zero();      ///< rad/s, averaged
-  double unpushed_ = 0;           ///< s without a force
+  double unpushed_ = 0;           ///< s since the last force
   bool seen_ = false;
 };
 

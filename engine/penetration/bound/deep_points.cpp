@@ -10,8 +10,8 @@
 namespace sonde {
 namespace {
 
-/// Looks where the deepest points may be. A depth changes by no more than its point is moved by, so
-/// of a box no more is to be expected than at one point of it, and the way from there.
+/// Searches for the deepest points. Each of the two depths has Lipschitz constant 1, so the depth
+/// at one point of a box bounds the depths in the whole box.
 class DeepPoints {
  public:
   DeepPoints(const CommonDepth& depth, const Deadline& deadline)
@@ -33,7 +33,7 @@ class DeepPoints {
   }
 
  private:
-  /// Keeps the deepest, no two of them close together.
+  /// Keeps the deepest points, no two of them close together.
   void offer(const CommonPoint& s) {
     if (s.depth() <= 0) return;
     for (CommonPoint& t : points_)
@@ -47,7 +47,7 @@ class DeepPoints {
     if (points_.size() > bound_tuning.most_points) points_.pop_back();
   }
 
-  /// As deep, but nearer to the centre of mass: a turn moves it less.
+  /// Adds points that are as deep but nearer to the centre of mass, which a turn displaces less.
   void inwards(const CommonPoint& from) {
     const CommonPoint start = from;
     for (const double left : bound_tuning.inwards) {
@@ -63,7 +63,7 @@ class DeepPoints {
     return s;
   }
 
-  /// In a shallow contact there may be no other points that are in both bodies.
+  /// In a shallow contact these may be the only points that lie in both bodies.
   void where_triangles_meet() {
     const Body &a = depth_.probe(), &b = depth_.fixed();
     const Placement at(a, b, depth_.X_FM());
@@ -92,10 +92,10 @@ class DeepPoints {
 
   struct Slot {
     std::uint32_t slot;
-    double most;  // m: no point of its triangles is deeper
+    double most;  // m: upper bound of the depth on its triangles
     bool operator<(const Slot& o) const { return most < o.most; }
   };
-  /// Corners of a body, those first that may be deepest.
+  /// Evaluates corners of a body, those with the largest upper bound first.
   void corners(const Body& body, const Transform& X) {
     const Tree& tree = body.tree;
     ordering::Queue<Slot> queue;
@@ -123,7 +123,7 @@ class DeepPoints {
   static Corners corners_of(const Body& body, std::uint32_t triangle) {
     return sonde::corners(surface(body), triangle);
   }
-  /// Points of a triangle that is one for many: its corners are far from what may be deepest.
+  /// Samples points inside a large triangle: its corners may be far from its deepest point.
   void spread(const Corners& t, const Transform& X) {
     look(X, (t[0] + t[1] + t[2]) / 3);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -134,10 +134,10 @@ class DeepPoints {
 
   struct Box {
     Vec3 low, high;  // fixed frame
-    double most;     // m
+    double most;     // m: upper bound of the depth in the box
     bool operator<(const Box& o) const { return most < o.most; }
   };
-  /// The box in which two solids may overlap, cut in two again and again.
+  /// Bisects the box in which two solids may overlap, the part with the largest upper bound first.
   void between() {
     const Tree& tree = depth_.fixed().tree;
     const Vec3 com = depth_.X_FW().p, reach = Vec3::Constant(depth_.probe().mass.radius);

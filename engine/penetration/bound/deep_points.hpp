@@ -9,8 +9,8 @@
 namespace sonde {
 
 /// A few points, apart from each other, that lie deep in both bodies at the device pose. They come
-/// from where triangles meet, from corners, and, between two solids, from a cover of their overlap.
-/// Takes some 250 evaluations. Empty where no point has a positive depth. Allocates.
+/// from intersecting triangles, from corners, and, if both bodies are solids, from a cover of their
+/// overlap. Takes some 250 evaluations. Empty if no point has a positive depth. Allocates.
 std::vector<CommonPoint> deep_points(const CommonDepth& depth, const Deadline& deadline);
 
 }  // namespace sonde

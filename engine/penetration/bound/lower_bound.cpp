@@ -17,8 +17,8 @@
 namespace sonde {
 namespace {
 
-/// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite where
-/// a turn that costs nothing moves the point. Rounded up.
+/// μ(r) = max over unit n in the range of Î of |n×r|² / (nᵀÎn), r in principal axes; infinite if a
+/// turn without cost moves the point. Rounded up.
 double leverage(const Vec3& inertia, const Vec3& r) {
   const Mat3 arm = r.squaredNorm() * Mat3::Identity() - r * r.transpose();
   Vec3 scale;
@@ -26,7 +26,7 @@ double leverage(const Vec3& inertia, const Vec3& r) {
     if (inertia[i] > 0) {
       scale[i] = 1 / std::sqrt(inertia[i]);
     } else {
-      // Off the axis of a line-like probe, if only by rounding, the bound says nothing.
+      // Off the axis of a line-like probe, even if only by rounding, the bound proves nothing.
       if (arm(i, i) > 1e-12 * inertia.maxCoeff()) return infinity;
       scale[i] = 0;
     }
@@ -36,14 +36,15 @@ double leverage(const Vec3& inertia, const Vec3& r) {
   return std::max(0.0, solver.eigenvalues()[2]) * (1 + 1e-12);
 }
 
-/// What one point says of all rotations at once.
+/// The lower bound over all rotations that one point proves.
 double bound_of(const CommonPoint& s, const Vec3& inertia) {
   return s.depth() > 0 ? s.depth() / std::sqrt(1 + leverage(inertia, s.r)) : 0;
 }
 
-/// Branch and bound over rotations: for every turn of a cell the centre of mass must go as far as
-/// the best witness at its middle says, less what the turns of the cell can do to that. The cell
-/// with the least bound is refined, by looking for deeper points at its middle or by halving it.
+/// Branch and bound over rotations. For every turn of a cell, the centre of mass must move at least
+/// as far as the best witness at the cell's middle requires, less the displacement that the turns
+/// of the cell can cause. The cell with the least bound is refined: by a search for deeper points
+/// at its middle, or by bisection.
 class TurnSearch {
  public:
   TurnSearch(const CommonDepth& depth, const std::vector<CommonPoint>& points)
@@ -56,8 +57,8 @@ class TurnSearch {
     }
   }
 
-  /// The least bound of all cells when the work is done, m; or when half as much again as before
-  /// has hardly raised it.
+  /// Returns the least bound of all cells, m, when the work is used up, or when half as much work
+  /// again has hardly raised it.
   double run(int work, const Deadline& deadline) {
     double before = 0;
     for (double look = bound_tuning.first_look; spent() < work && !deadline.passed();) {
@@ -84,17 +85,17 @@ class TurnSearch {
   static constexpr std::size_t most_near = bound_tuning.most_near;
   struct Near {
     double depth;           // at the cell's middle, m
-    double away;            // r from p there, m
-    std::uint32_t witness;  // its number
+    double away;            // |R r − p| there, m
+    std::uint32_t witness;  // its index in witnesses_
   };
   struct Node {
     RotationCell cell;
-    double bound = 0;  // of σ in the cell, m²
-    double reach = 0;  // of the best witness's point, m
+    double bound = 0;  // lower bound of σ in the cell, m²
+    double reach = 0;  // displacement of the best witness's r by the cell's turns, m
     std::size_t best = 0;
-    std::size_t seen = 0;  // how many witnesses it knows of
+    std::size_t seen = 0;  // number of witnesses considered so far
     std::size_t count = 0;
-    std::array<Near, most_near> near;  // the deepest at the middle, in order
+    std::array<Near, most_near> near;  // the deepest at the middle, deepest first
     bool queried = false;
   };
   struct Open {
@@ -130,11 +131,13 @@ class TurnSearch {
     if (way > 0) n.bound = std::max(n.bound, least_sum(n, spread));
   }
 
-  /// A bound of cost and way together, where the turn that is best for the one is not for the
-  /// other. With a = |R r − p| and D the witness's depth, for any a₀ in (0, D]
+  /// A joint bound of the cost of the turn and the displacement of the centre of mass, for cells in
+  /// which different turns minimise the two. With a = |R r − p| and D the witness's depth, for any
+  /// a₀ in (0, D]
   ///   (D − a)² ≥ D² − D a₀ − (D/a₀ − 1) a²,   equal at a = a₀,
   /// so that with the cost it is a ratio of quadratic forms. The deepest witness at the middle is
-  /// looked at, for two a₀: one that suits the cell's size, and that of where the first was least.
+  /// evaluated at two tangent points a₀: one that suits the cell's size, and the a at which the
+  /// first form was least.
   double least_sum(const Node& n, const CellSpread& spread) const {
     const Witness& w = witnesses_[n.near[0].witness];
     const Eigen::Matrix4d G = distance_form(w.r, w.p);
@@ -154,7 +157,8 @@ class TurnSearch {
     return most;
   }
 
-  /// Takes in the witnesses found since, of many the last: those from afar matter least.
+  /// Considers the witnesses found since the last update, but only the latest `most_new` of them:
+  /// those from distant cells matter least.
   void update(Node& n) {
     n.seen =
         std::max(n.seen, witnesses_.size() - std::min(bound_tuning.most_new, witnesses_.size()));
@@ -182,7 +186,8 @@ class TurnSearch {
   void refine(std::uint32_t i) {
     Node& n = nodes_[i];
     const CellSpread spread(n.cell);
-    // A witness from afar has lost what it was moved by; one from here may be much better.
+    // A witness found far away has lost the depth by which r was displaced; one found here may be
+    // much better.
     if (!n.queried && n.near[n.best].away > bound_tuning.from_afar * n.reach) {
       n.queried = true;
       find_witness(n, spread);
@@ -197,7 +202,7 @@ class TurnSearch {
     nodes_.push_back(high);  // n is gone
   }
 
-  /// The component by which the bound of σ varies most.
+  /// The component along which the bound of σ varies most.
   int widest(const Node& n, const CellSpread& spread) const {
     const Near& best = n.near[n.best];
     int widest = 0;
@@ -210,11 +215,11 @@ class TurnSearch {
     return widest;
   }
 
-  /// A point deep in both at the cell's middle, from the best one known.
+  /// Searches for a point deep in both bodies at the cell's middle, from the best known witness.
   void find_witness(const Node& n, const CellSpread& spread) {
     const Mat3& R = spread.middle();
     const Witness& w = witnesses_[n.near[0].witness];
-    // Of a surface only its own points are of use.
+    // If a body is a surface, only points on it can be deep in both.
     Vec3 x = (R * w.r + w.p) / 2;
     if (!depth_.probe().solid) x = R * w.r;
     if (!depth_.fixed().solid) x = w.p;

@@ -7,7 +7,7 @@
 namespace sonde {
 namespace {
 
-/// The component of the quaternion that a cell's i-th number is.
+/// Index of the quaternion component that a cell's i-th number stands for.
 int component_of(int face, int i) { return i < face ? i : i + 1; }
 
 }  // namespace
@@ -20,8 +20,8 @@ Eigen::Vector4d RotationCell::middle() const {
 }
 
 double RotationCell::least_cost(const Vec3& inertia) const {
-  // A ratio of two sums over the squares s of the components, Σ J s / Σ s: least at a corner of
-  // the box of s, where each is least, or, where J is below the ratio itself, largest.
+  // A ratio of two sums over the squares s of the components, Σ J s / Σ s. It is least at a corner
+  // of the box of s: each s is largest where J is below the ratio, and least elsewhere.
   const double J[4] = {0, inertia[0], inertia[1], inertia[2]};
   double low[4], high[4];
   for (int i = 0; i < 3; ++i) {
@@ -31,7 +31,7 @@ double RotationCell::least_cost(const Vec3& inertia) const {
   }
   low[face] = high[face] = 1;
   double least = std::numeric_limits<double>::infinity();
-  for (int largest = 0; largest <= 4; ++largest) {  // J ascends
+  for (int largest = 0; largest <= 4; ++largest) {  // J is ascending
     double above = 0, below = 0;
     for (int k = 0; k < 4; ++k) {
       const double s = k < largest ? high[k] : low[k];
@@ -44,15 +44,15 @@ double RotationCell::least_cost(const Vec3& inertia) const {
 
 RotationCell::Least RotationCell::least_quotient(const Eigen::Matrix4d& S,
                                                  const Eigen::Vector4d& guess) const {
-  // With l the quotient at the guess, qᵀSq / qᵀq = l + qᵀQq / qᵀq, Q = S − l: nearly 0 where it is
-  // least. From the middle m to m + e the form is mᵀQm + 2 (Qm)·e + eᵀQe, and with
-  // 2 |eᵢ eⱼ| ≤ eᵢ² hⱼ/hᵢ + eⱼ² hᵢ/hⱼ the least of each component can be found by itself.
+  // With l the quotient at the guess and Q = S − l: qᵀSq / qᵀq = l + qᵀQq / qᵀq, where the last
+  // term is nearly 0 at the minimum. From the middle m to m + e the form is mᵀQm + 2 (Qm)·e + eᵀQe.
+  // With 2 |eᵢ eⱼ| ≤ eᵢ² hⱼ/hᵢ + eⱼ² hᵢ/hⱼ, each component can be minimised by itself.
   const Eigen::Vector4d m = middle();
   const double quotient = guess.dot(S * guess) / guess.squaredNorm();
   const Eigen::Matrix4d Q = S - quotient * Eigen::Matrix4d::Identity();
   const Eigen::Vector4d slope = Q * m;
   Eigen::Vector4d at = m, most = m.cwiseAbs();
-  double form = m.dot(slope), shortest = 1, longest = 1;  // of qᵀQq; squared lengths of q
+  double form = m.dot(slope), shortest = 1, longest = 1;  // lower bound of qᵀQq; bounds of |q|²
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const int a = component_of(face, i);
@@ -103,13 +103,14 @@ CellSpread::CellSpread(const RotationCell& cell) {
   const Eigen::Vector4d m = cell.middle();
   const Quat q(m[0], m[1], m[2], m[3]);
   R_ = q.normalized().toRotationMatrix();
-  double least = 1;  // of the squared lengths of the cell's quaternions
+  double least = 1;  // lower bound of |q|² over the cell
   for (std::size_t k = 0; k < 3; ++k) {
     const double near = std::max(0.0, std::abs(cell.at[k]) - cell.half[k]);
     least += near * near;
   }
-  // From the middle q to q + e the turn is that of q*(q + e), whose vector part is that of q*e:
-  // linear in e. A turn with the vector part u displaces r by 2|u×r|, however far it turns.
+  // From the middle q to q + e, the relative turn is that of q*(q + e). Its vector part equals that
+  // of q*e, which is linear in e. A turn with the vector part u displaces r by 2|u×r|, for any
+  // angle.
   const double scale = 2 / std::sqrt(m.squaredNorm() * least);
   for (int i = 0; i < 3; ++i) {
     Eigen::Vector4d e = Eigen::Vector4d::Zero();

@@ -13,8 +13,8 @@
 namespace sonde {
 namespace {
 
-/// The last few gradients, and the least vector of their convex hull: uphill for all of them (after
-/// the bundle methods of Lemaréchal).
+/// The latest gradients, and the least vector of their convex hull: an ascent direction for all of
+/// them (after the bundle methods of Lemaréchal).
 class Bundle {
  public:
   void clear() { size_ = 0; }
@@ -25,7 +25,7 @@ class Bundle {
     }
     g_[size_++] = g;
   }
-  /// By the steps of Frank and Wolfe.
+  /// Computed with Frank-Wolfe steps.
   Vec3 least() const {
     Vec3 p = g_[size_ - 1];
     for (int i = 0; i < bound_tuning.bundle_steps; ++i) {
@@ -58,7 +58,7 @@ CommonDepth::CommonDepth(const Body& probe, const Body& fixed, const Pose& X_FM)
 
 CommonDepth::Side CommonDepth::side(const Body& body, const Vec3& x, double known) const {
   const NearestPoint near = nearest_point(body, x, 0);
-  // So near a triangle that it does not matter on which side; and a ray from there asks much.
+  // Within the guard, the side does not matter, and a ray cast so near a triangle is expensive.
   const bool clear = body.solid && near.distance > guard_;
   const bool in = clear && (known != 0 ? known > 0 : winds_around(body, x));
   const Vec3 away = near.distance > 0 ? Vec3((x - near.point) / near.distance) : Vec3::Zero();
@@ -88,13 +88,13 @@ CommonPoint CommonDepth::ascend(const Mat3& R, const CommonPoint& start, double 
   CommonPoint best = start;
   Bundle bundle;
   bundle.add(best.up());
-  // A common point at all is worth more looks than a deeper one.
+  // Finding any common point is worth more evaluations than finding a deeper one.
   for (int i = 0;
        i < evaluations || (best.depth() <= 0 && i < bound_tuning.more_without_any * evaluations);
        ++i) {
     const Vec3 up = bundle.least();
     if (up.norm() < bound_tuning.level) {
-      // A ridge's top, for this stride.
+      // The top of a ridge, at this stride.
       if (best.up().norm() < bound_tuning.level) break;
       stride *= bound_tuning.stride_at_top;
       bundle.clear();

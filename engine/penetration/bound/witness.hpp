@@ -6,19 +6,18 @@
 
 namespace sonde {
 
-/// Proof that two bodies overlap, and by how much: a point r of the probe with a ball about it that
-/// belongs to the probe, and a point p with a ball about it that belongs to the fixed body. While
-/// the motion of the probe leaves r nearer to p than the sum of the radii, the bodies overlap. A
-/// radius may be negative: then a point of the body is at most that far away. The frame has the
-/// axes of the probe's principal axes at its device pose, and its origin at the centre of mass
-/// there.
+/// Proof that two bodies overlap, and by how much: a point r of the probe with a ball about it
+/// inside the probe, and a point p with a ball about it inside the fixed body. As long as the
+/// probe's motion leaves r nearer to p than the sum of the radii, the bodies overlap. A radius may
+/// be negative: then a point of the body is at most that far away. The frame has the axes of the
+/// probe's principal axes at its device pose, and its origin at the centre of mass there.
 struct Witness {
   Vec3 r;
   Vec3 p;
   double depth;  ///< sum of the radii, rounded down, m
 };
 
-/// A point of both bodies, with the probe turned by R about its centre of mass.
+/// A point with its depths in both bodies, where the probe is turned by R about its centre of mass.
 struct CommonPoint {
   Vec3 x;           ///< in the frame of Witness, m
   Vec3 r;           ///< Rᵀ x, the point of the probe
@@ -30,18 +29,18 @@ struct CommonPoint {
 };
 
 /// The depths of points in a probe and in a fixed body: the distance from the body's triangles,
-/// negative outside, and negative everywhere where the body is a surface. Each depth changes by no
-/// more than the point moves. So a point that is deep in both must be moved by the sum, wherever
-/// the probe goes.
+/// negative outside, and negative everywhere if the body is a surface. Each depth has Lipschitz
+/// constant 1, so a separating motion displaces a point that is deep in both by at least the sum.
 class CommonDepth {
  public:
   CommonDepth(const Body& probe, const Body& fixed, const Pose& X_FM);
 
   CommonPoint at(const Mat3& R, const Vec3& x) const;
-  /// The same, given a result at a point near by (at the same R), which may decide the side.
+  /// The same, given the result at a point near by (at the same R), which may save the inside
+  /// tests.
   CommonPoint at(const Mat3& R, const Vec3& x, const CommonPoint& known) const;
-  /// A deeper point, uphill from `start` with strides of about `stride` (m), by `evaluations`
-  /// evaluations; three times as many as long as no depth is positive.
+  /// Ascends from `start` to a deeper point, with steps of about `stride` (m), in `evaluations`
+  /// evaluations; three times as many while no depth is positive.
   CommonPoint ascend(const Mat3& R, const CommonPoint& start, double stride, int evaluations) const;
 
   const Body& probe() const { return probe_; }
@@ -49,7 +48,7 @@ class CommonDepth {
   const Transform& X_FM() const { return X_FM_; }
   const Transform& X_MW() const { return X_MW_; }  ///< W: the frame of Witness
   const Transform& X_FW() const { return X_FW_; }
-  int evaluations() const { return evaluations_; }  ///< so far
+  int evaluations() const { return evaluations_; }  ///< number of evaluations so far
 
  private:
   struct Side {

@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Cosine of that tilt.
+/// Cosine of the tilt ContactTuning::flat.
 constexpr double level = 1 - 0.5 * contact_tuning.flat * contact_tuning.flat;
 
 struct Place {
@@ -19,7 +19,7 @@ struct Place {
   Vec3 normal;
 };
 
-/// How far apart two places are that are together, m; infinite where they are not.
+/// Distance of two places that belong to one cluster, m; infinite if they do not.
 double apart(const Place& p, const Place& q, double radius) {
   const double cosine = p.normal.dot(q.normal);
   const Vec3 way = q.point - p.point;
@@ -32,7 +32,7 @@ double apart(const Place& p, const Place& q, double radius) {
 
 Place place(const Contact& contact) { return {contact.on_fixed, contact.normal}; }
 
-/// For each contact the first of those it is together with, itself perhaps.
+/// For each contact, the index of the first contact of its cluster.
 using Groups = std::array<int, ContactSet::capacity>;
 
 Groups group(const ContactSet& contacts, double radius) {
@@ -49,7 +49,7 @@ Groups group(const ContactSet& contacts, double radius) {
   return first;
 }
 
-/// The wrench that the contacts of one group add up to.
+/// The resultant wrench of the contacts of one group.
 ContactCluster resultant(const ContactSet& contacts, const Groups& first, int group) {
   ContactCluster out;
   Vec3 force = Vec3::Zero(), on_probe = Vec3::Zero(), on_fixed = Vec3::Zero();

@@ -25,12 +25,13 @@ double share_of_force(const Contact& contact, const ContactClusters& all) noexce
 /// Keeps the ids of clusters from tick to tick. A cluster takes the id of a cluster of the last
 /// tick if the two belong together as contacts do, seen from the probe or from the fixed body. So a
 /// corner that slides over triangles keeps its id, and so does an edge that slides over a corner.
-/// The nearest goes first. Any other cluster is new, and no id is given twice. Never allocates.
+/// The nearest clusters are matched first. A cluster without a match gets a new id; no id is given
+/// twice. Never allocates.
 class ClusterIds {
  public:
   /// Gives ids to the clusters of a probe of the given radius, m, separated to X_FM.
   void follow(const Pose& X_FM, double radius, ContactClusters& clusters) noexcept;
-  /// The next clusters have nothing to do with those before.
+  /// Call it before clusters that are unrelated to the previous ones.
   void forget() noexcept { last_.size = 0; }
 
  private:

@@ -22,7 +22,7 @@ ContactRows::ContactRows(const Body& probe, const Body& fixed, Method method,
       most_near_(finding.most_pairs),
       pairs_(finding.most_pairs + contact_tuning.most_kept),
       contacts_(capacity),
-      rows_(capacity + 1),  // and the rim of the chart
+      rows_(capacity + 1),  // one more for the rim of the chart
       at_(capacity),
       violations_(contact_tuning.most_cut),
       pair_of_(capacity),
@@ -81,7 +81,7 @@ bool ContactRows::is_news(const Contact& contact) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const Contact& row = contacts_[i];
     if (row.normal.dot(contact.normal) < contact_tuning.same_normal) continue;
-    // A turn of the size to be expected brings it no nearer than the row.
+    // Even the largest expected turn brings the contact no nearer than the row.
     const double apart = (contact.on_probe - row.on_probe).norm();
     if (contact.gap - row.gap >= turn_ * apart) return false;
   }
@@ -92,7 +92,7 @@ void ContactRows::take(const NearPair& pair, const Transform& X, double flat,
                        const Transform* end) noexcept {
   const Corners ta = place(X, corners(surface(probe_), pair.triangle_a));
   const Corners tb = corners(surface(fixed_), pair.triangle_b);
-  // The part of the path after which the pair meets along a direction.
+  // Fraction of the path at which the gap along n closes; infinite if it does not.
   const auto free_until = [&](const Vec3& n) {
     const Corners then_a = place(*end, corners(surface(probe_), pair.triangle_a));
     const double now = gap_along(n, ta, tb), then = gap_along(n, then_a, tb);
@@ -144,7 +144,7 @@ NearPairs ContactRows::find_pairs(const Transform& X, double reach, double least
     const Vec3 centre = least_moving_point(X);
     lists_.renew(X, {reach, near_of(reach), will_do, centre, {lists_.recent_course(X, centre), {}}},
                  effort);
-    // Where there is no room for so much, less is expected the next time.
+    // If the list has no room for that reach, shorter paths are expected from now on.
     if (!take_what_is_listed()) lists_.expect_shorter_paths();
   }
   NeighbourList& list = lists_.serving();
@@ -244,7 +244,7 @@ ContactRows::PathCheck ContactRows::cut(const Chart& chart, const Vec6& y, const
   if (lists_.serving().reach_at(end) <= least) {
     const Vec3 centre = least_moving_point(X_);
     const Path path = path_of(motion, centre);
-    // The gather that follows the step is to find enough in it too.
+    // The list should also suffice for the gather that follows the step.
     const double next =
         std::max({least, 2 * least_asked_,
                   contact_tuning.reach_after_step * path.course.size().of(probe_.mass.radius)});
@@ -285,14 +285,15 @@ void ContactRows::linearise(const Chart& chart, const Vec6& y, std::size_t from,
     if (method_ == Method::pdt) rows_[i].normal.head<3>().setZero();
     if (onto_) rows_[i].normal = (*onto_ * rows_[i].normal).eval();
   }
-  // Near its rim the chart is a wall like any other: what would lead out of it goes along it.
+  // Near its rim, the chart is a constraint like a contact: a step that would leave it slides on
+  // it.
   const Vec3 v = chart.v(y);
   const double turn = v.norm();
   rim_ = turn > contact_tuning.rim_from * Chart::largest_v && method_ == Method::pdg;
   if (!rim_) return;
   Vec6 out = Vec6::Zero();
   out.head<3>() = chart.in_v(v / turn);
-  // In metres, as the other rows.
+  // Scaled to metres, as the other rows are.
   rows_[count_] = {-out / out.norm(), -std::max(Chart::largest_v, turn) / out.norm()};
 }
 

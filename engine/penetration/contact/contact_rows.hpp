@@ -99,18 +99,18 @@ class ContactRows {
   PathCheck cut(const Chart& chart, const Vec6& y, const Motion& motion, double margin,
                 Effort& effort) noexcept;
 
-  /// Gives rows that hold a solution their pair's own direction, where that pair is not near: a
-  /// direction taken over from another row may be a wall where there is none. Returns whether there
-  /// were any; then the solution is no more one.
+  /// Replaces the direction of each row that holds a solution, but whose pair is not near, by the
+  /// pair's own direction: a direction taken over from another row may be a wall where there is
+  /// none. Returns whether it replaced any; then the solution is no longer valid.
   bool replace_far_rows(const Chart& chart, const Vec6& y, const LeastDistance& nearest,
                         double margin) noexcept;
 
-  /// What solve() asks of a gap that is smaller than the margin already: that it does not shrink,
-  /// or that it grows to the margin.
+  /// What solve() requires of a gap that is already smaller than the margin: that it does not
+  /// shrink (keep), or that it grows to the margin (widen).
   enum class SmallGaps { keep, widen };
   /// Returns the y nearest to the origin at which every gap is at least `margin` (m), to first
-  /// order; `small_gaps` says what holds for smaller gaps. Each gap must be larger by `rise` (m)
-  /// than that.
+  /// order; `small_gaps` says what applies to smaller gaps. `rise` (m) is added to the gap that
+  /// each row requires.
   LeastDistance solve(double margin, SmallGaps small_gaps, double rise = 0) noexcept;
 
   Contact contact(int row) const { return contacts_[static_cast<std::size_t>(row)]; }
@@ -144,7 +144,7 @@ class ContactRows {
   /// forgets the other kept pairs. Returns the number of pairs with the new ones.
   std::size_t add_kept(const Transform& X, double reach, std::size_t count) noexcept;
   bool is_news(const Contact& contact) const noexcept;
-  /// `end`: where the path leads that the pair is in the way of; null: no path is known.
+  /// `end`: the end of the path that the pair is in the way of; null: no path is known.
   void take(const NearPair& pair, const Transform& X, double flat,
             const Transform* end = nullptr) noexcept;
   /// Makes rows of the contacts from index `from` up to `to`, in the chart at y, and the rim's row.
@@ -172,7 +172,7 @@ class ContactRows {
   // m: no gather looks further. It falls where a reach holds more pairs than there is room for, and
   // grows again from gather to gather.
   double reach_limit_;
-  double least_asked_ = 0;  // m: the least reach that the last gather could do with
+  double least_asked_ = 0;  // m: the least reach that suffices for the last gather
   double asked_ = 0;        // m: the reach that the last gather asked for
   double smallest_gap_ = 0;
   double reach_ = 0;

@@ -15,17 +15,16 @@ namespace {
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using Normals = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 
-/// A normal in terms of the active ones: n = Σ of[i] Nᵢ + rest, where rest is at a right angle to
-/// all of them.
+/// A normal in terms of the active ones: n = Σ of[i] Nᵢ + rest, where rest is orthogonal to all of
+/// them.
 struct Parts {
   std::array<double, 6> of;
   std::array<double, 6> along;  // the columns of Q
   Vec6 rest;
 };
 
-/// The active rows, and what they make of a further normal. Their normals are kept as N = QR, with
-/// orthonormal columns in Q and R upper triangular: a row that comes or leaves costs at most
-/// two hundred multiplications.
+/// The active rows. Their normals are kept as N = QR, with orthonormal columns in Q and R upper
+/// triangular: adding or dropping a row costs at most two hundred multiplications.
 class ActiveSet {
  public:
   int size() const { return static_cast<int>(size_); }
@@ -54,7 +53,8 @@ class ActiveSet {
       turn(j);
     }
   }
-  /// In the least-squares sense. Taken out twice, what is left is at a right angle to rounding.
+  /// In the least-squares sense. The projection is removed twice, so that the rest is orthogonal to
+  /// rounding.
   Parts parts(const Vec6& n) const {
     Parts out{{}, {}, n};
     for (int pass = 0; pass < 2; ++pass)
@@ -77,7 +77,8 @@ class ActiveSet {
   }
 
  private:
-  /// Turns columns j and j + 1 of Q in their plane, so that column j of R ends on its diagonal.
+  /// Rotates columns j and j + 1 of Q in their plane, so that column j of R ends on its diagonal
+  /// (Givens).
   void turn(std::size_t j) {
     const double length = std::sqrt(R_[j][j] * R_[j][j] + R_[j][j + 1] * R_[j][j + 1]);
     const double c = R_[j][j] / length, s = R_[j][j + 1] / length;
@@ -100,8 +101,9 @@ class ActiveSet {
   std::size_t size_ = 0;
 };
 
-/// Holds the point nearest to the origin on the flat of these rows, if that is what pushes it there
-/// alone: the pair of a set and its optimum that the dual method goes on from. Else none of them.
+/// Makes these rows active if they are independent and the nearest point on their common flat has
+/// only positive multipliers: such a set and its optimum are a valid state of the dual method.
+/// Otherwise makes none of them active.
 void begin_with(ActiveSet& active, std::span<const int> start, std::span<const HalfSpace> rows) {
   const auto size = static_cast<Eigen::Index>(start.size());
   if (size == 0 || size > 6) return;
@@ -126,7 +128,8 @@ void begin_with(ActiveSet& active, std::span<const int> start, std::span<const H
     active.add(start[static_cast<std::size_t>(i)], N.col(i), multipliers[i]);
 }
 
-/// Brings in row p, dropping rows whose multipliers would turn negative. False: infeasible.
+/// Adds row p to the active set, and drops rows whose multipliers would become negative. Returns
+/// false if the problem is infeasible.
 bool bring_in(ActiveSet& active, int p, const HalfSpace& row, Vec6& y) {
   double multiplier = 0;
   const double normal2 = row.normal.squaredNorm();
@@ -173,7 +176,7 @@ LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
       if (v > violation) violation = v, worst = static_cast<int>(i);
     }
     if (worst < 0) break;
-    bool already = false;  // an active row violated again: rounding, nothing more to gain
+    bool already = false;  // an active row is violated again: rounding, no more to gain
     for (int i = 0; i < active.size(); ++i) already = already || active.row(i) == worst;
     if (already) break;
     if (!bring_in(active, worst, rows[static_cast<std::size_t>(worst)], y)) {

@@ -29,9 +29,9 @@ struct LeastDistance {
 /// violated. At most six rows are active. It accepts violations below `tolerance` (in the unit of
 /// bound). Never allocates.
 ///
-/// `start`: rows that probably hold the answer, because they held that of a similar problem. Where
-/// they are independent and all push, the search begins there instead of at the origin. The answer
-/// is the same to rounding, and comes sooner the fewer of them were wrong.
+/// `start`: rows that are probably active, because they were in a similar problem. If they are
+/// independent and have positive multipliers, the search begins there instead of at the origin. The
+/// answer is the same to rounding, and the fewer of them are wrong, the sooner it is found.
 LeastDistance least_distance(std::span<const HalfSpace> rows, double tolerance,
                              std::span<const int> start = {});
 

@@ -47,7 +47,7 @@ double PairLists::travel(const Wanted& wanted) const noexcept {
 
 NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wanted,
                                             double length) const noexcept {
-  // The course of late, or of what comes next where that is longer.
+  // The recent course, or that of the path ahead if that is longer.
   Course course = recent_course(X, wanted.centre);
   if (course.size().of(radius_) < wanted.path.course.size().of(radius_))
     course = wanted.path.course;
@@ -55,7 +55,7 @@ NeighbourList::Coverage PairLists::coverage(const Transform& X, const Wanted& wa
   const double around = size > 0 ? contact_tuning.share_beside_course * length : length;
   const Course ahead = size > 0 ? (length - around) / size * course : Course{};
   const Displacement off = deviation(X, ahead, X, wanted.path, wanted.centre, radius_);
-  // What is off the course is both sliding and turning, whatever the course is.
+  // The deviation from the course is both sliding and turning, whatever the course is.
   const double least = contact_tuning.least_share_of_turn;
   const double linear = std::clamp(size > 0 ? course.size().linear / size : 0.5, least, 1 - least);
   return {{std::max(linear * around,
@@ -90,7 +90,7 @@ void PairLists::end(bool fits) noexcept {
 }
 
 void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) noexcept {
-  // A list pays where the steps are short beside its reach; long steps walk the trees.
+  // A list pays if the steps are short compared with its reach; long steps walk the trees.
   if (serving().capacity() == 0 || reach_.is_too_far(travel(wanted))) return;
   NeighbourList& list = next();
   if (!(list.reach_when_finished(X, wanted.path) > wanted.reach_acceptable))
@@ -99,7 +99,7 @@ void PairLists::renew(const Transform& X, const Wanted& wanted, Effort& effort) 
   else if (list.is_unfinished())
     effort.within(contact_tuning.share_for_list,
                   [&](Effort& part) { return end(list.go_on(part)), 0; });
-  // What the tick's effort was too little for goes on in the next ones.
+  // A list that was too much for the tick's effort is continued in the next ticks.
   if (list.is_unfinished() || !(list.reach_at(X) > 0)) return;
   serving().clear();
   serving_ = 1 - serving_;
@@ -109,7 +109,7 @@ void PairLists::prepare_next_list(const Transform& X, const Wanted& wanted,
                                   Effort& effort) noexcept {
   NeighbourList& list = next();
   if (!effort.is_limited()) return;
-  // A tick that had much to do leaves little, and the next ones more again.
+  // A running mean: a tick with much work leaves little, and the next ones more again.
   const double left = contact_tuning.share_for_next_list * static_cast<double>(effort.left());
   left_over_ =
       left_over_ > 0 ? left_over_ + contact_tuning.left_over_learned * (left - left_over_) : left;

@@ -72,7 +72,7 @@ class PairLists {
   Vec3 com_;  // of the probe, mesh frame
   /// The list that was begun last.
   struct Begun {
-    double travel = 0;            ///< m: that it is needed for
+    double travel = 0;            ///< m: travel() that it was made for
     double ample = 0, least = 0;  ///< m: the reach wanted, and that of the fallback
     std::int64_t affordable = 0;  ///< work that it should take at most
   };

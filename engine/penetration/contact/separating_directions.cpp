@@ -14,7 +14,7 @@ namespace {
 
 Vec3 edge(const Corners& t, std::size_t i) { return t[(i + 1) % 3] - t[i]; }
 
-/// The gaps of a pair along n and against it.
+/// The gaps of a pair along n and along −n.
 struct Gaps {
   double along, against;
 };
@@ -26,7 +26,7 @@ Gaps gaps(const Vec3& n, const TouchingPair& pair) {
   return {a_low - b_high, b_low - a_high};
 }
 
-/// Calls visit(axis) for the cross products of edges, until it returns true. Not unit.
+/// Calls visit(axis) for the cross products of edges (not normalised) until it returns true.
 template <class Visit>
 bool any_edges(const TouchingPair& pair, const Visit& visit) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -46,7 +46,7 @@ bool any_in_plane(const TouchingPair& pair, const Visit& visit) {
   return false;
 }
 
-/// A direction, and the gap of each pair along it; minus infinity where it may not serve.
+/// A direction, and the gap of each pair along it, m; minus infinity if the pair may not use it.
 struct Candidate {
   Vec3 n;
   std::vector<double> gap;
@@ -80,13 +80,13 @@ class Cover {
  private:
   struct Choice {
     const Candidate* of = nullptr;
-    std::size_t count = 0;  ///< pairs that are left and that it separates
+    std::size_t count = 0;  ///< pairs without a direction yet that it separates
     double least = 0;       ///< m: their least gap
   };
 
   bool serves_all(const Choice& choice) const { return choice.count == count_left_; }
 
-  /// In its plane, a direction must lead outwards.
+  /// If the pair lies in a plane across n, then n must lead out of the solids.
   bool may_serve(const Vec3& n, const TouchingPair& p, double gap, double against) const {
     if (gap < -slack_) return false;
     if (against < -slack_) return true;
@@ -94,7 +94,7 @@ class Cover {
            !(solid_b_ && n.dot(p.face_b) < -contact_tuning.edge_on);
   }
 
-  /// Both ways of an axis; false where there is no room for more.
+  /// Adds both senses of an axis; returns false if there is no room for more.
   bool add(const Vec3& axis) {
     const double length = axis.norm();
     if (!(length > 0)) return true;
@@ -118,8 +118,8 @@ class Cover {
     return true;
   }
 
-  /// The candidate that separates the most pairs that are left, and of those the one that needs the
-  /// least way.
+  /// The candidate that separates the most pairs without a direction, and among equals the one that
+  /// needs the least displacement.
   Choice best() const {
     Choice out;
     for (const Candidate& c : pool_) {
@@ -147,7 +147,7 @@ class Cover {
   double slack_;
   std::vector<Candidate> pool_;
   std::vector<Vec3> direction_;
-  std::vector<std::uint8_t> left_;  // pairs without a direction
+  std::vector<std::uint8_t> left_;  // 1 for a pair without a direction
   std::size_t count_left_;
 };
 

@@ -13,10 +13,11 @@
 
 namespace sonde {
 
-/// The motions that a search is among: all six degrees (pdg), or translations only (pdt).
+/// The motions that a search considers: all six degrees of freedom (pdg), or translations only
+/// (pdt).
 enum class Method { pdg, pdt };
-/// What a query found: the given pose is free (separated); it is not, and the nearest free one is
-/// given (penetrating); or there is no answer but a reason (failed).
+/// Outcome of a query: the given pose is free (separated); it is not, and the nearest free pose is
+/// given (penetrating); or there is no answer, only a reason (failed).
 enum class Status { separated, penetrating, failed };
 
 /// The words for the methods in files and on the command line, in the order of the enum.
@@ -55,16 +56,16 @@ struct Contact {
 
 /// The contacts that hold the separated pose (positive multiplier): at most six independent rows.
 struct ContactSet {
-  static constexpr int capacity = 8;    ///< at most so many
-  std::array<Contact, capacity> items;  ///< the first `size` of them count
-  int size = 0;                         ///< how many there are
+  static constexpr int capacity = 8;    ///< maximum number of contacts
+  std::array<Contact, capacity> items;  ///< the first `size` of them are valid
+  int size = 0;                         ///< number of contacts
   /// The first contact.
   const Contact* begin() const { return items.data(); }
-  /// Behind the last.
+  /// One past the last contact.
   const Contact* end() const { return items.data() + size; }
   /// @pre 0 ≤ i < size.
   const Contact& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
-  /// Appends one; false where there is no room.
+  /// Appends a contact; returns false if there is no room.
   bool push(const Contact& c) {
     if (size == capacity) return false;
     items[static_cast<std::size_t>(size++)] = c;
@@ -81,20 +82,20 @@ struct ContactCluster {
   /// is J = (r × n + pitch n, n) in the weights of y, and y = Jᵀλ also holds over the clusters.
   double pitch = 0;
   int rows = 0;          ///< number of contacts in it
-  std::uint64_t id = 0;  ///< the same from tick to tick; 0 in a static result
+  std::uint64_t id = 0;  ///< constant from tick to tick; 0 in a static result
 };
 
-/// At most as many as there are contacts.
+/// The clusters of a contact set: at most as many as it has contacts.
 struct ContactClusters {
-  std::array<ContactCluster, ContactSet::capacity> items;  ///< the first `size` of them count
-  int size = 0;                                            ///< how many there are
+  std::array<ContactCluster, ContactSet::capacity> items;  ///< the first `size` of them are valid
+  int size = 0;                                            ///< number of clusters
   /// The first cluster.
   ContactCluster* begin() { return items.data(); }
-  /// Behind the last.
+  /// One past the last cluster.
   ContactCluster* end() { return items.data() + size; }
   /// The first cluster.
   const ContactCluster* begin() const { return items.data(); }
-  /// Behind the last.
+  /// One past the last cluster.
   const ContactCluster* end() const { return items.data() + size; }
   /// @pre 0 ≤ i < size.
   const ContactCluster& operator[](int i) const { return items[static_cast<std::size_t>(i)]; }
@@ -103,7 +104,7 @@ struct ContactClusters {
 /// The answer to one penetration query: plain data, no allocation. Poses are X_FM, the probe's mesh
 /// frame M in the fixed body's mesh frame F.
 struct Separation {
-  Status status = Status::failed;  ///< where it failed, `reason` says why, and no number counts
+  Status status = Status::failed;  ///< if failed, `reason` says why, and no number is valid
   const char* reason = "";         ///< why it failed; static text
   Pose device;                     ///< O, the given pose
   /// Q; equals O where the status is separated. The static search tests with exact predicates that
@@ -118,33 +119,34 @@ struct Separation {
   ContactClusters clusters;  ///< of the contacts
   double residual = 0;       ///< |y − Jᵀλ| / |y|, 0 where y = 0
   int iterations = 0;        ///< linearise-solve-advance steps taken
-  /// The pose satisfies the conditions of an optimum (`residual`). False: something ended the
-  /// descent first: its budget, steps that led nowhere, rows that there was no room for, or the rim
-  /// of the chart.
+  /// The pose satisfies the optimality conditions (`residual`). False if something ended the
+  /// descent first: its budget, steps without progress, no room for more rows, or the rim of the
+  /// chart.
   bool converged = false;
-  /// Limits that acted: steps cut short by one on rows, looks at them, fruitless steps or the rim
-  /// of the chart, in a tick or in all descents of a search; and one more where a search ended by
-  /// its most starts, without evidence that it was done. What it ends with is verified anyhow.
+  /// Number of limits that acted: on rows (a step was cut short), on checks of rows, on fruitless
+  /// steps, or the rim of the chart, in a tick or in all descents of a search; one more if a search
+  /// ended at its maximum number of starts without evidence that it was done. The result is
+  /// verified in any case.
   int limited = 0;
-  /// Coherent only: the force is not continuous here. After a reset, a search found Q, not a path.
-  /// In a tick, the held pose was no optimum any more, and the path swept free led to another
-  /// place: the depth fell by more than the device moved, or, on a part of the way, more steeply
-  /// (with translation only: than any point of the device moved). True in each tick of a fall that
-  /// takes several.
+  /// Coherent only: the force is discontinuous here. After a reset, Q was found by a search, not
+  /// along a path. In a tick, the held pose was no longer an optimum, and the path swept free led
+  /// to another place: the depth fell by more than the device moved, or more steeply on a part of
+  /// the way (with translation only: by more than any point of the device moved). True in each tick
+  /// of a fall that takes several.
   bool jumped = false;
-  /// m², coherent only: what of σ was neither stored nor given back to the hand in a tick that
-  /// jumped; the energy that it let go is ½ k of that. 0 in any other.
+  /// m², coherent only: the part of σ that a tick that jumped neither stored nor gave back to the
+  /// hand; the energy released is ½ k times that. 0 in any other tick.
   double released = 0;
-  /// Static only: the way out is long beside what overlaps: the depth is over 2.5 times what the
-  /// deepest point of a sketch lies in (SearchTuning::narrow). A shorter way may be so narrow that
-  /// few starts come near it: what is claimed of such an answer is wider (AccuracyCurve). False
-  /// where there are no sketches.
+  /// Static only: the way out is long compared with the overlap: the depth is over 2.5 times the
+  /// depth of a sketch's deepest point (SearchTuning::narrow). A shorter way may be so narrow that
+  /// few starts come near it, so the error stated for such an answer is wider (AccuracyCurve).
+  /// False if there are no sketches.
   bool far_out = false;
   std::optional<double> lower_bound;  ///< a certified lower bound of the depth, m
-  /// Static only: the translational depth that the search found on the way, m: PD_t where nothing
-  /// limits the search, and an upper bound of it else. None if the time ran out before that.
+  /// Static only: the translational depth that the search found on the way, m: PD_t if nothing
+  /// limits the search, otherwise an upper bound of it. None if the time ran out before that.
   std::optional<double> pdt;
-  /// Static only: how far the bodies are apart, where that was asked for and the pose is free.
+  /// Static only: the distance of the bodies, if it was asked for and the pose is free.
   std::optional<Clearance> clearance;
   PhaseTimes phases;  ///< where the time went, if it was asked for
 };

@@ -14,7 +14,7 @@ using Vec2 = Eigen::Vector2d;
 
 double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-/// One to three corners of a triangle, and where they are as seen along the normal.
+/// One to three corners of a triangle, and their positions seen along the normal.
 struct Feature {
   std::array<Vec3, 3> corner;
   std::array<Vec2, 3> seen;
@@ -23,7 +23,7 @@ struct Feature {
   std::size_t next(std::size_t i) const { return (i + 1) % size; }
 };
 
-/// What of a triangle is within `slack` of its first point in the direction `to`.
+/// The corners of a triangle within `slack` of its foremost point in the direction `to`.
 Feature foremost(const Corners& t, const Vec3& to, const Vec3& u, const Vec3& w, double slack) {
   const double most = std::max({to.dot(t[0]), to.dot(t[1]), to.dot(t[2])});
   Feature out;
@@ -37,10 +37,10 @@ Feature foremost(const Corners& t, const Vec3& to, const Vec3& u, const Vec3& w,
 
 struct Nearest {
   Vec3 point = Vec3::Zero();
-  double distance = infinity;  ///< as seen along the normal
+  double distance = infinity;  ///< seen along the normal
 };
 
-/// The point of a feature that is nearest to p, as seen along the normal.
+/// The point of a feature that is nearest to p, seen along the normal.
 Nearest nearest(const Feature& on, const Vec2& p) {
   if (on.size == 3) {
     const Vec2 e = on.seen[1] - on.seen[0], f = on.seen[2] - on.seen[0], d = p - on.seen[0];
@@ -63,7 +63,7 @@ Nearest nearest(const Feature& on, const Vec2& p) {
   return out;
 }
 
-/// Where edges cross; nothing of edges that are parallel, of which the ends are corners of the
+/// Adds the crossings of edges. Parallel edges give none: their ends are corners of the common
 /// part.
 void cross_edges(const Feature& a, const Feature& b, const Vec3& normal, TouchingPoints& out) {
   for (std::size_t i = 0; i < a.edges(); ++i)

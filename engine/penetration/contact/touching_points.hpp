@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// Where two triangles touch, as the corners of that part: a point, the two ends of a line, or the
-/// corners of an area.
+/// Where two triangles touch, given by the corners of the common part: a point, the two ends of a
+/// line, or the corners of an area.
 struct TouchingPoints {
   std::array<Contact, 15> items;
   int size = 0;
@@ -21,12 +21,12 @@ struct TouchingPoints {
 };
 
 /// Triangles A and B have a gap of about 0 along `normal` (unit, from B to A). Seen along it, the
-/// lowest feature of A (a corner, an edge or the face: what is within `slack`, m, of its lowest
-/// point) and the highest of B overlap in a convex part. Gives its corners: corners of either
-/// feature on the other one, to `slack`, and where edges cross. Points and gaps are exact to
-/// rounding, where contacts of triangles that are apart by no more than that have no direction of
-/// their own. Where the features do not overlap, the lowest corner of A above the highest of B: to
-/// keep their gap along the normal keeps the triangles apart, too.
+/// lowest feature of A (a corner, an edge or the face: all within `slack`, m, of its lowest point)
+/// and the highest feature of B overlap in a convex part. Returns its corners: corners of either
+/// feature on the other one, to `slack`, and crossings of edges. Points and gaps are exact to
+/// rounding, whereas the closest points of triangles this near to each other define no direction.
+/// If the features do not overlap, returns the lowest corner of A and the highest of B: keeping
+/// their gap along the normal also keeps the triangles apart.
 TouchingPoints touching_points(const Corners& a, const Corners& b, const Vec3& normal,
                                double slack);
 

@@ -11,10 +11,10 @@
 namespace sonde {
 namespace {
 
-/// What a step takes besides what is counted where it is done, in the units of Effort.
+/// Cost of a step in units of Effort, besides what is counted where it is spent.
 constexpr int work_of_step = 500;
 
-/// The part of the way from one turn to another, both as v, after which it is as large as `limit`.
+/// The fraction of the way from one turn to another, both as v, at which |v| reaches `limit`.
 double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
   const Vec3 along = to - from;
   const double a = along.squaredNorm(), b = from.dot(along);
@@ -22,9 +22,9 @@ double part_to_rim(const Vec3& from, const Vec3& to, double limit) {
   return a > 0 ? (std::sqrt(std::max(0.0, b * b - a * c)) - b) / a : 0;
 }
 
-/// The step with its turn kept within bounds. Where it would lead out of the chart it ends at the
-/// rim, which is a row there. From the rim itself it goes along it, to what lies there on the way
-/// from O to its end; other rows may not hold on that way.
+/// Limits the turn of a step. A step that would leave the chart ends at the rim, where the rim is a
+/// row. A step from the rim itself slides along it, to the rim point in the direction of its end;
+/// other rows may not hold on that way.
 Vec6 within_chart(const Chart& chart, const Vec6& y, const Vec6& step) {
   const double turn = chart.v(step).norm();
   Vec6 bounded = std::min(1.0, descent_tuning.largest_turn / std::max(turn, 1e-30)) * step;
@@ -42,11 +42,11 @@ bool at_rim(const Chart& chart, const Vec6& y) {
   return chart.v(y).norm() > (1 - 1e-6) * Chart::largest_v;
 }
 
-/// m²: ½|y|² by which a way comes down more steeply than `slope` (m).
+/// m²: the part of ½|y|² lost along a way where it falls more steeply than `slope` (m).
 double fallen(const Vec6& y, const Vec6& way, double slope) {
   const double length = way.norm();
   const double steeper = length > 0 ? -y.dot(way) / length - slope : 0;
-  const double steep = std::clamp(steeper, 0.0, length);  // from there on it is no more
+  const double steep = std::clamp(steeper, 0.0, length);  // beyond, the way is less steep
   return (steeper - 0.5 * steep) * steep;
 }
 
@@ -85,27 +85,28 @@ void Descent::report(Outcome& out, const Vec6& y, const LeastDistance& nearest) 
   out.move_to(y);
 }
 
-/// What the steps so far say about the next.
+/// What the steps so far predict for the next one.
 struct Descent::Pace {
-  double scale = 0;    ///< m: about how long a step is
-  double bending = 0;  ///< κ, 1/m: how much contacts have been met to bend into the path
-  /// m: no longer step, and no longer path of any point of the probe, is looked at, since these
-  /// cost much to sweep. (Where the device is half a turn ahead the second is far longer.)
+  double scale = 0;    ///< m: typical length of a step
+  double bending = 0;  ///< κ, 1/m: how strongly contacts were found to bend into the path
+  /// m: limit of the length of a step, and of the path of any point of the probe, since long ones
+  /// are expensive to sweep. (If the device is half a turn ahead, the path is far longer than the
+  /// step.)
   double longest = std::numeric_limits<double>::max();
-  /// m: no further does it go. What is in the way of a step is looked for up to where it would go
-  /// undamped: rows that are missing, at whose place others let it go to and fro, are there.
+  /// m: limit of the damped step. Obstacles are still searched for up to the end of the undamped
+  /// step: there lie the missing rows whose absence lets the steps oscillate.
   double damped_to = std::numeric_limits<double>::max();
-  /// m: |y| never rises beyond it.
+  /// m: |y| never rises above this.
   double ceiling = std::numeric_limits<double>::max();
-  Vec6 last = Vec6::Zero();    ///< the last step, damped
-  Vec6 wanted = Vec6::Zero();  ///< and before
-  double went = 0;             ///< m: how far it led
-  int returns = 0;             ///< steps in a row that turned back
-  int stalled = 0;             ///< steps in a row that led nowhere
+  Vec6 last = Vec6::Zero();    ///< the last step, after damping
+  Vec6 wanted = Vec6::Zero();  ///< the last step, before damping
+  double went = 0;             ///< m: the distance it moved
+  int returns = 0;             ///< number of consecutive steps that turned back
+  int stalled = 0;             ///< number of consecutive steps that led nowhere
 
-  /// Steps that undo each other straddle a sharp edge. What is wanted changes about linearly from
-  /// pose to pose: it vanishes between the last one and this one, there the step ends (the secant
-  /// method). Where that does not settle them, they are halved.
+  /// Steps that undo each other straddle a sharp edge. The wanted step changes about linearly from
+  /// pose to pose, so it vanishes between the last pose and this one, and the step ends there
+  /// (secant method). If secant steps do not settle it, the steps are halved.
   Vec6 damped(const Vec6& step) {
     const double size = step.norm();
     if (!(step.dot(last) < descent_tuning.turns_back * size * last.norm())) {
@@ -139,8 +140,9 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   const double radius = chart.mass().radius;
   Vec6 step = nearest.y - y;
   const double size2 = step.squaredNorm();
-  // The contacts bend into the straight path by about κ|step|²: room for that is left at them, less
-  // and less as the steps shorten. More than |step|²/|y| would cost more than the step gains.
+  // The contacts bend into the straight path by about κ|step|². The step leaves that much room at
+  // them, less and less as the steps shorten. More than |step|²/|y| would cost more than the step
+  // gains.
   const double room =
       std::min(descent_tuning.most_room * size2 / y.norm(), std::max(pace.bending * size2, margin));
   const bool crowded = rows_.smallest_gap() < descent_tuning.crowded_gap * margin;
@@ -149,8 +151,8 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
   const auto gains = [&](const Vec6& way) {
     return -y.dot(way) > descent_tuning.least_gain * size2;
   };
-  // Where so much is not to be had, a part of it is. What has come too near its contacts for a
-  // straight step to lead anywhere gets away from them again, also at the price of some depth.
+  // If this room costs too much of the gain, the step leaves a part of it. A probe that is too near
+  // its contacts for any straight step moves away from them again, even at the price of some depth.
   for (double part = crowded ? std::max(room, margin) : room; part > 0.5 * rows_.smallest_gap();) {
     const LeastDistance up = rows_.solve(part, ContactRows::SmallGaps::widen);
     const bool regains = crowded && up.feasible && part <= margin;
@@ -168,9 +170,9 @@ Vec6 Descent::next_step(const Chart& chart, const Vec6& y, const LeastDistance& 
     if (gains(risen)) step = risen, lifts = false;
   }
   step = within_chart(chart, y, step);
-  // At the rim of the chart nothing may be left of it.
+  // At the rim of the chart, the step may vanish.
   if (!(step.squaredNorm() > 0)) return Vec6::Zero();
-  // |y| falls along all of the path, up to the point of it that is nearest to the origin.
+  // |y| decreases along the whole path, which ends at its point nearest to the origin.
   if (!lifts) step *= std::clamp(-y.dot(step) / step.squaredNorm(), 0.0, 1.0);
   step = shortened(step, pace.longest);
   const double quick = std::max(std::min(longest_path_, pace.longest), 8 * margin);
@@ -190,7 +192,7 @@ Sweep Descent::sweep_to(const Chart& chart, const Vec6& y, const Vec6& target,
 
 std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) noexcept {
   if (!rows_.reuse_rows(chart, y)) return std::nullopt;
-  // A little above the contacts, since they bend.
+  // Slightly above the contacts, since they bend into the path.
   const LeastDistance rest =
       rows_.solve(1.2 * margin(chart, y.norm()), ContactRows::SmallGaps::widen);
   if (!rest.feasible) return std::nullopt;
@@ -199,7 +201,7 @@ std::optional<Vec6> Descent::turned_by_rows(const Chart& chart, const Vec6& y) n
 
 void Descent::approach_contact(const Chart& chart, double margin, Effort& effort,
                                Outcome& out) noexcept {
-  // In pieces: how a path with a large turn bends is known too loosely for one long sweep.
+  // In pieces: the bound of how far a path with a large turn bends is too loose for one long sweep.
   const auto pieces = static_cast<int>(1 + chart.v(out.y).norm() / descent_tuning.largest_turn);
   const Vec6 piece = out.y / pieces;
   Vec6 near = out.y;
@@ -216,7 +218,7 @@ void Descent::approach_contact(const Chart& chart, double margin, Effort& effort
   report(out, near, rows_.solve(margin, ContactRows::SmallGaps::keep));
 }
 
-/// One run: what its steps share.
+/// The state that the steps of one run share.
 class Descent::Run {
  public:
   Run(Descent& descent, const Chart& chart, const Vec6& start, const DescentGoal& goal,
@@ -238,7 +240,8 @@ class Descent::Run {
   }
 
   Outcome descend() noexcept {
-    // Where the last run ended its rows still hold, and tell the way: most ticks go on from there.
+    // At the end of the last run its rows are still valid and give the first step; most ticks go on
+    // from there.
     bool known = rows_.reuse_rows(chart_, y_);
     while (look_around(known) && !is_at_end() && advance()) known = false;
     return out_;
@@ -247,7 +250,7 @@ class Descent::Run {
  private:
   double flat() const { return descent_tuning.flat_within * margin_; }
 
-  /// m: how far rows are looked for.
+  /// m: the distance within which rows are gathered.
   double reach() const {
     const double nearest = descent_tuning.least_reach * margin_;
     const double widest = std::max(descent_tuning.widest_reach * chart_.mass().radius, nearest);
@@ -261,8 +264,8 @@ class Descent::Run {
     descent_.report(out_, y_, nearest_);
   }
 
-  /// Finds the rows here, unless they are known, and what is nearest by them. False where the
-  /// effort did not suffice.
+  /// Gathers the rows here, unless they are known, and solves for their nearest point. Returns
+  /// false if the effort did not suffice.
   bool look_around(bool known) noexcept {
     margin_ = descent_.margin(chart_, y_.norm());
     out_.move_to(y_);
@@ -278,23 +281,23 @@ class Descent::Run {
   }
 
   bool is_settled() const {
-    // Not what the rim of the chart holds: there the descent only ends.
+    // Not counting what the rim of the chart holds: a descent that ends there is not converged.
     const double off = (out_.held - y_).norm();
     const double enough =
         std::max(goal_.residual * y_.norm(), descent_tuning.off_in_margins * margin_);
-    // Where no row holds it the probe can come all the way back, however little that is.
+    // If no row holds the probe, it can move all the way to the device pose, however near that is.
     const bool held = out_.contacts.size > 0 && off <= enough &&
                       rows_.smallest_gap() <= descent_tuning.settled_gap * margin_;
     return held || !(off > 0);
   }
 
   bool is_at_end() noexcept {
-    // Optimal by rows that are none here is not optimal.
+    // A pose that is optimal only because of rows that are no real constraints is not optimal.
     for (out_.converged = is_settled();
          out_.converged && rows_.replace_far_rows(chart_, y_, nearest_, margin_);
          out_.converged = is_settled())
       solve();
-    // One step at least, however late: a tick that never moves would never catch up.
+    // At least one step, however late it is: a tick that never moves would never catch up.
     const bool late = out_.iterations > 0 && deadline_.passed();
     if (out_.converged) return true;
     const bool stalled = pace_.stalled >= descent_tuning.most_stalled;
@@ -305,8 +308,8 @@ class Descent::Run {
     return true;
   }
 
-  /// The step from here, made again as long as its end shows what is in its way. Zero where the
-  /// rows found by that say that this is the end.
+  /// The step from here, recomputed as long as the check of its end finds obstacles. Zero if the
+  /// rows found in this way show that the descent has ended.
   Vec6 step_round_obstacles() noexcept {
     double rise = 0;
     Vec6 step = descent_.next_step(chart_, y_, nearest_, margin_, rise, pace_);
@@ -320,18 +323,18 @@ class Descent::Run {
         if (out_.converged) return Vec6::Zero();
       }
       out_.limited += !look.news && rows_.is_full();
-      // Contacts that the rows know bend into the path by so much.
+      // Contacts that already have rows bend into the path by this much.
       rise = look.news ? 0 : rise + descent_tuning.rise_per_loss * look.lost;
       const Vec6 before = step;
       step = descent_.next_step(chart_, y_, nearest_, margin_, rise, pace_);
-      // Nothing is new: the sweep says how far it is free.
+      // Nothing new was found: the sweep decides how far the step is free.
       if (!look.news && step == before) return step;
     }
     ++out_.limited;
     return step;
   }
 
-  /// Moves on by a step, as far as its path is free. False where there is none.
+  /// Takes a step, as far as its path is free. Returns false if the descent has ended.
   bool advance() noexcept {
     ++out_.iterations;
     effort_.spend(work_of_step);
@@ -368,11 +371,11 @@ class Descent::Run {
   const DescentGoal& goal_;
   const Deadline& deadline_;
   Effort& effort_;
-  Vec6 y_;  // here: free
+  Vec6 y_;  // the current pose: free
   Pace pace_{};
-  double margin_ = 0;      // m: the gap aimed at, here
-  LeastDistance nearest_;  // by the rows found here
-  double wanted_ = 0;      // m: how far that was at first
+  double margin_ = 0;      // m: the gap aimed at, at y_
+  LeastDistance nearest_;  // solution of the current rows
+  double wanted_ = 0;      // m: length of the first undamped step here
   Outcome out_;
 };
 

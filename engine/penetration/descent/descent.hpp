@@ -11,29 +11,28 @@
 
 namespace sonde {
 
-/// How near a returned pose may lie to contact: max(1e-9 R, 1e-4·min(R, depth)), m.
+/// Largest distance from contact of a returned pose: max(1e-9 R, 1e-4·min(R, depth)), m.
 double allowed_clearance(double radius, double depth);
 
-/// When a descent is good enough.
+/// When a descent has converged, and how many steps it may take.
 struct DescentGoal {
   double residual = 1e-4;  ///< |y − Jᵀλ| / |y|
-  int steps = 60;          ///< iterations at most
-  double held_slope = 0;   ///< m: of ½|y|², of a way down that is no fall (Outcome::fallen)
+  int steps = 60;          ///< maximum number of iterations
+  double held_slope = 0;  ///< m: slope of ½|y|² up to which a way down is no fall (Outcome::fallen)
 };
 
 /// Local optimisation on the contact space, from a free pose. Each step linearises the near pairs
 /// (ContactRows), solves the least-distance problem of the rows, and moves along the straight path
-/// in y as far as a sweep proves it free. |y| falls along the path, but for a step that regains the
-/// gaps which contacts have lost. It may raise |y|, in all of a run by one margin: the gap that it
-/// aims at. Each of the path's poses is an upper bound. The object holds its workspace: run() never
-/// allocates.
+/// in y as far as a sweep proves it free. |y| decreases along the path, except in a step that
+/// regains lost gaps at the contacts. In one run, such steps may raise |y| by one margin in total;
+/// the margin is the gap that the descent aims at. Every pose of the path gives an upper bound of
+/// the depth. The object holds its workspace: run() never allocates.
 class Descent {
  public:
   /// The gap at which a descent aims, as a share of the allowed clearance. The gap at which the
-  /// probe ends depends on the way that it came, and this costs energy while it follows a hand.
-  /// With a half, a peg in its hole loses 0.2 % of the energy stored in a loop. With a quarter it
-  /// loses less than 0.1 %, except where it leaves a place, and takes as many steps. A half is
-  /// enough for a search.
+  /// probe ends depends on its path, and this costs energy while it follows a hand. With a half, a
+  /// peg in its hole loses 0.2 % of the energy stored in a loop. With a quarter it loses less than
+  /// 0.1 %, except where it leaves a place, and takes as many steps. A half is enough for a search.
   static constexpr double gap_of_search = 0.5, gap_of_follower = 0.25;
 
   Descent(const Body& probe, const Body& fixed, Method method,
@@ -44,11 +43,11 @@ class Descent {
     ContactSet contacts;
     Vec6 held = Vec6::Zero();  ///< Jᵀλ of the contacts
     double residual = 0;
-    double fallen = 0;  ///< m²: ½|y|² that was lost where it fell more steeply than held_slope
+    double fallen = 0;  ///< m²: part of ½|y|² lost where it fell more steeply than held_slope
     int iterations = 0;
     bool converged = false;
-    /// Limits that acted: steps that one on looks or on fruitless steps cut short (DescentTuning),
-    /// looks after which there was no room for more rows, and an end at the rim of the chart.
+    /// Number of limits that acted: on checks of a path or on fruitless steps (DescentTuning), on
+    /// rows (no room for more), or an end at the rim of the chart.
     int limited = 0;
 
     void move_to(const Vec6& to) noexcept;
@@ -56,7 +55,7 @@ class Descent {
 
   /// Adds the times of phases to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept { rows_.time_into(times); }
-  /// Keeps all of its poses in a subspace (ContactRows::stay_within), where runs are to begin.
+  /// Keeps all poses in a subspace (ContactRows::stay_within). Runs must begin in it.
   void stay_within(const Mat6& onto) { rows_.stay_within(onto); }
   /// Drops rows and lists. Call it before a run that is unrelated to the last one.
   void forget() noexcept;

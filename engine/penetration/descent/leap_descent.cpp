@@ -17,8 +17,8 @@ constexpr const LeapTuning& leaps = leap_tuning;
 constexpr ContactRows::Finding few{.most_pairs = leaps.few_pairs, .most_listed = 0};
 constexpr ContactRows::Finding many{.most_pairs = leaps.many_pairs, .most_listed = 0};
 
-/// The part of a step that is worth trying: |y| falls along all of it, the turn is within bounds,
-/// and it is no longer than trusted.
+/// Shortens a step so that |y| decreases along all of it, its turn is within bounds, and it is no
+/// longer than `trust` (m).
 Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
   if (!(step.squaredNorm() > 0)) return Vec6::Zero();
 
@@ -33,11 +33,11 @@ Vec6 worth_trying(const Chart& chart, const Vec6& y, Vec6 step, double trust) {
 
 }  // namespace
 
-/// What the leaps so far say about the next.
+/// What the leaps so far predict for the next one.
 struct LeapDescent::Pace {
-  double trust;    ///< m: no leap is longer
+  double trust;    ///< m: trust region, the longest leap allowed
   double bending;  ///< κ, 1/m: contacts bend into a leap by about κ|leap|²
-  bool complete;   ///< rows are of the bodies themselves: what they lack is looked for
+  bool complete;   ///< the rows are of the bodies themselves, so missing rows are searched for
   double moved = 0;
 };
 
@@ -91,7 +91,7 @@ std::optional<Vec6> LeapDescent::detour(const Chart& chart, const Vec6& first, d
     if (deadline.passed()) return std::nullopt;
     const auto look = rows.cut(chart, y, Motion(chart, y, y + step), margin, unlimited);
     if (!look.news) {
-      // The rows know all that is in the way, and it bends into it; or there is no room for more.
+      // The rows know all obstacles, which bend into the path; or there is no room for more rows.
       limited_ += !look.clear && rows.is_full();
       return std::nullopt;
     }
@@ -118,12 +118,12 @@ bool LeapDescent::leap(const Chart& chart, const LeastDistance& nearest, double 
     pace.bending *= descent_tuning.bending_decay;
     return true;
   }
-  // Curved contacts leave room for themselves; it is worth less than what is gained.
+  // Leaves room for curved contacts, unless the room costs too much of the gain.
   const double room = std::min(pace.bending * length * length, leaps.most_room * length) + margin;
   const Vec6 lifted =
       worth_trying(chart, y, rows.solve(room, ContactRows::SmallGaps::widen).y - y, pace.trust);
   if (-y.dot(lifted) > leaps.worth * -y.dot(step) && take(lifted)) return true;
-  // The rows may lack what is in the way: the nearest pairs are a guess of it.
+  // Rows of obstacles may be missing: the nearest pairs are only a guess of them.
   if (const auto round = pace.complete ? detour(chart, step, margin, rows, pace.trust, y, deadline)
                                        : std::nullopt) {
     y += *round;
@@ -145,7 +145,7 @@ Descent::Outcome LeapDescent::run(const Chart& chart, const Vec6& start, const L
                                   const Deadline& deadline) {
   const double radius = chart.mass().radius;
   ContactRows& rows = this->rows(goal.guide);
-  rows.forget();  // the same run gives the same bits, whatever was run before
+  rows.forget();  // the same run gives the same bits, whatever ran before
   Descent::Outcome out;
   out.y = start;
   Pace pace{.trust = goal.reach * start.norm(),

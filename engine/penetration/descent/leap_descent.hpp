@@ -10,54 +10,54 @@
 
 namespace sonde {
 
-/// Whose contacts tell where to leap: those of the outlines, or those of the bodies themselves, the
-/// nearest few or many of them.
+/// Whose contacts guide a leap: those of the outlines, or those of the bodies themselves, either
+/// the nearest few or many of them.
 enum class Guide { outlines, few, many };
 
-/// When a descent by leaps is good enough, or not worth going on with.
+/// When a descent by leaps has converged, and when it is given up.
 struct LeapGoal {
   Guide guide = Guide::outlines;
-  double tolerance = 0.02;  ///< of |y|: steps shorter than this share of it end the descent
-  int steps = 15;           ///< iterations at most
-  double reach = 0.3;       ///< of |y|: the length of the first leap at most
-  /// m: stopped where the contacts near by say that it will not end below. 0: never.
+  double tolerance = 0.02;  ///< share of |y|: shorter steps end the descent
+  int steps = 15;           ///< maximum number of iterations
+  double reach = 0.3;       ///< share of |y|: maximum length of the first leap
+  /// m: the descent stops if the near contacts show that it will not end below this. 0: never.
   double beat = 0;
 };
 
-/// Local optimisation for a search, where only the end counts: from a free pose towards the point
-/// nearest to the origin that the contacts near by allow, and there, if that is free, at once; else
-/// a part of the way. What lies between is not looked at, which is what makes it quick. Each pose
-/// on the way is free (by overlap with doubt as contact), whatever the outlines are like.
+/// Local optimisation for a search, where only the end pose counts. A leap goes from a free pose
+/// directly to the point nearest to the origin that the near contacts allow, or, if that is not
+/// free, a part of the way. The poses in between are not examined, which makes it fast. Each pose
+/// at which a leap ends is free (by overlap with doubt as contact), whatever the outlines are like.
 class LeapDescent {
  public:
   LeapDescent(const Body& probe, const Body& fixed, Method method);
 
   /// Adds the times of phases to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept;
-  /// Keeps all of its poses in a subspace (ContactRows::stay_within), where runs are to begin.
+  /// Keeps all poses in a subspace (ContactRows::stay_within). Runs must begin in it.
   void stay_within(const Mat6& onto);
-  /// From the free pose at y in the chart of the device pose. Its contacts, and the residual that
-  /// they leave, are of meaning where it was guided by the bodies' own.
+  /// Runs from the free pose at y in the chart of the device pose. The contacts and the residual
+  /// are meaningful only if the bodies' own contacts guided it.
   Descent::Outcome run(const Chart& chart, const Vec6& y, const LeapGoal& goal,
                        const Deadline& deadline);
 
   bool is_free(const Chart& chart, const Vec6& y) const;
-  /// From the free pose at y straight towards the origin, by bisection: a nearer free pose, or y.
+  /// Bisects from the free pose at y straight towards the origin. Returns a nearer free pose, or y.
   Vec6 pull_in(const Chart& chart, const Vec6& y, const Deadline& deadline = {}) const;
 
-  /// Leaps so far that were cut short since there was no room for more rows, or what was in the way
-  /// had been thought over often enough. None makes an end converged: it is so by rows that hold
-  /// it.
+  /// Number of leaps so far that were cut short because there was no room for more rows, or because
+  /// the maximum number of checks was reached. Neither makes an end pose converged: only the rows
+  /// that hold it do.
   int limited() const { return limited_; }
 
  private:
   struct Pace;
   ContactRows& rows(Guide guide);
-  /// Towards the nearest point of the rows, as far as it is free; false where no part of it is, or
-  /// where there was no time to find one.
+  /// Moves y towards the nearest point of the rows, as far as that is free. Returns false if no
+  /// part of the way was found free, or if the time ran out.
   bool leap(const Chart& chart, const LeastDistance& nearest, double margin, ContactRows& rows,
             Pace& pace, Vec6& y, const Deadline& deadline);
-  /// A free leap round what is in the way of the first, by rows of all that is (ContactRows::cut).
+  /// A free leap round the obstacles of the first leap, by rows of all of them (ContactRows::cut).
   std::optional<Vec6> detour(const Chart& chart, const Vec6& first, double margin,
                              ContactRows& rows, double trust, const Vec6& y,
                              const Deadline& deadline);
@@ -68,7 +68,7 @@ class LeapDescent {
   std::optional<Mat6> onto_;
   PhaseTimes* times_ = nullptr;
   int limited_ = 0;
-  std::array<std::optional<ContactRows>, 3> rows_;  // made when first asked for
+  std::array<std::optional<ContactRows>, 3> rows_;  // each constructed on first use
 };
 
 }  // namespace sonde

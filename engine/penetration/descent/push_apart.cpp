@@ -16,7 +16,7 @@
 namespace sonde {
 namespace {
 
-/// A direction in which two triangles come apart, and the gap that there is along it.
+/// A direction that separates two triangles, and their gap along it.
 struct WayOut {
   Vec3 normal = Vec3::UnitZ(), on_probe = Vec3::Zero();
   double gap = -std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ WayOut way_apart(const Corners& a, const Corners& b) {
   return {p.normal, p.a, p.gap};
 }
 
-/// The direction that separates two triangles with the least way to go.
+/// The separating direction that needs the least displacement.
 WayOut way_out(const Corners& a, const Corners& b, bool solid_a, bool solid_b) {
   const auto edge = [](const Corners& t, std::size_t i) { return Vec3(t[(i + 1) % 3] - t[i]); };
   const Vec3 face_a = edge(a, 0).cross(edge(a, 1)).normalized();
@@ -93,7 +93,8 @@ void PushApart::gather(const Chart& chart, const Vec6& y, double margin) {
   }
 }
 
-/// By projected Gauss-Seidel on the dual, regularised: what contradicts each other is met halfway.
+/// Projected Gauss-Seidel on the regularised dual: rows that contradict each other are both met in
+/// part.
 Vec6 PushApart::compromise() {
   const PhaseTimer timer(times_, Phase::solve);
   Vec6 step = Vec6::Zero();
@@ -116,7 +117,7 @@ std::optional<Vec6> PushApart::from(const Chart& chart, const Vec6& start, doubl
   for (int looks = 0; looks < push_apart_tuning.most_looks && !deadline.passed(); ++looks) {
     if (is_free(chart, y)) return y;
     gather(chart, y, margin);
-    if (rows_.empty()) return std::nullopt;  // one is inside the other
+    if (rows_.empty()) return std::nullopt;  // one body is inside the other
     Vec6 step = compromise();
     step *= std::min(1.0, descent_tuning.largest_turn / std::max(chart.v(step).norm(), 1e-30));
     y += step;

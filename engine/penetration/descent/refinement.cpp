@@ -20,9 +20,9 @@ Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent&
                                  const Deadline& deadline) {
   const Deadline leaping = deadline.part(refinement_tuning.share_for_leaps);
   Descent::Outcome out;
-  out.move_to(y);  // nothing holds it yet
+  out.move_to(y);  // no contact holds it yet
   int taken = 0;
-  // Where there was no time even to look, the contacts of before still hold.
+  // If there was no time for a gather, the earlier contacts remain valid.
   const auto go_on = [&](const Descent::Outcome& next) {
     if (next.contacts.size > 0 || next.y != out.y) out = next;
   };
@@ -43,14 +43,14 @@ Descent::Outcome Refinement::run(const Chart& chart, const Vec6& y, LeapDescent&
     const int left =
         leaping.passed() ? 0 : std::clamp(steps - taken, 0, refinement_tuning.most_swept);
     Effort effort = deadline.effort();
-    descent_.forget();  // the last place was another
+    descent_.forget();  // the last run was at another place
     const Descent::Outcome next = descent_.run(
         chart, out.y, {.steps = left}, refinement_tuning.expected_step * out.y.norm(), effort);
     taken += next.iterations;
     go_on(next);
   }
   if (out.contacts.size == 0 && deadline.passed()) {
-    // The nearer it is to what it touches, the less there is to look at.
+    // The nearer the probe is to its contacts, the fewer pairs there are to examine.
     out.move_to(leaps.pull_in(chart, out.y, {refinement_tuning.us_of_last_pull, now_us()}));
     Effort last(refinement_tuning.last_look, 0);
     descent_.forget();

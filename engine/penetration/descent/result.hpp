@@ -13,7 +13,7 @@ Separation failed(const Pose& device, const char* reason) noexcept;
 /// The answer that the probe is free where it is.
 Separation separated_at(const Pose& device) noexcept;
 
-/// What a descent found, as an answer. A probe that came all the way back to O is separated.
+/// The result of a descent as an answer. A probe that came all the way back to O is separated.
 Separation make_separation(const Chart& chart, const Descent::Outcome& found) noexcept;
 
 }  // namespace sonde

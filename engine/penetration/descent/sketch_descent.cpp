@@ -10,7 +10,7 @@
 #include "engine/penetration/descent/sketch_descent_tuning.hpp"
 
 namespace sonde {
-/// The probe's axes in those of the fixed body, and the other way about.
+/// The pose of the probe's principal frame in that of the fixed body, and its inverse.
 struct SketchDescent::Frame {
   Quad R[3], p, R_t[3], p_t;
   Mat3 R_BA;
@@ -74,9 +74,9 @@ double SketchDescent::depth_of_points(const Chart& chart, const Vec6& y) {
   return std::max(0.0, -find_near(Frame(chart, y, R_FB_, com_B_), 0, false));
 }
 
-/// The least gap of a group, as far as it is within reach, else something beyond that; add(point,
-/// what is there) for all within. A field changes by no more than the way from a centre to a point,
-/// to a third of a cell: what is too far by that is passed over.
+/// The least gap of a group, m, if it is within `reach`, otherwise some value beyond `reach`. Calls
+/// add(point, placed point, field there) for all points within. The field has Lipschitz constant 1
+/// to a third of a cell, so points that are too far from the centre for `reach` are skipped.
 template <class Place, class Add>
 double SketchDescent::find_near_in(const PointGroup& group, const DistanceField& field,
                                    Known& known, double reach, const Place& place, const Add& add) {
@@ -184,7 +184,7 @@ SketchDescent::End SketchDescent::run(const Chart& chart, const Vec6& start, con
     const double least = sketch_descent_tuning.too_deep_at_least * spacing_;
     if (moved > least && too_deep > std::max(sketch_descent_tuning.too_deep * moved, least) &&
         out.steps < goal.steps) {
-      // Linearised too far.
+      // The step went too far beyond the range of the linearisation.
       out.y = from + sketch_descent_tuning.taken_back_to * (out.y - from);
       moved *= sketch_descent_tuning.taken_back_to;
       trust = sketch_descent_tuning.trust_after_too_deep * moved;

@@ -11,52 +11,53 @@
 
 namespace sonde {
 
-/// The descent of a search on the sketches of two bodies: some points of each keep out of the
+/// The descent of a search on the sketches of two bodies: points of each body must stay outside the
 /// distance field of the other. A whole descent costs about as much as one gather of the bodies'
-/// contacts, so many can be made; where they end is where the true ones are worth making.
+/// contacts, so many can be made; descents on the bodies themselves start only from their best
+/// ends.
 class SketchDescent {
  public:
   SketchDescent(const Sketch& probe, const Sketch& fixed, const MassProperties& fixed_mass);
 
   /// Adds the times of descents to `times` from now on; null: to nothing.
   void time_into(PhaseTimes* times) noexcept { times_ = times; }
-  /// By few points: none lies deeper than `deepest`, m. Those that lay too deep when last asked are
-  /// looked at first.
+  /// Tests with the few points whether none of them lies deeper than `deepest`, m. The group that
+  /// failed in the last call is tested first.
   bool is_free(const Chart& chart, const Vec6& y, double deepest = 0);
 
-  /// m: how far the deepest of more points lies in the other body at y; 0 where none does.
+  /// m: depth of the deepest of all sketch points in the other body at y; 0 if none lies inside.
   double depth_of_points(const Chart& chart, const Vec6& y);
 
   struct End {
     Vec6 y;
-    double gap = 0;  ///< m, the least that is left at y; negative where points lie too deep
+    double gap = 0;  ///< m: least gap at y; negative where points lie too deep
     int steps = 0;
-    bool arrived = false;  ///< else it gave up
+    bool arrived = false;  ///< false: the run gave up
   };
   struct Goal {
     Method method = Method::pdg;
-    bool rough = false;                                     ///< by few points
-    double margin = 0;                                      ///< m: points are to be so far out
-    int steps = 16;                                         ///< at most
-    double beat = std::numeric_limits<double>::infinity();  ///< m: given up where it ends above
+    bool rough = false;                                     ///< use the few points only
+    double margin = 0;                                      ///< m: the gap that points must keep
+    int steps = 16;                                         ///< maximum number
+    double beat = std::numeric_limits<double>::infinity();  ///< m: gives up if it will end above
   };
-  /// From y down to where |y| is least.
+  /// Descends from y to a local minimum of |y|.
   End run(const Chart& chart, const Vec6& y, const Goal& goal);
 
-  double spacing() const { return spacing_; }  ///< m: what is finer is not seen
+  double spacing() const { return spacing_; }  ///< m: grid spacing; finer details are not resolved
 
  private:
   struct Frame;
-  /// What was known of a group when it was last looked at.
+  /// Result of the last look at a group.
   struct Known {
-    double gap, seen;  ///< m: the least of its points, at least; what was travelled until then
+    double gap, seen;  ///< m: lower bound of its gaps; travelled_ at that time
   };
-  /// A point of the probe, in its axes; a point of the other, and the way out of the body it
-  /// belongs to, in the axes of that.
+  /// A point of the probe in the probe's frame, and the outward gradient of the field at the
+  /// contact, in the frame of the body that has the field.
   struct Near {
     Quad on_probe, out;
     float gap;      // m
-    bool of_probe;  // whose point it is
+    bool of_probe;  // the point belongs to the probe's sketch
   };
   double find_near(const Frame& frame, double reach, bool rough);
   template <class Place, class Add>

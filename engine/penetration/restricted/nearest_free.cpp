@@ -14,18 +14,19 @@
 namespace sonde {
 namespace {
 
-/// Of R: what the farthest point goes in the first stretch, in which pairs are looked for at once.
-/// (On knots of 1600 triangles 0.01 and 0.1 for all stretches took half as long again.)
+/// Share of R: travel of the farthest point in the first stretch; the pairs of a stretch are
+/// collected in one traversal. (On knots of 1600 triangles, 0.01 and 0.1 for all stretches took
+/// half as long again.)
 constexpr double first_stretch = 0.03;
-/// Pairs looked at in a stretch: with fewer the next is twice as long, with more half as long. So a
-/// small probe crosses a large body in few stretches, and fine meshes are not looked at all at
-/// once.
+/// Pairs examined in a stretch: with fewer, the next stretch is twice as long, with more half as
+/// long. So a small probe crosses a large body in few stretches, and the pairs of fine meshes are
+/// not all examined at once.
 constexpr std::size_t few_pairs = 64, many_pairs = 16384;
 constexpr double shortest_stretch = first_stretch / 64;  ///< where surfaces lie on each other
-/// Between looks at whether to go on: some milliseconds.
+/// Pairs between two progress reports: some milliseconds.
 constexpr std::size_t pairs_per_report = 16384;
 
-/// Two triangles meet from here to there.
+/// Two triangles intersect for s in [from, to].
 struct Blocked {
   double from, to;
   std::uint32_t a, b;
@@ -58,7 +59,7 @@ class Walk {
   }
 
  private:
-  /// The number of pairs that it looked at.
+  /// Returns the number of pairs that it examined.
   std::size_t find_blocked(const OneWay::Stretch& stretch, const auto& tell) {
     const double from = stretch.from, to = stretch.to;
     blocked_.clear();
@@ -125,7 +126,7 @@ class Walk {
     return std::nullopt;
   }
 
-  /// No triangles meet there: it is free, unless one body is within the other.
+  /// No triangles intersect in this interval, so it is free unless one body is within the other.
   std::optional<FirstFree> free_between(double from, double to) {
     for (double beyond = guard_ / speed_; from + beyond < to; beyond *= 2) {
       FirstFree out = last_;
@@ -140,8 +141,8 @@ class Walk {
   const Body& fixed_;
   const OneWay& way_;
   Transform start_;
-  double speed_;      // m per unit of the way, of the quickest point
-  double guard_ = 0;  // m: what coordinates lose to rounding
+  double speed_;      // m per unit of s, of the fastest point
+  double guard_ = 0;  // m: rounding error of coordinates
   FirstFree last_;
   std::unique_ptr<PairStack<SlotPair>> stack_;
   std::vector<Blocked> blocked_;

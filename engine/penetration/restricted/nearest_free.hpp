@@ -9,21 +9,21 @@
 
 namespace sonde {
 
-/// The first pose of a way at which the probe is free.
+/// The first free pose on a way.
 struct FirstFree {
-  double s = 0;  ///< along the way, m or rad
-  Pose X_FM;     ///< there; free by the exact test
-  /// The triangles of surface(probe) and surface(fixed) that meet just before.
+  double s = 0;  ///< position along the way, m or rad
+  Pose X_FM;     ///< the pose at s; free by the exact test
+  /// The triangles of surface(probe) and surface(fixed) that intersect just before.
   std::uint32_t triangle_a = 0, triangle_b = 0;
 };
 
-/// The least s up to `most` (m or rad, positive) at which the probe is free. Nothing is stepped
-/// over, but gaps narrower than rounding: between the places at which two triangles may begin or
-/// cease to meet, nothing changes, and these places are the roots of their coordinates on the way
-/// (OneWay::events). The pose is some roundings of the coordinates beyond the place. No value where
-/// no pose up to `most` is free. Allocates.
-/// @throws Cancelled where `progress`, which is told the part of the way that was looked at, says
-/// so.
+/// The least s up to `most` (m or rad, positive) at which the probe is free. Skips no free interval
+/// except those narrower than rounding: two triangles can begin or cease to intersect only at the
+/// roots of their coordinates on the way (OneWay::events), and nothing changes between these. The
+/// pose lies a few rounding errors beyond the root. No value if no pose up to `most` is free.
+/// Allocates.
+/// @throws Cancelled if `progress`, which is called with the part of the way examined so far,
+/// returns false.
 std::optional<FirstFree> nearest_free(const Body& probe, const Body& fixed, const OneWay& way,
                                       double most, const Progress& progress = {});
 

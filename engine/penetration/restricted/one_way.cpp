@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Twice the area along the normal.
+/// The normal, with twice the triangle's area as its length.
 Vec3 normal_of(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
 /// Whether all corners of a triangle lie in the plane of another.
@@ -98,7 +98,8 @@ void OneWay::add_roots(const Course& c, const Stretch& stretch, std::vector<doub
     return;
   }
   const double size = std::sqrt(c.even * c.even + c.odd * c.odd);
-  // Most have none: from the middle on, it changes by no more than its size per radian.
+  // Early exit, which applies to most: the slope is at most `size` per radian, so a value this
+  // large at the middle excludes a root in the stretch.
   const double at_middle = c.even * stretch.cosine + c.odd * stretch.sine + c.rest;
   if (!(size > 0) || std::abs(c.rest) > size ||
       std::abs(at_middle) > 0.51 * size * (stretch.to - stretch.from))
@@ -119,7 +120,7 @@ void OneWay::events(const Corners& a, const Corners& b, const Stretch& stretch, 
     for (std::size_t j = 0; j < 3; ++j)
       add_roots(of_edges(a[i], a[(i + 1) % 3] - a[i], b[j], b[(j + 1) % 3] - b[j]), stretch, out);
   }
-  // One that leaves the plane of the other, or only passes it, has its corners come into it.
+  // Not coplanar throughout: then the planes through corners already give all events.
   if (!lies_in_plane(moved(a, stretch.from), b, flat) ||
       !lies_in_plane(moved(a, stretch.to), b, flat))
     return;

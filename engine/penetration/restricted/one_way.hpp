@@ -8,8 +8,8 @@
 
 namespace sonde {
 
-/// The poses of a probe on one way from X_FM: along a straight line, by s metres, or about an axis,
-/// by s radians.
+/// The poses of a probe on a one-parameter motion from X_FM: a translation along a line, by s
+/// metres, or a rotation about an axis, by s radians.
 class OneWay {
  public:
   /// @pre The direction is unit, in the fixed frame.
@@ -18,46 +18,48 @@ class OneWay {
   static OneWay about(const Pose& X_FM, const Vec3& point_F, const Vec3& axis_F);
 
   Pose at(double s) const;
-  /// The same way, the other way round.
+  /// The same motion in the opposite direction.
   OneWay back() const;
-  /// m per unit of s: no point at `radius` (m) from `center` (mesh frame) is quicker.
+  /// m per unit of s: upper bound of the speed of points within `radius` (m) of `center` (mesh
+  /// frame).
   double speed(const Vec3& center, double radius) const;
   bool turns() const { return turns_; }
 
-  /// A part of the way.
+  /// An interval of s.
   struct Stretch {
     Stretch(double first, double last);
     double from, to;
-    double cosine, sine;  ///< of its middle
+    double cosine, sine;  ///< of the middle of the interval
   };
-  /// Adds to `out` all s within a stretch at which two triangles may begin or cease to meet:
-  /// a corner comes into the plane of the other, or two edges into one plane, or, where both lie in
-  /// one plane all along, a corner comes onto a line of the other's sides. `a` is the probe's
-  /// triangle at X_FM, both are in F. `flat` (m): what is in the other's plane to that stays there.
+  /// Adds to `out` all s within a stretch at which two triangles may begin or cease to intersect: a
+  /// corner passes through the plane of the other triangle, or two edges become coplanar, or, if
+  /// both triangles stay in one plane, a corner passes over the line of a side of the other. `a` is
+  /// the probe's triangle at X_FM; both are in F. `flat` (m): a corner within this distance of the
+  /// other's plane counts as in it.
   void events(const Corners& a, const Corners& b, const Stretch& stretch, double flat,
               std::vector<double>& out) const;
 
  private:
-  /// How a coordinate changes on the way: even cos s + odd sin s + rest, or even + odd s.
+  /// A coordinate as a function of s: even cos s + odd sin s + rest, or even + odd s.
   struct Course {
     double even = 0, odd = 0, rest = 0;
     Course operator-(const Course& o) const { return {even - o.even, odd - o.odd, rest - o.rest}; }
   };
   /// n · x(s) of a point with x(0) = x.
   Course of_point(const Vec3& n, const Vec3& x) const;
-  /// n(s) · b, of a direction that goes with the probe from a point x(s) of it: n(s) · (b − x(s)).
+  /// n(s) · (b − x(s)), where the normal n and the point x move with the probe.
   Course of_plane(const Vec3& n, const Vec3& x, const Vec3& b) const;
   /// (e(s) × f) · (q − p(s)).
   Course of_edges(const Vec3& p, const Vec3& e, const Vec3& q, const Vec3& f) const;
   /// n · R(s) w.
   Course of_turned(const Vec3& n, const Vec3& w) const;
   void add_roots(const Course& course, const Stretch& stretch, std::vector<double>& out) const;
-  /// A triangle of the probe at X_FM, as it is at s.
+  /// A triangle of the probe, given at X_FM, at s.
   Corners moved(const Corners& a, double s) const;
 
   Pose start_;
   bool turns_ = false;
-  Vec3 way_ = Vec3::UnitZ();   // unit: of the line, or the axis
+  Vec3 way_ = Vec3::UnitZ();   // unit: direction of the line or of the axis
   Vec3 point_ = Vec3::Zero();  // on the axis, F
 };
 

@@ -22,16 +22,16 @@
 namespace sonde {
 namespace {
 
-/// Of the best so far: free poses from which the later starts descend are no farther away.
+/// Factor on the best depth so far: later starts are free poses no farther away.
 constexpr double farther = 1.5;
-constexpr double same = 1.02;  ///< of the best: ends that agree with it
-constexpr int tries = 16;      ///< for a free pose
-/// Ends that are refined to the last digit, the nearest ones.
+constexpr double same = 1.02;  ///< factor on the best: ends below it agree with it
+constexpr int tries = 16;      ///< attempts to find a free pose
+/// Number of ends, the nearest, that are refined to full accuracy.
 constexpr std::size_t refined = 3;
 
-/// The motions in a plane, in the coordinates of a chart: a line for the turns and a plane.
+/// A basis of the motions in a plane, in the coordinates of a chart: one for turns, two for slides.
 struct Basis {
-  Vec6 turn = Vec6::Zero();  // unit; 0 where there is none
+  Vec6 turn = Vec6::Zero();  // unit; 0 if there is no turn
   Vec6 slide[2];             // unit
   double most_turn = 0;      // m of `turn`: nearly half a turn
 
@@ -137,10 +137,10 @@ class Planar {
   LeapDescent leaps_;
   Random random_;
   Deadline deadline_;
-  double far_;  // m: centres so far apart are those of bodies apart
+  double far_;  // m: at this distance of the centres the bodies are apart
   double best_ = std::numeric_limits<double>::infinity();
   std::vector<Vec6> ends_;
-  std::size_t from_outside_ = 0;  // so many of the ends, the first
+  std::size_t from_outside_ = 0;  // number of ends, the first, of descents from outside
 };
 
 }  // namespace

@@ -25,14 +25,15 @@ Vec3 unit(const Vec3& given, const char* what) {
 
 Pose normalized(const Pose& X) { return is_finite(X) ? Pose{X.q.normalized(), X.p} : X; }
 
-/// m: a probe that went so far from X along a line would touch nothing.
+/// m: a probe moved this far from X along a line touches nothing.
 double far_enough(const Pair& pair, const Pose& X) {
   const auto reach = [](const Body& body) { return (body.tree.high - body.tree.low).norm(); };
   return (X * pair.probe().mass.com - pair.fixed().mass.com).norm() +
          2 * (reach(pair.probe()) + reach(pair.fixed()));
 }
 
-/// The one contact that a way ends at. Its force along the way is what the way is long.
+/// The only contact at the end of a way. Its multiplier makes the part of its force along the way
+/// equal to y.
 Contact contact_at(const Pair& pair, const Chart& chart, const FirstFree& found) {
   const ClosestPoints points =
       closest_points(place(Transform(found.X_FM), corners(surface(pair.probe()), found.triangle_a)),
@@ -60,7 +61,7 @@ Separation answer(const Pair& pair, const Pose& device, const FirstFree& found) 
   return out;
 }
 
-/// A part of a progress that is done in turns, of equal length.
+/// The progress of one of several turns of equal length.
 Progress turn_of(const Progress& progress, std::size_t turn, std::size_t turns) {
   const auto share = [&](std::size_t n) { return double(n) / double(turns); };
   return progress ? part_of(progress, share(turn), share(turn + 1)) : Progress{};

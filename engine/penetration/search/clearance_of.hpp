@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// The clearance of the probe at X_FM (q of length 1), of which is known whether it meets the fixed
-/// body.
+/// The clearance of the probe at X_FM (q of length 1). `overlapping` says whether the bodies
+/// overlap there, which the caller already knows.
 Clearance clearance_of(const Body& probe, const Body& fixed, const Pose& X_FM, bool overlapping);
 
 }  // namespace sonde

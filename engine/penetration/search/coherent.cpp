@@ -22,24 +22,24 @@ namespace sonde {
 
 namespace {
 
-/// Beyond this many times the bodies' size, the rounding of coordinates drowns the geometry.
+/// Beyond this many times the bodies' size, rounding of coordinates exceeds the geometry.
 constexpr double farthest = 1e9;
 
-/// R: a device that moves further in a tick jumps.
+/// R: if the device moves further than this in one tick, the motion counts as a jump.
 constexpr double jump_of_device = 0.25;
-/// Of the allowed clearance: a probe that is held has so much of a gap at the most (twice what it
-/// aims at), and coming down by that is no fall.
+/// Share of the allowed clearance: the largest gap of a probe in contact (twice the gap aimed at).
+/// A loss of depth within it is no fall.
 constexpr double gap_of_held = 2 * Descent::gap_of_follower;
-/// The slope that a motion of the device makes is its length where the metric is flat; turns bend
-/// it, by a few per cent of it at the angles of one tick.
+/// Factor on the device's motion. In a flat metric, the slope that a device motion causes equals
+/// its length; turns curve the metric, by a few per cent at the angles of one tick.
 constexpr double bend_of_metric = 1.1;
-/// Of the device's way times that of the separated probe: a tick in which contacts come and go
-/// seems to let go so much of σ, since its force is reckoned by two ends. (A peg pressed onto the
-/// bottom of its hole: without it three ticks more jump, which at a quarter of the step do not; its
-/// falls remain at every step.)
+/// Share of the product of the device's and the separated probe's motions. The energy of a tick is
+/// computed from the forces at its two ends, so a tick in which contacts come and go seems to
+/// release this much of σ. (A peg pressed onto the bottom of its hole: without it three more ticks
+/// jump, which do not at a quarter of the step; its real falls remain at every step.)
 constexpr double bend_of_force = 0.1;
-/// Units of Effort, some 10 ns each: what a tick after such a jump may take where nothing else
-/// limits it. The long way that is then to be swept can lead past everything there is.
+/// Units of Effort, some 10 ns each: limit of a tick after such a jump if nothing else limits it.
+/// The long path that is then swept can pass all of the bodies.
 constexpr std::int64_t work_after_jump = 3'000'000;
 
 }  // namespace
@@ -52,25 +52,25 @@ struct CoherentSolver::State {
   Descent descent;
   ClusterIds ids;
   FarApart far_apart{probe, fixed};
-  PhaseTimes times;  ///< of this tick, where they are kept
+  PhaseTimes times;  ///< of this tick, if timing is on
   bool timed = false;
   Separation last;
-  Pose device;     ///< the last one that was not refused
-  Pose separated;  ///< the last one, free
+  Pose device;     ///< the last device pose that was not refused
+  Pose separated;  ///< the last separated pose: free
   bool started = false;
-  bool behind = false;  ///< after a jump of the device the probe has not come to its end yet
-  /// Of the allowed clearance, to what the last pose may lie above its contacts: where a search put
-  /// it, all of that.
+  bool behind = false;  ///< after a jump of the device, the probe has not yet reached its optimum
+  /// Share of the allowed clearance: the largest distance of the last pose above its contacts.
+  /// After a search it is all of it.
   double gap = 1;
-  double lag = 0;  ///< m: how far the device has come since a tick that converged
+  double lag = 0;  ///< m: motion of the device since the last tick that converged
 
   State(const Pair& bodies, Method m)
       : pair(bodies), method(m), descent(probe, fixed, m, {}, Descent::gap_of_follower) {
     last.reason = "not started";
   }
 
-  /// A probe that can spin at no cost came back to O as it was spun, which is not how the device
-  /// holds it: where O itself is not free, the pose reached is the answer, at depth 0.
+  /// A probe with a spin of zero inertia may come back to O with another spin than the device's. If
+  /// O itself is not free, the answer is the pose reached, at depth 0.
   void keep_spin(const Chart& chart) noexcept {
     if (probe.mass.inertia.minCoeff() > 0 || last.status != Status::separated) return;
     if (!triangles_meet(probe, fixed, Transform(last.device), Doubt::contact)) return;
@@ -78,8 +78,8 @@ struct CoherentSolver::State {
     last.separated = chart.pose(Vec6::Zero());
   }
 
-  /// How far the device has come, m, by which the depth may well have fallen: √σ; and where only
-  /// translations count, the way of any point of the probe.
+  /// The device's motion, m, which limits by how much the depth may fall without a jump: √σ; with
+  /// translation only, the largest motion of any point of the probe.
   double device_motion(const Pose& to) const noexcept {
     const Chart from(probe.mass, device);
     const Vec6 y = from.coordinates(to);
@@ -87,9 +87,9 @@ struct CoherentSolver::State {
     return y.tail<3>().norm() + 2 * from.v(y).norm() * probe.mass.radius;
   }
 
-  /// m²: what of σ the tick let go: twice the work of the force, per stiffness, on the way of the
-  /// separated probe from y = `from` to `to`. On a path of optima it is none, since the contacts do
-  /// no work.
+  /// m²: the part of σ that the tick released: twice the work of the force, per stiffness, over the
+  /// separated probe's motion from y = `from` to `to`. On a path of optima it is 0, since the
+  /// contacts do no work.
   double let_go(const Chart& chart, const Vec6& from, const Vec6& to) const noexcept {
     const Vec6 before = from - chart.coordinates(device);
     return (from - to).dot(before + to);
@@ -99,8 +99,8 @@ struct CoherentSolver::State {
     return X.p.cwiseAbs().maxCoeff() <= farthest * (extent(probe) + extent(fixed));
   }
 
-  /// What the tick may do. After a jump it is limited whatever was asked for, and so are the next
-  /// ticks until the probe has caught up.
+  /// The effort of a tick. After a jump it is limited even if no limit was asked for, and so are
+  /// the next ticks until the probe has caught up.
   Effort effort_of(const Budget& budget, double moved) noexcept {
     behind = (behind && !last.converged) || moved > jump_of_device * probe.mass.radius;
     const double until = budget.microseconds > 0 ? now_us() + budget.microseconds : 0;
@@ -108,8 +108,8 @@ struct CoherentSolver::State {
     return {unlimited && behind ? work_after_jump : budget.work, until};
   }
 
-  /// Free before, and it cannot have come to anything since: what a descent would find, in its one
-  /// step, or in none where there is nothing to do.
+  /// If the probe was free and cannot have reached any contact since, sets the result that a
+  /// descent would find (in its one step, or in none if there is nothing to do) and returns true.
   bool stays_free(const Pose& to) noexcept {
     if (last.status != Status::separated || !far_apart.covers(to)) return false;
     const bool turns = device.q.coeffs() != to.q.coeffs();
@@ -121,8 +121,8 @@ struct CoherentSolver::State {
     return true;
   }
 
-  /// Next to a half turn w = √(1 − v²) is lost to rounding, and with it what a pose, and a motion
-  /// from there, are known to. True where the probe has room for that; else it has to stay.
+  /// Near a half turn, w = √(1 − v²) is lost to rounding, which limits the accuracy of a pose and
+  /// of a motion from there. Returns true if the probe has room for that error; else it must stay.
   bool has_room_for_rounding(const Chart& chart, const Vec6& y, Effort& effort) noexcept {
     const double v2 = chart.v(y).squaredNorm();
     if (v2 <= Chart::largest_v * Chart::largest_v) return true;
@@ -140,10 +140,10 @@ struct CoherentSolver::State {
     return room > 2 * off;
   }
 
-  /// Translation only: the separated probe has to turn with the device first, in one motion that is
-  /// swept: to where the rows of the last tick let it rest, or lifted off its contacts by as much
-  /// as the turn can move a point of it; the descent lets it down again. False where that is
-  /// blocked: then it has turned as far as it could.
+  /// Translation only: before the descent, the separated probe turns with the device in one swept
+  /// motion: to the point at which the rows of the last tick let it rest, or lifted off its
+  /// contacts by as much as the turn can move a point of it; the descent lowers it again. Returns
+  /// false if that is blocked; then y is turned as far as it could.
   bool follow_turn(const Chart& chart, Effort& effort, Vec6& y) noexcept {
     if (!(y.head<3>().norm() > 0)) return true;
     const double depth = y.tail<3>().norm();
@@ -176,7 +176,7 @@ CoherentSolver& CoherentSolver::operator=(CoherentSolver&&) noexcept = default;
 
 CoherentSolver::CoherentSolver(const CoherentSolver& other)
     : state_(std::make_unique<State>(*other.state_)) {
-  // The descent adds the times of phases to those of its own state.
+  // The descent adds its phase times to its own copy of the state.
   if (state_->timed) state_->descent.time_into(&state_->times);
 }
 CoherentSolver& CoherentSolver::operator=(const CoherentSolver& other) {
@@ -248,12 +248,12 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   }
   const double before = s.last.status == Status::failed ? 0 : s.last.depth;
   s.last = make_separation(chart, found);
-  // Where the probe could not move it stays, to the bit: the way to coordinates and back rounds, by
-  // more the nearer the turn is to a half one, and nothing has swept that.
+  // A probe that could not move keeps its pose, to the bit: converting to coordinates and back
+  // rounds, the more the nearer the turn is to a half turn, and no sweep has covered that.
   if (s.last.status == Status::penetrating && found.y == from) s.last.separated = s.separated;
   s.keep_spin(chart);
-  // What the last tick found was the best near by. As long as it is, the depth changes by no more
-  // than the device moves, and the probe comes down no more steeply than the device has moved
+  // The last tick found a local optimum. As long as the pose stays one, the depth changes by no
+  // more than the device moves, and the probe descends no more steeply than the device has moved
   // since.
   const double clearance = allowed_clearance(s.probe.mass.radius, before);
   const bool turns = s.method == Method::pdg;
@@ -266,7 +266,7 @@ const Separation& CoherentSolver::tick(const Pose& X_FM, const Budget& budget) n
   s.last.converged = s.last.converged && followed;
   s.lag = s.last.converged ? 0 : s.lag + moved;
   if (s.last.converged) s.gap = gap_of_held;
-  // A probe that can spin at no cost is not where the device is.
+  // A probe with a spin of zero inertia is not at the device pose.
   if (s.last.status == Status::separated && s.probe.mass.inertia.minCoeff() > 0) {
     const PhaseTimer timer(s.timed ? &s.times : nullptr, Phase::look);
     s.far_apart.look(device, farthest_move(s.probe.mass, s.device, device), effort);

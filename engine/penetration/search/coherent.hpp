@@ -10,22 +10,22 @@
 namespace sonde {
 
 /// Follows the separated pose of a moving probe. Each tick reaches its Q from the last one along a
-/// path swept free, on which the distance √σ to the new device pose falls; it rises by a quarter of
-/// the allowed clearance at most, where the probe regains its gaps. The path ends at a KKT point,
-/// or where the budget ends; the result says which.
+/// path swept free, on which the distance √σ to the new device pose decreases. It may rise by a
+/// quarter of the allowed clearance at most, where the probe regains its gaps. The path ends at a
+/// KKT point, or where the budget ends; the result says which.
 class CoherentSolver {
  public:
   explicit CoherentSolver(const Pair& pair, Method method = Method::pdg);
   ~CoherentSolver();
   CoherentSolver(CoherentSolver&&) noexcept;
   CoherentSolver& operator=(CoherentSolver&&) noexcept;
-  /// Goes on from the same state, to the same bits. Allocates.
+  /// The copy continues from the same state, with the same bits. Allocates.
   CoherentSolver(const CoherentSolver&);
   CoherentSolver& operator=(const CoherentSolver&);
 
   /// Starts at X_FM: there if the probe is free, otherwise where a static search ends; then the
-  /// result is marked as jumped. Allocates; not for the servo thread. Throws Cancelled where the
-  /// progress says so; then it stands as before.
+  /// result is marked as jumped. Allocates; not for the servo thread. Throws Cancelled if
+  /// `progress` returns false; the state is then unchanged.
   const Separation& reset(const Pose& X_FM, const StaticOptions& options = {},
                           const Progress& progress = {});
 
@@ -33,7 +33,7 @@ class CoherentSolver {
   /// reset the result is failed. A pose that is not finite is refused (failed) and changes nothing.
   const Separation& tick(const Pose& X_FM, const Budget& budget = {}) noexcept;
 
-  /// From the next tick on, whether a tick says where its time went (Separation::phases).
+  /// Whether ticks report where their time went (Separation::phases), from the next one on.
   void time_phases(bool on) noexcept;
 
   const Separation& last() const;

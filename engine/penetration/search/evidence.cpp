@@ -3,8 +3,8 @@
 
 namespace sonde {
 
-/// Independent starts that ended at the best depth: of the bodies, and of sketches where the bodies
-/// came to it from their ends.
+/// Number of independent starts that ended at the best depth: starts on the bodies, and starts on
+/// sketches from whose ends the bodies reached it.
 int Evidence::agreeing() const {
   int out = optima_.agreeing();
   for (const SketchEnd& end : sketches_.ends())

@@ -8,34 +8,34 @@
 
 namespace sonde {
 
-/// Whether what a search has found so far is thought to be the best there is: by how many
-/// independent starts agree on it, and by what the sketches show. It looks at the search's own
-/// results, as they are when it is asked.
+/// Decides whether the best result of a search so far is probably the global optimum: by the number
+/// of independent starts that agree on it, and by the sketches. It reads the search's current
+/// results at each call.
 class Evidence {
  public:
   struct Rules {
-    int agreement = 12;       ///< starts that are enough, whatever sketches show
-    bool by_sketches = true;  ///< whether sketches may be enough (StaticOptions::by_evidence)
+    int agreement = 12;  ///< number of agreeing starts that suffices, whatever the sketches show
+    bool by_sketches = true;  ///< whether sketches may suffice (StaticOptions::by_evidence)
     const SearchTuning& tuned = search_tuning;
   };
-  /// `sketched`: empty where the pair has no sketches.
+  /// `sketched`: empty if the pair has no sketches.
   Evidence(const Chart& chart, const Rules& rules, const LocalOptima& optima,
            SketchSearch& sketches, std::span<SketchDescent> sketched)
       : chart_(chart), rules_(rules), optima_(optima), sketches_(sketches), sketched_(sketched) {}
 
-  /// What has been found is thought to be the best there is.
+  /// The best result so far is probably the global optimum.
   bool settles() const;
-  /// What the bodies have come to is about what sketches say.
+  /// The best depth of the bodies is about that of the sketches.
   bool sketches_see() const;
-  /// The way out that was found is much longer than what overlaps: there may be a shorter one, too
-  /// narrow for sketches to show. There must be sketches.
+  /// The best way out is much longer than the overlap: a shorter one may exist that is too narrow
+  /// for the sketches to resolve. Requires sketches.
   bool may_be_narrow() const;
-  /// The same, whatever agrees: starts that agree show that a way out is wide, not that none is
-  /// shorter and narrow. False where there are no sketches, or no point of theirs lies deep.
+  /// The same, whatever agrees: starts that agree show that a way out is wide, not that no shorter
+  /// and narrower one exists. False if there are no sketches, or if no point of theirs lies deep.
   bool may_be_deep() const { return !optima_.empty() && is_far_out(optima_.best()); }
-  /// That of a way out of such a length, m (Separation::far_out).
+  /// Whether a way out of this length, m, is long compared with the overlap (Separation::far_out).
   bool is_far_out(double depth) const;
-  /// By which depths on sketches may be wrong, m. There must be sketches.
+  /// Estimated error of depths on sketches, m. Requires sketches.
   double sketch_error() const { return rules_.tuned.sketch_error * sketched_[0].spacing(); }
 
  private:

@@ -11,19 +11,19 @@
 namespace sonde {
 namespace {
 
-/// Room is looked for for so many moves: twice as many where there was room, half where not. A look
-/// costs some plain ticks.
+/// Room is searched for this many moves: twice as many after a success, half as many after a
+/// failure. A look costs as much as several plain ticks.
 constexpr double least_asked = 16, most_asked = 512;
-/// R: what a probe that stands still is reckoned to move.
+/// R: the motion assumed for a probe that stands still.
 constexpr double least_move = 1e-4;
-/// What is not worth a look, in moves.
+/// In moves: less room than this is not worth a look.
 constexpr double fewest_moves = 8;
-/// R: no more. Within half of it the probe turns by less than a step of a descent may.
+/// R: limit of the room. Within half of it, the probe turns by less than a step of a descent may.
 constexpr double most_room = 0.5;
-/// Of the room: the other half is left to ticks that look at the bodies, which learn on the way
-/// what contacts to expect.
+/// Share of the room that is used. The other half is left to ticks that examine the bodies and
+/// learn on the way which contacts to expect.
 constexpr double used = 0.5;
-constexpr std::int64_t work_of_look = 500;  // units of Effort: more than that does not pay
+constexpr std::int64_t work_of_look = 500;  // units of Effort: a longer look does not pay
 constexpr int longest_wait = 64;            // ticks
 
 }  // namespace

@@ -6,35 +6,35 @@
 
 namespace sonde {
 
-/// No point of the probe is further than this from where it is at the other pose, m.
+/// Upper bound of the displacement of any point of the probe between two poses, m.
 double farthest_move(const MassProperties& mass, const Pose& from, const Pose& to);
 
-/// What is known of the room around a free pose of the probe. As long as no point of it has moved
-/// by more than a part of that room, it is free, and so is the way there, with no look at the
-/// bodies. Never allocates.
+/// Knows the room around a free pose of the probe. As long as no point of the probe has moved by
+/// more than a part of that room, the probe and its path are free, without a look at the bodies.
+/// Never allocates.
 class FarApart {
  public:
   FarApart(const Body& probe, const Body& fixed) noexcept : probe_(probe), fixed_(fixed) {}
 
-  /// What comes next has nothing to do with what was before.
+  /// Call it before a pose that is unrelated to the previous ones.
   void forget() noexcept { used_up_at_ = 0, wait_ = 0, next_wait_ = 1, asked_ = 16; }
 
-  /// Is the probe free at X_FM, and on the way there from any other such pose? True only where
+  /// Whether the probe is free at X_FM, and on the way there from any other such pose. True only if
   /// that is certain. Reads no triangle.
   bool covers(const Pose& X_FM) const noexcept;
 
-  /// The probe is free at X_FM, and last moved by so much (m, its farthest point): looks for the
-  /// room there is for some tens of such moves. Does nothing where looks did not pay of late.
+  /// Call it with a free pose X_FM and the last motion (m, of the probe's farthest point). Searches
+  /// for the room for some tens of such motions. Does nothing if recent looks did not pay.
   void look(const Pose& X_FM, double last_move, Effort& effort) noexcept;
 
  private:
   const Body& probe_;
   const Body& fixed_;
   Pose centre_;
-  double used_up_at_ = 0;  ///< m; 0: nothing is known
+  double used_up_at_ = 0;  ///< m: motion up to which the probe is free; 0: unknown
   int wait_ = 0;           ///< ticks until the next look
   int next_wait_ = 1;
-  double asked_ = 16;  ///< moves for which the next look asks for room
+  double asked_ = 16;  ///< the next look searches room for this many motions
 };
 
 }  // namespace sonde

@@ -10,31 +10,32 @@
 
 namespace sonde {
 
-/// Where descents of a search ended.
+/// The end of a descent of a search.
 struct LocalOptimum {
   Vec6 y = Vec6::Zero();
-  double depth = std::numeric_limits<double>::infinity();  ///< |y|, m; infinite: nowhere
-  int iterations = 0;                                      ///< what it took
-  int starts = 1;  ///< that led there independently of what was found before: they confirm it
+  double depth = std::numeric_limits<double>::infinity();  ///< |y|, m; infinite: none was found
+  int iterations = 0;                                      ///< iterations of the descent
+  int starts = 1;  ///< starts that led there independently of earlier results, which confirm it
 };
 
 /// The places found so far, and how many starts agree on the best of them.
 class LocalOptima {
  public:
-  /// `same`: depths that differ by less than this share are the same one, and ends no further apart
-  /// are one place.
+  /// `same`: depths that differ by less than this share are equal, and ends no further apart are
+  /// one place.
   explicit LocalOptima(double same = search_tuning.same) : same_(same) {}
 
   void add(const LocalOptimum& place);
 
   bool empty() const { return optima_.empty(); }
-  double best() const { return best_; }  ///< m; infinite where there is none
-  /// Independent starts that ended at the best depth.
+  double best() const { return best_; }  ///< m; infinite if there is none
+  /// Number of independent starts that ended at the best depth.
   int agreeing() const;
   bool is_best(double depth) const { return depth < (1 + same_) * best_; }
-  /// Is y so near the best of them (of its depth) that a descent is thought to end there?
+  /// Whether y is so near the best place (in units of its depth) that a descent probably ends
+  /// there.
   bool is_known(const Vec6& y, double share) const;
-  /// The nearest so many, the best first, no two of them close together.
+  /// The `count` nearest places, the best first, no two of them close together.
   std::vector<Vec6> nearest(std::size_t count) const;
 
  private:

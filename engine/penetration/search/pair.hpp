@@ -18,8 +18,8 @@ class Pair {
  public:
   /// Makes the sketches, on two threads: 10 to 50 ms on meshes of up to 30 k triangles, 0.2 s on
   /// two of 4 M. So make a pair where you load the bodies.
-  /// @throws InputError where a body is missing.
-  /// @throws Cancelled where `progress` returns false.
+  /// @throws InputError if a body is missing.
+  /// @throws Cancelled if `progress` returns false.
   Pair(std::shared_ptr<const Body> probe, std::shared_ptr<const Body> fixed,
        const Progress& progress = {});
   // There is no move: a moved-from pair would have no bodies.
@@ -29,12 +29,12 @@ class Pair {
 
   /// A, the moving body.
   const Body& probe() const noexcept { return *probe_; }
-  /// B, the body that stays.
+  /// B, the fixed body.
   const Body& fixed() const noexcept { return *fixed_; }
-  /// Empty where both bodies are surfaces, or where one is too small or too large for a sketch.
+  /// Empty if both bodies are surfaces, or if one is too small or too large for a sketch.
   const Sketches& sketches() const noexcept { return *sketches_; }
 
-  /// The same two with their roles exchanged: the fixed body as the probe. Shares all that costs.
+  /// The same bodies with exchanged roles: the fixed body as the probe. Shares bodies and sketches.
   Pair exchanged() const;
 
  private:

@@ -22,12 +22,12 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are kept as they are");
 
-/// With the version: what is kept is what this version of the sketches makes.
+/// With the version of Sonde: the file holds what this version of the sketches makes.
 constexpr std::string_view mark = "sonde pair " SONDE_VERSION "\n";
-/// Bytes: many times what two sketches take.
+/// Bytes: many times the size of two sketches.
 constexpr std::size_t most = std::size_t{1} << 28;
 
-/// Of the content of numbers, by the steps of splitmix64 (Steele, Lea, Flood 2014).
+/// Fingerprint of numbers, by the steps of splitmix64 (Steele, Lea, Flood 2014).
 class Fingerprint {
  public:
   template <class T>
@@ -51,7 +51,7 @@ class Fingerprint {
   std::uint64_t state_ = 0;
 };
 
-/// Of all of a body that its sketch is made from.
+/// Fingerprint of everything in a body that its sketch depends on.
 std::uint64_t fingerprint(const Body& body) {
   Fingerprint out;
   out.add(body.solid);
@@ -123,7 +123,7 @@ class Reader {
     left_.remove_prefix(sizeof out);
     return out;
   }
-  /// A count of items that take so many bytes at least.
+  /// Reads the count of items that take at least this many bytes each.
   std::size_t count(std::size_t bytes_each) {
     const auto out = get<std::uint64_t>();
     if (out > left_.size() / bytes_each) refuse("is damaged: it ends too early");

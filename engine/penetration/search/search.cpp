@@ -9,8 +9,8 @@
 namespace sonde {
 namespace {
 
-/// Starts that a place known from another search counts for at most: a search that is never to end
-/// by agreement asks for more than can be counted on from.
+/// Maximum number of starts that a place known from another search counts for: a search that must
+/// not end by agreement sets a limit too large to add to.
 constexpr int most_known = 1'000'000;
 
 }  // namespace
@@ -113,13 +113,13 @@ void Search::begin() {
     first_sketched_start();
     first_translation();
   } else if (rotates() && budget_.is_timed() && !sketched()) {
-    // What the first push ends in may be far out, and more time for it is then worse than the
-    // translation that less time had to do with.
+    // The first push may end far out; spending more time on it would then give a worse answer than
+    // the translation that a shorter budget yields.
     first_translation();
     turn_from_translation();
   } else if (budget_.is_timed() && !sketched()) {
     // A translation: in 1 ms, 206 to 208 poses of depths.csv are within 5 % of the reference, and
-    // 199 to 202 where the device pose is pushed apart first.
+    // 199 to 202 if the device pose is pushed apart first.
     starts_outside(1);
   }
 }
@@ -167,7 +167,7 @@ void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) 
   for (SketchEnd& end : sketches.ends())
     if (end.came_to < 0) next.push_back(&end);
   next.resize(std::min(most, next.size()));
-  const std::size_t count_at_once = budget_.is_short() ? 1 : 2;  // the nearest has all there is
+  const std::size_t count_at_once = budget_.is_short() ? 1 : 2;  // the nearest end gets all threads
   for (std::size_t first = 0; first < next.size() && !is_over(); first += count_at_once) {
     const Aim at = aim(method);
     if (next[first]->depth - evidence_.sketch_error() > (1 + tuned_.same) * at.beat) break;
@@ -175,7 +175,7 @@ void Search::from_ends(SketchSearch& sketches, Method method, std::size_t most) 
         [&](std::size_t k, std::size_t lane) {
           SketchEnd& end = *next[first + k];
           LocalOptimum out = starts_.sketched(end, aim(method), lane);
-          out.starts = 0;  // the sketches' count
+          out.starts = 0;  // already counted by the sketches
           end.came_to = out.depth;
           return out;
         },
@@ -272,8 +272,9 @@ void Search::random_rounds() {
 }
 
 void Search::pushed_rounds() {
-  // In inverse proportion to the answers that may not be the best. (It takes more: twice as many
-  // starts leave two thirds to nine tenths of them, measurements.md, "Deep concave pairs".)
+  // Inversely proportional to the permitted share of answers that are not the best. (The real need
+  // is higher: twice as many starts leave two thirds to nine tenths of them, measurements.md, "Deep
+  // concave pairs".)
   const double more = (1 - StaticOptions{}.sure) / (1 - std::clamp(options_.sure, 0.0, 1 - 1e-4));
   const auto scaled = [&](int starts) {
     return std::max(static_cast<int>(more * starts), int{per_round});
@@ -348,7 +349,7 @@ std::optional<double> Search::add_translation() {
   if (competes && !budget_.is_over())
     add_unless_cut(refined(Method::pdg, chart_.coordinates(out.separated), budget_.steps_left()));
   if (!best || out.depth < (1 - 1e-12) * best->depth) verified_.add(out);
-  return std::max(out.depth, best->depth);  // the same, but for rounding, where no turn helps
+  return std::max(out.depth, best->depth);  // equal up to rounding where no turn helps
 }
 
 Translated translated_both_ways(const Pair& pair, const Pose& device, const StaticOptions& options,

@@ -25,26 +25,26 @@
 
 namespace sonde {
 
-/// One global search, stage by stage: descents on the sketches, on the bodies from where those end,
-/// from overlaps that are pushed apart and from random poses, by translation alone on the way, and
-/// the best of them to the last digit. It is used once: run(), and again() where more has become
-/// known since.
+/// One global search in stages: descents on the sketches; descents on the bodies from the ends of
+/// these, from overlaps that are pushed apart and from random poses; translation only as an
+/// intermediate result; and the refinement of the best. Use it once: run(), and again() if more has
+/// become known since.
 class Search {
  public:
-  /// Starts that are descended side by side; what they find counts from the next round on.
+  /// Starts that descend in parallel; their results count from the next round on.
   static constexpr std::size_t per_round = Starts::per_round;
 
   Search(const Pair& pair, const Pose& device, const StaticOptions& options,
          const SearchTuning& tuning, const Deadline& deadline, const Progress& progress = {});
 
-  /// @throws Cancelled where the progress says so, which is told the share of the starts that it
-  /// may make at most.
+  /// @throws Cancelled if `progress` returns false. It is called with the share of the maximum
+  /// number of starts.
   Separation run();
 
-  /// A place that is known from another search, free as far as is known there: a start of this
-  /// one's own that comes to it too confirms it.
+  /// Adds a place known from another search, which was free there. A start of this search that also
+  /// reaches it confirms it.
   void know(const Pose& separated);
-  /// What it ends with, with what has become known since.
+  /// The result of run(), including what has become known since.
   Separation again() { return finish(); }
 
   int sketches_made() const { return other_sketches_ + sketches_.made(); }
@@ -57,10 +57,10 @@ class Search {
   SketchGoal sketch_goal(Method method) const;
   Aim aim(Method method) const;
 
-  /// Runs start(k, lane) for each of a round, and adds what they found. Where steps are
-  /// counted, two at a time: what is done with the first so many steps does not depend on how many
-  /// there are, so that more of them only add to what is found. A start that there are not enough
-  /// for is not made; but the first of all goes as far as they do.
+  /// Runs start(k, lane) for each start of a round, and adds the results. If steps are counted, two
+  /// starts run at a time. The work done with the first n steps does not depend on the total number
+  /// of steps, so more steps only add to the results. A start for which too few steps are left is
+  /// discarded, except the first one, which goes as far as the steps allow.
   template <class Start>
   void round(const Start& start, std::size_t most = per_round) {
     const std::size_t count_at_once = budget_.counts_steps() ? 2 : most;
@@ -78,65 +78,68 @@ class Search {
   void accept(const LocalOptimum& place);
   void add(const LocalOptimum& place);
 
-  /// The best place let come into contact: fit to be returned, should the steps end.
+  /// Moves the best place into contact, so that it can be returned if the steps run out.
   void settle();
 
   void first_sketches();
-  /// From the nearest of the sketches' ends, which cost no steps: so near the best depth that few
-  /// steps suffice, where a translation may take them all and end far above.
+  /// Starts from the nearest end on the sketches, which costs no steps. It is so near the best
+  /// depth that few steps suffice, whereas a translation may use all of them and end far above.
   void first_sketched_start();
 
-  /// What comes before all others, by what the time or the steps are for.
+  /// The stages before all others, depending on the time or step budget.
   void begin();
 
-  /// From the sketches' ends and the device pose itself.
+  /// Starts from the ends on the sketches and from the device pose.
   void first_starts();
 
   void push_device_pose(Method method);
 
   void near_starts(Method method);
 
-  /// From near the device pose: ways out that are too narrow for sketches and random poses.
+  /// Starts from overlaps near the device pose: these find ways out that are too narrow for
+  /// sketches and random poses.
   void pushed_starts();
 
-  /// On from so many ends on the sketches that have not been tried yet, two at a time, as long as
-  /// they may be better than what has been found.
+  /// Starts from up to `most` untried ends on the sketches, two at a time, as long as they may be
+  /// better than the best result.
   void from_ends(SketchSearch& sketches, Method method, std::size_t most);
 
-  /// Time was over before the bodies were free anywhere, though sketches say where they nearly are.
+  /// If the time ran out before any free pose of the bodies was found: tries poses beyond the ends
+  /// on the sketches, where the bodies are nearly free.
   void beyond_ends();
 
-  /// From outside to contact. Only along the first lines where time is over.
+  /// Starts from outside and moves to contact. If the time is over, only along the first lines.
   void starts_outside(std::size_t most);
 
-  /// Some way out by translation alone, at small cost.
+  /// Finds some way out by translation only, at small cost.
   void first_translation();
 
-  /// By translation alone, a little; and on from there by all six.
+  /// Searches briefly by translation only, and descends from there with all six degrees of freedom.
   void translation_on_the_way();
   void turn_from_translation();
 
   void first_translations();
 
-  /// By translation alone to the end: what a search for it gives, and on from there by all six. So
-  /// the depth is never more than that by translation; and on large meshes it finds what no other
-  /// start does (1.5 % of the depth on one of the six poses of camel in armadillo).
+  /// Searches PD_t to its end, and descends from there with all six degrees of freedom. So the
+  /// depth never exceeds PD_t; and on large meshes this finds what no other start does (1.5 % of
+  /// the depth on one of the six poses of camel in armadillo).
   void finish_translation();
 
   Random stream(std::uint64_t number) const;
 
-  /// As long as it is open which end on the sketches is the best: more of them, and the bodies
-  /// themselves from there.
+  /// While it is undecided which end on the sketches is the best: more starts on sketches, and
+  /// descents of the bodies from their ends.
   void more_sketches();
-  /// What is left open then, from random poses; without sketches that is all there is.
+  /// What is still undecided: random poses. Without sketches, these are the whole search.
   void random_rounds();
-  /// Where the way out is long beside the overlap, next to no pose about the best optima is free:
-  /// random free poses do not come near them, and how many starts agree says nothing. Overlaps that
-  /// are pushed apart do, every other one with axes of both bodies on one line, as parts that are
-  /// made to fit have; as many again as it took to find the best, since there may be another.
+  /// Where the way out is long compared with the overlap, almost no pose near the best optima is
+  /// free. Random free poses do not come near them, and the number of agreeing starts says nothing.
+  /// Overlaps that are pushed apart do come near. Every other one has axes of both bodies on one
+  /// line, as parts that are made to fit have. After the best was found, as many starts again
+  /// follow, since there may be a better one.
   void pushed_rounds();
   bool goes_on() const { return !is_over() && !evidence_.settles(); }
-  /// No more starts. Asked on the calling thread alone, before each of them.
+  /// No more starts. Called before each start, on the calling thread only.
   bool is_over() const {
     report(progress_, std::min(1.0, made_ / std::max(1.0, static_cast<double>(options_.starts))));
     return budget_.search_is_over();
@@ -144,16 +147,18 @@ class Search {
 
   void random_starts(int first);
 
-  /// The best few to the last digit; the best of all that stand the exact test.
+  /// Refines the best few places, and returns the best that passes the exact test.
   Separation finish();
 
-  /// What counted steps cut short may end a little above what fewer of them do.
+  /// Adds the answer unless the steps ran out: a refinement cut short may end slightly above that
+  /// of a smaller budget.
   void add_unless_cut(const Separation& answer);
 
   Separation refined(Method method, const Vec6& from, int steps);
 
-  /// The translational depth to the last digit. Where it competes with all six degrees, they go on
-  /// from there: what holds the probe against a turn as well makes it an answer of theirs.
+  /// The refined translational depth. If it competes with the depth of all six degrees of freedom,
+  /// a refinement with these starts from it: contacts that also hold the probe against turning make
+  /// it an optimum of that problem.
   std::optional<double> add_translation();
 
   const Pair& pair_;
@@ -165,25 +170,25 @@ class Search {
   SearchBudget budget_;
   const Progress& progress_;
   Starts starts_;
-  PhaseTimes times_;  // of what is done outside of starts
+  PhaseTimes times_;  // of the work outside of starts
   Verified verified_;
   ThreadPair threads_;
   SketchSearch sketches_;
   LocalOptima optima_;
   Evidence evidence_;
   LocalOptimum translated_;
-  std::optional<Separation> finished_;  // the translation, from a search of its own
-  double settled_ = std::numeric_limits<double>::infinity();  // m: what has come into contact
-  int most_steps_ = std::numeric_limits<int>::max();          // of a start
+  std::optional<Separation> finished_;  // PD_t result from a search of its own
+  double settled_ = std::numeric_limits<double>::infinity();  // m: best depth moved into contact
+  int most_steps_ = std::numeric_limits<int>::max();          // limit per start
   int share_ = 0;                                             // steps that a start may take
-  int made_ = 0;                                              // starts
+  int made_ = 0;                                              // starts made
   int limited_ = 0;
-  int other_sketches_ = 0;  // starts on sketches, by searches for translations
+  int other_sketches_ = 0;  // starts on sketches in searches for translations
 };
 
-/// A PD_t search without a limit, and how many descents on sketches it made. A way out of the probe
-/// is one of the fixed body, back: both are searched for, with starts of their own, and the shorter
-/// one counts. So exchanged bodies mostly have the same PD_t.
+/// A PD_t search without a limit, and its number of descents on sketches. A way out of the probe
+/// is, reversed, a way out of the fixed body: both are searched, with starts of their own, and the
+/// shorter one counts. So exchanged bodies mostly have the same PD_t.
 struct Translated {
   Separation found;
   int sketches = 0;

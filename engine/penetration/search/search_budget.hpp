@@ -7,27 +7,27 @@
 
 namespace sonde {
 
-/// What a static search may still spend, by the clock and in counted steps, and how it shares its
-/// time out: on sketches, on all of the search, on refining what was found.
+/// What a static search may still spend, in time and in counted steps, and the shares of the time:
+/// for sketches, for the whole search, and for refining the results.
 class SearchBudget {
  public:
   SearchBudget(const Budget& budget, const Deadline& deadline, const SearchTuning& tuning);
 
   bool is_limited() const { return budget_.microseconds > 0 || budget_.steps > 0; }
   bool is_timed() const { return budget_.microseconds > 0; }
-  /// So little time that a second thread costs more than it brings.
+  /// The time is so short that a second thread costs more than it gains.
   bool is_short() const { return short_; }
   bool counts_steps() const { return budget_.steps > 0; }
-  int steps_left() const;  ///< 0 at least; where none are counted, as many as there are numbers
+  int steps_left() const;  ///< at least 0; if steps are not counted, the largest int
   int steps_spent() const { return spent_; }
   void spend(int steps) { spent_ += steps; }
-  /// A start was cut short by the steps: what it took counts for nothing, and none are left.
+  /// Call it if the steps cut a start short: its result is discarded, and no steps are left.
   void spend_all() { spent_ = budget_.steps; }
 
   const Deadline& sketching() const { return sketching_; }
   const Deadline& searching() const { return searching_; }
   const Deadline& refining() const { return refining_; }
-  /// No more starts.
+  /// No more starts are allowed.
   bool search_is_over() const { return searching_.passed() || steps_left() == 0; }
   /// Nothing is left for refining either.
   bool is_over() const { return refining_.passed() || steps_left() == 0; }

@@ -12,17 +12,17 @@
 
 namespace sonde {
 
-/// What one thread of a search works with, one start after the other.
+/// The workspace of one thread of a search, which runs one start after the other.
 class SearchWorker {
  public:
   SearchWorker(const Body& probe, const Body& fixed, const SearchTuning& tuning = search_tuning);
 
   struct Limits {
-    int steps;        ///< at most
-    double beat;      ///< m: given up where it will not end much below; 0 or infinite: never
-    Deadline before;  ///< the search's
+    int steps;        ///< maximum number of steps
+    double beat;      ///< m: given up if it will not end much below; 0 or infinite: never
+    Deadline before;  ///< the end of the search's time
   };
-  /// Down by leaps, roughly and where that is promising by the true contacts.
+  /// Descends by leaps: roughly by outlines, and then, if that is promising, by the true contacts.
   LocalOptimum descend(const Chart& chart, const Vec6& y, Method method, const Limits& limits);
   LocalOptimum descend_exactly(const Chart& chart, const Vec6& y, Method method,
                                const Limits& limits);
@@ -35,15 +35,15 @@ class SearchWorker {
   PushApart& push(Method method) { return method == Method::pdg ? push_pdg_ : push_pdt_; }
   int limited() const { return pdg_.limited() + pdt_.limited(); }
 
-  /// A random displacement, not depending on how the world is turned.
+  /// A random displacement that does not depend on the orientation of the world frame.
   Vec6 sample(Random& random, double radius, Method method) const;
-  /// Random poses of a ball about y: a free one, if there is one among so many. Where sketches lie
-  /// plainly too deep, the bodies are not asked.
+  /// A free pose among `tries` random poses of a ball about `center`, if there is one. If the
+  /// sketches overlap clearly too deep, the bodies are not tested.
   std::optional<Vec6> free_sample(const Chart& chart, Random& random, const Vec6& center,
                                   double radius, int tries, Method method, const Deadline& before,
                                   SketchDescent* sketches = nullptr);
 
-  double near;  ///< m: no free pose was found in smaller balls
+  double near;  ///< m: smaller balls had no free pose
   double smallest_ball() const { return tuned_.smallest_ball * probe_.mass.radius; }
 
  private:

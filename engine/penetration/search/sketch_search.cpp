@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-/// Starts between which what they found is shared.
+/// Starts per round; results are shared between rounds.
 constexpr std::size_t sketches_a_round = 8;
 
 }  // namespace
@@ -54,8 +54,8 @@ void SketchSearch::round() {
   made_ += int{sketches_a_round};
 }
 
-/// From the nearest free pose of ever larger balls; later also in balls about as large as the
-/// best depth, and about the best ends.
+/// Starts from the nearest free pose of growing balls; later also from balls about as large as the
+/// best depth, and from balls about the best ends.
 std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent) const {
   Random random = stream(static_cast<std::uint64_t>(number));
   const double smallest = tuned_.smallest_ball_of_sketches * chart_.mass().radius;
@@ -75,14 +75,15 @@ std::optional<SketchEnd> SketchSearch::start(int number, SketchDescent& descent)
       ends_[which].y,
       std::max(smallest, best() * random.uniform(tuned_.least_end_ball, tuned_.largest_end_ball)),
       tuned_.other_balls, random, descent);
-  if (end) end->starts = 0;  // it knew where to look
+  if (end) end->starts = 0;  // not independent: it started near a known end
   return end;
 }
 
 std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ball,
                                                    const Balls& balls, Random& random,
                                                    SketchDescent& descent) const {
-  const bool must = ends_.empty() && made_ == 0;  // there is one end, however late
+  const bool must =
+      ends_.empty() && made_ == 0;  // the first start always yields an end, however late
   for (; ball < tuned_.largest_ball * chart_.mass().radius; ball *= balls.growth)
     for (int tries = 0; tries < balls.tries && (must || !goal_.deadline.passed()); ++tries) {
       const Vec6 y = center + sample(random, ball);
@@ -92,7 +93,7 @@ std::optional<SketchEnd> SketchSearch::start_about(const Vec6& center, double ba
   return std::nullopt;
 }
 
-/// By few points, and where that is promising by more.
+/// Descends with few points, and if that is promising with more.
 std::optional<SketchEnd> SketchSearch::descend(const Vec6& y, SketchDescent& descent) const {
   const auto rough = descent.run(
       chart_, y,

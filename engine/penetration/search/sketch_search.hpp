@@ -15,7 +15,7 @@
 
 namespace sonde {
 
-/// Where descents on the sketches ended.
+/// The end of descents on the sketches.
 struct SketchEnd {
   Vec6 y;
   double depth = 0;  ///< |y|, m
@@ -31,29 +31,29 @@ struct SketchGoal {
   Method method = Method::pdg;
   std::uint64_t seed = 1;
   Deadline deadline = {};
-  /// Axes of the random displacements: those of the fixed body make the search independent of how
-  /// the world is turned.
+  /// Axes of the random displacements: those of the fixed body make the search independent of the
+  /// orientation of the world frame.
   Mat3 axes = Mat3::Identity();
   /// m: the search gives up descents that would end above this.
   double beat = std::numeric_limits<double>::infinity();
 };
 
-/// Looks for the places nearest to the origin at which the sketches are apart, from random starts,
-/// one descent for each lane of the threads at a time. The same on any number of threads, but for
-/// the deadline; and the same whether it is made at once or goes on.
+/// Searches for the poses nearest to the origin at which the sketches are apart, from random
+/// starts, with one descent at a time in each thread lane. The results do not depend on the number
+/// of threads, except for the deadline, nor on whether the starts are made in one call or several.
 class SketchSearch {
  public:
   SketchSearch(const Chart& chart, const SketchGoal& goal, std::span<SketchDescent> lanes,
                ThreadPair& threads, const SearchTuning& tuning = search_tuning);
 
-  /// More of them, until `most` are made, or `fewest` and it is clear what is the least depth.
+  /// Makes more starts until `most` are made, or `fewest` and is_clear(agreeing).
   void make_starts(int fewest, int most, int agreeing);
 
-  std::vector<SketchEnd>& ends() { return ends_; }  ///< the nearest first, each once
-  /// As many starts as `agreeing` have ended at the least depth, to 2 %, each by itself; or some,
-  /// where no other end is near it.
+  std::vector<SketchEnd>& ends() { return ends_; }  ///< sorted by depth, each place once
+  /// `agreeing` starts have independently ended at the least depth, to 2 %; fewer suffice if no
+  /// other end is near it.
   bool is_clear(int agreeing) const;
-  int made() const { return made_; }  ///< starts
+  int made() const { return made_; }  ///< number of starts
 
  private:
   using Balls = SearchTuning::Balls;
@@ -74,7 +74,7 @@ class SketchSearch {
   const SearchTuning& tuned_;
   std::vector<SketchEnd> ends_;
   int made_ = 0;
-  double nearest_free_ = std::numeric_limits<double>::infinity();  // m, where a start began
+  double nearest_free_ = std::numeric_limits<double>::infinity();  // m, |y| of the nearest start
 };
 
 }  // namespace sonde

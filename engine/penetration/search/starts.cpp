@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// Of a round of random starts: those that are not near ends.
+/// The starts of a random round that are not near known ends.
 constexpr std::size_t far_starts = std::size(search_tuning.far_widths);
 
 }  // namespace
@@ -85,8 +85,8 @@ std::optional<Vec6> Starts::first_free_beyond(const Vec6& end, Method method,
   return std::nullopt;
 }
 
-/// A free pose near an end on the sketches: where they are further apart, or where the bodies push
-/// each other.
+/// A free pose near an end on the sketches: found by moving the sketches further apart, or by
+/// pushing the bodies apart.
 std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t lane) {
   SketchDescent& sketches = sketched_[lane];
   Vec6 y = end;
@@ -100,7 +100,7 @@ std::optional<Vec6> Starts::freed(const Vec6& end, Method method, std::size_t la
               .y;
     if (lanes_[lane].leaps(method).is_free(chart_, y)) return y;
   }
-  // With little time, what is found for certain in a few tests comes first.
+  // With little time, the few tests that surely find a pose come first.
   if (before_.microseconds > 0)
     if (auto out = first_free_beyond(end, method, lane)) return out;
   return lanes_[lane].push(method).from(chart_, end, std::numeric_limits<double>::infinity(),
@@ -113,7 +113,7 @@ LocalOptimum Starts::pushed(const Vec6& y, const Aim& aim, std::size_t lane) {
   LocalOptimum out;
   if (free && !(aim.known && aim.known->is_known(*free, tuned_.known_within)))
     out = lanes_[lane].descend_exactly(chart_, *free, aim.method, limits(aim));
-  out.starts = 0;  // they all begin near the device pose
+  out.starts = 0;  // not independent: they all begin near the device pose
   return out;
 }
 

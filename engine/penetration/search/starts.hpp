@@ -12,12 +12,12 @@
 
 namespace sonde {
 
-/// What a start is made for.
+/// The goal and limits of one start.
 struct Aim {
   Method method = Method::pdg;
-  double beat = 0;                     ///< m: the best depth so far; infinite: there is none
-  int steps = 0;                       ///< that it may take
-  const LocalOptima* known = nullptr;  ///< where it is not worth while to come down again
+  double beat = 0;                     ///< m: the best depth so far; infinite if there is none
+  int steps = 0;                       ///< steps that it may take
+  const LocalOptima* known = nullptr;  ///< places that need not be reached again
 };
 
 /// The kinds of starts of a search, each made and descended in one of two lanes. The `starts` of a
@@ -28,33 +28,35 @@ class Starts {
          const SearchTuning& tuning = search_tuning);
 
   SearchWorker& lane(std::size_t k) { return lanes_[k]; }
-  /// One for each lane; empty where the pair has no sketches.
+  /// One for each lane; empty if the pair has no sketches.
   std::vector<SketchDescent>& sketched() { return sketched_; }
   const std::vector<SketchDescent>& sketched() const { return sketched_; }
   int limited() const;
-  /// From now on the lanes keep the times of their phases.
+  /// From now on the lanes record their phase times.
   void time_phases() noexcept;
-  PhaseTimes phases() const;  ///< of both lanes; all 0 unless they are kept
+  PhaseTimes phases() const;  ///< sum of both lanes; 0 unless recorded
 
-  /// From the nearest free pose: random poses of ever larger balls, `tries` in each. This finds a
-  /// way out close by, even in a tangle that no start from outside gets into.
+  /// Descends from the nearest free pose, found among random poses in growing balls, `tries` in
+  /// each. This finds a way out close by, even in a tangle that no start from outside enters.
   LocalOptimum near(Random random, int tries, const Aim& aim, std::size_t lane);
-  /// From a pose where the sketches are apart, or near it.
+  /// Descends from a pose at which the sketches are apart, or from a free pose near it.
   LocalOptimum sketched(const SketchEnd& end, const Aim& aim, std::size_t lane);
-  /// The same at once: from the first free pose straight out through that end, with no look at what
-  /// would be nearer. For a search whose time is over.
+  /// The same without a search for a nearer pose: from the first free pose straight beyond that
+  /// end. For a search whose time is over.
   LocalOptimum beyond(const SketchEnd& end, const Aim& aim, std::size_t lane);
-  /// Out of the overlap at y, pushed apart by the triangles that meet there, and then down.
+  /// Pushes the overlap at y apart by its intersecting triangles, and descends from there.
   LocalOptimum pushed(const Vec6& y, const Aim& aim, std::size_t lane);
-  /// From a random overlap within `radius`, m.
+  /// The same from a random overlap within `radius`, m.
   LocalOptimum pushed_within(double radius, Random& random, const Aim& aim, std::size_t lane);
   /// y of an overlap in which a principal axis of the probe lies along one of the fixed body, and
-  /// both centres of mass on one line along it; the spin about it and the place on it are random.
-  /// No further than `farthest`, m; none where few are.
+  /// both centres of mass on one line along it. The spin about the axis and the position along it
+  /// are random. Within `farthest`, m; no value if such poses are rare.
   std::optional<Vec6> along_axes(Random& random, double farthest) const;
-  /// From a random free pose of a ball of `width` times the best depth, or of a larger one.
+  /// Descends from a random free pose in a ball of `width` times the best depth, or in a larger
+  /// one.
   LocalOptimum far(double width, Random random, const Aim& aim, std::size_t lane);
-  /// From a random free pose about an end: where there are many ends, the better ones lie together.
+  /// Descends from a random free pose near an end: if there are many ends, the better ones lie
+  /// together.
   LocalOptimum about(const Vec6& end, Random random, const Aim& aim, std::size_t lane);
   /// The k-th start of a round of random starts. Most start near the best ends, because where there
   /// are many, the better ones lie together. Others start from a random free pose of a ball
@@ -63,8 +65,8 @@ class Starts {
   static constexpr std::size_t per_round = 8;
   LocalOptimum random(std::size_t turn, std::size_t k, const std::vector<Vec6>& ends, Random random,
                       const Aim& aim, std::size_t lane);
-  /// From outside to contact by translation, along the line of the middles (k 0 and 1) and along
-  /// the fixed body's axes (up to 7). This always finds a free pose.
+  /// Moves from outside into contact by translation, along the line of the centres (k 0 and 1) and
+  /// along the fixed body's axes (up to 7), and descends. This always finds a free pose.
   LocalOptimum outside(std::size_t k, const Aim& aim, std::size_t lane);
 
  private:

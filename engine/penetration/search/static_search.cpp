@@ -17,8 +17,8 @@
 namespace sonde {
 namespace {
 
-/// What a search ends with, and about what it took, in the units of work of the bound: rather less
-/// than more.
+/// The result of a search, and about the work it took (rather less than more), in the bound's
+/// units.
 struct Searched {
   Separation found;
   std::int64_t work;
@@ -39,7 +39,8 @@ Searched searched(const Pair& pair, const Pose& device, const StaticOptions& opt
   return with_work(found, search.sketches_made());
 }
 
-/// A search is several, one after the other, each of which begins at 0.
+/// A search consists of several in sequence, each of which reports progress from 0; this keeps the
+/// reported fraction from falling.
 Progress never_falling(const Progress& progress) {
   if (!progress) return {};
   return [&progress, most = 0.0](double fraction) mutable {

@@ -27,7 +27,8 @@ class Touch {
         level_(std::max(allowed_clearance(probe.mass.radius, 0),
                         touching_tuning.level_in_roundings * rounding_)) {}
 
-  /// The contacts of all that touches; false where something overlaps, or contradicts itself.
+  /// Finds the contacts of all touching pairs. Returns false if something overlaps, or if the
+  /// contacts contradict each other.
   bool find_contacts() {
     if (!find_pairs()) return false;
     const auto directions =
@@ -67,7 +68,8 @@ class Touch {
     return look(found) && found.size() < touching_tuning.most_pairs;
   }
 
-  /// For as many pairs as there is room for; false where one of them does more than touch.
+  /// Collects as many pairs as there is room for. Returns false if one of them overlaps by more
+  /// than a touch.
   bool look(std::vector<Violation>& found) {
     Effort unlimited;
     found.resize(
@@ -102,8 +104,8 @@ class Touch {
   const Body& fixed_;
   Chart chart_;
   Transform X_;
-  double rounding_;  // m: what coordinates lose when the probe is placed
-  double level_;     // m: what is less deep is a touch
+  double rounding_;  // m: rounding error of coordinates when the probe is placed
+  double level_;     // m: an overlap below this is a touch
   std::vector<TouchingPair> pairs_;
   std::vector<Contact> contacts_;
 };

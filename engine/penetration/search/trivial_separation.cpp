@@ -8,10 +8,10 @@
 namespace sonde {
 namespace {
 
-/// Of the probe's radius: where coordinates are rounded by more, contacts mean nothing.
+/// Share of the probe's radius: if coordinates are rounded by more, contacts are meaningless.
 constexpr double largest_rounding = 0.01;
 
-/// Is the probe's ball about its centre of mass clear of the box around the fixed body?
+/// Whether the probe's ball about its centre of mass is clear of the box around the fixed body.
 bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, double rounding) {
   const Vec3 com = X * probe.mass.com;
   const Vec3 nearest = com.cwiseMax(fixed.tree.low).cwiseMin(fixed.tree.high);
@@ -23,7 +23,7 @@ bool ball_is_clear(const Body& probe, const Body& fixed, const Transform& X, dou
 std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
                                              const Pose& X_FM) {
   if (!is_finite(X_FM)) return failed(X_FM, "the pose is not finite");
-  // Without a look at the trees: rounding that is as large as a body makes all boxes overlap.
+  // This test does not use the trees: if rounding is as large as a body, all boxes overlap.
   const double rounding = rounding_guard(extent(probe), extent(fixed), X_FM.p);
   const Transform X(X_FM);
   if (ball_is_clear(probe, fixed, X, rounding)) return separated_at(X_FM);

@@ -8,9 +8,9 @@
 
 namespace sonde {
 
-/// The answer at poses that need no search; no value where the bodies overlap. A pose that is not
-/// finite, or so far away that rounding makes it meaningless, is refused. Where the probe is clear
-/// of the fixed body, however far away, or free by the exact test, it is separated as it is.
+/// The answer at poses that need no search; no value if the bodies overlap. A pose that is not
+/// finite, or so far away that rounding makes it meaningless, fails. If the probe is clear of the
+/// fixed body, however far away, or free by the exact test, it is separated as it is.
 /// @pre A finite pose has a unit quaternion.
 std::optional<Separation> trivial_separation(const Body& probe, const Body& fixed,
                                              const Pose& X_FM);

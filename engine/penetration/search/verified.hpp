@@ -14,10 +14,10 @@ namespace sonde {
 /// poses that pass the exact test.
 class Verified {
  public:
-  /// `times`: what the times of phases are added to; null: nothing.
+  /// `times`: receives the times of phases; null: they are not recorded.
   Verified(const Pair& pair, const Chart& chart, PhaseTimes* times = nullptr);
 
-  /// The free pose at y, refined to the last digit by at most `steps` steps.
+  /// Refines the free pose at y to full accuracy with at most `steps` steps.
   Separation refined(Method method, const Vec6& y, LeapDescent& leaps, int steps,
                      const Deadline& deadline);
   /// Keeps the answer if it is nearer than the best so far and free by the exact test.
@@ -31,7 +31,7 @@ class Verified {
   const Chart& chart_;
   PhaseTimes* times_;
   std::array<std::optional<Refinement>, 2>
-      refinements_;  // of each method, made when first asked for
+      refinements_;  // for each method, constructed on first use
   std::optional<Separation> best_;
 };
 

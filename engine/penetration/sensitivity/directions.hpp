@@ -9,12 +9,12 @@
 
 namespace sonde {
 
-/// Of a row: what the held rows leave of it is no more than rounding.
+/// Share of a row: if the held rows leave less of it, the rest is rounding.
 constexpr double row_dependent = 1e-6;
-/// Of a curvature of one: no optimum is flatter.
+/// In units of an average curvature of 1: no strict optimum is flatter.
 constexpr double flattest_optimum = 1e-9;
 
-/// The directions of rows that hold, and those that they leave free, orthonormal.
+/// An orthonormal basis: the directions of the held rows, and those that they leave free.
 class Directions {
  public:
   std::size_t held() const { return held_; }
@@ -24,7 +24,7 @@ class Directions {
   /// Row i = Σ part(i, j) of_held(j).
   double part(std::size_t i, std::size_t j) const { return parts_[i][j]; }
 
-  /// False where the rows before hold this one, too.
+  /// Adds a row. Returns false if it depends on the rows held before.
   bool hold(const Vec6& row) {
     if (held_ == 6) return false;
     auto& parts = parts_[held_];
@@ -42,12 +42,12 @@ class Directions {
     q_[held_++] = rest / length;
     return true;
   }
-  /// What of a row is free.
+  /// The part of a row in the free directions.
   Vec6 free_part(Vec6 row) const {
     for (std::size_t j = 0; j < held_; ++j) row -= q_[j].dot(row) * q_[j];
     return row;
   }
-  /// Of the rows that hold, what makes up this one.
+  /// The coefficients of the held rows whose sum is this row.
   std::array<double, 6> shares(const Vec6& row) const {
     std::array<double, 6> out{};
     for (std::size_t k = held_; k-- > 0;) {
@@ -57,9 +57,9 @@ class Directions {
     }
     return out;
   }
-  /// No more rows: finds the free directions.
+  /// Finds the free directions. No row may be added after it.
   void complete() {
-    Vec6 left = Vec6::Ones();  // of each coordinate's axis
+    Vec6 left = Vec6::Ones();  // square of each axis's part outside the directions found
     for (std::size_t j = 0; j < 6; ++j) {
       if (j >= held_) {
         Eigen::Index axis;
@@ -79,7 +79,7 @@ class Directions {
   std::size_t held_ = 0;
 };
 
-/// A quadratic form on the free directions, by its Cholesky factor.
+/// A quadratic form on the free directions, factorised (Cholesky).
 class FreeCurvature {
  public:
   FreeCurvature(const Eigen::Matrix<double, 6, 6>& M, const Directions& directions)
@@ -100,7 +100,7 @@ class FreeCurvature {
         }
       }
   }
-  /// It rises in all of them.
+  /// The form is positive definite.
   bool is_strict() const { return strict_; }
   /// Z (Zᵀ M Z)⁻¹ Zᵀ x, with the free directions as the columns of Z.
   Vec6 solve(const Vec6& x) const {

@@ -11,17 +11,17 @@
 namespace sonde {
 namespace {
 
-/// Of a row: one of which the rows that hold leave no more than that free holds with them.
+/// Share of a row: if the held rows leave no more of it free, they hold it too.
 constexpr double held_with_others = 1e-4;
-/// Of the gap of a row that may be about to hold: one that touches has no more.
+/// Share of the gap below which a row may be about to hold: a touching row has no larger gap.
 constexpr double touching = 1e-2;
-/// m: a motion that opens a row by one and closes no other is no longer; else it is rounding.
+/// m: a motion that opens a row by 1 m and closes no other is no longer; a longer one is rounding.
 constexpr double longest_motion = 1e4;
-/// Rounds of an active set and Newton steps for it. Two are enough where the first set is right.
+/// Rounds, each an active set and Newton steps for it. Two are enough if the first set is right.
 constexpr int most_rounds = 4;
-/// Of the depth: rows are satisfied to this.
+/// Share of the depth: tolerance of the rows.
 constexpr double solved_to = 1e-10;
-/// Of the depth: after a longer Newton step there is another one.
+/// Share of the depth: after a longer Newton step a second one follows.
 constexpr double short_step = 1e-3;
 
 /// The pose after a small motion about the centre of mass.
@@ -31,7 +31,7 @@ Pose pose_after(const MassProperties& mass, const Pose& X, const Vec6& motion) {
   return {q, com - q * mass.com};
 }
 
-/// 2(wÎv + v × Îv), and its change with a turn θ of the rotation (w, v) from the left.
+/// 2(wÎv + v × Îv), and its derivative for a turn θ of the rotation (w, v) from the left.
 struct TurningMoment {
   Vec3 value;
   Mat3 change;
@@ -100,8 +100,8 @@ Vec6 ExactOptimum::in_lengths(const FeatureRowAt& row) const noexcept {
   return out;
 }
 
-/// The rows that hold the probe here. At the optimum its wrench is theirs, in whatever metric the
-/// way there is measured.
+/// Finds the rows that hold the probe here. At the optimum, the wrench is a combination of theirs,
+/// independent of the metric in which the distance to it is measured.
 bool ExactOptimum::choose() noexcept {
   Vec6 wrench = at_.wrench;
   wrench.tail<3>() /= turn_;
@@ -123,7 +123,7 @@ bool ExactOptimum::choose() noexcept {
   return true;
 }
 
-/// ∂²(U − Σλg)/∂Q², where all coordinates are lengths.
+/// ∂²(U − Σλg)/∂Q², in coordinates that are all lengths.
 Mat6 ExactOptimum::curvature() const noexcept {
   Mat6 out = at_.by_motion;
   const Transform X(X_FQ_);
@@ -137,16 +137,17 @@ Mat6 ExactOptimum::curvature() const noexcept {
   }
   out.rightCols<3>() /= turn_;
   out.bottomRows<3>() /= turn_;
-  // Symmetric where the wrench is that of the rows: what is not is how far it is from that.
+  // The exact matrix is symmetric if the wrench is a combination of the rows; the asymmetry is the
+  // error of that.
   const Mat6 transposed = out.transpose();
   return 0.5 * (out + transposed);
 }
 
-/// A Newton step to where the active rows have no gap and hold the wrench. Returns its length, m;
-/// infinite where there is none.
+/// A Newton step to the pose at which the active rows have no gap and hold the wrench. Returns its
+/// length, m; infinite if there is no such step.
 double ExactOptimum::step() noexcept {
   Directions directions;
-  std::array<double, 6> along;  // the step, along the directions of the rows
+  std::array<double, 6> along;  // components of the step along the directions of the rows
   Vec6 to = Vec6::Zero();
   for (std::size_t k = 0; k < active_; ++k) {
     if (!directions.hold(in_lengths(active_row(k)))) return infinity;
@@ -198,9 +199,10 @@ ContactSet ExactOptimum::contacts() const noexcept {
   return out;
 }
 
-/// Of four corners of a face two opposite ones may bear all of the load: the others bear some as
-/// soon as it moves, and cannot open. A row can open where a motion opens it that closes no other
-/// (Farkas): `free` are the rows in question, without what rows hold that bear a load.
+/// Two opposite corners of four of a face may bear all of the load. The other two bear some as soon
+/// as the face moves, so they cannot open. A row can open if some motion opens it and closes no
+/// other (Farkas). `free` holds the rows in question, without the components held by rows that bear
+/// a load.
 bool ExactOptimum::can_open(std::span<HalfSpace> free, std::size_t i) noexcept {
   const double length = free[i].normal.norm();
   free[i].bound = length;
@@ -249,7 +251,7 @@ Directions ExactOptimum::held_directions(bool weak_hold) const noexcept {
 
 int ExactOptimum::held() const noexcept { return static_cast<int>(held_directions(false).held()); }
 
-/// The change of Q with O, where all coordinates are lengths.
+/// The derivative of Q with respect to O, in coordinates that are all lengths.
 bool ExactOptimum::response(bool weak_hold, Mat6& out) const noexcept {
   Directions directions = held_directions(weak_hold);
   directions.complete();
@@ -272,7 +274,7 @@ bool ExactOptimum::derivative(bool weak_hold, Change& out) const noexcept {
   const Mat3 by_turn = at_.by_motion.bottomRightCorner<3, 3>();
   for (Eigen::Index i = 0; i < 6; ++i)
     out.wrench.col(i).tail<3>() = by_turn * relative.col(i).tail<3>();
-  // As O turns, the wrench turns with it.
+  // The wrench turns with O.
   out.wrench.bottomRightCorner<3, 3>() -= cross_matrix(at_.wrench.tail<3>());
   return true;
 }

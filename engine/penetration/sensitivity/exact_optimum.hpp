@@ -20,13 +20,14 @@ namespace sonde {
 struct HalfSigma {
   double sigma = 0;
   Vec6 wrench = Vec6::Zero();  ///< (F, τ) at k = 1: ∂U/∂Q, and −∂U/∂O
-  /// The change of the wrench with Q, and (negative) with O, O's turning of F's axes left out.
+  /// Derivative of the wrench with respect to Q, and, negated, to O, where the turn of O does not
+  /// turn F's axes.
   Eigen::Matrix<double, 6, 6> by_motion = Eigen::Matrix<double, 6, 6>::Zero();
 };
-/// Where a turn about a principal axis moves nothing, O is turned about it as Q is.
+/// If a turn about a principal axis moves no mass, O takes over Q's turn about that axis.
 HalfSigma half_sigma(const MassProperties& mass, const Pose& X_FO, const Pose& X_FQ) noexcept;
 
-/// The nearest pose to O, near a given one, that feature rows let the probe come to without a gap:
+/// The pose nearest to O, near a given one, at which the probe rests on feature rows without a gap:
 /// a separation lies above it by its clearance. min U subject to the gaps ≥ 0, solved by an active
 /// set (least_distance) and Newton steps with the curvature of the active gaps.
 class ExactOptimum {
@@ -35,9 +36,9 @@ class ExactOptimum {
 
   ExactOptimum(const MassProperties& mass, const Pose& X_FO) noexcept;
 
-  /// Begins at X_FQ. Refers to the rows.
+  /// Starts at X_FQ. Keeps a reference to the rows.
   void begin(const Pose& X_FQ, std::span<const FeatureRow> rows) noexcept;
-  /// Goes there. False where it is further than `most` (m), or is not found.
+  /// Moves to the optimum. Returns false if it is further than `most` (m), or is not found.
   bool settle(double most) noexcept;
 
   const Pose& pose() const noexcept { return X_FQ_; }
@@ -45,22 +46,23 @@ class ExactOptimum {
   ContactSet contacts() const noexcept;
   double depth() const noexcept { return std::sqrt(at_.sigma); }
   const Vec6& wrench() const noexcept { return at_.wrench; }
-  /// How many rows hold the probe, weak ones left out.
+  /// Number of independent rows that hold the probe, without the weak ones.
   int held() const noexcept;
 
-  /// Finds the rows of which rounding or the clearance decides whether they hold: those that bear
-  /// at most `push` (m, λ), and those that bear nothing and are within `gap` (m), but for those
-  /// that cannot open. Returns how many. Call it before what follows.
+  /// Finds the weak rows, of which rounding or the clearance decides whether they hold: rows that
+  /// bear at most `push` (m, λ), and rows that bear nothing and are within `gap` (m), except those
+  /// that cannot open. Returns their number. Call it before the functions below.
   int find_weak(double push, double gap) noexcept;
 
-  /// Changes with O's motion.
+  /// Derivatives with respect to O's motion.
   struct Change {
     Mat6 wrench;     ///< of (F, τ)
     Mat6 separated;  ///< of Q, as (ξ, ψ)
   };
-  /// Where weak rows hold, or where they do not. False where there is no strict optimum.
+  /// The derivative if weak rows hold, or if they do not. Returns false if the optimum is not
+  /// strict.
   bool derivative(bool weak_hold, Change& out) const noexcept;
-  /// The change of the first weak row's gap with O's motion, where no weak row holds.
+  /// The derivative of the first weak row's gap with respect to O's motion, if no weak row holds.
   Vec6 weak_gap_rate() const noexcept;
 
  private:
@@ -77,10 +79,10 @@ class ExactOptimum {
   const MassProperties& mass_;
   Pose X_FO_;
   Quat q_MP_, q_FP_;  // principal axes: in M, and at O in F
-  Vec3 com_F_;        // at O
+  Vec3 com_F_;        // com_F_ at O
   Pose X_FQ_;
   std::span<const FeatureRow> rows_;
-  double turn_;  ///< m: that a rotation is multiplied by, so that all coordinates are lengths
+  double turn_;  ///< m: factor of rotations that makes all coordinates lengths
   HalfSigma at_;
   std::array<FeatureRowAt, most_rows> row_;
   std::size_t active_ = 0;

@@ -11,17 +11,19 @@
 namespace sonde {
 namespace {
 
-/// Sine: edges more nearly parallel cross nowhere.
+/// Sine: edges more nearly parallel have no crossing.
 constexpr double parallel = 1e-6;
-/// In a hollow, sine: between the normal of a feature and the direction of the nearest points.
+/// In a hollow, sine: largest angle between a feature's normal and the direction of closest points.
 constexpr double widest = 0.8;
-/// In a hollow: of the distance of two triangles, what they have of it along a feature's normal.
+/// In a hollow: share of the distance of two triangles that they must have along a feature's
+/// normal.
 constexpr double hollow = 0.5;
 constexpr double same_face = 1e-18;  ///< square of the difference of unit normals
 const Transform fixed_at;            ///< F itself
 constexpr std::uint32_t none = 0xffffffffu;
 
-/// Whether x lies on a triangle, seen along its face's normal. Whichever way round its corners go.
+/// Whether x lies on a triangle, seen along its face's normal, for either orientation of its
+/// corners.
 bool lies_on(const Vec3& x, const std::array<Vec3, 3>& at, const std::array<Vec3, 3>& edge,
              const Vec3& face, double border) {
   const double turn = edge[0].cross(edge[1]).dot(face) > 0 ? 1 : -1;
@@ -54,7 +56,7 @@ FacingFeatures::Facing FacingFeatures::facing(const Soup& soup, std::uint32_t tr
   return out;
 }
 
-/// A vertex may lie on two triangles of one face.
+/// Compares faces too: a vertex may lie on two triangles of one face.
 bool FacingFeatures::knows(FeatureRow::Kind kind, const Names& names,
                            const Vec3& face) const noexcept {
   for (std::size_t k = 0; k < size_; ++k) {
@@ -114,7 +116,7 @@ bool FacingFeatures::add_edges(const Facing& a, std::size_t i, const Facing& b, 
   const auto [b0, b1] = std::minmax(b.vertex[j], b.vertex[(j + 1) % 3]);
   const Names names{a0, a1, b0, b1};
   if (knows(FeatureRow::Kind::edge_on_edge, names, n)) return true;
-  // Where they cross, along each.
+  // Position of the crossing along each edge.
   const double s = -between.cross(d).dot(across) / (sine * sine),
                t = -between.cross(u).dot(across) / (sine * sine);
   if (s < -slack.border || s > a.length[i] + slack.border || t < -slack.border ||

@@ -11,13 +11,13 @@
 
 namespace sonde {
 
-/// The features of two bodies that face each other at a pose, each once. Never allocates.
+/// The features of two bodies that face each other at a pose, each listed once. Never allocates.
 class FacingFeatures {
  public:
   static constexpr std::size_t capacity = 256;
   FacingFeatures(const Body& probe, const Body& fixed) noexcept : probe_(probe), fixed_(fixed) {}
 
-  /// None yet, of a probe at X_FM. `reach`, m: features further apart do not count.
+  /// Starts an empty list for a probe at X_FM. `reach`, m: features further apart do not count.
   void begin(const Transform& X_FM, double reach) noexcept {
     X_ = X_FM;
     reach_ = reach;
@@ -26,32 +26,33 @@ class FacingFeatures {
     overflowed_ = false;
   }
 
-  /// Adds those of a contact, looking at the triangles around its points: features whose gap is
-  /// along the contact's normal. Where larger features lie on each other, these are at the corners
-  /// of what they share. Returns how many were there, known ones among them.
+  /// Adds the features at a contact, from the triangles around its points: features whose gap lies
+  /// along the contact's normal. If larger features lie on each other, these are the corners of
+  /// their common part. Returns the number of features found there, including known ones.
   int add_around(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
-  /// Adds features in whose directions the triangles around these points are apart, whichever way
-  /// those point, also where the features face each other only when the probe has moved by up to
-  /// the reach: an edge across a corner where two others meet in a hollow rests on both of those,
-  /// but the clearance lets it be above one of them, and nearest to the corner.
+  /// Adds features along whose own normal the triangles around these points are apart, whatever
+  /// that normal is, and also features that face each other only after the probe has moved by up to
+  /// the reach. Example: an edge across a corner where two other edges meet in a hollow rests on
+  /// both of those, but the clearance lets it hang above one of them, nearest to the corner.
   void add_hollow(const Vec3& on_probe, const Vec3& on_fixed, const Vec3& normal) noexcept;
-  /// Adds those of a pair of triangles, along `normal` (unit, from the fixed body to the probe).
+  /// Adds the features of a pair of triangles along `normal` (unit, from the fixed body to the
+  /// probe).
   int add_pair(std::uint32_t a, std::uint32_t b, const Vec3& normal) noexcept;
 
   std::span<const FeatureRow> rows() const { return {rows_.data(), size_}; }
   bool overflowed() const { return overflowed_; }
 
  private:
-  /// A triangle in F, and what of it may face the other body along a normal.
+  /// A triangle in F, and those of its features that may face the other body along a normal.
   struct Facing {
     std::array<Vec3, 3> at, edge;  ///< corners; unit directions of the edges
     std::array<double, 3> length;  ///< of the edges, m
     std::array<std::uint32_t, 3> vertex;
     Vec3 face;                 ///< unit normal, along the contact's
-    bool faces;                ///< the face is square to the normal
-    std::array<bool, 3> lies;  ///< an edge is square to the normal
+    bool faces;                ///< the face is perpendicular to the normal
+    std::array<bool, 3> lies;  ///< an edge is perpendicular to the normal
   };
-  /// What tells a row from others: vertices of the probe and of the fixed body.
+  /// Identifies a row: vertices of the probe and of the fixed body.
   using Names = std::array<std::uint32_t, 4>;
 
   /// The triangles around the points of a contact.
@@ -60,11 +61,11 @@ class FacingFeatures {
     std::size_t count_a, count_b;
   };
   void find_around(const Vec3& on_probe, const Vec3& on_fixed, Around& out) noexcept;
-  /// What may be off.
+  /// Tolerances.
   struct Slack {
-    double angle = 0;   ///< sine: between a feature's own normal and the one it is looked for along
-    double border = 0;  ///< m: beyond the border of a feature
-    double least = 0;   ///< m: the gap of the triangles along its normal, at least
+    double angle = 0;   ///< sine: largest angle of a feature's normal and the given one
+    double border = 0;  ///< m: largest distance beyond the border of a feature
+    double least = 0;   ///< m: least gap of the triangles along its normal
   };
   Facing facing(const Soup& soup, std::uint32_t triangle, const Transform& X, const Vec3& normal,
                 const Slack& slack) const noexcept;
@@ -82,10 +83,10 @@ class FacingFeatures {
   const Body& fixed_;
   Transform X_;
   double reach_ = 0;
-  Slack close_;  ///< of features at a contact
+  Slack close_;  ///< tolerances of features at a contact
   std::array<FeatureRow, capacity> rows_;
   std::array<Names, capacity> names_;
-  std::array<Vec3, capacity> faces_;  // the normal in F, here
+  std::array<Vec3, capacity> faces_;  // the row's normal in F at X_
   std::size_t size_ = 0;
   bool overflowed_ = false;
 };

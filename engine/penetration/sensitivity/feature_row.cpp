@@ -4,11 +4,11 @@
 namespace sonde {
 namespace {
 
-/// Two lines along the edges of a row.
+/// The two lines along the edges of a row.
 struct Lines {
-  Vec3 u, normal;  ///< the probe's, and the normal of both
+  Vec3 u, normal;  ///< direction of the probe's edge; common normal
   double sine;     ///< of the angle between them
-  Vec3 e;          ///< square to the fixed edge, in the plane of both
+  Vec3 e;          ///< perpendicular to the fixed edge, in the plane of both
 };
 Lines lines_of(const FeatureRow& row, const Transform& X) {
   const Vec3 u = X.R * row.along_a, across = row.sign * u.cross(row.along_b);
@@ -25,7 +25,7 @@ FeatureRowAt edge_on_edge(const FeatureRow& row, const Transform& X, const Vec3&
   return {lines.normal, p - com, lines.normal.dot(between)};
 }
 
-/// What moves the probe's edge along e moves the point by so much the other way along the edge.
+/// If the probe's edge moves along e, the contact point moves along that edge in proportion.
 FeatureRowChange change_of_edges(const FeatureRow& row, const FeatureRowAt& at,
                                  const Transform& X) {
   const Lines lines = lines_of(row, X);

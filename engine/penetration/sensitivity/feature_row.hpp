@@ -26,18 +26,18 @@ struct FeatureRowAt {
   Vec3 arm;     ///< r, from the probe's centre of mass to where the gap is measured, F, m
   double gap;   ///< m; it changes by n·ξ + (r × n)·ψ
 };
-/// The change of a row's normal and arm with (ξ, ψ).
+/// The derivatives of a row's normal and arm with respect to (ξ, ψ).
 struct FeatureRowChange {
   Eigen::Matrix<double, 3, 6> normal, arm;
 };
 
 /// `com`: the probe's centre of mass in its mesh frame.
 FeatureRowAt row_at(const FeatureRow& row, const Transform& X_FM, const Vec3& com) noexcept;
-/// Of `at`, which is the row there.
+/// The derivatives at `at`, the values of the row at X_FM.
 FeatureRowChange row_change(const FeatureRow& row, const FeatureRowAt& at,
                             const Transform& X_FM) noexcept;
 
-/// The matrix of v ×.
+/// The skew-symmetric matrix of v ×.
 inline Mat3 cross_matrix(const Vec3& v) {
   Mat3 out;
   out << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;

@@ -9,7 +9,7 @@ namespace {
 std::array<PrincipalStiffness, 3> principal(const Mat3& stiffness) noexcept {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(0.5 * (stiffness + stiffness.transpose()));
   std::array<PrincipalStiffness, 3> out;
-  for (int i = 0; i < 3; ++i)  // its values ascend
+  for (int i = 0; i < 3; ++i)  // eigenvalues ascend
     out[static_cast<std::size_t>(2 - i)] = {solver.eigenvalues()[i], solver.eigenvectors().col(i)};
   return out;
 }

@@ -8,21 +8,21 @@
 
 namespace sonde {
 
-/// A direction and how stiff the hand feels it.
+/// A direction and the stiffness that the hand feels in it.
 struct PrincipalStiffness {
   double value = 0;               ///< N/m along the direction, or N·m/rad about it
   Vec3 direction = Vec3::Zero();  ///< unit, in the fixed body's mesh frame
 };
 
-/// The stiffness that the hand feels, by its principal directions: the largest first.
+/// The stiffness that the hand feels, in its principal directions, the largest first.
 struct PrincipalStiffnesses {
-  std::array<PrincipalStiffness, 3> translation;  ///< N/m: displaced without a turn
-  std::array<PrincipalStiffness, 3> rotation;     ///< N·m/rad: turned about the centre of mass
+  std::array<PrincipalStiffness, 3> translation;  ///< N/m: displacement without a turn
+  std::array<PrincipalStiffness, 3> rotation;     ///< N·m/rad: turn about the centre of mass
 };
 
-/// Of the object norm with the gain k (N/m): the eigenvectors of the two symmetric parts of
-/// −k ∂(F, τ)/∂(δx, δφ). (The force that a turn makes, and the torque that a displacement makes,
-/// are in neither.)
+/// For the object norm with the gain k (N/m): the eigenvectors of the symmetric parts of the two
+/// diagonal blocks of −k ∂(F, τ)/∂(δx, δφ). (Neither contains the force caused by a turn, nor the
+/// torque caused by a displacement.)
 /// @pre The derivative has a side, k is finite.
 PrincipalStiffnesses principal_stiffnesses(const WrenchDerivative& derivative, double k) noexcept;
 

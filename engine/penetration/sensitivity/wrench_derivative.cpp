@@ -14,14 +14,15 @@
 namespace sonde {
 namespace {
 
-/// Clearances: features further apart do not touch. (A search leaves one at the most.)
+/// Clearances: features further apart do not touch. (A search leaves at most one.)
 constexpr double reach_of_clearance = 4;
-/// Of the depth: the exact optimum is no further from Q. (The residual of a search is 1e-4.)
+/// Share of the depth: largest distance of the exact optimum from Q. (A search has a residual of
+/// 1e-4.)
 constexpr double most_off = 5e-3;
 constexpr std::size_t most_pairs = 1024;
-/// From where the last one led to.
+/// Further looks, each from the pose found by the last one.
 constexpr int most_looks = 2;
-/// Of the depth: a contact with a smaller multiplier may end at once.
+/// Share of the depth: a contact with a smaller multiplier may end immediately.
 constexpr double weak_push = 1e-4;
 
 constexpr const char* too_many = "there are too many contacts";
@@ -32,8 +33,8 @@ WrenchDerivative without(const char* reason) {
   return out;
 }
 
-/// The exact optimum, and the features that it refers to. (60 KB that are not to be zeroed, as an
-/// empty std::optional is by g++ 12.)
+/// The exact optimum, and the features that it refers to. (60 KB that must not be zeroed, as g++ 12
+/// does with an empty std::optional.)
 struct Place {
   Place(const Pair& pair, const Pose& X_FO) noexcept
       : features(pair.probe(), pair.fixed()), optimum(pair.probe().mass, X_FO) {}
@@ -41,7 +42,7 @@ struct Place {
   ExactOptimum optimum;
 };
 
-/// Finds the exact optimum beside a separation.
+/// Finds the exact optimum near a separation.
 class Settling {
  public:
   Settling(const Pair& pair, const Separation& now, Neighbours neighbours) noexcept
@@ -51,19 +52,20 @@ class Settling {
         neighbours_(neighbours),
         clearance_(allowed_clearance(probe_.mass.radius, now.depth)) {}
 
-  /// Null, or why there is none.
+  /// Returns null, or the reason why there is no optimum.
   const char* settle(Place& place) const noexcept {
     const double reach = reach_of_clearance * clearance_;
     Look look{now_.separated, now_.contacts, reach, Where::at_contacts};
     const char* problem = settle_somehow(look, place);
-    // Further away, features may face each other no more, and others do.
+    // After a longer move, other features may face each other.
     for (int round = 0; !problem && moved(look.from, place.optimum) > reach; ++round) {
       if (round == most_looks) return "the search ended too far from an optimum";
       look = {place.optimum.pose(), place.optimum.contacts(), reach, Where::at_contacts};
       problem = settle_somehow(look, place);
     }
     if (problem || neighbours_ == Neighbours::of_contacts) return problem;
-    // What it has come nearer to may hold it as well. That is seen from where it is free.
+    // Features that the probe has come nearer to may hold it as well. They are searched for from
+    // the separated pose, which is free.
     const double far = moved(now_.separated, place.optimum);
     if (!(far > clearance_)) return nullptr;
     look = {now_.separated, now_.contacts, reach + far, look.where};
@@ -80,7 +82,7 @@ class Settling {
     Where where;
   };
 
-  /// m: any point of the probe, at the most.
+  /// m: upper bound of the displacement of any point of the probe.
   double moved(const Pose& from, const ExactOptimum& optimum) const noexcept {
     return farthest_move(probe_.mass, from, optimum.pose());
   }
@@ -104,7 +106,7 @@ class Settling {
     return place.optimum.settle(most) ? nullptr : "the contacts found do not hold the probe";
   }
 
-  /// False where there are more pairs than there is room for.
+  /// Returns false if there are more pairs than there is room for.
   bool add_near(const Look& look, FacingFeatures& features) const noexcept {
     std::array<NearPair, most_pairs> pairs;
     const NearPairs near = near_pairs(probe_, fixed_, Transform(look.from), look.reach, pairs);
@@ -116,7 +118,7 @@ class Settling {
   const Body &probe_, &fixed_;
   const Separation& now_;
   Neighbours neighbours_;
-  double clearance_;  ///< m: that a search leaves at the most
+  double clearance_;  ///< m: largest clearance that a search leaves
 };
 
 }  // namespace

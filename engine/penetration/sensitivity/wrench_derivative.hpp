@@ -21,41 +21,41 @@ struct WrenchDerivative {
   using Matrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
   using Vector = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;  ///< As Matrix.
 
-  /// Where the derivative holds: on all sides of this pose; on one side, and another one on the
-  /// other; or there is none.
+  /// Where the derivative holds: on all sides of this pose (all); on one side, with another
+  /// derivative on the other side (two); or nowhere (none).
   enum class Sides { all, two, none };
   Sides sides = Sides::none;  ///< where this one holds
-  int rows = 0;  ///< features in contact that hold the probe on this side, independent ones
-  /// Why the derivative does not hold on all sides; static text, empty where it does.
+  int rows = 0;               ///< number of independent features that hold the probe on this side
+  /// Why the derivative does not hold on all sides; static text, empty if it does.
   const char* reason = "";
   Vector d_depth = Vector::Zero();   ///< ∂depth/∂(δx, δφ): 1 and m/rad
   Matrix d_wrench = Matrix::Zero();  ///< ∂(F, τ)/∂(δx, δφ) at k = 1
-  /// How Q moves, as (displacement of the centre of mass, rotation vector), on the side of
+  /// The motion of Q, as (displacement of the centre of mass, rotation vector), on the side of
   /// `d_wrench`.
   Matrix d_separated = Matrix::Zero();
-  /// Where there are two sides: on the other one, where contacts hold that `d_wrench` leaves out.
-  /// (The depth has the same derivative on both.) Else as d_wrench.
+  /// If there are two sides: the derivative on the other side, where contacts hold that `d_wrench`
+  /// leaves out. (The depth has the same derivative on both.) Otherwise equal to d_wrench.
   Matrix d_wrench_held = Matrix::Zero();
-  /// Where there are two sides: a motion m of O with leaves·m > 0 leads to the side of `d_wrench`,
-  /// one with leaves·m < 0 to that of `d_wrench_held`. (Where several contacts are about to begin
-  /// or to end: the first of them does. What lies between is left out.) Else 0.
+  /// If there are two sides: a motion m of O with leaves·m > 0 leads to the side of `d_wrench`, one
+  /// with leaves·m < 0 to that of `d_wrench_held`. (If several contacts are about to begin or to
+  /// end, this is the first of them; the regions in between are ignored.) Otherwise 0.
   Vector leaves = Vector::Zero();
 };
 
-/// Where features are looked for that are about to hold the probe.
+/// Where to search for features that are about to hold the probe.
 enum class Neighbours {
   of_contacts,  ///< at the contacts of the separation: for a tick
-  all           ///< everywhere within the clearance: takes a query of near pairs more
+  all           ///< everywhere within the clearance: one more query of near pairs
 };
 
-/// The derivative of a separation with Method::pdg. Closed form: the curvature of σ and of the gaps
-/// that hold the probe, found from the vertices, edges and faces at its contacts. First the probe
-/// is let down to its contacts, from which it stands off by the clearance; the derivative is that
-/// of the exact optimum there. Contacts whose multiplier, or whose gap, is below what the
-/// separation itself is known to (its clearance) make two sides. There is no derivative where the
-/// search failed or has not converged, where the probe only touches, where the optimum is not
-/// strict (a turn that changes nothing), or where features touch that have no normal of their own,
-/// such as two corners. Where the probe is free, it is 0. Neither allocates, locks, logs nor
+/// The derivative of a separation with Method::pdg, in closed form: from the curvature of σ and of
+/// the gaps that hold the probe, which are gaps of the vertices, edges and faces at its contacts.
+/// The separated pose stands off its contacts by the clearance, so the probe is first moved into
+/// contact; the derivative is that of the exact optimum there. Contacts whose multiplier or gap is
+/// below the accuracy of the separation (its clearance) make two sides. There is no derivative if
+/// the search failed or has not converged, if the probe only touches, if the optimum is not strict
+/// (a turn that changes nothing), or if features touch that have no normal of their own, such as
+/// two corners. If the probe is free, the derivative is 0. Neither allocates, locks, logs nor
 /// throws.
 /// @pre `now` is a result of this pair.
 WrenchDerivative wrench_derivative(const Pair& pair, const Separation& now,

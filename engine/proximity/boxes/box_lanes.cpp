@@ -6,12 +6,12 @@
 namespace sonde {
 namespace {
 
-/// What there is between a box and boxes of a node.
+/// Gaps and projections between one box and boxes of a node.
 template <class Floats>
 struct Outside {
-  Floats in_a[3], in_b[3];  ///< the gaps along the axes of either
-  Floats d_a[3], d_b[3];    ///< |projections| of the line of the centres
-  Floats dd;                ///< its square
+  Floats in_a[3], in_b[3];  ///< the gaps along the axes of a and of b
+  Floats d_a[3], d_b[3];    ///< |projections| of the vector between the centres
+  Floats dd;                ///< square of its length
   Floats rounding;
 };
 
@@ -61,7 +61,7 @@ SONDE_INLINE void distances_of(const PlacedBox& box, const Tree::Node& node, std
   sum_of_outer_squares(o.in_b, in_b);
   larger(in_a, in_b, squared);
   square_root(squared, faces);
-  // Along the line of the centres, of length |d|: |d| − Σ hᵢ |d·aᵢ| / |d| of both.
+  // Along the vector d between the centres: |d| − Σ hᵢ |d·aᵢ| / |d| over the axes of both boxes.
   Floats reach = box.half[0] * o.d_a[0] + b.half[0] * o.d_b[0];
   for (int i = 1; i < 3; ++i) reach += box.half[i] * o.d_a[i] + b.half[i] * o.d_b[i];
   Floats length;
@@ -105,8 +105,8 @@ SONDE_INLINE void gaps_of(const PlacedBox& box, const Tree::Node& node, std::uin
   store(best - o.rounding, out.value + first);
 }
 
-/// What a gap along an axis loses by a way, both given by their parts along it: the gap is on the
-/// side that `d` says.
+/// Subtracts from a gap along an axis what the motion `way` can take of it. `d` and `way` are
+/// projections on the axis; the sign of `d` says on which side the gap is.
 template <class Floats>
 SONDE_INLINE void lose(const Floats& d, const Floats& way, Floats& gap) {
   const Floats none{};
@@ -166,8 +166,8 @@ SONDE_INLINE void point_distances_of(const PlacedPoint& point, const Tree::Node&
   store(best - off, out.value + first);
 }
 
-/// Separating axes of a ray and a box: the box's normals, for the end of the ray, and the cross
-/// products of its normals with the ray.
+/// Separating axes of a ray and a box: the box's normals, which separate the start of the ray, and
+/// the cross products of its normals with the ray.
 template <class Floats>
 SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, std::uint32_t first,
                               float scale, Lanes& out) {
@@ -200,7 +200,7 @@ SONDE_INLINE void ray_gaps_of(const PlacedRay& ray, const Tree::Node& node, std:
   store(best - lost, out.value + first);
 }
 
-// An attribute and a name cannot be put in parentheses.
+// A macro cannot put an attribute or a name in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define SONDE_BOX_KERNEL(NAME, WHAT, PLACED, FLOATS, ATTRIBUTE)                                 \
   ATTRIBUTE void NAME(const PLACED& a, const Tree::Node& b, float scale, Lanes& out) {          \

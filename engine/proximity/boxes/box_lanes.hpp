@@ -10,22 +10,22 @@
 
 namespace sonde {
 
-/// A box in the frame of the boxes it is compared with, in their lengths times `scale`. What lies
-/// far from the frame's own origin, for its size, is kept relative to another: nothing is rounded
-/// for the size of what is elsewhere.
+/// A box in the frame of the boxes that it is compared with, lengths times `scale`. If the boxes
+/// lie far from the frame's own origin, compared with their size, coordinates are relative to
+/// `origin`, so that rounding depends on the boxes' size only.
 struct PlacedBox {
   float origin[3] = {0, 0, 0};
-  float center[3];   ///< from the origin
+  float center[3];   ///< relative to origin
   float axis[3][3];  ///< axis[i]: unit, to rounding
   float half[3];
-  /// A direction from the boxes of the node to this one that may separate them better than those of
-  /// their own: unit to rounding, or zero for none.
+  /// A direction, from the boxes of the node to this one, that may separate them better than the
+  /// face normals: unit to rounding, or zero for none.
   float direction[3] = {0, 0, 0};
-  /// Where it may go from here, straight on, seen from the boxes of the node.
+  /// Its straight displacement from here, relative to the boxes of the node.
   float way[3] = {0, 0, 0};
 };
 
-/// A point, or a ray from it, in the same: at origin + rest.
+/// A point, or a ray from it, in the same frame and unit: at origin + rest.
 struct PlacedPoint {
   float origin[3];
   float rest[3];
@@ -35,7 +35,7 @@ struct PlacedRay {
   float direction[3];  ///< unit, to rounding
 };
 
-/// Sixteen values, one for each box of a node. Those of unused lanes mean nothing.
+/// Sixteen values, one for each box of a node. Those of unused lanes are meaningless.
 struct alignas(64) Lanes {
   float value[Tree::width];
 };
@@ -59,37 +59,38 @@ inline std::uint32_t at_most(const Lanes& x, float limit, const Tree::Node& node
   return within;
 }
 
-/// Comparisons of one thing with the sixteen boxes of a node, lengths of the node times `scale` (a
-/// scale that makes everything that is compared of the order of 1 keeps squares within single
-/// precision). What rounding can do to a pair of boxes is taken off: box_rounding × (what is
-/// between their centres + half the sums of their sides), m × scale. What the placed thing's own
-/// coordinates have lost is the caller's to allow for.
+/// Comparisons of one object with the sixteen boxes of a node, lengths of the node times `scale` (a
+/// scale that makes all compared lengths of the order of 1 keeps squares within single precision).
+/// The results are reduced by the rounding error of a pair of boxes: box_rounding × (distance of
+/// their centres + half the sums of their sides), m × scale. The caller must allow for the rounding
+/// of the placed object's own coordinates.
 struct BoxKernels {
-  /// Lower bounds of the distances: by the axes of either box, along the line of the centres,
-  /// and along the direction given. Where boxes overlap: as `gaps`.
+  /// Lower bounds of the distances: by the axes of both boxes, along the line of the centres, and
+  /// along the given direction. Where boxes overlap: as `gaps`.
   void (*distances)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
-  /// The largest gap along the six face normals (negative: they overlap along all).
+  /// The largest gap along the six face normals (negative if they overlap along all).
   void (*gaps)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
-  /// The same where the placed box goes its way, at most.
+  /// The same, valid along the whole displacement `way` of the placed box.
   void (*gaps_on_way)(const PlacedBox& box, const Tree::Node& node, float scale, Lanes& out);
-  /// Distances of a point.
+  /// Lower bounds of the distances of a point.
   void (*point_distances)(const PlacedPoint& point, const Tree::Node& node, float scale,
                           Lanes& out);
-  /// At most this much is between the ray and the box's reach along each axis that could separate
-  /// them: positive where the ray passes by.
+  /// Lower bounds of the gap between the ray and the box along each axis that could separate them:
+  /// positive if the ray misses the box.
   void (*ray_gaps)(const PlacedRay& ray, const Tree::Node& node, float scale, Lanes& out);
 };
 
-/// About thirty operations between the data and a result, none of which is larger than the data's
-/// size, each rounding by 2⁻²⁴ of that; rotations are off by a few times as much.
+/// About thirty operations lie between the data and a result. No intermediate value exceeds the
+/// data's size, and each operation rounds by 2⁻²⁴ of that; rotations are off by a few times as
+/// much.
 constexpr double box_rounding = 128 * 0x1p-24;
-/// And so much may be lost to numbers too small to be kept, beside sizes of the order of 1.
+/// Bound of the loss by underflow, for sizes of the order of 1.
 constexpr float underflow_guard = 1e-30f;
 
-/// Those for the widest vectors of this processor.
+/// The kernels for the widest vectors of this processor.
 const BoxKernels& box_kernels();
 
-/// All that this processor can run, the plain ones first. They give the same bits.
+/// All kernels that this processor can run, the plain ones first. They give the same bits.
 std::span<const BoxKernels> all_box_kernels();
 
 }  // namespace sonde

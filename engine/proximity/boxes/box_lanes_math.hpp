@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernels over the boxes of a node are written in; for their sources alone.
+// Building blocks of the kernels over the boxes of a node; include it only in their sources.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 #include "engine/simd/instruction_set.hpp"
 #include "engine/simd/vectors.hpp"
 
-// What kernels are made of must be inlined into each of them, to be compiled for its instruction
-// set; by reference, because vectors wider than the plain ones have no common way of being passed.
+// The building blocks must be inlined into each kernel, to be compiled for its instruction set.
+// They take references, because vectors wider than the plain ones have no common calling
+// convention.
 #define SONDE_INLINE __attribute__((always_inline)) inline
 
 namespace sonde {
 
-/// How many boxes of a node a vector has a number of.
+/// Number of boxes of a node that one vector holds.
 template <class Floats>
 constexpr std::uint32_t lanes_of = sizeof(Floats) / sizeof(float);
 template <class Floats>
@@ -56,7 +57,7 @@ template <class Floats>
 SONDE_INLINE void larger(const Floats& x, const Floats& y, Floats& out) {
   out = x > y ? x : y;
 }
-/// By way of memory: compilers make one instruction of a loop over numbers there.
+/// Through memory: compilers turn a loop over numbers there into one instruction.
 template <class Floats>
 SONDE_INLINE void square_root(const Floats& x, Floats& out) {
   float each[lanes_of<Floats>];
@@ -73,7 +74,7 @@ SONDE_INLINE void dot(const Vectors<Floats>& a, const Vectors<Floats>& b, Floats
   out = a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Boxes of a node, lengths times the scale, centres from the origin.
+/// Boxes of a node: lengths times the scale, centres relative to the origin.
 template <class Floats>
 struct Boxes {
   Vectors<Floats> center;
@@ -81,7 +82,7 @@ struct Boxes {
   Vectors<Floats> axis[3];
 };
 
-/// Those from lane `first` on.
+/// Loads the boxes from lane `first` on.
 template <class Floats>
 SONDE_INLINE void load(const Tree::Node& node, std::uint32_t first, float scale,
                        const float (&origin)[3], Boxes<Floats>& b) {
@@ -104,13 +105,13 @@ SONDE_INLINE void load(const Tree::Node& node, std::uint32_t first, float scale,
   b.axis[2] = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// Unused lanes follow the used ones.
+/// Whether lane `first` is used. Unused lanes follow the used ones.
 SONDE_INLINE bool is_used(const Tree::Node& node, std::uint32_t first) {
   return first < Tree::width && node.child[first] != Tree::none;
 }
 
-/// What rounding can do to lengths made of the way d between the centres, the sides of a node's
-/// boxes and those of another box (half their sum: other).
+/// The rounding error of lengths made of the vector d between the centres, the sides of a node's
+/// boxes and those of another box (`other`: half the sum of its sides).
 template <class Floats>
 SONDE_INLINE void rounding(const Vectors<Floats>& d, const Boxes<Floats>& b, float other,
                            Floats& out) {

@@ -15,23 +15,24 @@ SONDE_INLINE float dot(const float (&a)[3], const float (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The longest that a gap along one axis lasts, and the best of those so far.
+/// The longest time that a gap along one of the axes offered so far is certain to last.
 template <class Floats>
 struct Longest {
-  Floats acceleration;  // at least a little
-  Floats least_gap;     // the clearance and what rounding may hide
+  Floats acceleration;  // at least slightly positive
+  Floats least_gap;     // the clearance plus the rounding error
   Floats step{};
 
-  /// `along`: the axis times the line of the centres, from the standing box to the moving one;
-  /// `speed`: the axis times the velocity of the moving centre; `reach`: what both boxes take of
-  /// the gap; `turning`: how much slower than its centre any point of the moving box may be.
+  /// `along`: projection on the axis of the vector from the standing box's centre to the moving
+  /// one's; `reach`: sum of the boxes' half extents on the axis; `speed`: projection of the moving
+  /// centre's velocity; `turning`: upper bound of how much faster than its centre a point of the
+  /// moving box approaches.
   SONDE_INLINE void offer(const Floats& along, const Floats& reach, const Floats& speed,
                           const Floats& turning, const PathBounds& path) {
     Floats distance;
     magnitude(along, distance);
     const Floats gap = distance - reach - least_gap;
     const Floats v = (along < 0 ? -speed : speed) - turning - path.speed_rounding;
-    // The root of gap + v x − ½ acceleration x², in the form that does not cancel.
+    // The root of gap + v x − ½ acceleration x², in the form without cancellation.
     const Floats none{};
     const Floats slack = gap > 0 ? gap : none;
     Floats root;
@@ -55,7 +56,7 @@ SONDE_INLINE void box_moves(const PlacedBox& a, const PlacedVelocity& velocity,
   load(node, first, scale, a.origin, b);
   const Vectors<Floats> d{a.center[0] - b.center.x, a.center[1] - b.center.y,
                           a.center[2] - b.center.z};
-  float v[3], spin[3][3];  // velocity of the centre, and of the tips of the axes against it
+  float v[3], spin[3][3];  // velocity of the centre, and of the axes' tips relative to it
   cross(velocity.angular, a.center, v);
   float arm2 = 0, half2 = 0;
   for (int k = 0; k < 3; ++k) {
@@ -123,7 +124,7 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
                           zero};
   rounding(d, a, b.half[0] + b.half[1] + b.half[2], longest.least_gap);
   longest.least_gap += path.clearance;
-  Floats reach_a[3], about[3];  // about[j]: how fast the body turns about the axis
+  Floats reach_a[3], about[3];  // about[j]: angular speed of the body about axis j
   for (int j = 0; j < 3; ++j) {
     reach_a[j] = a.half[j];
     Floats turn;
@@ -153,13 +154,13 @@ SONDE_INLINE void node_moves(const PlacedBox& b, const PlacedVelocity& velocity,
     Floats along, speed;
     dot(d, a.axis[j], along);
     dot(v, a.axis[j], speed);
-    // Of its own axes, (aⱼ × ω)·aₖ is the turn about the third.
+    // For its own axes, (aⱼ × ω)·aₖ is the angular velocity about the third axis.
     longest.offer(along, reach_a[j], speed, a.half[k] * about[l] + a.half[l] * about[k], path);
   }
   store(longest.step * rounded_down, out.value + first);
 }
 
-// An attribute and a name cannot be put in parentheses.
+// A macro cannot put an attribute or a name in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define SONDE_SWEEP_KERNEL(NAME, WHAT, FLOATS, ATTRIBUTE)                                    \
   ATTRIBUTE void NAME(const PlacedBox& box, const PlacedVelocity& v, const PathBounds& path, \

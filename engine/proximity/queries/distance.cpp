@@ -30,7 +30,8 @@ class Search {
     look();
   }
 
-  /// Goes down through the nearest boxes, a few abreast: what is at the end is close by, mostly.
+  /// Descends through the nearest boxes, a few at a time: the triangles at the end are mostly
+  /// close.
   void dive() {
     std::array<SlotPair, abreast> level{at_.roots()};
     for (std::size_t count = 1; count > 0;) {
@@ -72,10 +73,10 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t abreast = 4;  // measured: of 1, 2, 4 and 8
+  static constexpr std::size_t abreast = 4;  // the best of 1, 2, 4 and 8, measured
   static bool nearer_first(const SlotPair& x, const SlotPair& y) { return x.bound < y.bound; }
 
-  /// The nearest of what is in some pairs.
+  /// Opens some pairs and returns the nearest of their children.
   std::span<SlotPair> open_abreast(std::span<const SlotPair> pairs) {
     SlotPairs found;
     std::size_t count = 0;

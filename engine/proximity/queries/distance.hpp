@@ -11,7 +11,7 @@ namespace sonde {
 
 /// Closest points of two bodies, in B's mesh frame, metres.
 struct Distance {
-  double distance = 0;  ///< 0 where triangles meet, or where a component lies inside a solid
+  double distance = 0;  ///< 0 if triangles meet, or if a component lies inside a solid
   Vec3 on_a = Vec3::Zero();
   Vec3 on_b = Vec3::Zero();
   std::uint32_t triangle_a = 0;
@@ -25,8 +25,8 @@ struct DistanceHint {
   std::uint32_t triangle_b = 0;
 };
 
-/// Distance of A, placed at X_BA, from B, of triangles only. Accurate to about 1e-14 of the largest
-/// coordinate. Never allocates.
+/// Distance between the triangles of A, placed at X_BA, and those of B. Accurate to about 1e-14 of
+/// the largest coordinate. Never allocates.
 Distance triangle_distance(const Body& a, const Body& b, const Transform& X_BA,
                            std::optional<DistanceHint> hint = {});
 

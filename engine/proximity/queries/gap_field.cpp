@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t looks_between_stops = 256;
 
-/// The patch as it grows. Vertices that triangles share are asked about once.
+/// The patch as it grows. The gap at a vertex that triangles share is computed once.
 class Patch {
  public:
   Patch(const Body& body, const Body& other, const Pose& X_OM, const GapOptions& options,
@@ -32,7 +32,7 @@ class Patch {
         continue;
       waiting_.push_back({own(t[0]), own(t[1]), own(t[2])});
     }
-    // In rounds, each a cut finer: where there is no room for more, all is as fine as the rest.
+    // Each round cuts finer. When there is no room for more triangles, all are equally fine.
     while (!waiting_.empty() && !stopped_) {
       const bool finer = waiting_.size() + field_.patch.triangles.size() < options_.most;
       for (const Triangle& t : std::exchange(waiting_, {})) take(t, finer);
@@ -41,7 +41,7 @@ class Patch {
   }
 
  private:
-  /// By boxes alone, which costs next to nothing.
+  /// By boxes only, which costs next to nothing.
   bool may_be_near(const Vec3& a, const Vec3& b, const Vec3& c) const {
     Eigen::AlignedBox3d triangle(X_OM_ * a);
     triangle.extend(X_OM_ * b).extend(X_OM_ * c);
@@ -75,7 +75,7 @@ class Patch {
     const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
     const double longest =
         std::sqrt(std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}));
-    // A gap changes by no more than the way: no point of the triangle is nearer than this.
+    // The gap has Lipschitz constant 1, so no point of the triangle is nearer than least − longest.
     const double least = std::min({field_.gaps[t[0]], field_.gaps[t[1]], field_.gaps[t[2]]});
     if (least - longest > options_.reach || stopped_) return;
     if (!finer || longest <= options_.cell) {

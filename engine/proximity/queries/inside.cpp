@@ -19,7 +19,7 @@ constexpr double rays[][3] = {{0.2113, 0.3719, 0.9039},  {-0.4127, 0.2371, 0.879
                               {0.3317, -0.5923, 0.7343}, {-0.1931, -0.4409, -0.8765},
                               {0.6113, 0.1297, -0.7807}, {-0.5479, 0.6151, -0.5669}};
 
-/// Signed crossing of a ray with a triangle: ±1, 0, or no value where too near an edge to tell.
+/// Signed crossing of a ray with a triangle: ±1 or 0; no value if it is too near an edge to decide.
 std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
   const Vec3 p = t[0] - x, q = t[1] - x, r = t[2] - x;
   const double scale = d.norm();
@@ -30,7 +30,7 @@ std::optional<int> crossing(const Vec3& x, const Vec3& d, const Corners& t) {
   };
   const int s0 = volume(p, q), s1 = volume(q, r), s2 = volume(r, p);
   if (s0 * s1 < 0 || s1 * s2 < 0 || s2 * s0 < 0) return 0;
-  // In front or behind: the sign of the height of the plane along the ray.
+  // The triangle's plane is in front if its height along the ray is positive.
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
   const double facing = n.dot(d), height = n.dot(p);
   if (s0 == 0 || s1 == 0 || s2 == 0) {
@@ -72,8 +72,8 @@ std::optional<int> count_along(const Body& body, const Vec3& x, const Vec3& d) {
   return winding;
 }
 
-/// The winding number by the ray along d; none where the ray passes too near an edge. Through a
-/// crack one may slip out, or in: then the ray the other way counts another number.
+/// The winding number counted along the ray d; no value if the ray passes too near an edge. A ray
+/// may slip through a crack; then the opposite ray gives another number, and there is no value.
 std::optional<int> winding_along(const Body& body, const Vec3& x, const Vec3& d) {
   const std::optional<int> winding = count_along(body, x, d);
   if (winding && body.cracked && count_along(body, x, -d) != winding) return std::nullopt;
@@ -99,12 +99,12 @@ Vec3 corner(const Body& body, std::uint32_t triangle, const Transform& X) {
   return X * surface(body).vertices[surface(body).triangles[triangle][0]];
 }
 
-/// Up to so many components are quicker to look at one by one.
+/// Up to this many components are quicker to test one by one.
 constexpr std::size_t few_components = 1024;
 
-/// The same for bodies of many components, given that no triangles meet: a box that
-/// is clear of the solid's surface is inside or outside with all that it holds, so that one point
-/// speaks for it. Any triangle speaks for its component.
+/// The same for bodies of many components, given that no triangles meet: a box that is clear of the
+/// solid's surface is inside or outside as a whole, so one point decides for it. Any triangle
+/// decides for its component.
 bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X) {
   PairStack<std::uint32_t> stack;
   stack.push(0);
@@ -121,7 +121,7 @@ bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X
     const double to_box = (center - in_box).norm();
     const double guard = rounding_guard(extent(body), extent(solid), X.p);
     if (to_box > radius + guard) continue;
-    // A few triangles are quicker to look at than the distance of their box.
+    // Testing a few triangles is quicker than computing the distance of their box.
     const Tree::Node& node = body.tree.nodes[child];
     const bool many = (node.child[0] & Tree::triangle_bit) == 0;
     if (many && point_distance(solid, center, radius + guard) > radius + guard) {
@@ -134,7 +134,7 @@ bool any_triangle_inside(const Body& body, const Body& solid, const Transform& X
   return false;
 }
 
-/// Does one component of `body` lie inside `solid`? One corner of each decides.
+/// Whether a component of `body` lies inside `solid`. One corner of each component decides.
 bool any_component_inside(const Body& body, const Body& solid, const Transform& X) {
   if (body.component_triangle.size() > few_components) return any_triangle_inside(body, solid, X);
   return std::ranges::any_of(body.component_triangle, [&](std::uint32_t triangle) {

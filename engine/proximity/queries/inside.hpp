@@ -6,13 +6,13 @@
 
 namespace sonde {
 
-/// Winding number of a solid's triangles, but for those that are loose, about x, a point of its
-/// mesh frame that is not on a triangle. It counts the crossings of a ray with their sign. If a ray
-/// passes too near an edge to be sure, or through a crack, it tries another; if every ray is in
-/// doubt, it sums solid angles instead, and rounds.
+/// Winding number of a solid's triangles, without the loose ones, about x, a point of its mesh
+/// frame that is not on a triangle. It counts the signed crossings of a ray. If a ray passes too
+/// near an edge or through a crack, it tries another; if all rays are undecided, it sums solid
+/// angles instead, and rounds.
 int winding_number(const Body& body, const Vec3& x);
 
-/// Winding number ≠ 0: the point is in the inside of a solid.
+/// Winding number ≠ 0: the point is inside the solid.
 bool winds_around(const Body& solid, const Vec3& x);
 
 /// Given that no triangles meet, returns whether a connected component of A (placed at X_BA) lies

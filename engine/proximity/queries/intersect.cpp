@@ -25,10 +25,11 @@ bool boxes_lead_to_a_meeting(const Body& a, const Body& b, const Transform& X_BA
       if (m == Meeting::meeting || doubt == Doubt::contact || meet_exactly(ta, tb)) return true;
       continue;
     }
-    // Bodies that overlap show it soon, straight down; what takes longer is close but apart.
+    // Bodies that overlap show it soon, in a direct descent; a longer query is of bodies close but
+    // apart.
     const Opening opening = ++opened <= straight_down ? Opening::larger : Opening::both;
     at.open_overlapping(p, opening, found);
-    // The deeper overlap is looked at first: a first hit is likeliest there.
+    // The deepest overlap is examined first, where a hit is most likely.
     ordering::sort(found.begin(), found.end(),
                    [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : found) stack.push(child);

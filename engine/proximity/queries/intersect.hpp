@@ -6,15 +6,15 @@
 
 namespace sonde {
 
-/// How to treat a pair of triangles in doubt: decide by exact predicates (may allocate), or take it
-/// as contact (never allocates; errs on the side of contact).
+/// How to treat an undecided pair of triangles: decide by exact predicates (may allocate), or count
+/// it as contact (never allocates; errs on the side of contact).
 enum class Doubt { exact, contact };
 
-/// Returns whether any triangle of A, placed at X_BA, meets or touches one of B. Stops at the
-/// first.
+/// Returns whether any triangle of A, placed at X_BA, meets or touches one of B. Stops at the first
+/// such pair.
 bool triangles_meet(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt);
 
-/// triangles_meet, or a connected component of either lies inside the other where that is a solid.
+/// triangles_meet, or a connected component of one body lies inside the other, if that is a solid.
 /// The negation is *free*.
 bool overlap(const Body& a, const Body& b, const Transform& X_BA, Doubt doubt);
 

@@ -55,7 +55,8 @@ NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double
     }
     at.open_near(p, limit, children);
     if (!effort.spend(work_to_open(children.count))) return {0, -1};
-    // Where not all fit, the nearest first: what is further away need not be looked at.
+    // If not all pairs fit, the nearest boxes come first, so that farther ones need not be
+    // examined.
     if (crowded)
       ordering::sort(children.begin(), children.end(),
                      [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });

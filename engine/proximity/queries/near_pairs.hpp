@@ -15,8 +15,7 @@ struct NearPair {
   Vec3 on_a;
   Vec3 on_b;
   Vec3 normal;  ///< unit, from B to A
-  double
-      gap;  ///< separation of the two triangles along the normal (their distance, but for rounding)
+  double gap;   ///< gap along the normal: the distance of the triangles, up to rounding
   std::uint32_t triangle_a;
   std::uint32_t triangle_b;
 };
@@ -26,10 +25,10 @@ struct NearPairs {
   double reach = 0;       ///< every pair nearer than this was written; negative: unknown
 };
 
-/// Writes all pairs at a distance of at most `reach` to `out`, in the order of the walk. If they do
-/// not fit, it drops the farther ones and returns the smaller reach for which all pairs are there.
-/// It leaves out pairs that meet, because they have no normal. `out` must hold at least two. Never
-/// allocates. If the effort runs out, it returns no pairs and an unknown reach.
+/// Writes all pairs at a distance of at most `reach` to `out`, in traversal order. If they do not
+/// fit, it drops the farther ones and returns the smaller reach within which all pairs were
+/// written. It leaves out pairs that meet, because they have no normal. `out` must hold at least
+/// two. Never allocates. If the effort runs out, it returns no pairs and an unknown reach.
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,
                      std::span<NearPair> out, Effort& effort);
 NearPairs near_pairs(const Body& a, const Body& b, const Transform& X_BA, double reach,

@@ -8,7 +8,7 @@
 namespace sonde {
 namespace {
 
-/// The longest side of the box along the axes, m.
+/// The longest side of the axis-aligned bounding box, m.
 double local_extent(const Tree& tree) { return (tree.high - tree.low).maxCoeff(); }
 
 }  // namespace
@@ -46,7 +46,7 @@ void copy(const FrameChange::Column& from, float (&to)[3]) {
   for (int i = 0; i < 3; ++i) to[i] = from[i];
 }
 
-/// As single precision holds it.
+/// x rounded to single precision.
 Vec3 rounded(const Vec3& x) {
   return {static_cast<double>(to_float(x.x())), static_cast<double>(to_float(x.y())),
           static_cast<double>(to_float(x.z()))};
@@ -60,7 +60,7 @@ Frames frames(const Tree& a, const Tree& b, const Transform& X, double per_unit)
   const bool about_a = local_extent(a) <= local_extent(b);
   const Vec3 in_b = about_a ? rounded(shift) : Vec3::Zero();
   const Vec3 in_a = about_a ? Vec3::Zero() : rounded(-(back * shift));
-  // What the middles, rounded, are apart.
+  // The distance that remains between the rounded middles.
   const Vec3 rest = shift + X.R * in_a - in_b;
   return {change(X.R, in_a, rest, in_b), change(back, in_b, -(back * rest), in_a), in_a / per_unit,
           in_b / per_unit};
@@ -166,8 +166,8 @@ void Placement::open_both(const SlotPair& p, Kernel kernel, float limit, SlotPai
   const std::uint32_t child_a = a_.tree.child(p.a), child_b = b_.tree.child(p.b);
   if ((child_a | child_b) & Tree::triangle_bit) return open_larger(p, kernel, limit, out);
   out.count = 0;
-  // What is in either box is compared with the other box first: mostly that leaves few, of one of
-  // them fewer still, and these are compared with what is left of the other.
+  // Compares the children of each box with the other box first. That mostly leaves few children,
+  // fewer still on one side; these are then compared with the remaining children of the other.
   Lanes bounds;
   const std::uint32_t near_b = compare(p.a, b_.tree.nodes[child_b], kernel, limit, bounds);
   if (near_b == 0) return;

@@ -27,48 +27,48 @@ inline Corners place(const Transform& X, const Corners& c) {
   return {X * c[0], X * c[1], X * c[2]};
 }
 
-/// The rounding error allowed for in coordinates of A placed at X in B's frame, m: well above what
-/// a rotation, a translation and a projection of such numbers can lose.
+/// Bound of the rounding error of coordinates of A placed at X in B's frame, m: well above what a
+/// rotation, a translation and a projection of such numbers can lose.
 inline double rounding_guard(double extent_a, double extent_b, const Vec3& translation) {
   return 64 * std::numeric_limits<double>::epsilon() *
          (extent_a + extent_b + translation.cwiseAbs().maxCoeff());
 }
 
-/// True where the balls about the boxes along the axes of both meshes' frames have a gap between
-/// them, A placed at X in B's frame: no point of either body is in the other. What a query far
-/// apart needs, and no more.
+/// Whether the bounding balls of both meshes' axis-aligned boxes are apart, with A placed at X in
+/// B's frame; then no point of either body is in the other. The early exit of a query on bodies far
+/// apart.
 bool balls_are_apart(const Body& a, const Body& b, const Transform& X_BA);
 
-/// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, from the origin `to`,
-/// all in the unit of which there are per_unit to a metre.
+/// Takes boxes of one tree to the frame of the other: x → R (x − from) + p, relative to the origin
+/// `to`, all in a unit of which a metre has per_unit.
 struct FrameChange {
   using Column = FloatX4;
   Column R[3];
   Column from, p, to;
 };
 /// A's boxes to B's frame and back, for A's mesh frame placed at X in B's. Both are relative to the
-/// middle of the smaller body: beside a large one nothing is rounded for the large one's sake.
+/// middle of the smaller body, so that a large body does not cause rounding errors of its own size.
 struct Frames {
   FrameChange a_to_b, b_to_a;
-  Vec3 middle_a = Vec3::Zero();  ///< m, from the tree's origin, in its frame
+  Vec3 middle_a = Vec3::Zero();  ///< m, relative to the tree's origin, in its frame
   Vec3 middle_b = Vec3::Zero();
 };
 Frames frames(const Tree& a, const Tree& b, const Transform& X, double per_unit);
-/// What placing a box can lose to rounding, m: box_rounding × the size of the smaller body.
+/// Bound of the rounding error of placing a box, m: box_rounding × the size of the smaller body.
 double placing_guard(const Tree& a, const Tree& b);
 
 PlacedBox placed(const Tree& tree, std::uint32_t slot, const FrameChange& change, float scale);
 
-/// A pair of boxes still to be looked at.
+/// A pair of boxes still to be examined.
 struct SlotPair {
   std::uint32_t a, b;    ///< slots of the two trees
-  float bound;           ///< what is known of the pair, in the placement's unit
+  float bound;           ///< lower bound for the pair, in the placement's unit
   float size_a, size_b;  ///< half the sum of the sides of either box, m
 };
 inline SlotPair roots(const Tree& a, const Tree& b) {
   return {0, 0, 0, a.half_sum(0), b.half_sum(0)};
 }
-/// The pair with its box of A (or of B) exchanged for one of the lanes of a node below it.
+/// The pair with its box of A (or of B) replaced by a lane of the node below it.
 inline SlotPair down_a(const SlotPair& p, const Tree& a, std::uint32_t node, std::uint32_t lane,
                        float bound) {
   return {node * Tree::width + lane, p.b, bound, a.nodes[node].half_sum(lane), p.size_b};
@@ -78,7 +78,7 @@ inline SlotPair down_b(const SlotPair& p, const Tree& b, std::uint32_t node, std
   return {p.a, node * Tree::width + lane, bound, p.size_a, b.nodes[node].half_sum(lane)};
 }
 
-/// Work to open a pair of boxes out of which so many come, in the units of Effort.
+/// Work, in units of Effort, to open a pair of boxes that yields `found` pairs.
 constexpr int work_to_open(int found) { return 12 + 4 * found; }
 
 /// True if both slots hold triangles.
@@ -92,7 +92,7 @@ inline bool opens_a(const Tree& a, const Tree& b, const SlotPair& p) {
   return (a.child(p.a) & Tree::triangle_bit) == 0 && p.size_a > p.size_b;
 }
 
-/// The pairs of boxes or triangles that opening one pair gave.
+/// The pairs of boxes or triangles that opening one pair yields.
 struct SlotPairs {
   std::array<SlotPair, Tree::width * Tree::width> pair;
   int count = 0;
@@ -105,9 +105,9 @@ struct SlotPairs {
 /// for a query that ends at the first overlap.
 enum class Opening { larger, both };
 
-/// Body A placed in B's mesh frame by X_BA. Every query on the pair walks the two trees with it.
-/// It compares boxes in single precision, in a unit in which all of them are of the order of 1, and
-/// subtracts the rounding error from each distance.
+/// Body A placed in B's mesh frame by X_BA. Every query on the pair walks the two trees with it. It
+/// compares boxes in single precision, in a unit in which all are of the order of 1, and subtracts
+/// the rounding error from each distance.
 class Placement {
  public:
   Placement(const Body& a, const Body& b, const Transform& X_BA);
@@ -117,7 +117,8 @@ class Placement {
   }
   Corners corners_b(std::uint32_t triangle) const { return corners(surface(b_), triangle); }
 
-  /// Converts a length from m to the placement's unit, and rounds it up. An infinite one stays so.
+  /// Converts a length from m to the placement's unit, rounded up. An infinite length stays
+  /// infinite.
   float to_unit_rounded_up(double length) const {
     return static_cast<float>(length * per_unit_) * (1 + 0x1p-22f);
   }
@@ -141,13 +142,13 @@ class Placement {
   /// deeper, the lower. Pairs with a bound above `limit` are left out. Bounds and `limit` are in
   /// the placement's unit.
   void open_near(const SlotPair& p, float limit, SlotPairs& out) const;
-  /// As open_near. The bound is the largest separation along the six face normals. It takes less
-  /// work, and is lower for boxes whose nearest points are corners or edges.
+  /// As open_near, but the bound is the largest separation along the six face normals. It takes
+  /// less work, and is lower for boxes whose nearest points are corners or edges.
   void open_by_faces(const SlotPair& p, float limit, SlotPairs& out) const;
-  /// As open_by_faces. The bound holds at every point of a straight way of A's box from here: `way`
-  /// is its displacement, m, in B's frame.
+  /// As open_by_faces, but the bound holds along a straight motion of A's box from here: `way` is
+  /// its displacement, m, in B's frame.
   void open_on_way(const SlotPair& p, const Vec3& way, float limit, SlotPairs& out);
-  /// Opens the larger box alone, without a limit. A query uses it for its first way down the trees.
+  /// Opens the larger box only, without a limit. A query uses it for its first descent.
   void open_larger_box(const SlotPair& p, SlotPairs& out) const;
   /// Opens one box or both, and leaves out the pairs that one of the six face normals separates.
   void open_overlapping(const SlotPair& p, Opening opening, SlotPairs& out) const;
@@ -162,7 +163,7 @@ class Placement {
  private:
   using Kernel = void (*)(const PlacedBox&, const Tree::Node&, float, Lanes&);
   /// Compares the sixteen boxes of a node with one box of the other tree. Returns a bit for each
-  /// that is within the limit.
+  /// one within the limit.
   std::uint32_t compare(std::uint32_t slot_a, const Tree::Node& node_b, Kernel kernel, float limit,
                         Lanes& bounds) const;
   std::uint32_t compare(const Tree::Node& node_a, std::uint32_t slot_b, Kernel kernel, float limit,
@@ -189,7 +190,7 @@ class Placement {
 };
 
 /// A stack of the pairs that a query has still to visit. Its size is fixed and nothing allocates.
-/// Opening both boxes of a pair removes one entry and adds up to 256; on one way down this happens
+/// Opening both boxes of a pair removes one entry and adds up to 256; in one descent this happens
 /// at most max_depth times. Opening one box adds up to 16, at most twice as often.
 template <class Entry>
 class PairStack {

@@ -15,7 +15,8 @@ namespace sonde {
 namespace {
 
 /// The point of a triangle nearest to x, by the regions of its corners, edges and face (Ericson,
-/// Real-Time Collision Detection, 5.1.5), x being the origin. Needles may make it a worse one.
+/// Real-Time Collision Detection, 5.1.5), with x as the origin. For needles it may not be the
+/// nearest.
 Vec3 nearest_by_regions(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a;
   const double d1 = -ab.dot(a), d2 = -ac.dot(a), d3 = -ab.dot(b), d4 = -ac.dot(b), d5 = -ab.dot(c),
@@ -32,8 +33,8 @@ Vec3 nearest_by_regions(const Vec3& a, const Vec3& b, const Vec3& c) {
   return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
-/// Of a triangle. Seen along the direction found, all of it must lie as far away, but for rounding:
-/// else the careful way is taken.
+/// The nearest point of one triangle. Seen along the direction found, no corner may be nearer, up
+/// to rounding; otherwise the robust method computes it again.
 NearestPoint nearest_of(const Corners& t, const Vec3& x) {
   const Vec3 a = t[0] - x, b = t[1] - x, c = t[2] - x;
   const Vec3 p = nearest_by_regions(a, b, c);
@@ -45,7 +46,7 @@ NearestPoint nearest_of(const Corners& t, const Vec3& x) {
   return {closest.distance, closest.b};
 }
 
-/// The quick way finds some point of the triangle, also of a needle.
+/// The fast method always returns a point of the triangle, even of a needle, so it overestimates.
 bool comes_within(const Corners& t, const Vec3& x, double radius) {
   const double found = nearest_by_regions(t[0] - x, t[1] - x, t[2] - x).norm();
   return found <= radius || (found <= 8 * radius && nearest_of(t, x).distance <= radius);

@@ -10,8 +10,8 @@
 namespace sonde {
 namespace {
 
-/// A ray that runs along the third axis: the axes exchanged and sheared. Of an edge that two
-/// triangles share, both then compute the same number with the other sign, so that no ray slips
+/// Permutes and shears the axes so that the ray runs along the third one. For an edge that two
+/// triangles share, both then compute the same number with opposite sign, so that no ray slips
 /// through between them (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, 2013).
 struct Sheared {
   Vec3 from;
@@ -32,7 +32,7 @@ struct Sheared {
   }
 };
 
-/// How far along the ray the triangle is; none where it is missed, or lies along the ray.
+/// Distance along the ray to the triangle; no value if the ray misses it, or lies in its plane.
 std::optional<double> distance_to(const Sheared& ray, const Corners& t) {
   const Vec3 a = ray(t[0]), b = ray(t[1]), c = ray(t[2]);
   const auto across = [](const Vec3& p, const Vec3& q) { return p.x() * q.y() - p.y() * q.x(); };
@@ -79,7 +79,7 @@ std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& 
         nearest = RayHit{*distance, triangle};
       continue;
     }
-    // All of a box that lies behind what was hit is passed over.
+    // Skips a box that lies entirely behind the nearest hit.
     const double middle = direction.dot(body.tree.center(slot) - from);
     const double before = middle - body.tree.half_diagonal(slot) * (1 + 1e-6);
     if (nearest && before > nearest->distance) continue;

@@ -15,13 +15,14 @@ struct RayHit {
   std::uint32_t triangle = 0;
 };
 
-/// The first place where a ray meets the triangles of a soup, from either side, among the accepted
-/// places (all where no filter is given). Everything is in the soup's frame; the direction is a
-/// unit vector. It tests every triangle, so it is for a user's click, not for a tick.
+/// The first point at which a ray meets the triangles of a soup, from either side, among the points
+/// that the filter `counts` accepts (all without a filter). Everything is in the soup's frame; the
+/// direction is a unit vector. It tests every triangle, so it is for a user's click, not for a
+/// tick.
 std::optional<RayHit> ray_hit(const Soup& soup, const Vec3& from, const Vec3& direction,
                               const std::function<bool(const Vec3&)>& counts = {});
 
-/// The same of a body's surface (triangles of surface(body)), by its tree. Never allocates.
+/// The same for a body's surface (triangles of surface(body)), with its tree. Never allocates.
 std::optional<RayHit> first_hit(const Body& body, const Vec3& from, const Vec3& direction);
 
 }  // namespace sonde

@@ -18,7 +18,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 constexpr std::size_t pairs_a_report = 4096;
-/// In a closed mesh a triangle shares a corner with some twelve others, each pair counted once.
+/// In a closed mesh a triangle shares a corner with some twelve others; each pair counts once.
 constexpr double pairs_a_triangle = 7;
 
 class Mesh {
@@ -26,7 +26,7 @@ class Mesh {
   explicit Mesh(const Soup& soup) : soup_(soup) {}
 
   bool meet(std::uint32_t first, std::uint32_t second) const {
-    // With the shared corners in front, in the same order.
+    // Moves the shared corners to the front, in the same order.
     Triangle a = soup_.triangles[first], b = soup_.triangles[second];
     std::size_t shared = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -41,7 +41,7 @@ class Mesh {
       case 1:
         return CGAL::do_intersect(triangle(a), Kernel::Segment_3(point(b[1]), point(b[2]))) ||
                CGAL::do_intersect(triangle(b), Kernel::Segment_3(point(a[1]), point(a[2])));
-      case 2:  // folded onto each other
+      case 2:  // coplanar and folded onto each other
         return CGAL::coplanar(point(a[0]), point(a[1]), point(a[2]), point(b[2])) &&
                CGAL::coplanar_orientation(point(a[0]), point(a[1]), point(a[2]), point(b[2])) ==
                    CGAL::POSITIVE;
@@ -92,7 +92,7 @@ void for_each_meeting(const Soup& soup,
   report(progress, 0);
   try {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
-  } catch (const Enough&) {  // the visitor's word
+  } catch (const Enough&) {  // the visitor ended the search
   }
 }
 

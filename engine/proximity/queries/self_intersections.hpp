@@ -11,22 +11,22 @@
 
 namespace sonde {
 
-/// Which triangles of a mesh go through others of it.
+/// The triangles of a mesh that intersect others of it.
 struct SelfIntersections {
   std::vector<std::uint32_t> triangles;  ///< ascending, each once
-  std::size_t pairs = 0;                 ///< of triangles that meet
-  bool all = true;                       ///< false: there are more than were looked for
+  std::size_t pairs = 0;                 ///< number of pairs of triangles that meet
+  bool all = true;                       ///< false: the limit was reached, and there are more
 };
 
-/// Exact, of a soup with one vertex for each place and no degenerate triangle (Body::soup). Two
-/// triangles meet where they have more in common than the corners or the edge that they share;
-/// those with the same three corners are repeated, and no crossing. Ends at `most` pairs. The
-/// progress is a guess of how many pairs there are to look at. Throws Cancelled.
+/// Exact, for a soup with one vertex for each place and no degenerate triangle (Body::soup). Two
+/// triangles meet if they have more in common than the corners or the edge that they share; two
+/// triangles with the same three corners are repeated, which is no crossing. Ends at `most` pairs.
+/// The progress is estimated from the expected number of pairs. Throws Cancelled.
 SelfIntersections self_intersections(const Soup& soup, const Progress& progress = {},
                                      std::size_t most = 1'000'000);
 
-/// The pairs themselves, by the same rules: visit(a, b) says whether to go on. Their order is the
-/// same for the same soup.
+/// Calls visit(a, b) for the pairs themselves, by the same rules, until it returns false. Their
+/// order is the same for the same soup.
 void for_each_meeting(const Soup& soup,
                       const std::function<bool(std::uint32_t, std::uint32_t)>& visit,
                       const Progress& progress = {});

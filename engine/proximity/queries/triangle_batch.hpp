@@ -12,31 +12,31 @@
 
 namespace sonde {
 
-/// Pairs of triangles of two bodies, eight of which are compared at a time.
+/// Pairs of triangles of two bodies, compared eight at a time.
 class TriangleBatch {
  public:
-  static constexpr int work = 5;  ///< to compare a pair, in the units of Effort
+  static constexpr int work = 5;  ///< to compare one pair, in units of Effort
 
   TriangleBatch(const Body& a, const Body& b, const Transform& X_BA) : a_(a), b_(b), X_(X_BA) {}
 
   struct Pair {
     std::uint32_t i, j;
-    std::uint32_t tag;  // what the caller knows it by
+    std::uint32_t tag;  // the caller's identifier
   };
 
   bool full() const { return count_ == static_cast<int>(pairs_.size()); }
   bool empty() const { return count_ == 0; }
   int size() const { return count_; }
 
-  /// Not while it is full.
+  /// @pre The batch is not full.
   void add(std::uint32_t i, std::uint32_t j) { add({i, j, 0}, placed(i), corners(surface(b_), j)); }
   void add(const Pair& pair, const Corners& a, const Corners& b) {
     set_lane(lanes_, count_, a, b);
     pairs_[static_cast<std::size_t>(count_++)] = pair;
   }
 
-  /// Compares them and calls visit(pair, lane, points) for each, also where the distance is beyond
-  /// the limit; the batch is empty then.
+  /// Compares the pairs, calls visit(pair, lane, points) for each, even if its distance is beyond
+  /// the limit, and empties the batch.
   template <class Visit>
   void flush(double limit, const Visit& visit) {
     if (count_ == 0) return;
@@ -46,8 +46,8 @@ class TriangleBatch {
   }
 
  private:
-  /// A triangle of A comes up with one of B after the other, and so do its neighbours, which are
-  /// next to it in the order of the tree.
+  /// A cache: the same triangle of A comes with several triangles of B in sequence, and so do its
+  /// neighbours, which are next to it in the order of the tree.
   const Corners& placed(std::uint32_t i) {
     return placed_.at(i, [&](std::uint32_t k) { return place(X_, corners(surface(a_), k)); });
   }

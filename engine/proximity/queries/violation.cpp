@@ -34,7 +34,7 @@ std::size_t find_violations(const Body& a, const Body& b, const Transform& X_BA,
     }
     at.open_near(p, limit, children);
     if (!effort.spend(work_to_open(children.count))) break;
-    // What overlaps most is looked at first.
+    // The deepest overlap is examined first.
     ordering::sort(children.begin(), children.end(),
                    [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& child : children) stack.push(child);

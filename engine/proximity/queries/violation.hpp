@@ -11,10 +11,10 @@
 
 namespace sonde {
 
-/// A pair of triangles that is too near, or meets, at a tried pose.
+/// A pair of triangles that is too near, or that meets, at a trial pose.
 struct Violation {
   std::uint32_t triangle_a, triangle_b;
-  double gap;  ///< m; at most 0 where they meet
+  double gap;  ///< m; at most 0 if they meet
 };
 
 /// Writes pairs that are nearer than `least` (m) at X, or meet, in the order in which it finds

@@ -11,10 +11,10 @@
 namespace sonde {
 namespace {
 
-/// Along the longest side.
+/// Number of cells along the longest side.
 constexpr double cells = 28;
-/// Around the body, of the spacing: outside of the grid distances are those of its nearest point,
-/// and what is between.
+/// In spacings: margin of the grid around the body. Outside the grid, the distance is that of its
+/// nearest point plus the way to it.
 constexpr double pad = 1.5;
 
 }  // namespace
@@ -64,7 +64,8 @@ void DistanceField::fill(const Body& solid) {
         const Vec3 local = vec3(low_) + static_cast<double>(spacing_) * Vec3(i, j, k);
         const Vec3 x = solid.mass.R_MP * local + solid.mass.com;
         const NearestPoint near = nearest_point(solid, x, 0);
-        // No surface lies between two nodes that are nearer to each other than one is to it.
+        // Two neighbouring nodes are on the same side if one is further from the surface than from
+        // the other.
         const bool same = i > 0 && near.distance > 1.001 * spacing();
         const double sign = (same ? nodes_.back()[3] < 0 : winds_around(solid, x)) ? -1 : 1;
         const Vec3 way = solid.mass.R_MP.transpose() * (x - near.point);
@@ -73,7 +74,7 @@ void DistanceField::fill(const Body& solid) {
       }
 }
 
-/// From the border of the grid straight to the surface.
+/// The distance beyond the border of the grid: from the border straight to the surface.
 Quad DistanceField::beyond(const Quad& at_border, const Quad& way) const {
   Quad out = std::max(at_border[3], 0.0f) * at_border + way;
   out[3] = 0;

@@ -16,19 +16,19 @@ inline Quad quad(const Vec3& x, float fourth = 0) {
 }
 inline Vec3 vec3(const Quad& x) { return Vec3(x[0], x[1], x[2]); }
 
-/// How far points are from the surface of a solid, negative inside, roughly: on a grid about the
-/// body, in its principal axes with the origin at its centre of mass (so that it does not depend on
-/// the frame of the mesh), single precision. Each node keeps the distance and its gradient; between
-/// nodes their planes are interpolated, which is exact beside a flat face and errs by the square of
-/// the spacing beside a curved one. What is thinner than the spacing may be lost. A guess for
-/// searches, no bound.
+/// The approximate signed distance of points from the surface of a solid, negative inside, on a
+/// grid about the body, in single precision. The grid is in the body's principal axes with the
+/// origin at its centre of mass, so it does not depend on the mesh frame. Each node keeps the
+/// distance and its gradient. Between nodes, their planes are interpolated, which is exact beside a
+/// flat face and has an error of second order in the spacing beside a curved one. Features thinner
+/// than the spacing may be lost. A heuristic for searches, not a bound.
 class DistanceField {
  public:
   explicit DistanceField(const Body& solid);
-  /// Of nothing, from which every point is far.
+  /// The field of no solid: every point is far away.
   DistanceField();
 
-  /// All that a field consists of, to be kept. A field of nothing has no nodes.
+  /// All the data of a field, for storage. The field of no solid has no nodes.
   struct Parts {
     Quad low{}, high{};
     IntX4 count{};
@@ -36,14 +36,14 @@ class DistanceField {
     std::vector<Quad> nodes;
   };
   Parts parts() const;
-  /// @pre There are nodes for all of the grid, whose sides have two and more, or none at all.
+  /// @pre Either there are no nodes, or one for each grid point, with at least two on each side.
   explicit DistanceField(const Parts& parts);
 
-  /// The gradient (about a unit vector, away from the solid), and in the fourth the distance, m, of
-  /// a point, whose own fourth does not matter. There must be a solid.
+  /// The gradient (about a unit vector, away from the solid) and, as the fourth component, the
+  /// distance, m, of a point. The point's fourth component is ignored. There must be a solid.
   Quad at(const Quad& x) const;
 
-  /// A point is no nearer to the solid than this, m: quickly said of points far outside.
+  /// Lower bound of the distance of a point from the solid, m: cheap, and useful far outside.
   float at_least(const Quad& x) const {
     const Quad below = low_ - x, above = x - high_;
     const Quad by = below > above ? below : above;
@@ -60,7 +60,7 @@ class DistanceField {
   Quad beyond(const Quad& at_border, const Quad& way) const;
 
   Quad low_{}, high_{};  // of the grid
-  Quad most_{};          // largest coordinate, in spacings from there
+  Quad most_{};          // largest coordinate, in spacings from low_
   Cell count_{};
   float spacing_ = 0, per_spacing_ = 0;
   std::vector<Quad> nodes_;  // gradient, distance; x runs fastest
@@ -74,8 +74,8 @@ inline Quad DistanceField::at(const Quad& x) const {
   const Quad f = u - __builtin_convertvector(cell, Quad);
   const std::ptrdiff_t dy = count_[0], dz = dy * count_[1];
   const Quad* const c = nodes_.data() + cell[0] + cell[1] * dy + cell[2] * dz;
-  // Of the plane of each node, at x, what its gradient adds along an axis is, over two neighbours,
-  // f (1 − f) times the difference of their gradients.
+  // The plane of each node is evaluated at x. Interpolated between two neighbours along an axis,
+  // the gradients add f (1 − f) times the difference of their components along that axis.
   const Quad d0 = c[0] - c[1], d1 = c[dy] - c[dy + 1], d2 = c[dz] - c[dz + 1],
              d3 = c[dy + dz] - c[dy + dz + 1];
   const Quad a0 = c[0] - f[0] * d0, a1 = c[dy] - f[0] * d1, a2 = c[dz] - f[0] * d2,

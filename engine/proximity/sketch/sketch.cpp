@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t few_points = 160, more_points = 320;
 
-/// m: squares of what is within are in the range of single precision.
+/// m: within this range, squares of lengths are in the range of single precision.
 constexpr double smallest_radius = 1e-12, largest_radius = 1e12;
 
 struct Candidate {
   Vec3 x;
-  double weight;  // what its distance from the points taken counts for
+  double weight;  // factor on its distance from the points already taken
   double away = std::numeric_limits<double>::infinity();
 };
 
@@ -61,7 +61,7 @@ PointGroup group_of(std::span<const Vec3> points) {
   return out;
 }
 
-/// Halves of equal numbers, along the longest side, until they are small.
+/// Splits at the median along the longest side until the groups are small.
 void add_groups(std::span<Vec3> points, std::vector<PointGroup>& out) {
   if (points.size() <= most_in_a_group) return out.push_back(group_of(points));
   Eigen::AlignedBox3d box;
@@ -82,7 +82,8 @@ std::vector<Vec3> spread_points(const Body& body, std::size_t count) {
   const double spacing = 0.1 * body.mass.radius;
   std::vector<Candidate> all = candidates(roughly(body), spacing);
   std::vector<Vec3> out;
-  // Each is the one furthest from those before; the first, from the centre of mass.
+  // Farthest-point sampling: each point is the furthest from those before, the first from the
+  // centre of mass.
   Vec3 last = body.mass.com;
   while (out.size() < std::min(count, all.size())) {
     auto furthest = all.begin();
@@ -91,7 +92,7 @@ std::vector<Vec3> spread_points(const Body& body, std::size_t count) {
       if (c->away > furthest->away) furthest = c;
     }
     last = furthest->x;
-    out.push_back(nearest_point(body, last, 0).point);  // an outline is a little off
+    out.push_back(nearest_point(body, last, 0).point);  // an outline lies slightly off the surface
     if (out.size() == 1)
       for (Candidate& c : all) c.away = std::numeric_limits<double>::infinity();
   }

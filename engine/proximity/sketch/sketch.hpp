@@ -8,16 +8,16 @@
 
 namespace sonde {
 
-/// Points that lie together.
+/// A group of points near each other.
 struct PointGroup {
   Quad center;
   double radius;             // m
-  std::vector<Quad> points;  // the fourth: how far from the center, m
+  std::vector<Quad> points;  // fourth component: distance from the center, m
 };
 
-/// A body for quick searches: some points of its surface (a few, or more of them) and, for a solid,
-/// a field with the distance of any point. (A surface has no inside, so every point is far from
-/// it.) Both are in its principal axes, with the origin at its centre of mass.
+/// A simplified body for quick searches: a few points, and more points, of its surface and, for a
+/// solid, a field with the distance of any point. (A surface has no inside, so every point is far
+/// from it.) Both are in its principal axes, with the origin at its centre of mass.
 struct Sketch {
   std::vector<PointGroup> few, more;
   DistanceField field;
@@ -26,17 +26,17 @@ struct Sketch {
 /// Takes some tens of milliseconds.
 std::shared_ptr<const Sketch> make_sketch(const Body& body);
 
-/// The sketches of a pair of bodies; useful where both are there.
+/// The sketches of a pair of bodies; usable only if both exist.
 struct Sketches {
   std::shared_ptr<const Sketch> probe, fixed;
   explicit operator bool() const { return probe && fixed; }
 };
-/// Makes the sketches of a pair, on two threads. Empty where both bodies are surfaces, or where the
-/// size of one is not between 1e-12 m and 1e12 m.
+/// Makes the sketches of a pair, on two threads. Empty if both bodies are surfaces, or if the size
+/// of one is not between 1e-12 m and 1e12 m.
 Sketches make_sketches(const Body& probe, const Body& fixed, const Progress& progress = {});
 
-/// `count` points spread over the surface of a body, in its mesh frame, corners first. The first
-/// few are spread as well as all of them.
+/// `count` points spread over the surface of a body, in its mesh frame, corners first. Every
+/// leading part of them is spread evenly too.
 std::vector<Vec3> spread_points(const Body& body, std::size_t count);
 
 }  // namespace sonde

@@ -20,15 +20,15 @@ Displacement displacement_along(const Motion& motion, const Vec3& centre) {
 }
 
 Displacement displacement(const Transform& from, const Transform& to, const Vec3& centre) {
-  // |R − R₀| as an operator is the Frobenius norm by √2, for rotations.
+  // For rotations, |R − R₀| as an operator norm is the Frobenius norm divided by √2.
   return {(1 + 1e-12) * (to * centre - from * centre).norm(),
           (1 + 1e-12) * (to.R - from.R).norm() / std::sqrt(2.0)};
 }
 
 Displacement deviation(const Transform& from, const Course& course, const Transform& to,
                        const Path& path, const Vec3& centre, double arm) {
-  // From one pose to the other, arms r of the first go by (Q − 1) r. Of Q − 1 the antisymmetric
-  // part is a turn by a first-order vector, and the rest is of second order.
+  // From one pose to the other, arms r of the first move by (Q − 1) r. The antisymmetric part of Q
+  // − 1 is a turn by a first-order vector, and the rest is of second order.
   const Vec3 went = to * centre - from * centre;
   const Mat3 Q = to.R * from.R.transpose();
   const Vec3 turned(0.5 * (Q(2, 1) - Q(1, 2)), 0.5 * (Q(0, 2) - Q(2, 0)),

@@ -9,7 +9,7 @@
 namespace sonde {
 namespace {
 
-/// x ↦ x × (any).
+/// The matrix of x × (·).
 Mat3 times(const Vec3& x) {
   Mat3 m;
   m << 0, -x.z(), x.y(), x.z(), 0, -x.x(), -x.y(), x.x(), 0;
@@ -26,17 +26,17 @@ Motion::Motion(const Chart& chart, const Vec6& from, const Vec6& to)
       com_step_(to.tail<3>() - from.tail<3>()),
       v_from_(chart.v(from)),
       v_step_(chart.v(to) - chart.v(from)) {
-  // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|. |v(s)|
-  // is largest at an end of the path.
+  // With q = (w, v(s)): ẇ = −v·v̇/w and ẅ = −(|v̇|² + ẇ²)/w; |ω| = 2|q̇| and |ω̇| ≤ 2|q̈| = 2|ẅ|.
+  // |v(s)| is largest at an end of the path.
   const double v2 = std::max(v_from_.squaredNorm(), (v_from_ + v_step_).squaredNorm());
   const double w2 = std::max(least_w2, 1 - v2);
   const double step2 = v_step_.squaredNorm();
   const double q2 = step2 + step2 * v2 / w2;
   turn_ = 2 * std::sqrt(q2) * (1 + 1e-12);
   acceleration_ = (4 * q2 + 2 * q2 / std::sqrt(w2)) * (1 + 1e-12);
-  // A turned arm is r + 2w v×r + 2 v×(v×r). Its third derivative is 2w‴ v×r + 6w″ v̇×r, with
-  // |w″| ≤ |v̇|²/w³ and |w‴| ≤ 3|v||v̇|³/w⁵, together no more than 6|v̇|³|r|/w⁵; from half-way it is
-  // half of the path to either end.
+  // A turned arm is r + 2w v×r + 2 v×(v×r). Its third derivative is 2w‴ v×r + 6w″ v̇×r, with |w″| ≤
+  // |v̇|²/w³ and |w‴| ≤ 3|v||v̇|³/w⁵, together at most 6|v̇|³|r|/w⁵; bend_ is taken half-way, at
+  // half of the path from either end.
   const Vec3 half = v_from_ + 0.5 * v_step_;
   const double w = std::sqrt(std::max(least_w2, 1 - half.squaredNorm()));
   const double w1 = -half.dot(v_step_) / w, w11 = -(step2 + w1 * w1) / w;
@@ -60,7 +60,8 @@ Motion::Motion(const MassProperties& mass, const Pose& from, const Pose& to)
   steady_ = 2 * elementary::atan2(half_sine, turn.w());
   if (half_sine > 0) axis_ = turn.vec() / half_sine;
   turn_ = steady_ * (1 + 1e-12);
-  // An arm turns as R″ = ω² [axis]² R, and |R‴| = ω³: half of the path is half of that away.
+  // An arm turns as R″ = ω² [axis]² R, and |R‴| = ω³; the middle is half of the path from either
+  // end.
   const double squared = steady_ * steady_;
   acceleration_ = squared * (1 + 1e-12);
   bend_ = q_FP_.toRotationMatrix() * (squared * times(axis_) * times(axis_)) *

@@ -11,12 +11,12 @@
 namespace sonde {
 namespace {
 
-// In the units of Effort: of a block of pairs, of one pair.
+// Units of Effort: for a block of pairs, and for one pair.
 constexpr int work_to_look = 5, work_to_advance = 20;
 
 Vec3 face_normal(const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
-/// Where the centre of mass is, and how arms from it are turned.
+/// The position of the centre of mass, and the rotation of arms from it.
 ArmMap arms_at(const Body& a, const Transform& X) { return arm_map(X.R, X * a.mass.com); }
 
 }  // namespace
@@ -40,7 +40,7 @@ void NeighbourList::travel_to(const Transform& X) noexcept {
   linear_ += more.linear * (1 + 1e-12);
   turned_ += more.turn * (1 + 1e-12);
   last_ = X;
-  // Long travel within a small place would round the distances away.
+  // Travel that is long compared with the reach would make the stored distances inaccurate.
   if (linear_ + turned_ * longest_arm_ >
       1e3 * (coverage_.around.of(longest_arm_) + coverage_.ahead.size().of(longest_arm_))) {
     for (std::size_t k = 0; k < blocks(); ++k) block_bounds_[k].distance = 0;
@@ -49,15 +49,14 @@ void NeighbourList::travel_to(const Transform& X) noexcept {
 }
 
 double NeighbourList::guard(const Transform& X) const noexcept {
-  // Arms are reckoned from the centre of mass, which may lie far outside the mesh.
+  // Arms are relative to the centre of mass, which may lie far outside the mesh.
   return rounding_guard(extent(a_) + a_.mass.com.norm(), extent(b_),
                         X.p.cwiseAbs().cwiseMax(X_.p.cwiseAbs()));
 }
 
 double NeighbourList::left(const Coverage& room, const Transform& X,
                            const Path& path) const noexcept {
-  // The least of what is left for any arm. Distances were rounded at the list's pose, and are again
-  // at this one.
+  // The minimum over all arms. Distances are rounded at the list's pose and again at this one.
   const Displacement off = deviation(X_, room.ahead, X, path, centre_, longest_arm_);
   const Displacement left{room.around.linear - off.linear, room.around.turn - off.turn};
   return std::min(left.linear, left.of(longest_arm_)) - 2 * guard(X);
@@ -135,7 +134,7 @@ std::size_t NeighbourList::violations(const Transform& X, double least, std::spa
   const auto deeper = [](const Violation& x, const Violation& y) { return x.gap < y.gap; };
   std::size_t found = 0;
   TriangleBatch batch(a_, b_, X);
-  std::array<double, block> along{};  // gaps of the batch
+  std::array<double, block> along{};  // gaps of the pairs in the batch
   const auto look = [&] {
     effort.spend(TriangleBatch::work * batch.size());
     batch.flush(least, [&](const TriangleBatch::Pair& pair, int k, const ClosestPoints8& points) {
@@ -193,7 +192,8 @@ Sweep NeighbourList::sweep_along(const Motion& motion, double clearance, Effort&
                                                                                        : 1};
     }
   });
-  // What is likely to stop the path soonest comes first: then the others need be clear no further.
+  // The pairs that may stop the path soonest come first: the others must then be clear only up to
+  // that stop.
   const auto first = unproven_.begin(), last = first + static_cast<std::ptrdiff_t>(open);
   const auto few = first + static_cast<std::ptrdiff_t>(std::min(open, block));
   ordering::partial_sort(first, few, last, [](const UnprovenPair& x, const UnprovenPair& y) {
@@ -210,8 +210,8 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
   const auto passes = [&](const TriangleBatch::Pair& pair, const Vec3& n) {
     return pairs.is_clear_along(pair.i, pair.j, n);
   };
-  // What slides past with little room, one edge over another, is clear along a normal of the
-  // surface, where the nearest points lead from one side of it to the other.
+  // A pair that slides past with little room, edge over edge, is clear along a surface normal,
+  // whereas the direction of its closest points changes sides.
   Vec3 hint = Vec3::Zero();
   const auto passes_over = [&](const TriangleBatch::Pair& pair) {
     const Corners ta = place(pairs.start().X, corners(surface(a_), pair.i));
@@ -270,7 +270,8 @@ void NeighbourList::follow(std::span<const UnprovenPair> open, PairSweep& pairs,
     if (pairs.free_until() < 1 && n != Vec3::Zero() && passes(pair, n)) continue;
     at_start.add(pair, place(pairs.start().X, corners(surface(a_), pair.i)),
                  corners(surface(b_), pair.j));
-    // The first has the last word before any other is looked at: these need be clear no further.
+    // The first pair is decided before any other is examined: the others must be clear only up to
+    // its stop.
     if (at_start.full() || ++looked_at == 1) look_at_start(), look_at_end();
   }
   look_at_start();

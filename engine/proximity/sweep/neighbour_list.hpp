@@ -31,9 +31,10 @@ namespace sonde {
 /// from the fixed body too. Only the constructor allocates.
 class NeighbourList {
  public:
-  /// Pairs. Where surfaces fit into each other every triangle has some ten of the other body near
-  /// it, so that all that faces each other of two bodies of 2000 triangles is some 15 000. A list
-  /// for eight times the reach then holds less than three times the pairs (a ball in its socket).
+  /// Default capacity, in pairs. Where surfaces fit into each other, every triangle has some ten of
+  /// the other body near it, so two such bodies of 2000 triangles have some 15 000 facing pairs. A
+  /// list for eight times the reach then holds less than three times the pairs (a ball in its
+  /// socket).
   static constexpr std::size_t enough = 32768;
   NeighbourList(const Body& a, const Body& b, std::size_t capacity = enough);
 
@@ -102,7 +103,7 @@ class NeighbourList {
   Sweep sweep_along(const Motion& motion, double clearance, Effort& effort) noexcept;
 
   /// Writes to `out` the pairs that are nearer than `least` (m) at X, or that meet there: the
-  /// deepest, if there are more than fit. `least` must not exceed reach_at(X). X is only looked at:
+  /// deepest, if there are more than fit. `least` must not exceed reach_at(X). X is a trial pose:
   /// the pose from which travel is counted does not change. Returns the number of pairs.
   std::size_t violations(const Transform& X, double least, std::span<Violation> out,
                          Effort& effort) noexcept;
@@ -117,8 +118,8 @@ class NeighbourList {
   };
   /// A bound for the pairs of a block. `distance` (m) is the least distance last found, plus the
   /// travel until then; `arm` (m) is the longest arm. A turn brings a triangle nearer by up to its
-  /// arm times the angle. A block is skipped as long as what travel leaves of the distance exceeds
-  /// what is asked for (spare()).
+  /// arm times the angle. A block is skipped as long as `distance` minus the travel exceeds the
+  /// reach of the query (spare()).
   struct BlockBound {
     double distance, arm;
   };
@@ -148,7 +149,7 @@ class NeighbourList {
   struct Way {
     double arm = 0;           ///< m: the longest arm of the box's points
     Vec3 way = Vec3::Zero();  ///< m: displacement of the box's centre, fixed frame
-    double spread = 0;        ///< m: no point's displacement differs by more from that
+    double spread = 0;        ///< m: bound of the difference of any point's displacement from that
   };
   Way way_of(std::uint32_t slot) const noexcept;
   /// True if the plan covers the pair. `due` holds its distance and arm, `normal` the direction
@@ -178,23 +179,24 @@ class NeighbourList {
   std::vector<Pairs> items_;
   std::vector<PairLanes> lanes_;
   std::vector<BlockBound> block_bounds_;
-  std::vector<BlockBound> pair_bounds_;  // of a list that is being made
+  std::vector<BlockBound> pair_bounds_;  // of the list under construction
   std::vector<UnprovenPair> unproven_;
   std::size_t count_ = 0;
   std::size_t capacity_;
   std::int64_t work_of_build_ = 0;
   Vec3 centre_;  // A's mesh frame
   double longest_arm_ = 0;
-  Coverage coverage_;                          // of the list; around.linear negative: there is none
-  Coverage planned_;                           // of the list that is being made
-  BuildPlan plan_;                             // for it
-  bool fallback_only_ = false;                 // nothing is planned but the least
-  std::vector<PairStack<SlotPair>> to_visit_;  // for it: one, large; none for no pairs
+  Coverage coverage_;           // of the list; around.linear negative: there is no list
+  Coverage planned_;            // of the list under construction
+  BuildPlan plan_;              // of the list under construction
+  bool fallback_only_ = false;  // the build covers only the fallback
+  std::vector<PairStack<SlotPair>>
+      to_visit_;  // of the build: one large stack; none if capacity is 0
   bool unfinished_ = false;
   Transform X_;        // of the list
-  Transform last_;     // the pose last looked at
-  double linear_ = 0;  // m: of the centre, from pose to pose looked at
-  double turned_ = 0;  // rad, in the same way
+  Transform last_;     // the last pose from which travel is counted
+  double linear_ = 0;  // m: travel of the centre, summed over the poses
+  double turned_ = 0;  // rad: turn, summed likewise
 };
 
 }  // namespace sonde

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a list is made.
+// Construction of a neighbour list.
 #include <array>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace sonde {
 namespace {
 
-constexpr int work_to_take = 4;  // a pair, in the units of Effort
+constexpr int work_to_take = 4;  // to add one pair, in units of Effort
 
 }  // namespace
 
@@ -27,7 +27,7 @@ bool NeighbourList::is_in_plan(const Pair& pair, const BlockBound& due,
                                const Vec3& normal) const noexcept {
   const double room = planned_.around.of(due.arm);
   if (due.distance <= room || normal == Vec3::Zero()) return true;
-  // On the course the gap along the normal changes as that of the corner that loses most.
+  // Along the course, the gap along the normal changes by that of the corner that approaches most.
   const Course& course = planned_.ahead;
   const Vec3 per_arm = X_.R.transpose() * normal.cross(course.turn);
   const Corners ta = corners(surface(a_), pair.a);
@@ -37,13 +37,13 @@ bool NeighbourList::is_in_plan(const Pair& pair, const BlockBound& due,
   return gap * (1 - 1e-12) - guard(X_) + std::min(0.0, normal.dot(course.linear) + turned) <= room;
 }
 
-/// Pairs of triangles on their way into the list, eight of which are compared at a time.
+/// Candidate pairs of triangles, compared eight at a time.
 struct NeighbourList::Candidates {
   TriangleBatch batch;
   double rounding;                    // m
-  std::array<Way, block> way{};       // of boxes that hold the triangles of A
-  std::array<double, block> reach{};  // m: none that is further away can come in
-  bool fit = true;                    // so far
+  std::array<Way, block> way{};       // of the boxes that hold the triangles of A
+  std::array<double, block> reach{};  // m: a pair further away cannot be added
+  bool fit = true;                    // all pairs found so far fit
 };
 
 void NeighbourList::start(const Transform& X, const Vec3& centre) noexcept {
@@ -93,7 +93,7 @@ bool NeighbourList::build_by(const BuildPlan& plan, const Transform& X, const Ve
                              Effort& effort) noexcept {
   start(X, centre);
   plan_ = plan;
-  // What is looked for at first includes the fallback.
+  // The initial search also covers the fallback.
   Displacement& around = plan_.wanted.around;
   around = {std::max(around.linear, plan.fallback.around.linear),
             std::max(around.turn, plan.fallback.around.turn)};
@@ -114,7 +114,7 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
   Recent<Way> ways;
   Candidates candidates{{a_, b_, X_}, guard(X_)};
   const auto spend = [&](int work) { return work_of_build_ += work, effort.spend(work); };
-  // What is found below a pair goes by the arm of its box of A, which is the longer one.
+  // Pairs found below a pair use the arm of its box of A, which is longer than theirs.
   const auto sort_out = [&](const SlotPair& p, const Way& way) {
     if (!at.is_leaf(p)) return to_visit_.front().push(p);
     spend(work_to_take);
@@ -131,11 +131,11 @@ bool NeighbourList::go_on(Effort& effort) noexcept {
     const float limit = at.to_unit_rounded_up(planned_.around.of(way.arm)),
                 spread = at.to_unit_rounded_up(way.spread);
     if (p.bound > limit) continue;
-    if (at.is_leaf(p)) {  // the roots alone
+    if (at.is_leaf(p)) {  // only if the roots are leaves
       sort_out(p, way);
       continue;
     }
-    // What is below the box of A goes its way to within the spread.
+    // All points in the box of A follow its displacement to within the spread.
     at.open_on_way(p, way.way, limit + spread, found);
     for (SlotPair& child : found) child.bound -= spread, sort_out(child, way);
     unfinished_ = !spend(work_to_open(found.count));

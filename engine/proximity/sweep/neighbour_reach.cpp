@@ -7,25 +7,26 @@
 namespace sonde {
 namespace {
 
-/// Of the probe's radius: longer paths are not listed, the trees are quicker. (With 0.02 the p99.9
-/// of a tick in contact was 1497 µs on fandisk-diplodocus and 5222 on terrain, with 0.04 1067 and
-/// 4074, with 0.07 1247 and 7505; the others alike.)
+/// Share of the probe's radius: for longer paths no list is made, since walking the trees is
+/// quicker. (With 0.02 the p99.9 of a tick in contact was 1497 µs on fandisk-diplodocus and 5222 on
+/// terrain, with 0.04 1067 and 4074, with 0.07 1247 and 7505; the others did not change.)
 constexpr double farthest_listed = 0.04;
-/// Shorter ones always are, in flat contact the trees are no help with them.
+/// Shorter paths always get a list: in flat contact the trees do not help with them.
 constexpr double nearest_listed = 0.001;
-/// Of what is wanted: less would not outlast the step it is made for.
+/// Factor on the reach wanted: a shorter list would not outlast the step that it is made for.
 constexpr double least_ample = 1.5;
 constexpr double most_ample = 32;
 /// From one list to the next.
 constexpr double growth = 1.2;
 
-/// A little further out there may be ten times as many pairs: a list that takes so many times the
-/// work of the cheapest of late is left, but none that takes some 80 µs.
+/// A slightly larger reach may contain ten times as many pairs. A list that takes more than
+/// `dearest` times the work of the cheapest recent list is abandoned, unless its work is below
+/// `cheap_enough`, some 80 µs.
 constexpr double dearest = 1.6, cheap_enough = 8000;
 
-/// What a list costs: a tick feels a long one more than many short ones do, so the power is above
-/// that of the mean. (In units of work, the p99 of a tick with 1.5 and with 2: nut-on-bolt 1933,
-/// 1844; peg-in-hole 521, 475; linked-tori 340, 312; medians alike.)
+/// The cost of a list. One expensive list disturbs a tick more than many cheap ones, so the power
+/// of the work is above 1. (In units of work, the p99 of a tick with the powers 1.5 and 2:
+/// nut-on-bolt 1933, 1844; peg-in-hole 521, 475; linked-tori 340, 312; the medians are alike.)
 double cost(std::int64_t work, double travel) {
   const auto w = static_cast<double>(work);
   return w * w / travel;
@@ -58,7 +59,8 @@ double NeighbourReach::choose(double wanted) const noexcept {
 
 void NeighbourReach::learn(double wanted, double chosen, bool fits, std::int64_t work,
                            std::int64_t affordable) noexcept {
-  // Where surfaces lie close over a wide area the list overflows: the next one reaches less far.
+  // Where surfaces lie close over a wide area, the list overflows; the next one has a smaller
+  // reach.
   if (!fits) {
     limit_ = 2 * wanted;
     reach_ = 0.5 * chosen;
@@ -69,7 +71,7 @@ void NeighbourReach::learn(double wanted, double chosen, bool fits, std::int64_t
   limit_ = std::min(1.5 * limit_, radius_);
   too_far_ = std::min(1.02 * too_far_, farthest_listed * radius_);
   const auto took = static_cast<double>(work);
-  // One of the least reach cannot be had cheaper.
+  // A list of the least reach cannot become cheaper.
   cheapest_ = chosen <= least(wanted) ? took : std::min(took, 1.1 * cheapest_);
   const double last = cost_;
   cost_ = cost(work, chosen - wanted);

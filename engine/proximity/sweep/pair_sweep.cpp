@@ -9,7 +9,7 @@
 namespace sonde {
 namespace {
 
-/// At two triangles, at one moment; in the units of Effort.
+/// Units of Effort to compare two triangles at one moment.
 constexpr int work_to_look_at_triangles = 50;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr int work_to_look_at_triangles = 50;
 double safe_advance(double slack, double speed, double acceleration) {
   if (slack <= 0) return 0;
   if (acceleration <= 0) return speed >= 0 ? infinity : slack / -speed;
-  // The positive root of slack + speed x − ½ acceleration x², in the form that does not cancel.
+  // The positive root of slack + speed x − ½ acceleration x², in the form without cancellation.
   const double root = std::sqrt(speed * speed + 2 * acceleration * slack);
   return speed >= 0 ? (speed + root) / acceleration : 2 * slack / (root - speed);
 }
@@ -31,7 +31,7 @@ PairSweep::PairSweep(const Body& a, const Body& b, const Motion& motion, double 
       kept_(start_),
       end_(motion.at(1)) {
   const Vec3 farthest = start_.X.p.cwiseAbs().cwiseMax(end_.p.cwiseAbs());
-  // The poses are made about the centre of mass, which may lie far outside the mesh.
+  // Poses are computed about the centre of mass, which may lie far outside the mesh.
   guard_ = rounding_guard(extent(a) + motion.com().norm(), extent(b), farthest);
   result_.free_until = 1;
 }
@@ -59,7 +59,7 @@ PairSweep::Step PairSweep::step_along(const Vec3& n, const Moment& now, const Co
     step.gap = std::min(step.gap, height);
     const double acceleration =
         std::clamp(unknown - bending.dot(local[k] - motion_.com()), 0.0, most);
-    // All of the path, which is what most corners are free for: no root need be taken.
+    // Most corners are free on the whole path: this test avoids the root.
     if (height - floor + std::min(0.0, speed) > 0.5 * acceleration) continue;
     const double mine = safe_advance(height - floor, speed, acceleration);
     if (mine < step.length) step.length = mine, step.closing = speed < 0;
@@ -103,8 +103,9 @@ bool PairSweep::is_clear_between(std::uint32_t i, std::uint32_t j, double s, con
 
 bool PairSweep::slides(const Slide& from, const Slide& to, const Corners& local, const Corners& tb,
                        double radius, double floor) const {
-  // Along m(s) = n₀ + s (n₁ − n₀), |m| ≤ 1, a corner x of A is h = m·(x − b) above one of B, and
-  // h″ = m·x″ + 2 (n₁ − n₀)·x′. Between its ends h hangs by an eighth of that at most.
+  // Along m(s) = n₀ + s (n₁ − n₀), |m| ≤ 1, a corner x of A has the height h = m·(x − b) above a
+  // corner b of B, and h″ = m·x″ + 2 (n₁ − n₀)·x′. Between its ends, h lies below the chord by at
+  // most an eighth of that.
   const double part = to.s - from.s;
   const Vec3 turned = to.normal - from.normal;
   const Vec3 bend_from = motion_.bend().transpose() * from.normal;
@@ -148,18 +149,18 @@ int PairSweep::advance(std::uint32_t i, std::uint32_t j, double s, Vec3& normal)
     const Moment now = at(s);
     const ClosestPoints c = look(now);
     normal = c.normal;
-    // Nearer than asked from the start: let it slide, or move away, on half of what it has.
+    // Nearer than the clearance from the start: it may slide or move away with half of its gap.
     if (s <= 0 && c.gap < 2 * stop) stop = 0.5 * c.gap;
     const double slack = c.gap - stop - guard_;
     const Step step =
         step_along(normal, now, local, place(now.X, local), tb, radius, stop + guard_);
-    // Stopped, or closing in on the stop in ever smaller steps: here is where the freedom ends.
+    // Stopped, or approaching the stop in ever smaller steps: the free part of the path ends here.
     if (slack <= 0 || tries == 50 || (step.closing && slack < 0.05 * stop)) {
       result_ = {.free_until = s, .hit = true, .triangle_a = i, .triangle_b = j};
       break;
     }
-    // Where edge slides over edge the direction that separates them turns as they do, and none that
-    // stands still goes far.
+    // Where an edge slides over an edge, the separating direction turns with them, and a fixed
+    // direction separates them only for a short way.
     const double end = std::min(s + leap, result_.free_until);
     if (end > s + 2 * step.length) {
       const Moment then = at(end);

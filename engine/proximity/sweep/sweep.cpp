@@ -40,7 +40,8 @@ class Sweeper {
         static_cast<float>((clearance + placing_guard(a.tree, b.tree) + pairs_.guard()) *
                            per_unit_ * up) +
         underflow_guard;
-    // Velocities are taken at the middle of the smaller body, which may be far from the moving one.
+    // Velocities are computed at the middle of the smaller body, which may be far from the moving
+    // one.
     const bool about_b = placing_guard(a.tree, b.tree) < box_rounding * size_a;
     const double reach = about_b ? size : size_a + arm;
     bounds_.speed_rounding = static_cast<float>(
@@ -65,17 +66,17 @@ class Sweeper {
   }
 
  private:
-  /// One moment as the comparisons of boxes need it.
+  /// One moment of the motion, with the data for the comparison of boxes.
   struct Placed {
     int number = -1;
     Moment moment;
     Frames frames;
     PlacedVelocity in_b, in_a;
-    float com_b[3], com_a[3];  // from the middles
+    float com_b[3], com_a[3];  // relative to the middles
   };
 
-  /// Goes down through the pairs that may meet first, a few abreast: what is at the end bounds the
-  /// path, so that less of it need be looked at.
+  /// Descends through the pairs that may meet first, a few at a time: the triangles at the end
+  /// bound the free path, so that less of it must be examined.
   void dive() {
     constexpr std::uint32_t all = 0xffff;
     const auto sooner = [](const SlotPair& x, const SlotPair& y) { return x.bound < y.bound; };
@@ -102,7 +103,7 @@ class Sweeper {
     if (open_ > 0) advance_open();
   }
 
-  /// As far as all pairs that are still to be looked at are known to be free.
+  /// Ends the sweep at the point up to which all pairs not yet examined are known to be free.
   Sweep give_up() {
     double known = 1;
     while (!stack_.empty()) known = std::min(known, static_cast<double>(stack_.pop().bound));
@@ -114,7 +115,7 @@ class Sweeper {
     return pairs_.result();
   }
 
-  // Of an entry, `bound` is how far along the path the pair is known to be free.
+  // The `bound` of an entry is how far along the path the pair is known to be free.
   void visit(const SlotPair& p) {
     const double from = static_cast<double>(p.bound);
     if (from >= pairs_.free_until()) return;
@@ -125,13 +126,14 @@ class Sweeper {
     SlotPairs found;
     open(p, found);
     effort_.spend(2 * work_to_open(found.count));
-    // The pair that may stop it first is looked at first: what it says rules out others.
+    // The pair that may stop the path first is examined first: its result excludes others.
     ordering::sort(found.begin(), found.end(),
                    [](const SlotPair& x, const SlotPair& y) { return x.bound > y.bound; });
     for (const SlotPair& next : found) stack_.push(next);
   }
 
-  /// The lanes of B's node (or of A's) that the box of A (of B) may meet before the stop so far.
+  /// The lanes of B's node (or of A's) whose boxes the box of A (of B) may meet before the current
+  /// stop.
   std::uint32_t compare(const SlotPair& p, const Placed& now, const Tree::Node& node_b,
                         Lanes& steps) const {
     kernels_.box_moves(placed(a_.tree, p.a, now.frames.a_to_b, scale_), now.in_b, path(now.com_b),
@@ -144,8 +146,8 @@ class Sweeper {
                         node_a, scale_, steps);
     return at_most(steps, within(now), node_a);
   }
-  /// What is left of the path from that moment on, rounded up: what is just beyond is found to be
-  /// so when its turn comes.
+  /// The rest of the path from that moment on, rounded up: pairs slightly beyond are rejected when
+  /// they are visited.
   float within(const Placed& now) const {
     return static_cast<float>(pairs_.free_until()) * (1 + 0x1p-20f) - start(now) + 0x1p-20f;
   }
@@ -184,7 +186,7 @@ class Sweeper {
     if (near_b == 0) return;
     const std::uint32_t near_a = compare(a_.tree.nodes[child_a], now, p, steps_a);
     const bool by_a = std::popcount(near_a) <= std::popcount(near_b);
-    const float from = start(now);  // what is opened below may take the place of `now`
+    const float from = start(now);  // opening below may overwrite `now`
     for (std::uint32_t each = by_a ? near_a : near_b; each != 0; each &= each - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(each));
       const float step = by_a ? steps_a.value[k] : steps_b.value[k];
@@ -198,14 +200,14 @@ class Sweeper {
 
   struct Waiting {
     std::uint32_t i, j;
-    double from;  // known to be free so far
-    double s;     // of the moment at which they are compared
+    double from;  // known to be free up to here
+    double s;     // of the moment at which the triangles are compared
     Moment moment;
-    Vec3 normal = Vec3::Zero();  // that separates them then
-    bool leads = false;          // as far as `from`
+    Vec3 normal = Vec3::Zero();  // separates them at that moment
+    bool leads = false;          // the normal proves them free up to `from`
   };
 
-  /// Most pairs of triangles are done with after one look, which eight take together.
+  /// Most pairs of triangles are decided by one comparison, which handles eight at a time.
   void wait(std::uint32_t i, std::uint32_t j, const SlotPair& p) {
     const Placed& now = placed_before(p);
     set_lane(lanes_, waiting_, place(now.moment.X, corners(surface(a_), i)),
@@ -234,8 +236,8 @@ class Sweeper {
     waiting_ = 0;
   }
 
-  /// Of the others most only slide past: a look at the end of the path, that eight take together,
-  /// tells so.
+  /// Most of the remaining pairs only slide past, which a comparison at the end of the path shows,
+  /// eight at a time.
   void advance_open() {
     ClosestPoints8 points;
     closest_points(lanes_at_end_, open_, std::numeric_limits<double>::infinity(), points);
@@ -252,8 +254,8 @@ class Sweeper {
     open_ = 0;
   }
 
-  /// The last moment, of those that suit the size of the boxes, before the pair's. Most visits are
-  /// at the same few: they are kept.
+  /// The last moment before the pair's `bound`, on a grid that suits the size of the boxes. Most
+  /// visits use the same few moments, which are cached.
   const Placed& placed_before(const SlotPair& p) {
     const float size = std::max(p.size_a, p.size_b) * scale_;
     const int wanted = static_cast<int>(std::min(1.0f, size * per_path_) * moments);
@@ -288,9 +290,9 @@ class Sweeper {
     return bounds;
   }
 
-  static constexpr std::size_t abreast = 8;   // measured: of 1 to 16
+  static constexpr std::size_t abreast = 8;   // the best of 1 to 16, measured
   static constexpr int moments = 4096;        // a power of two: number / moments is exact
-  static constexpr int work_to_advance = 10;  // of a pair of triangles, in the units of Effort
+  static constexpr int work_to_advance = 10;  // for a pair of triangles, in units of Effort
   const Body& a_;
   const Body& b_;
   const Motion& motion_;
@@ -300,7 +302,7 @@ class Sweeper {
   double per_unit_;
   float scale_;
   PathBounds bounds_{};
-  float per_path_;  // a part of 1 over the longest path of a point of A
+  float per_path_;  // one over twice the longest path of a point of A
   std::array<Placed, 64> kept_;
   TrianglePairs8 lanes_, lanes_at_end_;
   std::array<Waiting, 8> queue_, open_queue_;

@@ -10,23 +10,23 @@
 namespace sonde {
 
 struct Sweep {
-  /// The path is free on [0, free_until], every pair of triangles separated along some axis by at
-  /// least the clearance asked for (or half of what it had at the start, if that was less).
+  /// The path is free on [0, free_until]: every pair of triangles is separated along some axis by
+  /// at least the clearance (or by half of its gap at the start, if that was less).
   double free_until = 0;
-  bool hit = false;              ///< false: free to the end of the path
-  bool given_up = false;         ///< a hit that is none: the effort ran out, more may be free
-  std::uint32_t triangle_a = 0;  ///< the pair that stopped it
+  bool hit = false;       ///< false: free to the end of the path
+  bool given_up = false;  ///< no real hit: the effort ran out, and more of the path may be free
+  std::uint32_t triangle_a = 0;  ///< the pair that stopped the path
   std::uint32_t triangle_b = 0;
 };
 
-/// Sweeps the probe along the path to the first contact. Conservative: what it calls free is free.
-/// Each pair of boxes or triangles is advanced by the time in which the gap along a separating axis
-/// cannot close, from the speed along that axis and a bound of the acceleration (conservative
-/// advancement with directional motion bounds; after Mirtich 1996 and Tang, Kim and Manocha, C2A,
-/// 2009). The start must be free: a start without a gap above the rounding error gives free_until =
-/// 0. Never allocates.
+/// Sweeps the probe along the path to the first contact. Conservative: a path reported free is
+/// free. Each pair of boxes or triangles is advanced by the time in which the gap along a
+/// separating axis cannot close, from the speed along that axis and a bound of the acceleration
+/// (conservative advancement with directional motion bounds; after Mirtich 1996 and Tang, Kim and
+/// Manocha, C2A, 2009). The start must be free: a start without a gap above the rounding error
+/// gives free_until = 0. Never allocates.
 ///
-/// See also: most ticks do not come here. NeighbourList::sweep_along sweeps the pairs of a list
+/// Most ticks do not call this function. NeighbourList::sweep_along sweeps the pairs of a list
 /// (neighbour_list.hpp), and PairSweep advances one pair of triangles (pair_sweep.hpp).
 /// ContactRows::sweep_along (engine/penetration/contact) chooses between a list and this function.
 Sweep sweep(const Body& probe, const Body& fixed, const Motion& motion, double clearance,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one source of the proximity queries that sees CGAL.
+// The only source of the proximity queries that includes CGAL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_3.h>
 
@@ -12,7 +12,7 @@ Kernel::Point_3 point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
 
 bool collinear(const Corners& t) { return CGAL::collinear(point(t[0]), point(t[1]), point(t[2])); }
 
-/// The longest of three collinear edges: all of the triangle that there is.
+/// The longest edge of a triangle with collinear corners, which equals the whole triangle.
 Kernel::Segment_3 longest_edge(const Corners& t) {
   int best = 0;
   double longest = -1;
@@ -29,8 +29,8 @@ Kernel::Triangle_3 triangle(const Corners& t) { return {point(t[0]), point(t[1])
 }  // namespace
 
 bool meet_exactly(const Corners& a, const Corners& b) {
-  // Rounding a placed needle can make its corners exactly collinear; CGAL asks for triangles with
-  // an area, so such a one is tested as the segment it has become.
+  // Rounding a placed needle can make its corners exactly collinear. CGAL requires triangles with
+  // an area, so such a triangle is tested as the segment that it is.
   const bool line_a = collinear(a);
   const bool line_b = collinear(b);
   if (line_a && line_b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of pair_lanes.hpp, for as many lanes as the including source says (lanes.hpp).
+// The kernel of pair_lanes.hpp, for the number of lanes that the including source sets (lanes.hpp).
 #pragma once
 
 #include "engine/proximity/triangles/pair_lanes.hpp"

@@ -15,12 +15,12 @@ struct alignas(64) TrianglePairs8 {
   double b[3][3][8] = {};
 };
 
-/// What closest_points finds in each lane: [coordinate][lane], m.
+/// The results of closest_points in each lane: [coordinate][lane], m.
 struct alignas(64) ClosestPoints8 {
-  double a[3][8];       ///< a point of A; the same as b where they meet
+  double a[3][8];       ///< a point of A; equal to b if they meet
   double b[3][8];       ///< a point of B
-  double distance[8];   ///< 0: they meet. Infinite: beyond the limit, the rest is not to be read
-  double normal[3][8];  ///< unit, from b to a; not to be read at distance 0
+  double distance[8];   ///< 0: they meet; infinite: beyond the limit, the rest is invalid
+  double normal[3][8];  ///< unit, from b to a; invalid at distance 0
   double gap[8];        ///< gap_along the normal; at distance 0 it is 0
 };
 
@@ -43,17 +43,17 @@ inline void set_lane(TrianglePairs8& pairs, int lane, const Corners& a, const Co
 }
 
 /// Closest points in the first `count` lanes (1 to 8), and the direction that separates best
-/// (triangle_pair.hpp). The other lanes may hold anything, their results are
-/// unspecified. Degenerate triangles included; edges and distances of 1e-35 to 1e35 m, or 0.
+/// (triangle_pair.hpp). The other lanes may hold anything; their results are unspecified.
+/// Degenerate triangles are allowed; edges and distances of 1e-35 to 1e35 m, or 0.
 ///
-/// Plain floating point, relative to the triangles themselves: the distance and the gap are right
-/// to 1e-15 of the size of the pair (its edges and its distance), the points to that and the
-/// rounding of their coordinates. Triangles seen to be further apart than `limit` (≥ 0, m) get the
-/// distance infinity; none within it does. The same bits on every processor, in every lane,
-/// whatever the other lanes hold. Never allocates.
+/// Plain floating point, relative to the triangles themselves: the distance and the gap are
+/// accurate to 1e-15 of the size of the pair (its edges and its distance), the points to that and
+/// the rounding of their coordinates. Triangles found to be further apart than `limit` (≥ 0, m) may
+/// get an infinite distance; triangles within it never do. The same bits on every processor and in
+/// every lane, whatever the other lanes hold. Never allocates.
 void closest_points(const TrianglePairs8& pairs, int count, double limit, ClosestPoints8& out);
 
-/// closest_points by one instruction set, which has to be supported.
+/// closest_points by one instruction set, which must be supported.
 void closest_points_by(InstructionSet set, const TrianglePairs8& pairs, int count, double limit,
                        ClosestPoints8& out);
 

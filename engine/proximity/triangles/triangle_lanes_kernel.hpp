@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of triangle_lanes.hpp, for as many lanes as the including source says (lanes.hpp).
+// The kernel of triangle_lanes.hpp, for the number of lanes that the including source sets
+// (lanes.hpp).
 #pragma once
 
 #include "engine/base/numbers.hpp"
@@ -8,7 +9,7 @@
 
 namespace sonde {
 
-/// closest_points by passes of that many lanes. The processor has to know the instructions.
+/// closest_points in passes of `lanes` lanes. The processor must support the instructions.
 template <int lanes>
 void closest_points_in_lanes(const TrianglePairs8& pairs, int count, double limit,
                              ClosestPoints8& out);
@@ -22,10 +23,11 @@ SONDE_LANES_BEGIN
 namespace sonde::lanes {
 namespace {
 
-/// Squares below this, of lengths or products of lengths, are taken for 0: their inverse is finite.
+/// Squares of lengths, or of products of lengths, below this count as 0: their inverse stays
+/// finite.
 constexpr double least_square = 1e-280;
 
-/// Of 0 it is a number by which 0 stays 0.
+/// The inverse of a square; for 0 a finite number, so that 0 times it is 0.
 inline Number inverse(Number square) {
   return broadcast(1) / larger(square, broadcast(least_square));
 }
@@ -56,8 +58,8 @@ struct Triangle {
   }
 };
 
-/// Two triangles, and the ways r[i][j] from corner j of B to corner i of A: all that is computed
-/// from here on is relative, so that it does not matter how far away the origin is.
+/// Two triangles, and the vectors r[i][j] from corner j of B to corner i of A. All later
+/// computations are relative, so the distance from the origin does not matter.
 struct Pairs {
   Triangle a, b;
   Vector r[3][3];
@@ -68,34 +70,34 @@ struct Pairs {
   }
 };
 
-/// A triangle's plane and the corners of the other triangle seen from it. What is inside the face
-/// has inside[0], inside[1] and normal2 − inside[0] − inside[1] all ≥ 0: these are |normal| times
-/// twice the areas over the edges 0, 1 and 2.
+/// A triangle's plane, and the corners of the other triangle relative to it. A point projects into
+/// the face if inside[0], inside[1] and normal2 − inside[0] − inside[1] are all ≥ 0: these are
+/// |normal| times twice the areas over the edges 0, 1 and 2.
 struct Face {
-  Vector normal;  ///< B's as its corners turn, A's against them: heights then count alike
+  Vector normal;  ///< right-handed for B, left-handed for A: heights then have the same sign
   Number normal2, inverse2;
-  Number height[3];     ///< of the other's corners, times |normal|
+  Number height[3];     ///< of the other triangle's corners, times |normal|
   Number inside[2][3];  ///< [edge][corner of the other]
 
-  /// The product of the two short edges, with the sign that the caller gives it, loses least to
-  /// rounding. In a needle without a short edge it may still be turned, by as much as a right
-  /// angle. Turned about the needle that does no harm; what leans along it is taken out, and
-  /// nothing left means no face.
+  /// The cross product of the two short edges (with the caller's sign) has the smallest rounding
+  /// error. In a needle without a short edge it may still be turned, by up to a right angle. A turn
+  /// about the needle does no harm. The component along the longest edge is removed; if almost
+  /// nothing remains, the triangle has no face.
   void set(const Triangle& t, const Vector& product) {
     normal = product - (dot(product, t.edge[2]) * t.inverse2[2]) * t.edge[2];
     normal2 = dot(normal, normal);
     normal2 = select(normal2 < broadcast(0.25) * dot(product, product), Number{}, normal2);
     inverse2 = inverse(normal2);
   }
-  /// Looks at corner k of the other. r0 and r1 are the ways (Pairs) between it and the corners 0
-  /// and 1 of this one; they run towards A, which is why A's normal is turned round.
+  /// Evaluates corner k of the other triangle. r0 and r1 are the vectors (Pairs) between it and the
+  /// corners 0 and 1 of this one; they point towards A, which is why A's normal is reversed.
   void see(const Vector inward[2], int k, const Vector& r0, const Vector& r1) {
     height[k] = dot(normal, r0);
     inside[0][k] = dot(inward[0], r0);
     inside[1][k] = dot(inward[1], r1);
   }
-  /// Far above where the products of heights and places in look() become denormal, far below the
-  /// thinnest triangle of 1e-35 m.
+  /// The limit is far above the values at which the products of heights and positions in look()
+  /// become denormal, and far below the thinnest triangle of 1e-35 m.
   Mask exists() const { return normal2 > broadcast(1e-200); }
   Mask on_one_side() const {
     const Number zero{};
@@ -103,7 +105,7 @@ struct Face {
     const Mask below = (height[0] < zero) & (height[1] < zero) & (height[2] < zero);
     return exists() & (above | below);
   }
-  /// Is the other triangle on one side of the plane, further from it than the root of reach2?
+  /// Whether the other triangle is on one side of the plane, further from it than √reach2.
   Mask beyond(Number reach2) const {
     Number nearest = height[0] * height[0];
     for (int k = 1; k < 3; ++k) nearest = smaller(nearest, height[k] * height[k]);
@@ -127,8 +129,8 @@ struct Face {
   }
 }
 
-/// The nearest points so far: one lies at corner `anchor` of A (3 to 5: of B) plus `along` times
-/// the edge from there; `apart` runs from B's point to A's.
+/// The closest points so far: one lies at corner `anchor` of A (3 to 5: of B) plus `along` times
+/// the edge from there; `apart` is the vector from B's point to A's.
 struct Best {
   Number squared;
   Vector apart;
@@ -144,7 +146,7 @@ struct Best {
   }
 };
 
-/// Corners of the other triangle over the inside of a face, each with its foot there.
+/// Offers corners of the other triangle that project into a face, each with its foot point.
 inline void offer_corners(const Face& face, int first_anchor, Best& best) {
   for (int k = 0; k < 3; ++k) {
     const Number ratio = face.height[k] * face.inverse2;
@@ -154,13 +156,13 @@ inline void offer_corners(const Face& face, int first_anchor, Best& best) {
   }
 }
 
-/// Nearest points of the nine pairs of edges, k / 3 of A and k % 3 of B. The lines' nearest point
-/// of A by cross products: nearly parallel edges cost it no more digits than the distance can bear
-/// (the error along the edge grows as the inverse of their angle, and counts in the distance only
-/// times that angle). From there on what is best for one point of an edge, drawn into the other
-/// edge, as C. Ericson, Real-Time Collision Detection, 2005, 5.1.9. All pairs go step by step side
-/// by side: one pair after the other is a chain of operations that wait for each other, and takes
-/// a fifth longer.
+/// Closest points of the nine pairs of edges, edge k / 3 of A and k % 3 of B. The point of A
+/// closest to the other line comes from cross products: for nearly parallel edges this costs no
+/// accuracy of the distance (the error along the edge grows as the inverse of their angle, and
+/// enters the distance only times that angle). The rest is alternating projection, clamped to the
+/// edges, as in C. Ericson, Real-Time Collision Detection, 2005, 5.1.9. All pairs advance step by
+/// step side by side: one pair after the other is a chain of dependent operations, and takes a
+/// fifth longer.
 [[gnu::always_inline]] inline void offer_edges(const Pairs& p, Best& best) {
   Number start[9], along[9], squared[9];
   Vector apart[9];
@@ -194,13 +196,13 @@ inline void offer_corners(const Face& face, int first_anchor, Best& best) {
   }
 }
 
-/// Where edges of the other triangle pass through a face: at height / drop of the edge from corner
-/// `anchor` (Best).
+/// Points where edges of the other triangle pass through a face: at the fraction height / drop of
+/// the edge from corner `anchor` (Best).
 struct Piercing {
   Mask found;
   Number anchor, height, drop;
 
-  /// What a corner's place is to the edges of the face is linear between two corners; it is
+  /// A corner's position relative to the edges of the face is linear between two corners; it is
   /// compared without the division by the difference of their heights.
   void look(const Face& face, int first_anchor) {
     const Number zero{};
@@ -224,8 +226,8 @@ struct Piercing {
   }
 };
 
-/// Where triangles meet, one of them has an edge that passes through the other or touches it. In
-/// lanes that are no candidates one of them lies on one side of the other's plane.
+/// If triangles meet, an edge of one passes through the other or touches it. In lanes that are no
+/// candidates, one triangle lies on one side of the other's plane.
 inline void offer_piercing(const Face& a, const Face& b, Mask candidates, Best& best) {
   Piercing through = {Mask{}, Number{}, Number{}, broadcast(1)};
   through.look(a, 3), through.look(b, 0);
@@ -233,7 +235,7 @@ inline void offer_piercing(const Face& a, const Face& b, Mask candidates, Best& 
              through.height / through.drop);
 }
 
-/// The corners' places along n, from corner 0 of B.
+/// The projections of the corners on n, relative to corner 0 of B.
 struct Shadow {
   Number low_a, high_a, low_b, high_b;
   Shadow(const Vector& n, const Vector& r00, const Triangle& a, const Triangle& b) {
@@ -248,7 +250,7 @@ struct Shadow {
   Number gap_backwards() const { return low_b - high_a; }
 };
 
-/// Is the gap along the line of the centroids more than the root of reach2?
+/// Whether the gap along the line of the centroids is more than √reach2.
 inline Mask far_apart(const Triangle& a, const Triangle& b, const Vector& r00, Number reach2) {
   const Vector line = broadcast(3) * r00 + (a.edge[0] - a.edge[2]) - (b.edge[0] - b.edge[2]);
   const Number gap = Shadow(line, r00, a, b).gap();
@@ -273,18 +275,18 @@ struct Separation {
   }
 };
 
-/// A direction without what it has along an edge. Rounding turns the direction of two points that
-/// are close together, and the product of two edges that are nearly parallel; where it leans along
-/// an edge it costs the gap, elsewhere next to nothing.
+/// Removes from a direction its component along an edge. Rounding turns the direction of two points
+/// that are close together, and the cross product of two edges that are nearly parallel. A
+/// component along an edge reduces the gap; other errors hardly matter.
 inline Vector square_to(Vector n, const Triangle& t, int edge) {
   for (int twice = 0; twice < 2; ++twice)
     n = n - (dot(n, t.edge[edge]) * t.inverse2[edge]) * t.edge[edge];
   return n;
 }
 
-/// All directions of the separating-axis theorem, where rounding turned that of the nearest points:
-/// where these are close together, for the size of the triangles.
-/// Seldom needed, so it starts afresh: the quick way's numbers may then stay in registers.
+/// Tries all directions of the separating-axis theorem, for pairs whose direction of closest points
+/// is inaccurate, because these are close together compared with the size of the triangles. Rarely
+/// needed, so it recomputes everything: the numbers of the fast path may then stay in registers.
 [[gnu::noinline]] void search_axes(const TrianglePairs8& pairs, int first, Mask wanted,
                                    Separation& best) {
   Pairs p;
@@ -350,10 +352,10 @@ inline void one_pass(const TrianglePairs8& pairs, int first, int count, double l
   const Vector r00 = p.a.v[0] - p.b.v[0];
   const Number size2 =
       dot(r00, r00) + p.a.length2[0] + p.a.length2[2] + p.b.length2[0] + p.b.length2[2];
-  // The square of the limit plus rounding: (l + m)² ≤ (1 + 1e-6) l² + (1 + 1e6) m², m far above
-  // what heights and gaps can lose.
+  // The square of the limit plus rounding: (l + m)² ≤ (1 + 1e-6) l² + (1 + 1e6) m², where m is far
+  // above the rounding errors of heights and gaps.
   const Number reach2 = broadcast(1.000001 * limit * limit) + broadcast(1e-22) * size2;
-  // Lanes that are not used count as far away: nothing is done for their sake.
+  // Unused lanes count as far away, so that they cause no work.
   Mask beyond = far_apart(p.a, p.b, r00, reach2) | (lane_numbers() >= broadcast(count - first));
   if (!any(~beyond)) return store(out.distance + first, broadcast(infinity));
   p.a.turn(), p.b.turn();

@@ -25,12 +25,12 @@ double largest_coordinate(const Corners& t) {
   return m;
 }
 
-/// Sign of a determinant with its rounding error: 0 where in doubt.
+/// Sign of a determinant with an error bound: 0 if undecided.
 int sign(double value, double error) { return value > error ? 1 : (value < -error ? -1 : 0); }
 
 /// orient3d(a, b, c, d) in double with a forward error bound: products of three differences, each
-/// difference within epsilon of its value; 1e-15 of the permanent bounds all of it (Shewchuk 1997
-/// has 7.8e-16 for the determinant of exact differences' roundings).
+/// difference accurate to epsilon; 1e-15 of the permanent bounds the total error (Shewchuk 1997 has
+/// 7.8e-16 for the determinant of rounded differences).
 int orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = a - d, v = b - d, w = c - d;
   const double m1 = v.x() * w.y(), m2 = w.x() * v.y(), m3 = w.x() * u.y(), m4 = u.x() * w.y(),
@@ -42,7 +42,7 @@ int orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sign(det, 1e-15 * permanent);
 }
 
-/// Does an edge of `other` certainly pierce `face`?
+/// Whether an edge of `other` certainly pierces `face`.
 bool pierces(const Corners& face, const Corners& other) {
   std::array<int, 3> side;
   for (std::size_t i = 0; i < 3; ++i) side[i] = orient(face[0], face[1], face[2], other[i]);
@@ -67,8 +67,8 @@ double gap_along(const Vec3& n, const Corners& a, const Corners& b) {
 }
 
 Meeting classify(const Corners& a, const Corners& b) {
-  // Working relative to a corner keeps the error small far from the origin: the differences round
-  // once, to epsilon of the coordinates, which the margin covers.
+  // The determinants are relative to a corner, which keeps the error small far from the origin: the
+  // differences round once, to epsilon of the coordinates, which the margin covers.
   const double size = std::max(largest_coordinate(a), largest_coordinate(b));
   const double margin = 32 * epsilon * size;
   const auto apart_along = [&](const Vec3& axis) {

@@ -14,13 +14,13 @@ using Corners = std::array<Vec3, 3>;
 /// Closest points of two triangles, and the direction that separates them.
 struct ClosestPoints {
   Vec3 a;
-  Vec3 b;           ///< the same where they meet
-  double distance;  ///< 0 where they meet
-  /// Unit, from B to A. The direction of the closest points, which is the best one. Where these are
-  /// so close that rounding turns it, the direction of the separating-axis theorem that leaves the
-  /// largest gap. Zero where they meet.
+  Vec3 b;           ///< equal to a if they meet
+  double distance;  ///< 0 if they meet
+  /// Unit, from B to A: the direction of the closest points, which separates best. If these are so
+  /// close that rounding turns it, the direction of the separating-axis theorem with the largest
+  /// gap. Zero if they meet.
   Vec3 normal;
-  double gap;  ///< gap_along the normal; 0 where they meet
+  double gap;  ///< gap_along the normal; 0 if they meet
 };
 
 /// Closest points of two triangles, including degenerate ones (needles, points). Plain floating
@@ -36,13 +36,12 @@ double gap_along(const Vec3& n, const Corners& a, const Corners& b);
 
 enum class Meeting { apart, meeting, doubtful };
 
-/// Returns whether two triangles meet or touch, with certain answers only: `apart` where a
-/// separating axis leaves more than the rounding error, `meeting` where an edge pierces the other
-/// face by more than the rounding error, else `doubtful` (touching, coplanar, nearly so). Never
-/// allocates.
+/// Classifies two triangles, with certain answers only: `apart` if a separating axis leaves more
+/// than the rounding error, `meeting` if an edge pierces the other face by more than the rounding
+/// error, otherwise `doubtful` (touching, coplanar, or nearly so). Never allocates.
 Meeting classify(const Corners& a, const Corners& b);
 
-/// The exact answer, by CGAL's exact predicates on the given coordinates. May allocate.
+/// Whether they meet, by CGAL's exact predicates on the given coordinates. May allocate.
 bool meet_exactly(const Corners& a, const Corners& b);
 
 }  // namespace sonde

@@ -26,12 +26,12 @@ AxisBox box_of(const AssemblyPart& part, double margin) {
     out.low = out.low.cwiseMin(X * x);
     out.high = out.high.cwiseMax(X * x);
   }
-  // What placing rounds, so that no pair is lost to it.
+  // Adds the rounding of the placing, so that no pair is missed because of it.
   const double more = margin + rounding_guard(extent(*part.body), 0, part.X_WM.p);
   return {out.low - Vec3::Constant(more), out.high + Vec3::Constant(more)};
 }
 
-/// The middle of the contacts, by what each carries, in the fixed frame.
+/// The centroid of the contacts, weighted by their multipliers, in the fixed frame.
 std::optional<Vec3> middle_of(const ContactSet& contacts) {
   Vec3 sum = Vec3::Zero();
   double weight = 0;
@@ -43,8 +43,9 @@ std::optional<Vec3> middle_of(const ContactSet& contacts) {
   return sum / weight;
 }
 
-/// The depth of a probe that is let down to its contacts, from which a separated pose keeps its
-/// clearance, 1e-4 of the depth: to first order in that, since λ is what σ/2 changes by with a gap.
+/// The depth of the probe moved into contact. A separated pose keeps a clearance of 1e-4 of the
+/// depth; the correction is of first order in that, since λ is the derivative of σ/2 with respect
+/// to a gap.
 double without_gaps(const Separation& found) {
   double less = 0;
   for (const Contact& c : found.contacts) less += c.multiplier * std::max(0.0, c.gap);
@@ -52,7 +53,7 @@ double without_gaps(const Separation& found) {
   return std::clamp(found.depth - less / found.depth, found.lower_bound.value_or(0), found.depth);
 }
 
-/// Of two parts the smaller one is the probe: it is the one that a person would move.
+/// The smaller of the two parts is the probe: it is the one that a person would move.
 Clash clash_of(const std::vector<AssemblyPart>& parts, std::array<std::size_t, 2> pair,
                const ClashOptions& options) {
   Clash out;

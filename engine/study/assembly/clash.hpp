@@ -21,19 +21,19 @@ struct AssemblyPart {
   Pose X_WM;
 };
 
-/// How two parts of an assembly stand to each other.
+/// The relation of two parts of an assembly.
 struct Clash {
   enum class Kind { overlapping, touching, clear, failed };
-  std::array<std::size_t, 2> parts = {0, 0};  ///< of the list, the lower number first
+  std::array<std::size_t, 2> parts = {0, 0};  ///< indices in the list, the lower one first
   Kind kind = Kind::failed;
-  /// m: where they overlap or touch by more than nothing, how deep, at the contacts themselves
-  /// (`separated` keeps a clearance from them); none else.
+  /// m: if the parts overlap, or touch by more than nothing: their depth, at the contacts
+  /// themselves (`separated` keeps a clearance from them); otherwise none.
   std::optional<double> depth, lower_bound;
-  std::optional<double> clearance;  ///< m: where they are clear, their least distance
-  /// Where they are nearest, or the middle of the contacts that hold the way out, world, m. None
-  /// where a search found no contact.
+  std::optional<double> clearance;  ///< m: least distance, if they are clear of each other
+  /// The closest point, or the centroid of the contacts that hold the way out, world frame, m. None
+  /// if a search found no contact.
   std::optional<Vec3> place;
-  std::size_t moved = 0;          ///< which of the two the way out moves: the smaller one
+  std::size_t moved = 0;          ///< which of the two is moved by the way out: the smaller one
   std::optional<Pose> separated;  ///< its pose X_WM out of the overlap
   const char* reason = "";        ///< why it failed
 };
@@ -41,18 +41,18 @@ struct Clash {
 const char* name_of(Clash::Kind kind);
 
 struct ClashOptions {
-  /// m: overlaps up to this deep count as touching, and so do gaps up to this; what is less than
-  /// the rounding of coordinates always does.
+  /// m: overlaps up to this depth, and gaps up to this width, count as touching. Values below the
+  /// rounding of coordinates always do.
   double allowance = 0;
-  /// m: pairs that are clear by more than this are left out.
+  /// m: pairs with a larger clearance are left out.
   double within = 0;
-  /// Of the searches; a pair's own seed comes from this and its poses.
+  /// Options of the searches. A pair's own seed is made from the seed here and its poses.
   StaticOptions search = {};
   unsigned threads = 1;
 };
 
-/// All pairs of parts that are nearer than asked, the deepest first, then those that touch, then
-/// those that are clear, the nearest first. The same bits on any number of threads. Throws
+/// All pairs of parts that are nearer than requested: the deepest first, then those that touch,
+/// then those that are clear, the nearest first. The same bits on any number of threads. Throws
 /// Cancelled.
 std::vector<Clash> clashes(const std::vector<AssemblyPart>& parts, const ClashOptions& options,
                            const Progress& progress = {});

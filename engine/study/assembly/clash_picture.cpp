@@ -16,8 +16,8 @@ namespace {
 using svg::Spot;
 
 constexpr double side = 420, left = 20, top = 60;  // pixels, of the drawing
-constexpr double around = 1.3;      // of the smaller part's radius, from the place to each side
-constexpr double least_arrow = 18;  // pixels: a shorter way out is drawn that long
+constexpr double around = 1.3;                     // view half width / the smaller part's radius
+constexpr double least_arrow = 18;                 // pixels: a shorter way out is drawn that long
 constexpr double mm_of_metre = 1e3;
 
 /// The plane of a section: right and up in the picture, from the middle.
@@ -31,14 +31,14 @@ struct Section {
   }
 };
 
-/// The direction in which the smaller part leaves the other, not unit; zero where none is known.
+/// The direction in which the smaller part leaves the other, not normalised; zero if unknown.
 Vec3 way_out(const AssemblyPart& part, const Clash& clash) {
   if (!clash.separated) return Vec3::Zero();
   const Vec3 x = inverse(part.X_WM) * *clash.place;  // the part's point there
   return *clash.separated * x - *clash.place;
 }
 
-/// Unit, square to `along`: towards `wanted`, or any.
+/// A unit vector perpendicular to `along`: in the direction of `wanted`, or any.
 Vec3 square_to(const Vec3& along, const Vec3& wanted) {
   Vec3 out = wanted - along * along.dot(wanted);
   if (!(out.norm() > 1e-6 * wanted.norm())) {
@@ -60,7 +60,7 @@ Section section_of(const AssemblyPart& smaller, const AssemblyPart& other, const
           around * std::max(smaller.body->mass.radius, 1e-12)};
 }
 
-/// Where a plane cuts a triangle; none where it does not.
+/// The segment in which a plane cuts a triangle; no value if it does not.
 std::optional<std::array<Vec3, 2>> cut(const std::array<Vec3, 3>& t,
                                        const std::array<double, 3>& d) {
   std::array<Vec3, 2> ends;

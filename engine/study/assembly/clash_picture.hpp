@@ -7,10 +7,10 @@
 
 namespace sonde {
 
-/// A section through two parts that clash or are near, as an SVG file: cut by the plane through
-/// the clash's place that holds the way out (or the line between the nearest points) and goes
-/// through the centre of mass of the smaller part. The way out is an arrow. Of a pair without a
-/// place it says so.
+/// A section through two parts that clash or are near, as an SVG file. The plane contains the
+/// clash's place, the way out (or the line between the closest points) and the centre of mass of
+/// the smaller part. The way out is shown as an arrow. For a pair without a place, the picture says
+/// so.
 std::string clash_picture(const AssemblyPart& a, const AssemblyPart& b, const Clash& clash);
 
 }  // namespace sonde

@@ -17,18 +17,19 @@
 namespace sonde {
 namespace {
 
-/// A turn between two poses of a way is well below half a one, so that it is the shorter way round.
+/// The turn between two poses of a way must be well below half a turn, so that the shorter way is
+/// unambiguous.
 constexpr double largest_turn = 0.5 * std::numbers::pi;
 constexpr double most_twist = 1e6;
-/// Of a step: so near the first contact the next row of a table lies.
+/// Share of a step: the distance of the nearest row of a table from the first contact.
 constexpr double finest = 1e-3;
 
 InputError refused(const std::string& reason) { return InputError::in("the way", reason); }
 
 Vec3 com_at(const Pair& pair, const Pose& X) { return X * pair.probe().mass.com; }
 
-/// Where in the way's list a travel lies: the number of the pose before it, and the part of the way
-/// to the next.
+/// The position of a travel in the way's list: the index of the pose before it, and the fraction of
+/// the way to the next pose.
 struct Place {
   std::size_t pose;
   double part;
@@ -42,7 +43,7 @@ Place place_of(const InsertionWay& way, double travel) {
   return {i, length > 0 ? std::clamp((travel - way.travel[i]) / length, 0.0, 1.0) : 0};
 }
 
-/// Where rows of the table are: even steps, and about the first contact ever closer ones.
+/// The rows of the table: at even steps, and ever closer ones about the first contact.
 std::vector<double> rows_of(const InsertionWay& way, std::size_t steps,
                             const std::optional<FirstContact>& first) {
   const double all = way.travel.back(), step = all / static_cast<double>(steps);
@@ -128,7 +129,7 @@ Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps
     step.travel = rows[i];
     step.X_FM = pose_at(way, pair, rows[i]);
     step.clearance = distance(pair, step.X_FM);
-    // Up to the first contact the way is known to be free: there the probe is where the way has it.
+    // Up to the first contact the way is known to be free: there the probe is at the way's pose.
     const bool is_free = !out.first || rows[i] <= out.first->travel;
     step.held = is_free ? follower.reset(step.X_FM) : follower.tick(step.X_FM);
     step.wrench = coupler.wrench(step.held, 0);

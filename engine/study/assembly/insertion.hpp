@@ -11,53 +11,54 @@
 
 namespace sonde {
 
-/// A way on which a part is put in: poses X_FM, from each to the next with the centre of mass on a
-/// straight line and the turn about one axis, and how far each is along the way.
+/// The path on which a part is inserted: poses X_FM with the travel at each. Between two poses, the
+/// centre of mass moves on a straight line, and the turn is about one axis.
 struct InsertionWay {
   std::vector<Pose> poses;
-  std::vector<double> travel;  ///< m: length of the way of the centre of mass, from 0
+  std::vector<double> travel;  ///< m: path length of the centre of mass, from 0
 };
 
-/// Along an axis (F, of any length but 0) by `travel` (m), while it turns about the axis through
-/// its centre of mass by `twist` (rad): a screw. Throws InputError where the axis has no length,
-/// the travel is not positive, a number is not finite, or the twist is beyond a million radians.
+/// A screw motion: a translation along an axis (F, of any length but 0) by `travel` (m), with a
+/// turn about the axis through the centre of mass by `twist` (rad). Throws InputError if the axis
+/// has no length, the travel is not positive, a number is not finite, or the twist is beyond a
+/// million radians.
 InsertionWay way_along(const Pair& pair, const Pose& start, const Vec3& axis, double travel,
                        double twist);
-/// Through the poses given. Throws InputError where there are less than two, or the way has no
-/// length.
+/// A path through the given poses. Throws InputError if there are fewer than two, or the path has
+/// no length.
 InsertionWay way_through(const Pair& pair, const std::vector<Pose>& poses);
 
-/// The pose of a way so far along it, m.
+/// The pose of a path at this travel, m.
 Pose pose_at(const InsertionWay& way, const Pair& pair, double travel);
 
-/// Where a way is first blocked.
+/// The first point at which a path is blocked.
 struct FirstContact {
-  double travel = 0;  ///< m: all before it is free
+  double travel = 0;  ///< m: everything before it is free
   Pose X_FM;          ///< the pose there
   Contact contact;    ///< F
 };
-/// By sweeps, which skip nothing: placed to what SweptPath::free says. None where all of the way is
-/// free. Throws InputError where the bodies touch or overlap where it begins.
+/// Uses sweeps, which skip nothing; the accuracy is that of SweptPath::free. None if the whole path
+/// is free. Throws InputError if the bodies touch or overlap at the start.
 std::optional<FirstContact> first_contact(const Pair& pair, const InsertionWay& way);
 
-/// The probe at one place of the way.
+/// The probe at one point of the path.
 struct InsertionStep {
   double travel = 0;    ///< m
-  Pose X_FM;            ///< where the way has it
-  Clearance clearance;  ///< there: least distance and its points
-  Separation held;      ///< where it is held, if it is followed from the beginning of the way
-  Wrench wrench;        ///< on the hand, by the coupling, without limits
+  Pose X_FM;            ///< the pose on the path
+  Clearance clearance;  ///< there: least distance and closest points
+  Separation held;      ///< the separated pose, if the probe follows from the start
+  Wrench wrench;        ///< on the hand, from the coupling, without limits
 };
 
-/// What happens on a way.
+/// The results along a path.
 struct Insertion {
   std::vector<InsertionStep> steps;
   std::optional<FirstContact> first;
 };
 
-/// Follows the probe along a way in so many steps, and more about the first contact: each interval
+/// Follows the probe along a path in `steps` steps, and more about the first contact: the interval
 /// in which the contact begins is halved until it is 1e-3 of a step. Throws InputError as
-/// first_contact, and Cancelled.
+/// first_contact does, and Cancelled.
 Insertion insertion(const Pair& pair, const InsertionWay& way, std::size_t steps,
                     const Coupling& coupling, const Progress& progress = {});
 

@@ -14,7 +14,7 @@
 namespace sonde {
 namespace {
 
-/// From less than zero to the largest in so many steps; 0 where there is one.
+/// The i-th of `count` even values from −largest to largest; 0 if there is only one.
 double value_of(std::size_t i, std::size_t count, double largest) {
   if (count < 2) return 0;
   return largest * (2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1);

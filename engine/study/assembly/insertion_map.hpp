@@ -8,31 +8,32 @@
 
 namespace sonde {
 
-/// A map of how a part may be off at the mouth and still go in: offsets along one direction, and
-/// tilts in the plane of this and the axis, each about the centre of mass, both from less than zero
-/// to their largest.
+/// A map of the misalignments at the mouth with which a part still goes in: offsets along one
+/// direction, and tilts about the centre of mass in the plane of this direction and the axis, both
+/// from minus their largest value to plus that.
 struct InsertionMap {
-  Vec3 axis = Vec3::UnitZ(), lateral = Vec3::UnitX();  ///< F, unit, square to each other
+  Vec3 axis = Vec3::UnitZ(), lateral = Vec3::UnitX();  ///< F, unit, orthogonal
   double largest_offset = 0;                           ///< m
   double largest_tilt = 0;                             ///< rad
-  std::size_t offsets = 1, tilts = 1;                  ///< how many of each; odd: 0 is among them
+  std::size_t offsets = 1, tilts = 1;                  ///< number of each; if odd, 0 is one of them
 
   double offset(std::size_t i) const;  ///< m
   double tilt(std::size_t j) const;    ///< rad
 };
 
-/// A direction square to that axis, along the coordinate that it has least of. Both unit.
+/// A direction perpendicular to the axis, in the coordinate in which the axis is smallest. Both
+/// unit.
 Vec3 lateral_to(const Vec3& axis);
 
-/// A way moved aside and tilted about the centre of mass where it begins.
+/// The path, offset and tilted about the centre of mass at its start.
 InsertionWay moved(const InsertionWay& way, const Pair& pair, const InsertionMap& map,
                    double offset, double tilt);
 
-/// m of travel that are free; less than 0 where the way begins in an overlap.
+/// m: travel that is free; negative if the path begins in an overlap.
 double free_travel(const Pair& pair, const InsertionWay& way);
 
-/// The free travel at every point of a map, m, those of one offset side by side. Throws InputError
-/// where a range is not finite or less than 0, or there are no points; and Cancelled.
+/// The free travel at every point of a map, m, row by row for each offset. Throws InputError if a
+/// range is not finite or negative, or there are no points; and Cancelled.
 std::vector<double> free_travels(const Pair& pair, const InsertionWay& way, const InsertionMap& map,
                                  unsigned threads, const Progress& progress = {});
 

@@ -24,7 +24,7 @@ constexpr const char* columns =
     "travel,px,py,pz,qw,qx,qy,qz,clearance,depth,fx,fy,fz,tx,ty,tz,x,y,z,nx,ny,nz,multiplier,"
     "contacts";
 
-/// The contact that carries most; where the probe is free, the nearest points.
+/// The contact with the largest multiplier; if the probe is free, the closest points.
 Contact binding(const InsertionStep& step) {
   Contact out;
   if (step.held.contacts.size > 0)
@@ -74,7 +74,7 @@ std::string map_row(const InsertionRequest& request, std::size_t i, const Stop& 
   return row.dump();
 }
 
-/// The parts as read: the way, and the rows of the map.
+/// The results of the parts: the path, and the rows of the map.
 struct InsertionParts {
   Json way;
   std::vector<Json> map;
@@ -177,7 +177,7 @@ std::string map_picture(const std::vector<Json>& map, const Json& about) {
   panel.kinds = {{"goes in", "#1b7837"},
                  {"binds on the way", "#fdae61"},
                  {"overlaps where it begins", "#bababa"}};
-  // Each value is the middle of its cell; a single one has a cell about 0.
+  // Each value is the middle of its cell; a single value has a cell about 0.
   const auto edge = [](std::size_t i, std::size_t count, double largest) {
     if (count < 2) return i == 0 ? -1.0 : 1.0;
     return largest * ((2 * static_cast<double>(i) - 1) / static_cast<double>(count - 1) - 1);
@@ -194,7 +194,7 @@ std::string map_picture(const std::vector<Json>& map, const Json& about) {
   return to_svg(SvgChart{"How it may be off and still go in", {panel}});
 }
 
-/// The numbers that a reader looks for first.
+/// The most important numbers.
 Json summary_of(const InsertionParts& parts, const Json& about) {
   double least = std::numeric_limits<double>::infinity(), deepest = 0, largest = 0;
   for (const Json& row : parts.way.at("steps")) {

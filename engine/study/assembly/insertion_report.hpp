@@ -11,23 +11,23 @@
 
 namespace sonde {
 
-/// What a study of an insertion is made of.
+/// The input of a study of an insertion.
 struct InsertionRequest {
   Pair pair;
   InsertionWay way;
   std::size_t steps = 200;
   Coupling coupling;
-  double wanted = 0;                ///< m of travel that count as in
-  std::optional<InsertionMap> map;  ///< only of ways along an axis
+  double wanted = 0;                ///< m of travel that count as inserted
+  std::optional<InsertionMap> map;  ///< only for paths along an axis
   std::string about;                ///< JSON text: inputs and settings
 };
 
-/// The parts: the way, and a row of the map for each offset.
+/// The parts: one for the path, and one for each offset of the map.
 Study plan_insertion(const InsertionRequest& request);
 
-/// The final files, from the parts alone: `insert.csv` and `insert.svg` along the way, `map.csv`
-/// and `map.svg`, `summary.json` and `summary.md`. Throws InputError, naming the folder, where a
-/// part is missing or was not written by a study.
+/// The final files, from the parts only: `insert.csv` and `insert.svg` along the path, `map.csv`
+/// and `map.svg`, `summary.json` and `summary.md`. Throws InputError, naming the folder, if a part
+/// is missing or was not written by a study.
 std::vector<StudyFile> insertion_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -10,7 +10,7 @@
 namespace sonde {
 namespace {
 
-/// 1, 2 or 5 times a power of ten: about `count` of them make the length.
+/// 1, 2 or 5 times a power of ten, so that about `count` steps make the length.
 double round_step(double length, int count) {
   const double rough = length / count;
   const double decade = elementary::pow(10.0, std::floor(elementary::log10(rough)));
@@ -59,7 +59,7 @@ void ChartScale::hold(const ChartAxis& axis, std::vector<double> values) {
   high_ = raw(*most);
 }
 
-/// A range that rounding could not divide is as good as a point.
+/// A range that rounding cannot divide is treated as a point and widened.
 void ChartScale::give_length() {
   const double least = 1e-9 * std::max(std::abs(low_), std::abs(high_));
   if (high_ - low_ > (logarithmic_ ? 1e-9 : least)) return;
@@ -70,7 +70,7 @@ void ChartScale::give_length() {
 
 void ChartScale::round_ends() {
   const double length = high_ - low_;
-  if (logarithmic_ && length <= 1) {  // within a decade the ends are not round: leave some room
+  if (logarithmic_ && length <= 1) {  // within a decade the ends are not round: leave a margin
     low_ -= 0.02;
     high_ += 0.02;
     return;
@@ -101,7 +101,7 @@ std::vector<ChartScale::Tick> ChartScale::linear_ticks() const {
   return out;
 }
 
-/// Every decade; its 2 and 5 have numbers where decades are few, all its digits marks.
+/// Every decade; if there are few decades, 2 and 5 also have numbers, and all digits have marks.
 std::vector<ChartScale::Tick> ChartScale::logarithmic_ticks() const {
   std::vector<Tick> out;
   const double length = high_ - low_;

@@ -7,25 +7,25 @@
 
 namespace sonde {
 
-/// One axis of a chart, as asked for.
+/// One axis of a chart, as requested.
 struct ChartAxis {
   std::string label;                         ///< with the unit: "force, N"
   bool logarithmic = false;                  ///< values that have no logarithm are left out
-  std::optional<double> from = {}, to = {};  ///< without: what the values need
-  /// Of an upright axis from 0 to their number: what each row of height 1 is, instead of numbers. A
-  /// line break parts two lines.
+  std::optional<double> from = {}, to = {};  ///< none: as the values require
+  /// For an upright axis from 0 to the number of names: names for the rows of height 1, instead of
+  /// numbers. A line break separates two lines.
   std::vector<std::string> names = {};
 };
 
-/// The place of values along an axis, and the round values at which it is marked.
+/// Maps values to places along an axis, with round values for its marks.
 class ChartScale {
  public:
-  /// Holds all the values that can be drawn, up to the next round ones; 0 to 1 (logarithmic: 1 to
-  /// 10) where there is none. Ends that the axis gives are kept.
+  /// The range contains all values that can be drawn, extended to round values; 0 to 1
+  /// (logarithmic: 1 to 10) if there is none. Ends given by the axis are kept.
   ChartScale(const ChartAxis& axis, const std::vector<double>& values);
 
-  /// 0 at the axis' beginning, 1 at its end; no value where the axis has no place for it. May lie
-  /// outside of 0 to 1 where the axis' ends were given.
+  /// 0 at the axis' beginning, 1 at its end; no value if it cannot be drawn. May lie outside 0 to 1
+  /// if the axis gave its ends.
   std::optional<double> place(double value) const;
 
   struct Tick {

@@ -26,7 +26,7 @@ void check(const SmallMultiples& table) {
   if (!fits) throw std::invalid_argument("a table of charts with a cell or a line missing");
 }
 
-/// The axis that holds a quantity of all cells, 0 included.
+/// The axis that contains a quantity of all cells, and 0.
 ChartScale scale_of(const SmallMultiples& table, std::size_t quantity) {
   std::vector<double> all{0};
   for (const ChartTableCell& cell : table.cells)
@@ -34,7 +34,7 @@ ChartScale scale_of(const SmallMultiples& table, std::size_t quantity) {
   return {ChartAxis{}, all};
 }
 
-/// From the first to the last of all cells.
+/// The range of x over all cells.
 ChartScale scale_of_x(const SmallMultiples& table) {
   std::vector<double> all;
   for (const ChartTableCell& cell : table.cells)
@@ -47,14 +47,14 @@ ChartScale scale_of_x(const SmallMultiples& table) {
   return {axis, all};
 }
 
-/// Where a strip lies.
+/// The position of a strip.
 struct Strip {
   double x, y;
   double across(double place) const { return x + cell_width * place; }
   double down(double place) const { return y + strip_height * (1 - place); }
 };
 
-/// Of a line with more points than the strip has columns, the lowest and highest of each few.
+/// For a line with more points than columns, keeps the lowest and highest of each group.
 std::vector<Spot> thinned(const std::vector<Spot>& spots) {
   if (spots.size() <= most_points) return spots;
   std::vector<Spot> out;
@@ -89,7 +89,7 @@ std::string line(const ChartTableCell& cell, std::size_t quantity, const ChartSc
   return out + polyline(thinned(piece), style);
 }
 
-/// The frame, with the numbers of its upright axis where it is the first of a row.
+/// The frame, with numbers on its upright axis if it is the first in a row.
 std::string frame(const ChartScale& x, const ChartScale& y, const Strip& strip, bool first) {
   std::string out;
   for (const ChartScale::Tick& tick : x.ticks())

@@ -6,7 +6,7 @@
 
 namespace sonde {
 
-/// A quantity that every cell draws in a strip of its own.
+/// A quantity that each cell draws in its own strip.
 struct CellQuantity {
   std::string label;  ///< with the unit: "force, N"
 };
@@ -14,8 +14,8 @@ struct CellQuantity {
 /// One cell: a line for each quantity, over the same x.
 struct ChartTableCell {
   std::vector<double> x;
-  std::vector<std::vector<double>> y;  ///< by quantity; what is not finite is left out
-  std::string note;                    ///< under the lines, in short
+  std::vector<std::vector<double>> y;  ///< by quantity; values that are not finite are left out
+  std::string note;                    ///< a short text under the lines
   bool bad = false;                    ///< the note is a warning
 };
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double bars_left = 190, bars_top = 84, bar_width = 520, bar_height = 24, step = 38;  // px
 constexpr double room_right = 90, room_below = 60;
 
-/// Three figures, and no power of ten.
+/// Three digits, without a power of ten.
 std::string figure(double value) {
   return value < 100 ? number_text(value, 3) : number_text(std::round(value));
 }

@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// Bars that lie one above the other, all of one length, each made of the same parts: what a whole
-/// consists of. How large each whole is stands behind its bar.
+/// Horizontal bars of equal length, each divided into the same parts as shares of a whole. The size
+/// of the whole stands behind the bar.
 struct StackedBars {
   struct Bar {
     std::string name;
@@ -16,12 +16,12 @@ struct StackedBars {
   std::string title;
   std::string label;                    ///< of the axis: "share of the time, %"
   std::string unit;                     ///< of the parts: "µs"
-  std::vector<std::string> part_names;  ///< those that no bar has are left out of the legend
+  std::vector<std::string> part_names;  ///< parts that no bar has are left out of the legend
   std::vector<Bar> bars;
 };
 
-/// The picture as an SVG file, the same bytes for the same bars. Throws std::invalid_argument where
-/// a part is missing, negative or not finite.
+/// The picture as an SVG file, the same bytes for the same bars. Throws std::invalid_argument if a
+/// part is missing, negative or not finite.
 std::string to_svg(const StackedBars& chart);
 
 }  // namespace sonde

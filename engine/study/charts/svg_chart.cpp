@@ -55,8 +55,7 @@ class PanelFrame {
   Spot nearest(const Spot& spot) const {
     return {std::clamp(spot.x, panel_left, panel_right), std::clamp(spot.y, top(), bottom())};
   }
-  /// The part of a segment inside of the frame, after Liang and Barsky; no value where it is
-  /// outside.
+  /// The part of a segment inside the frame, after Liang and Barsky; no value if it is outside.
   std::optional<std::array<Spot, 2>> inside(const Spot& a, const Spot& b) const {
     const double dx = b.x - a.x, dy = b.y - a.y;
     double from = 0, to = 1;
@@ -103,7 +102,7 @@ std::string upright_ticks(const PanelFrame& frame) {
   return out;
 }
 
-/// A name in the middle of each row, a line between rows.
+/// A name in the middle of each row, and a line between rows.
 std::string row_names(const std::vector<std::string>& names, const PanelFrame& frame) {
   constexpr double line = 13;  // px
   std::string out;
@@ -153,7 +152,7 @@ std::string cells(const ChartPanel& panel, const PanelFrame& frame) {
   return out;
 }
 
-/// The spots of one unbroken piece of a line that show: of those in one column of pixels the
+/// Reduces one unbroken piece of a line to the visible points: of those in one column of pixels the
 /// first, the lowest, the highest and the last.
 std::vector<Spot> thinned_by_columns(const std::vector<Spot>& spots) {
   constexpr std::size_t few = 2 * static_cast<std::size_t>(panel_right - panel_left);
@@ -179,7 +178,7 @@ std::string dot(const Spot& spot, const std::string& color) {
          "\" stroke=\"#fff\" stroke-width=\"0.8\"/>\n";
 }
 
-/// An unbroken line, as far as it lies inside of the frame. Not every viewer cuts a picture off.
+/// An unbroken line, clipped to the frame, because not every viewer clips.
 std::string line_inside(const std::vector<Spot>& spots, const PanelFrame& frame,
                         const std::string& style) {
   std::string out;
@@ -243,7 +242,7 @@ std::string legend(const ChartPanel& panel, double top) {
   return out;
 }
 
-/// Of a panel with all that belongs to it, px.
+/// Height of a panel with its heading and legend, px.
 double height_of(const ChartPanel& panel) {
   const auto names = panel.kinds.size() + panel.series.size();
   return above + std::max(panel.height + panel_below, legend_line * static_cast<double>(names + 1));

@@ -10,23 +10,24 @@
 
 namespace sonde {
 
-/// Points (x, y) of one kind. A line is broken where a value cannot be drawn (not finite, or
-/// without a logarithm on such an axis); such a point is left out.
+/// Points (x, y) of one kind. A line is interrupted at a value that cannot be drawn (not finite, or
+/// without a logarithm on a logarithmic axis); a single point of this kind is left out.
 struct ChartSeries {
   enum class Form { line, dashed, points };
   std::string name;  ///< for the legend; empty: not in it
   std::vector<double> x = {}, y = {};
   Form form = Form::line;
-  std::optional<std::size_t> color = {};  ///< number in the palette; its place among the series
+  std::optional<std::size_t> color =
+      {};  ///< index in the palette; default: its index among the series
 };
 
-/// What a coloured cell can mean.
+/// The meaning of a coloured cell.
 struct ChartCellKind {
   std::string name;   ///< for the legend
   std::string color;  ///< as SVG has it: "#d9f0d3"
 };
 
-/// A rectangle of a map, in the values of the axes.
+/// A rectangle of a map, in units of the axes.
 struct ChartCell {
   double x_from, x_to, y_from, y_to;
   std::size_t kind;  ///< in the panel's kinds
@@ -48,9 +49,9 @@ struct SvgChart {
   std::vector<ChartPanel> panels;
 };
 
-/// The picture as an SVG file: the same bytes for the same chart, whatever the locale. A line of
-/// more points than the picture has columns is drawn by the first, lowest, highest and last of each
-/// column, which looks the same. Every series and every cell carries its name as a <title>.
+/// The picture as an SVG file: the same bytes for the same chart, in any locale. A line with more
+/// points than the picture has columns is drawn by the first, lowest, highest and last point of
+/// each column, which looks the same. Every series and every cell has its name as a <title>.
 std::string to_svg(const SvgChart& chart);
 
 }  // namespace sonde

@@ -32,14 +32,14 @@ std::string escaped(const std::string& text) {
       case '"':
         out += "&quot;";
         break;
-      default:  // control characters have no place in XML
+      default:  // control characters are not allowed in XML
         out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
   return out;
 }
 
-// The zero is never negative.
+// Adding 0.0 avoids a negative zero.
 std::string px(double value) { return number_text(std::round(value * 100) / 100 + 0.0); }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text,

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-/// The pieces that the SVG charts are made of, as text. Places are in pixels, to a hundredth.
+/// The elements of SVG charts, as text. Positions are in pixels, to a hundredth.
 namespace sonde::svg {
 
 struct Spot {
   double x, y;
 };
 
-/// The colours of series in their order, from the beginning again after the last: Okabe and Ito's,
-/// which most colour-blind eyes tell apart; black is for the text.
+/// The colours of series in their order, cyclic: Okabe and Ito's palette, which most colour-blind
+/// people can distinguish; black is for the text.
 std::string series_color(std::size_t series);
 
 std::string px(double value);
@@ -22,9 +22,9 @@ std::string escaped(const std::string& text);
 std::string text_at(double x, double y, const char* anchor, const std::string& text,
                     const std::string& more = {});
 std::string line_of(double x0, double y0, double x1, double y1, const std::string& style);
-/// Left open after `style`: the caller ends it.
+/// Without the end of the tag after `style`: the caller adds it.
 std::string rectangle(double x, double y, double w, double h, const std::string& style);
-/// Empty where there is no spot.
+/// Empty if there are no spots.
 std::string polyline(const std::vector<Spot>& spots, const std::string& style);
 /// A whole file: a white page with a title.
 std::string page(double width, double height, const std::string& title, double title_x,

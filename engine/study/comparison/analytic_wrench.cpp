@@ -19,7 +19,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> kind_names = {"none", "ball", "half-space"};
 constexpr int starts = 12;
 
-/// Vertices on a sphere make no ball yet: those of a box are. The faces have to be near it too.
+/// Vertices on a sphere are not sufficient: those of a box are too. The faces must be near it as
+/// well.
 bool is_ball(const Body& body) {
   if (!body.solid) return false;
   for (const Triangle& t : body.soup.triangles) {
@@ -39,7 +40,7 @@ Wrench wrench_of(const RenderSetup& setup, const Pose& device, const Pose& separ
                         setup.coupling);
 }
 
-/// So many of them, evenly.
+/// At most `most` of them, evenly chosen.
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& all, std::size_t most) {
   if (all.size() <= most) return all;
   std::vector<std::size_t> out;
@@ -110,7 +111,7 @@ AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string
   }
 }
 
-constexpr std::size_t ball_every = 50;  // ticks: neighbours are no other trial
+constexpr std::size_t ball_every = 50;  // ticks: neighbouring ticks are not independent trials
 
 TorqueRealism torque_realism(const Rendering& rendering, const AnalyticWrenches& analytic,
                              double radius) {

@@ -9,44 +9,44 @@
 
 namespace sonde {
 
-/// The wrench that PD_g asks for where it is known without the solver:
+/// The wrench that PD_g implies, where it is known without the solver:
 ///
-/// - *half-space*: any probe that meets one face of a large box, away from its edges, which is a
-///   half-space to it (half_space_below). PD_g is a search over rotations alone.
-/// - *ball*: a solid probe whose faces all lie on a sphere about its centre of mass, within 3 %.
-///   Nothing turns it, whatever it touches: the torque is zero. The force is not known.
+/// - *half-space*: any probe that meets one face of a large box away from its edges, so that the
+/// box acts as a half-space (half_space_below). PD_g is then a search over rotations only.
+/// - *ball*: a solid probe whose faces all lie on a sphere about its centre of mass, within 3 %. No
+/// contact turns it, so the torque is zero. The force is unknown.
 /// - *none*: any other pair.
 enum class AnalyticKind { none, ball, half_space };
 
 struct AnalyticTick {
-  std::size_t tick = 0;        ///< in the path
+  std::size_t tick = 0;        ///< index in the path
   Vec3 force = Vec3::Zero();   ///< before the device's limits, N
   Vec3 torque = Vec3::Zero();  ///< N·m
 };
 
 struct AnalyticWrenches {
   AnalyticKind kind = AnalyticKind::none;
-  std::vector<AnalyticTick> ticks;  ///< half-space only: some of the path's, evenly over it
+  std::vector<AnalyticTick> ticks;  ///< half-space only: some ticks of the path, evenly chosen
 };
 
-/// At no more than `most_ticks` ticks of the path, where it is known.
+/// At no more than `most_ticks` ticks of the path, where the wrench is known.
 AnalyticWrenches analytic_wrenches(const RenderSetup& setup, std::span<const TimedPose> path,
                                    std::uint64_t seed, std::size_t most_ticks, const Stop& stop);
 
 std::string to_json(const AnalyticWrenches& wrenches);
-/// Throws InputError, naming `source`, where the text is not one.
+/// Throws InputError, naming `source`, if the text is not of this kind.
 AnalyticWrenches analytic_wrenches_of(const std::string& json, const std::string& source);
 
-/// The difference of a rendering from it.
+/// The difference of a rendering from the analytic wrench.
 struct TorqueRealism {
   AnalyticKind kind = AnalyticKind::none;
-  std::size_t ticks = 0;  ///< that were compared
+  std::size_t ticks = 0;  ///< number of ticks compared
   /// Half-space: |F − F*| / |F*|, median over the ticks and the worst.
   double force_error = 0, worst_force_error = 0;
   /// Half-space: |τ − τ*| / (R |F*|). Ball, in contact: |τ| / (R |F|). Median and worst.
   double torque_error = 0, worst_torque_error = 0;
-  /// The same error at ticks of the path, of the rendering made as large as the force that is known
-  /// (so that no smaller force is a nearer torque). Of a ball, at a twentieth of a second apart.
+  /// The same error at ticks of the path, with the rendering scaled to the known force (so that a
+  /// smaller force is no better torque). For a ball, at intervals of a twentieth of a second.
   struct AtTick {
     std::size_t tick = 0;
     double error = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double trial_time = 0.25;  // s
 constexpr double as_good_as_same = 0.02;
 
-/// What a rendering does in one trial.
+/// The measures of a rendering in one trial.
 struct Trial {
   double mean_force = 0;
   double force = 0, torque = 0;  ///< total variation
@@ -39,7 +39,7 @@ std::vector<std::pair<Trial, Trial>> trials(const Comparison& c) {
   for (std::size_t from = 0; from < ticks;) {
     std::size_t to = from;
     while (to < ticks && c.pdt[to].t < c.pdt[from].t + trial_time) ++to;
-    if (to == ticks) break;  // a shorter one is none
+    if (to == ticks) break;  // a shorter interval is no trial
     const auto of = [&](const Rendering& r) {
       return trial_of(std::span(r).subspan(from, to - from));
     };
@@ -58,7 +58,7 @@ TestedClaim decided(const char* key, const char* claim, int for_it, int against_
   return out;
 }
 
-/// PD_g's variation is to be the smaller, at equal forces.
+/// The claim: PD_g's variation is smaller at equal forces.
 TestedClaim smoother(const Comparison& c, const char* key, const char* claim,
                      double Trial::*variation) {
   int for_it = 0, against_it = 0;
@@ -70,7 +70,8 @@ TestedClaim smoother(const Comparison& c, const char* key, const char* claim,
   return decided(key, claim, for_it, against_it);
 }
 
-/// Pairs of the same tick, by a number of each: PD_g's is to be the smaller, or the larger.
+/// Compares a number of both methods at the same ticks; the claim is that PD_g's is smaller (or
+/// larger).
 template <class Tick, class Number>
 TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg, const char* key,
                      const char* claim, Number Tick::*number, bool larger) {
@@ -85,7 +86,7 @@ TestedClaim by_ticks(const std::vector<Tick>& pdt, const std::vector<Tick>& pdg,
   return decided(key, claim, for_it, against_it);
 }
 
-/// Force and torque mostly step in one tick, which is one trial.
+/// Force and torque mostly step in the same tick, which is one trial.
 int steps(const MethodMeasures& m) {
   return std::max(m.discontinuities.force_steps, m.discontinuities.torque_steps);
 }

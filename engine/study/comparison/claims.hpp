@@ -9,35 +9,38 @@
 
 namespace sonde {
 
-/// What a test says of a claim. Undecided: the difference may be chance, or nothing was to be seen.
+/// The result of a test of a claim. Undecided: the difference may be chance, or there was no data.
 enum class Finding { supported, refuted, undecided };
 const char* name_of(Finding finding);
 
-/// A claim about PD_g, tested on what could have gone the other way.
+/// A claim about PD_g, tested on trials that could have refuted it.
 struct TestedClaim {
   const char* key;
   const char* claim;
   Finding finding = Finding::undecided;
   int for_it = 0, against_it = 0;  ///< trials; those within 2 % of each other count for neither
-  /// Of a split at least as uneven, either way, if both sides were as likely (sign test).
+  /// Probability of a split at least as uneven, either way, if both sides were equally likely (sign
+  /// test).
   double chance = 1;
 };
 
-/// A claim is supported or refuted where the chance is below this.
+/// A claim is supported or refuted if the chance is below this.
 constexpr double significant = 0.05;
 
-/// - Smoother force, smoother torque: by the total variation, trial by trial: a quarter of a second
-///   in which both are in contact all the time. Both renderings are scaled to the same mean force
-///   in it, since a softer one is not a smoother one; the torque goes with its force.
-/// - Fewer steps, fewer pop-throughs: each is a trial. What counts as a step goes by the way of the
-///   device, not by the size of the force.
-/// - A torque nearer to the one that is known (TorqueRealism): tick by tick, at equal forces.
-/// - More stable: contact by contact, the force at the same device pose where the coupling is as
-///   stiff as the contact bears on the device. The one that renders more before it swings is the
-///   more stable at equal forces. Without a device nothing was seen.
+/// - Smoother force, smoother torque: by the total variation in each trial, which is a quarter of a
+/// second in which both are in contact all the time. Both renderings are scaled to the same mean
+/// force in it, since a softer rendering is not a smoother one; the torque is scaled with its
+/// force.
+/// - Fewer steps, fewer pop-throughs: each is a trial. What counts as a step depends on the motion
+/// of the device, not on the size of the force.
+/// - A torque nearer to the known one (TorqueRealism): tick by tick, at equal forces.
+/// - More stable: for each contact, the force at the same device pose with the stiffest coupling
+/// that is stable in that contact on the device. The method that renders more force before it
+/// oscillates is the more stable one at equal forces. Without a device there is no data.
 std::vector<TestedClaim> tested_claims(const Comparison& comparison);
 
-/// The chance, if each were as likely, that of their sum at least as many fall on one side.
+/// The probability, if both sides are equally likely, that at least as many trials of their sum
+/// fall on one side.
 double sign_test(int one, int other);
 
 }  // namespace sonde

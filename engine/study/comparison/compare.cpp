@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double trembling_from = 50;  // Hz: no hand moves so fast
+constexpr double trembling_from = 50;  // Hz: no hand moves this fast
 constexpr std::size_t analytic_ticks = 24;
 
 Json about(const CompareSetup& setup) {

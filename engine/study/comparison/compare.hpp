@@ -33,18 +33,18 @@ Study compare_study(const CompareSetup& setup);
 struct MethodMeasures {
   double peak_force = 0, peak_torque = 0;            ///< N, N·m
   double force_variation = 0, torque_variation = 0;  ///< total_variation, N and N·m
-  /// Shares of the spectrum above 50 Hz; none where the path is not evenly sampled, too slowly, or
-  /// nothing was felt.
+  /// Shares of the spectrum above 50 Hz; none if the path is not evenly sampled, is sampled too
+  /// slowly, or no force was felt.
   std::optional<double> force_above_50, torque_above_50;
   Discontinuities discontinuities;
   TorqueRealism realism;
-  StableStiffness stiffness;  ///< without a device there is none
+  StableStiffness stiffness;  ///< none without a device
   double deepest = 0;         ///< m
   int contact_ticks = 0;      ///< with a force
   int failed_ticks = 0;
   int unconverged_ticks = 0;  ///< blocked, or out of budget
   int saturated_ticks = 0;    ///< beyond a limit of the device
-  /// Total variation over the peak, which removes the effect of a larger force. 0 where there is no
+  /// Total variation over the peak, which removes the effect of a larger force. 0 if there is no
   /// force.
   double force_restlessness() const { return peak_force > 0 ? force_variation / peak_force : 0; }
   double torque_restlessness() const {
@@ -62,7 +62,7 @@ struct Comparison {
 };
 
 /// The result of a complete folder of the study; `folder` is for error messages. Throws InputError
-/// where a part is missing or was not written by the study.
+/// if a part is missing or was not written by the study.
 Comparison comparison_of(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -29,7 +29,7 @@ ChartSeries curve(const std::string& name, const Rendering& rendering, const Val
   return out;
 }
 
-/// Where the probe popped through, on the curve.
+/// The points on the curve at which the probe popped through.
 ChartSeries pops(const std::string& name, const Rendering& rendering, const Value& value,
                  double radius, std::size_t color) {
   ChartSeries out{name};
@@ -247,7 +247,7 @@ std::string summary_csv(const Comparison& c) {
   return out;
 }
 
-/// Empty where the path is evenly sampled.
+/// Empty if the path is evenly sampled.
 std::string about_gaps(const Comparison& c) {
   std::vector<double> times;
   for (const RenderedTick& tick : c.pdg) times.push_back(tick.t);

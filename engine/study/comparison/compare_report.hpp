@@ -8,7 +8,7 @@
 
 namespace sonde {
 
-/// What a comparison is shown as:
+/// The files of a comparison:
 ///
 ///     wrench.svg     force, torque and depth against time, and their components
 ///     spectrum.svg   power against frequency
@@ -19,7 +19,7 @@ namespace sonde {
 std::vector<StudyFile> compare_files(const Comparison& comparison);
 
 /// The same from a complete folder of the study; `folder` is for error messages. Throws InputError
-/// where a part is missing or was not written by a study.
+/// if a part is missing or was not written by a study.
 std::vector<StudyFile> compare_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

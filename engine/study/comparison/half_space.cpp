@@ -14,7 +14,7 @@
 namespace sonde {
 namespace {
 
-/// σ as a function of the turn v alone: the translation is straight up.
+/// σ as a function of the turn v only, since the translation is vertical.
 class TurnCost {
  public:
   TurnCost(const Body& body, const Pose& X_FM, const Plane& plane) : inertia_(body.mass.inertia) {
@@ -26,7 +26,7 @@ class TurnCost {
   double operator()(const Vec3& v) const {
     const double vv = v.squaredNorm();
     if (vv > 1) return std::numeric_limits<double>::infinity();
-    // The plane seen from the turned body: up, turned back.
+    // The plane's normal in the frame of the turned body.
     const double w = std::sqrt(1 - vv);
     const Vec3 up = up_ - 2 * w * v.cross(up_) + 2 * v.cross(v.cross(up_));
     double lowest = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ class TurnCost {
     const double depth = std::max(0.0, -(room_ + lowest));
     return depth * depth + 4 * v.dot(inertia_.cwiseProduct(v));
   }
-  /// How far it must be lifted after the turn, m.
+  /// The height by which the body must be lifted after the turn, m.
   double lift(const Vec3& v) const {
     return std::sqrt(std::max(0.0, (*this)(v)-4 * v.dot(inertia_.cwiseProduct(v))));
   }
@@ -51,7 +51,7 @@ struct Point {
   double cost;
 };
 
-/// One run of Nelder and Mead's simplex from a corner with the given edge.
+/// One run of the simplex method of Nelder and Mead from a corner with the given edge.
 Point simplex_search(const TurnCost& cost, const Vec3& start, double edge) {
   std::array<Point, 4> s;
   for (int i = 0; i < 4; ++i) {
@@ -86,8 +86,7 @@ Point simplex_search(const TurnCost& cost, const Vec3& start, double edge) {
   return s[0];
 }
 
-/// Again and again from where the last simplex ended, with a new one: at a kink they collapse
-/// early.
+/// Restarts the simplex repeatedly where the last one ended, because at a kink it collapses early.
 Point descend(const TurnCost& cost, Point from, double edge, int rounds) {
   for (int i = 0; i < rounds; ++i) {
     const double size = edge * elementary::pow(0.3, i % 6);
@@ -118,7 +117,8 @@ HalfSpaceSeparation half_space_separation(const Body& body, const Pose& X_FM, co
   std::mt19937_64 random(seed);
   std::vector<Point> found;
   for (int i = 0; i < starts; ++i) {
-    // Where σ may still beat not turning at all; a small turn is the likeliest.
+    // Within the turns for which σ can be below that without a turn; small turns are the most
+    // likely.
     const double part = uniform(random), most = part * part;
     const Vec3 v = i == 0 ? Vec3(Vec3::Zero()) : in_ball(random, most);
     found.push_back(descend(cost, {v, cost(v)}, 0.1, 3));
@@ -134,7 +134,7 @@ HalfSpaceSeparation half_space_separation(const Body& body, const Pose& X_FM, co
   HalfSpaceSeparation out;
   out.depth = std::sqrt(best.cost);
   out.separated.q = X_FM.q * turn;
-  // Turned about the centre of mass, then lifted.
+  // First the turn about the centre of mass, then the lift.
   out.separated.p =
       X_FM * body.mass.com - out.separated.q * body.mass.com + cost.lift(best.v) * plane.normal;
   return out;

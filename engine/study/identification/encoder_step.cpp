@@ -12,19 +12,20 @@ namespace {
 
 /// Fewer changes than this prove nothing.
 constexpr std::size_t least_changes = 10;
-/// A change counts as whole within this share of a step; what is beyond it, one in a hundred.
+/// Share of a step within which a change counts as a whole multiple; one in a hundred may lie
+/// outside.
 constexpr double tolerance = 0.02;
 constexpr double nearly_every = 0.99;
-/// Above this, whole multiples can no longer be told from others by a step that is a little off.
+/// Above this multiple, a slightly wrong step no longer distinguishes whole multiples from others.
 constexpr double most_multiple = 1000;
-/// The smallest change may be so many steps.
+/// The smallest change may be up to this many steps.
 constexpr int most_in_smallest = 4;
-/// Standard deviations of a mean of many: 99 %.
+/// Standard deviations of a mean of many values: 99 %.
 constexpr double certain = 2.576;
-/// Of numbers that may have been written with single precision.
+/// For numbers that may have been written in single precision.
 constexpr double rounding = 1e-6;
 
-/// The sizes of the changes, sorted. What is far below the largest is rounding of the numbers.
+/// The sizes of the changes, sorted. Sizes far below the largest are rounding, and left out.
 std::vector<double> changes(std::span<const double> positions) {
   std::vector<double> out;
   for (std::size_t i = 1; i < positions.size(); ++i)
@@ -35,8 +36,8 @@ std::vector<double> changes(std::span<const double> positions) {
   return out;
 }
 
-/// A step near `guess`, fitted to the changes from small to large, so that each multiple is sure
-/// before larger ones sharpen the step. None where too many are no multiple.
+/// A step near `guess`, fitted to the changes from small to large, so that the multiple of each is
+/// certain before larger ones refine the step. None if too many are no whole multiples.
 std::optional<Estimate> fitted(const std::vector<double>& sizes, double guess) {
   double step = guess, products = 0, squares = 0, sums = 0;
   std::size_t considered = 0, whole = 0;

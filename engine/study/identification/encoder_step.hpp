@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The step of an encoder, from positions that it gave (m | rad) in their order: the largest length
-/// of which nearly every change is a whole multiple. The interval is what these changes spread.
-/// None where there is no such length: the positions are exact, or noise or the mechanism's
-/// geometry has blurred the steps.
+/// The step of an encoder, from a sequence of its positions (m | rad): the largest length of which
+/// nearly every change is a whole multiple. The interval is the spread of these changes. None if
+/// there is no such length: the positions are exact, or noise or the mechanism's geometry has
+/// blurred the steps.
 std::optional<Estimate> encoder_step(std::span<const double> positions);
 
 }  // namespace sonde

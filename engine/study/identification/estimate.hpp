@@ -3,7 +3,7 @@
 
 namespace sonde {
 
-/// A measured figure, and the interval that holds it: 99 % sure where the model is right.
+/// A measured value, and the interval that contains it with 99 % probability if the model is right.
 struct Estimate {
   double value = 0, low = 0, high = 0;
 };

@@ -22,7 +22,7 @@ class FreeMotion {
 
   double position() const { return position_; }
 
-  /// Under a constant command for `time` s, over stops and starts.
+  /// Advances under a constant command for `time` s, across stops and starts.
   void advance(double time, double command) {
     const double force = command + handle_.offset;
     while (time > 0) {
@@ -39,7 +39,7 @@ class FreeMotion {
   }
 
  private:
-  /// Until the velocity is zero; infinite where it never is.
+  /// Time until the velocity is zero; infinite if it never is.
   double time_to_stop(double acceleration) const {
     if (velocity_ == 0 || velocity_ * acceleration >= 0) return HUGE_VAL;
     const double undamped = -velocity_ / acceleration;

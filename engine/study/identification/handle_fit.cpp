@@ -26,10 +26,10 @@ using Eigen::VectorXd;
 
 enum Parameter : Index { inertia, damping, friction, delay, offset, parameter_count };
 
-/// Sizes of the parameters, so that all are near one where they are solved for.
+/// Scales of the parameters, so that the solver works with numbers near one.
 using Scale = std::array<double, parameter_count>;
 
-/// The sizes count: so a parameter that is zero lies inside the range, not at its end.
+/// Uses absolute values: so a parameter of zero lies inside the range, not at its end.
 FreeHandle handle_of(const VectorXd& p, const Scale& scale) {
   return {.inertia = std::max(std::abs(p[inertia]), 1e-6) * scale[inertia],
           .damping = std::abs(p[damping]) * scale[damping],
@@ -61,8 +61,8 @@ std::vector<double> modelled_motion(const FreeHandle& handle, const AxisResponse
 
 VectorXd without_mean(const VectorXd& x) { return x.array() - x.mean(); }
 
-/// Measured less modelled motion, in shares of the whole motion's rms, for Eigen's solver. Where
-/// the times of commands are parameters too, as shares of the sample before, their prior follows.
+/// Measured minus modelled motion, in shares of the motion's rms, for Eigen's solver. If the times
+/// of commands are parameters too (as shares of the sample before), their prior follows.
 struct Residuals {
   using Scalar = double;
   using InputType = VectorXd;
@@ -73,9 +73,10 @@ struct Residuals {
   const AxisResponse* response;
   const std::vector<PulseWindow>* windows;
   Scale scale;
-  double unit;                            ///< m | rad
-  std::vector<std::size_t> changes = {};  ///< samples with another command; empty: at their times
-  double prior = 0;                       ///< weight of the logged time
+  double unit;  ///< m | rad
+  std::vector<std::size_t> changes =
+      {};            ///< samples with a new command; empty: at the logged times
+  double prior = 0;  ///< weight of the logged time
 
   int inputs() const { return static_cast<int>(parameter_count + std::ssize(changes)); }
   int values() const {
@@ -119,7 +120,7 @@ double motion_rms(const AxisResponse& response, const std::vector<PulseWindow>& 
   return std::sqrt(squares / samples);
 }
 
-/// When the largest pulse begins to show: a hundredth of its excursion.
+/// When the largest pulse becomes visible: at a hundredth of its excursion.
 double first_delay(const AxisResponse& r, const PulseWindow& w) {
   const double shows = excursion(r.positions, w) / 100;
   std::size_t i = w.first;
@@ -127,7 +128,7 @@ double first_delay(const AxisResponse& r, const PulseWindow& w) {
   return r.times[i] - r.times[w.first];
 }
 
-/// The inertia with which the largest pulse has the excursion that it has, without losses.
+/// The inertia with which the largest pulse, without losses, has the measured excursion.
 double first_inertia(const AxisResponse& r, const PulseWindow& w) {
   const std::vector<double> modelled = modelled_motion({.inertia = 1}, r);
   return excursion(modelled, w) / excursion(r.positions, w);
@@ -141,8 +142,8 @@ VectorXd solved(const Residuals& residuals, VectorXd p) {
   return p;
 }
 
-/// From several shares of friction and delay, because a start or a stop that is missed is a hill
-/// between the data and the answer.
+/// Starts from several values of friction and delay, because a start or a stop of the handle that
+/// the model lacks is a barrier between a start value and the solution.
 VectorXd best_solution(const Residuals& residuals) {
   VectorXd best;
   double least = std::numeric_limits<double>::infinity();
@@ -160,7 +161,7 @@ VectorXd best_solution(const Residuals& residuals) {
   return best;
 }
 
-/// By the size of each parameter, away from zero, where the model has a kink.
+/// With steps relative to each parameter, away from zero, where the model has a kink.
 MatrixXd jacobian(const Residuals& residuals, const VectorXd& p) {
   constexpr double step = 1e-5;
   MatrixXd J(residuals.values(), p.size());
@@ -173,7 +174,7 @@ MatrixXd jacobian(const Residuals& residuals, const VectorXd& p) {
   return J;
 }
 
-/// What solves normal equations, each parameter by its own size; none where they cannot tell.
+/// The solution of normal equations, scaled by each parameter's size; none if they are singular.
 std::optional<VectorXd> solution_of(const MatrixXd& information, const VectorXd& pull) {
   const VectorXd sizes = information.diagonal().cwiseSqrt();
   if (!(sizes.minCoeff() > 0)) return std::nullopt;
@@ -186,7 +187,7 @@ std::optional<VectorXd> solution_of(const MatrixXd& information, const VectorXd&
   return by.cwiseProduct(scaled.eigenvectors() * inner.cwiseQuotient(scaled.eigenvalues()));
 }
 
-/// The covariance of the parameters: of the solutions that leave out one pulse each.
+/// The covariance of the parameters, from the solutions that leave out one pulse each.
 MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
                     const std::vector<PulseWindow>& windows) {
   const MatrixXd information = J.transpose() * J;
@@ -206,8 +207,8 @@ MatrixXd covariance(const MatrixXd& J, const VectorXd& left,
   return (pulses - 1) / pulses * spread;
 }
 
-/// What the encoder's rounding may do to the parameters: it goes with where the handle happens to
-/// stand between two steps, and that may be much the same in all pulses of a recording.
+/// The effect of the encoder's rounding on the parameters: it depends on where the handle stands
+/// between two steps, which may be much the same in all pulses of a recording.
 MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, const VectorXd& p,
                                double step) {
   constexpr int phases = 16;
@@ -230,8 +231,8 @@ MatrixXd covariance_of_encoder(const MatrixXd& J, const Residuals& residuals, co
   return spread;
 }
 
-/// What is left, over what of it is white or the encoder's: after von Neumann (1941), by second
-/// differences, which see little of what goes on from sample to sample.
+/// Ratio of the residuals to their white part or the encoder's rounding: after von Neumann (1941),
+/// by second differences, which are insensitive to slow errors.
 double excess_of(const Residuals& residuals, const VectorXd& left, double encoder_step) {
   double squares = 0, bends = 0, samples = 0;
   Index at = 0;
@@ -246,12 +247,13 @@ double excess_of(const Residuals& residuals, const VectorXd& left, double encode
     at += size;
   }
   const double rounding = encoder_step / residuals.unit;
-  constexpr double nothing = 1e-5;  // of the motion: what a model that holds leaves of exact poses
+  constexpr double nothing =
+      1e-5;  // share of the motion: residual of a valid model for exact poses
   const double expected = std::max({bends / samples, rounding * rounding / 12, nothing * nothing});
   return std::sqrt(squares / samples / expected);
 }
 
-/// The samples of the pulses with another command than the one before.
+/// The samples of the pulses with a command different from the one before.
 std::vector<std::size_t> changes_of_command(const AxisResponse& r,
                                             const std::vector<PulseWindow>& windows) {
   std::vector<std::size_t> out;
@@ -261,7 +263,7 @@ std::vector<std::size_t> changes_of_command(const AxisResponse& r,
   return out;
 }
 
-/// How far the answers of parts of the pulses lie from that of all, linearised.
+/// How far the solutions of parts of the pulses differ from that of all, linearised.
 VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residuals& residuals) {
   std::vector<double> sizes;
   for (const PulseWindow& w : *residuals.windows) sizes.push_back(w.amplitude);
@@ -283,7 +285,7 @@ VectorXd spread_of_parts(const MatrixXd& J, const VectorXd& left, const Residual
       }
       at += size;
     }
-    const auto rest = J.bottomRows(J.rows() - at);  // of the prior
+    const auto rest = J.bottomRows(J.rows() - at);  // rows of the prior
     information += rest.transpose() * rest;
     if (const auto change = solution_of(information, pull)) out = out.cwiseMax(change->cwiseAbs());
   }
@@ -298,15 +300,15 @@ struct Solution {
 
 constexpr double most_excess = 2;
 
-constexpr double least_apart = 0.1;  // of a sample: else they are late alike, which is a delay
+constexpr double least_apart = 0.1;  // of a sample: if less, all are equally late, which is a delay
 
-/// With the times of the commands as parameters, where that explains what is left.
+/// Fits the times of the commands too, if that explains the residuals.
 void doubt_times(Solution& found, double encoder_step) {
   Solution freed = found;
   Residuals& r = freed.residuals;
   r.changes = changes_of_command(*r.response, *r.windows);
   if (r.changes.empty()) return;
-  // The prior of a share that may be anything from 0 to 1, beside residuals as they should be.
+  // The prior of a share between 0 and 1, relative to residuals of the expected size.
   constexpr double deviation = 0.29;
   r.prior = std::max(encoder_step / r.unit / std::sqrt(12.0), 1e-5) / deviation;
   freed.p = VectorXd::Zero(r.inputs());
@@ -347,7 +349,7 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const VectorXd as_logged = found.p;
   if (found.excess > most_excess) doubt_times(found, encoder_step);
   const auto& [residuals, parameters, left, excess] = found;
-  const VectorXd& p = parameters;  // a lambda may not take a part of a binding
+  const VectorXd& p = parameters;  // a lambda cannot capture a structured binding
   const bool widened = excess > most_excess, between = !residuals.changes.empty();
   const MatrixXd J = jacobian(residuals, p);
   VectorXd apart = VectorXd::Zero(p.size());
@@ -359,7 +361,7 @@ HandleFit fit_handle(const AxisResponse& response, const std::vector<PulseWindow
   const auto estimate = [&](Parameter i) {
     const double unit = scale[static_cast<std::size_t>(i)];
     const double value = std::abs(p[i]) * unit;
-    // All commands may be late alike, which looks like a delay.
+    // All commands may be equally late, which is indistinguishable from a delay.
     const double late = i == delay && between ? sample / 2 : 0;
     const double half = (t * std::sqrt(std::max(0.0, C(i, i))) + apart[i]) * unit + late;
     return Estimate{value, std::max(0.0, value - half), value + half};

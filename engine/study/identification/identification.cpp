@@ -15,9 +15,11 @@ namespace sonde {
 namespace {
 
 constexpr std::size_t axis_count = 6;
-constexpr std::size_t least_pulses = 8;    // with fewer, an interval is a guess
-constexpr std::size_t least_samples = 20;  // of a pulse: its four parts are then of five or more
-constexpr double least_steps = 20;   // of the encoder: its rounding is then below 2 % of the way
+constexpr std::size_t least_pulses = 8;  // with fewer, an interval is unreliable
+constexpr std::size_t least_samples =
+    20;  // of a pulse: each of its four parts then has five or more
+constexpr double least_steps =
+    20;  // of the encoder: its rounding is then below 2 % of the excursion
 constexpr double least_ratio = 1.5;  // of amplitudes
 constexpr double most_misfit = 0.1;  // of the motion's rms
 constexpr double most_half = 0.25;   // of the inertia's interval, as a share
@@ -39,8 +41,8 @@ double median_step(const Response& response) {
   return *middle;
 }
 
-/// What is left of noise by second differences before the pulses: they are blind to a slow drift.
-/// In steps of an encoder that would be as coarse.
+/// The noise before the pulses, by second differences, which are insensitive to slow drift;
+/// expressed as an encoder step that would be as coarse.
 double grain_of_noise(const AxisResponse& r, const Windows& windows) {
   double squares = 0, count = 0;
   for (const PulseWindow& w : windows)
@@ -56,7 +58,7 @@ double largest(const Windows& windows) {
   return std::ranges::max_element(windows, {}, &PulseWindow::amplitude)->amplitude;
 }
 
-/// Throws unless the commands beside this axis are zero.
+/// Throws unless the commands of the other axes are zero.
 void check_alone(const AxisResponse& r, const PulseWindow& w) {
   for (std::size_t k = w.begin; k < w.end; ++k)
     if (r.others[k])
@@ -66,14 +68,15 @@ void check_alone(const AxisResponse& r, const PulseWindow& w) {
 
 struct WithoutGaps {
   Windows windows;
-  std::vector<std::size_t> at_rest;  ///< where the next of them begins after a gap
-  std::size_t gaps = 0;              ///< in the others
+  std::vector<std::size_t> at_rest;  ///< index of the next window after each gap
+  std::size_t gaps = 0;              ///< number of the other windows
 };
 
 double change(const AxisResponse& r, std::size_t k) { return r.positions[k] - r.positions[k - 1]; }
 
-/// A logger that got no new pose writes the last one again: it stands still for one sample, and
-/// goes on the same way by far more than a step of the encoder, and than the slow end of a motion.
+/// A logger without a new pose repeats the last one: the position is constant for one sample, while
+/// the steps before and after go the same way and are far larger than a step of the encoder, and
+/// than the slow end of a motion.
 bool is_stale(const AxisResponse& r, const PulseWindow& w, std::size_t k, double encoder) {
   if (k < w.begin + 2 || k + 1 >= w.end || change(r, k) != 0) return false;
   double most = 0;
@@ -84,7 +87,7 @@ bool is_stale(const AxisResponse& r, const PulseWindow& w, std::size_t k, double
 }
 
 /// The first sample of a pulse, from the one before it to the one after, that comes too late, or
-/// that only repeats the one before. None: the size of the recording.
+/// that only repeats the previous one. If there is none: the size of the recording.
 std::size_t late_sample(const AxisResponse& r, const PulseWindow& w, double step, double encoder) {
   for (std::size_t k = std::max<std::size_t>(w.begin, 1); k <= w.end && k < r.times.size(); ++k)
     if (r.times[k] - r.times[k - 1] > longest_gap * step || is_stale(r, w, k, encoder)) return k;
@@ -99,8 +102,8 @@ std::string what_is_missing(const AxisResponse& r, std::size_t late, double step
              : "the sample at " + at + " repeats the one before, while the handle moves";
 }
 
-/// Where a sample is missing, what was commanded meanwhile is not known: that pulse tells nothing.
-/// (A longer gap cuts a pulse in two, with the gap between them.)
+/// If a sample is missing, the commands meanwhile are unknown, so that pulse is not used. (A longer
+/// gap cuts a pulse in two, with the gap between them.)
 WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double step,
                          double encoder) {
   WithoutGaps out;
@@ -125,7 +128,7 @@ WithoutGaps without_gaps(const AxisResponse& r, const Windows& windows, double s
   return out;
 }
 
-/// Those by which the handle moved far enough to tell something.
+/// The windows in which the handle moved far enough to be useful.
 Windows telling(const AxisResponse& r, const Windows& windows, double grain, std::size_t axis) {
   Windows out;
   for (const PulseWindow& w : windows)
@@ -174,7 +177,7 @@ void check_fit(const HandleFit& fit, std::size_t axis) {
                                 " and " + with_unit(fit.inertia.high, axis, "kg", "kg·m²"));
 }
 
-/// Where no step was seen, it may be as large as what noise and model leave.
+/// If no step was seen, it may be as large as the residual noise and model error.
 Estimate largest_step(const AxisResponse& r, const Windows& windows, const HandleFit& fit) {
   double squares = 0, count = 0;
   for (const PulseWindow& w : windows) {
@@ -189,7 +192,7 @@ Estimate largest_step(const AxisResponse& r, const Windows& windows, const Handl
   return {most, 0, most};
 }
 
-/// Throws std::invalid_argument, saying why, where the pulses cannot tell.
+/// Throws std::invalid_argument, with the reason, if the pulses are not sufficient.
 IdentifiedAxis identified(AxisResponse r, const Windows& all, std::size_t axis,
                           double sample_time) {
   const std::optional<Estimate> step = encoder_step(r.positions);

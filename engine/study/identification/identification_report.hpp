@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The measured values with their intervals, beside those that `profile` has, and what was used of
-/// each axis or why it was not.
+/// The measured values with their intervals, beside those of `profile`, and for each axis the data
+/// used, or why it was not used.
 std::string identification_text(const Identification& identification, const DeviceProfile& profile);
-/// The same as JSON, and what each axis says.
+/// The same as JSON, with the results of each axis.
 std::string identification_json(const Identification& identification, const DeviceProfile& profile);
 
 }  // namespace sonde

@@ -10,25 +10,25 @@
 
 namespace sonde {
 
-/// A measured figure of a profile.
+/// A measured value of a profile.
 struct IdentifiedValue {
   ProfileValue DeviceProfile::*value;
   Estimate estimate;
 };
-/// What was measured of mass, inertia, damping, friction, resolution
-/// and delay, each for translation and rotation where the recording tells it.
+/// The measured values of mass, inertia, damping, friction, resolution and delay, each for
+/// translation and rotation if the recording contains it.
 std::vector<IdentifiedValue> identified_values(const Identification& identification);
 
 const ProfileKey& key_of(ProfileValue DeviceProfile::*value);
 
-/// The profile with these values in the place of its own, with six digits, their intervals (no
-/// wider than a profile allows), and `source`, which says how they were measured. What was not
-/// measured stays.
+/// The profile with these values instead of its own, with six digits, their intervals (no wider
+/// than a profile allows), and `source`, which says how they were measured. Values that were not
+/// measured stay.
 DeviceProfile identified_profile(DeviceProfile profile, const Identification& identification,
                                  const std::string& source);
 
-/// The profile with the force and torque that a connected device says it can: its own word is
-/// nearer to the truth than any profile.
+/// The profile with the largest force and torque that a connected device reports: these are more
+/// reliable than any profile.
 DeviceProfile with_limits_of(DeviceProfile profile, const DeviceCapabilities& can);
 
 }  // namespace sonde

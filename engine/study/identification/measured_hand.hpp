@@ -12,21 +12,21 @@
 
 namespace sonde {
 
-/// A force device while pulses measure it: nobody holds its handle, and the probe stays where it
-/// is. The times of the recording are those of the servo's ticks; of a simulated device, which
-/// counts in ticks, they are nominal.
+/// A force device while pulses measure it: nobody holds its handle, and the probe stays in place.
+/// The times of the recording are those of the servo's ticks; for a simulated device, which counts
+/// in ticks, they are nominal.
 class MeasuredHand {
  public:
   /// A connected device. X_FM: the probe.
   MeasuredHand(std::shared_ptr<InputDevice> device, const PulsePlan& plan,
                const PulseBounds& bounds, const Pose& X_FM);
-  /// A simulated one, which its hand lets go of. Throws as SimulatedDevice.
+  /// A simulated device, without its hand. Throws as SimulatedDevice does.
   MeasuredHand(const SimulatedDeviceParameters& device, const PulsePlan& plan,
                const PulseBounds& bounds, const Pose& X_FM);
   MeasuredHand(const MeasuredHand&) = delete;
   MeasuredHand& operator=(const MeasuredHand&) = delete;
 
-  /// For the servo; this object must outlive it.
+  /// Functions for the servo; this object must outlive it.
   const Hand& hand() const { return hand_; }
   PulsePlayer& pulses() { return pulses_; }
 

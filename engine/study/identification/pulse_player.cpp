@@ -10,15 +10,15 @@
 namespace sonde {
 namespace {
 
-/// Pulses of an axis grow, and so do the ways: one this much shorter than another before it was
-/// held by somebody. Gravity that is left, and friction that is not the same everywhere, make less
-/// of a difference.
+/// Pulses of an axis grow, and so do their excursions: a pulse whose excursion is this much smaller
+/// than an earlier one's was held by somebody. Remaining gravity, and friction that is not uniform,
+/// have a smaller effect.
 constexpr double held_share = 0.2;
-constexpr double far = 3;  // times the travel that is intended
-/// Rests: a handle that still moves where a pulse is due is given so much longer. A tick that came
-/// late made the pulse before it longer than planned, and a heavy handle takes its time.
+constexpr double far = 3;  // times the intended travel
+/// In rests: additional time for a handle that still moves when a pulse is due. A late tick makes a
+/// pulse longer than planned, and a heavy handle needs time to stop.
 constexpr std::size_t most_waits = 4;
-/// Rests, in all: by then the recording is half as long again, and there is no room for more of it.
+/// In rests, in total: the recording is then half as long again, and has no room for more.
 constexpr std::size_t most_waits_in_all = 40;
 
 Vec3 way(const Pose& from, const Pose& to) { return to.p - from.p; }
@@ -102,7 +102,7 @@ bool PulsePlayer::restless(const Pose& X_BH) noexcept {
   return false;
 }
 
-/// Follows the present pulse, from its first sample to the one after its last.
+/// Follows the current pulse, from its first sample to the one after its last.
 bool PulsePlayer::held(const Pose& X_BH) noexcept {
   if (pulse_ >= pulses_.size() || place_ <= pulses_[pulse_].begin) return false;
   const Timed& present = pulses_[pulse_];
@@ -121,7 +121,7 @@ PulsesEnd PulsePlayer::watch(double t, const Pose& X_BH, bool trusted) noexcept 
   const Withheld why = trial_.withheld;
   if (stopping_.load(std::memory_order_relaxed)) return PulsesEnd::stopped;
   if (!trusted || !is_finite(X_BH) || !std::isfinite(t)) return PulsesEnd::lost;
-  // The tick in which a hand is taken over has no force, and this has asked for none.
+  // The tick in which a hand is taken over has no force, and no force was requested in it.
   if (why != Withheld::nothing && why != Withheld::changed) {
     withheld_.store(why, std::memory_order_relaxed);
     return PulsesEnd::withheld;
@@ -148,7 +148,7 @@ HandTrial& PulsePlayer::next(double t, const Pose& X_BH, bool trusted) noexcept 
 }
 
 void PulsePlayer::rendered(const Wrench& wrench) noexcept {
-  if (!asked_) return;  // a loop that rests renders without a sample
+  if (!asked_) return;  // a resting loop renders without a sample
   asked_ = false;
   const std::size_t row = played_.load(std::memory_order_relaxed);
   now_.command = wrench;

@@ -9,8 +9,8 @@
 namespace sonde {
 namespace {
 
-constexpr std::size_t lead = 10;  // samples of rest, which say where the handle began
-/// s, a shorter time without a command is a part of the pulse.
+constexpr std::size_t lead = 10;  // samples of rest, from which the start position is known
+/// s: a shorter time without a command belongs to the pulse.
 constexpr double least_rest = 0.02;
 
 /// The first sample from `from` on with a command, or the end.
@@ -26,7 +26,7 @@ std::size_t past_pulse(const AxisResponse& r, std::size_t first) {
   return last + 1;
 }
 
-/// The first sample from `earliest` on after which, until `first`, no other axis is commanded.
+/// The first sample from `earliest` on from which, until `first`, no other axis is commanded.
 std::size_t undisturbed_since(const AxisResponse& r, std::size_t first, std::size_t earliest) {
   while (first > earliest && !r.others[first - 1]) --first;
   return first;

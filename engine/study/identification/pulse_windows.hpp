@@ -8,9 +8,9 @@
 
 namespace sonde {
 
-/// A pulse of a recording, in samples, and what around it is looked at: from shortly before it
-/// until the handle has had as long again to stop, or another axis is commanded. `end` is one past
-/// the last.
+/// A pulse of a recording, in samples, and the samples around it that are used: from shortly before
+/// it until the handle has had as long again to stop, or another axis is commanded. `end` is one
+/// past the last.
 struct PulseWindow {
   std::size_t begin = 0, first = 0, last = 0, end = 0;
   double amplitude = 0;  ///< N | N·m, the largest size of its command
@@ -22,8 +22,8 @@ struct AxisResponse {
   std::vector<double> commands;   ///< N | N·m
   std::vector<double> positions;  ///< m | rad, from the first pose
   std::vector<bool> others;       ///< another axis is commanded
-  /// Samples, rising, at which a handle is taken to be at rest, besides the first: after what is
-  /// not known of the commands before.
+  /// Samples, ascending, besides the first, at which the handle is assumed to be at rest: after
+  /// gaps in which the commands are unknown.
   std::vector<std::size_t> at_rest;
 };
 AxisResponse axis_response(const Response& response, std::size_t axis);
@@ -31,7 +31,7 @@ AxisResponse axis_response(const Response& response, std::size_t axis);
 /// The pulses of one axis, in their order: commands that are not zero, between rests.
 std::vector<PulseWindow> pulse_windows(const AxisResponse& response);
 
-/// The largest distance from where the pulse began, in the unit of the positions.
+/// The largest distance from the start of the pulse, in the unit of the positions.
 double excursion(const std::vector<double>& positions, const PulseWindow& window);
 
 }  // namespace sonde

@@ -6,7 +6,7 @@
 namespace sonde {
 namespace {
 
-/// At ten a sample, every figure that is identified of the profiles is within 2 % of theirs.
+/// With ten steps a sample, every value identified from the profiles is within 2 % of theirs.
 int steps_a_sample(double delay, double sample_time) {
   constexpr double wanted = 10;
   const double most = static_cast<double>(SimulatedDevice::most_samples_late) * sample_time;

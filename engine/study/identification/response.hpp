@@ -12,7 +12,7 @@
 
 namespace sonde {
 
-/// One sample of a handle's answer to commands.
+/// One sample of a handle's response to commands.
 struct ResponseSample {
   double t = 0;    ///< s
   Wrench command;  ///< given at t: on the handle, in the device's base, about the handle's point
@@ -25,9 +25,9 @@ inline constexpr std::array<std::string_view, 14> response_columns{
     "t", "fx", "fy", "fz", "tx", "ty", "tz", "px", "py", "pz", "qw", "qx", "qy", "qz"};
 
 /// Reads a CSV with these columns, t strictly increasing. Throws InputError with file, line and
-/// reason, as read_trajectory.
+/// reason, as read_trajectory does.
 Response read_response(const std::filesystem::path& file);
-/// The same as text; every number reads back to the bit.
+/// The response as text; every number is read back to the bit.
 std::string response_text(const Response& response);
 
 }  // namespace sonde

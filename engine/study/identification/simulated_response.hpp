@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// The answer of a simulated device that nobody holds (its hand is left out) to a plan. Throws
-/// std::invalid_argument as SimulatedDevice.
+/// The response of a simulated device without a hand to a plan. Throws std::invalid_argument as
+/// SimulatedDevice does.
 Response simulated_response(const SimulatedDeviceParameters& device, const PulsePlan& plan);
 
 }  // namespace sonde

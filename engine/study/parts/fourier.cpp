@@ -11,7 +11,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Without the standard's care for infinities, which calls the compiler's library.
+/// Without the standard's handling of infinities, which calls the compiler's library.
 Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -30,7 +30,7 @@ class FourierSum {
       roots_.push_back(elementary::polar(1, -2 * std::numbers::pi * static_cast<double>(k) / n));
   }
 
-  /// Of the n values from `first` on that are `stride` apart.
+  /// Transforms n values from index `first` on, `stride` apart.
   void run(std::size_t first, std::size_t n, std::size_t stride, Complex* out) const {
     if (n == 1) {
       *out = x_[first];

@@ -6,8 +6,8 @@
 
 namespace sonde {
 
-/// Σ x[n] e^(−2πi nk/N) for k = 0 to N − 1, of any N; quick where N has small factors (Cooley and
-/// Tukey, 1965). The same bits everywhere, which Eigen's FFT does not promise.
+/// Σ x[n] e^(−2πi nk/N) for k = 0 to N − 1, for any N; fast if N has small factors (Cooley and
+/// Tukey, 1965). The same bits everywhere, which Eigen's FFT does not guarantee.
 std::vector<std::complex<double>> fourier_transform(const std::vector<double>& x);
 
 }  // namespace sonde

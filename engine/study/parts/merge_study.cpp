@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
-/// Leaves out what differs from run to run: members named time_us.
+/// Removes what differs from run to run: members named time_us.
 void leave_out_times(Json& json) {
   if (json.is_object()) json.erase("time_us");
   for (Json& each : json)
@@ -36,7 +36,7 @@ bool same_but_for_times(const std::string& a, const std::string& b) {
   return one == other;
 }
 
-/// Takes over the results that are not there yet; throws where both have one and they differ.
+/// Takes over the results that are not there yet; throws if both have one and they differ.
 void take(StudyFolder& into, std::vector<fs::path>& from, const StudyFolder& other,
           const fs::path& folder) {
   for (std::size_t i = 0; i < into.names.size(); ++i) {

@@ -8,14 +8,14 @@
 
 namespace sonde {
 
-/// Joins the parts of several folders of one study into what an unsplit run would have left. Throws
-/// InputError where the folders hold different studies, where a part is in none of them, or where
-/// two have different results for it; the message names the parts. Times (members named time_us)
-/// may differ: those of the first folder are kept.
+/// Joins the parts of several folders of one study into the result of an unsplit run. Throws
+/// InputError if the folders hold different studies, if a part is in none of them, or if two have
+/// different results for it; the message names the parts. Times (members named time_us) may differ:
+/// those of the first folder are kept.
 StudyFolder merge_studies(std::span<const std::filesystem::path> folders);
 
-/// Writes a complete study into a folder as compute_parts leaves it, and makes the folder if
-/// necessary. Throws InputError where the folder holds another study or cannot be written.
+/// Writes a complete study into a folder in the form of compute_parts, and creates the folder if
+/// necessary. Throws InputError if the folder holds another study or cannot be written.
 void write_study(const std::filesystem::path& folder, const StudyFolder& study);
 
 }  // namespace sonde

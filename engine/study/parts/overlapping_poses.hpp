@@ -20,7 +20,7 @@ std::vector<Pose> overlapping_poses(const Body& probe, const Body& fixed,
 /// Random poses X_FM at which the probe overlaps the fixed body. A random point of the probe's
 /// surface lies on a random point of the fixed body's, both uniform by area; the rotation is
 /// uniform over all rotations. Poses that do not overlap (corners that just touch) are drawn again.
-/// The depths range from grazing to deep. Gives fewer poses than requested only where nearly none
+/// The depths range from grazing to deep. Returns fewer poses than requested only if almost none
 /// overlaps. Throws Cancelled.
 std::vector<Pose> random_overlapping_poses(const Body& probe, const Body& fixed, std::size_t count,
                                            std::uint64_t seed, const Stop& stop);

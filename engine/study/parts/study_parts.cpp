@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
-/// Values within values, deeper than a study writes: what walks to the bottom of more uses up the
-/// stack.
+/// Nesting deeper than a study writes: recursion into a deeper value would exhaust the stack.
 constexpr int deepest = 32;
 
 fs::path study_file(const fs::path& folder) { return folder / "study.json"; }
@@ -27,7 +26,7 @@ fs::path part_file(const fs::path& folder, const std::string& name) {
   return folder / "parts" / (name + ".json");
 }
 
-/// Of JSON text: brackets within brackets, outside of strings.
+/// The depth of nested brackets in JSON text, outside strings.
 int depth_of(std::string_view json) {
   int depth = 0, most = 0;
   bool in_string = false;
@@ -42,7 +41,7 @@ int depth_of(std::string_view json) {
   return most;
 }
 
-/// Any text, but none that is nested deeper than a study writes.
+/// Reads any text that is not nested deeper than a study writes.
 std::string read_json(const fs::path& file) {
   std::string text = read_text(file, most_bytes);
   if (depth_of(text) > deepest)
@@ -63,7 +62,7 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError::in(folder.string(), "cannot be made: " + error.message());
 }
 
-/// True where the folder is finished and has every part of the study.
+/// True if the folder is finished and has every part of the study.
 bool has_all(const StudyFolder& folder, const Study& study) {
   return folder.complete() && std::ranges::all_of(study.parts, [&](const StudyPart& part) {
            return std::ranges::find(folder.names, part.name) != folder.names.end();
@@ -84,7 +83,7 @@ std::vector<const StudyPart*> missing(const fs::path& folder, const Study& study
 
 }  // namespace
 
-// An empty "parts" alone is what another process has just begun; hidden files are not yet whole.
+// An empty "parts" folder alone was just created by another process; hidden files are incomplete.
 void refuse_other_things(const fs::path& folder) {
   if (fs::exists(study_file(folder))) return;
   std::error_code error;
@@ -93,15 +92,15 @@ void refuse_other_things(const fs::path& folder) {
       const fs::path name = inside / entry.path().filename();
       if (name == "parts" && entry.is_directory(error)) continue;
       if (name == "study.json" || name.filename().string().starts_with('.')) continue;
-      if (fs::exists(study_file(folder))) return;  // another process has written it just now
+      if (fs::exists(study_file(folder))) return;  // another process has just written it
       throw InputError::in(
           folder.string(),
           "holds \"" + name.string() + "\" and no study; take an empty folder or a new one");
     }
 }
 
-// Parts depend on nothing but `about` and their name: another list of parts (contacts of one kind,
-// or of all) can take over what is finished.
+// Parts depend only on `about` and their name, so another list of parts (contacts of one kind, or
+// of all) can take over the finished ones.
 void claim_folder(const fs::path& folder, const Study& study) {
   const std::string text = study_text(study);
   const fs::path file = study_file(folder);
@@ -160,7 +159,7 @@ void compute_parts(const fs::path& folder, const Study& study, Shard shard, unsi
       const std::string result = parts[i]->compute(stop_or_failed);
       write_whole(part_file(folder, parts[i]->name), result);
     } catch (...) {
-      failed = true;  // the other threads need not finish what nobody will read
+      failed = true;  // the other threads need not finish, since nobody will read their results
       throw;
     }
     if (progress) progress(++done, total);

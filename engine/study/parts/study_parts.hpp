@@ -13,7 +13,7 @@
 
 namespace sonde {
 
-/// A piece of a study that needs nothing of any other piece.
+/// A piece of a study that is independent of all others.
 struct StudyPart {
   std::string name;  ///< of its file: letters, digits, '-', '_' and '.'
   /// Its result as JSON text: the same bits wherever and whenever it is computed, except for
@@ -26,7 +26,7 @@ struct StudyPart {
 /// part. So a study can be stopped and continued, and split over machines.
 struct Study {
   std::string kind;   ///< "tune", "traces", "compare", "trade"
-  std::string about;  ///< JSON text, on which all else depends: inputs, settings
+  std::string about;  ///< JSON text that determines everything else: inputs, settings
   std::vector<StudyPart> parts;
 };
 
@@ -35,9 +35,9 @@ struct StudyFolder {
   std::string kind;
   std::string about;
   std::vector<std::string> names;                   ///< of all parts, in order
-  std::vector<std::optional<std::string>> results;  ///< of each, where it is finished
+  std::vector<std::optional<std::string>> results;  ///< of each part, if it is finished
   bool complete() const;
-  StudyFolder finished() const;  ///< the same with the finished parts alone
+  StudyFolder finished() const;  ///< the same with the finished parts only
 };
 
 /// A final file of a study: its name in the folder, and its text.
@@ -57,19 +57,19 @@ std::optional<Shard> shard_of(std::string_view text);
 /// `done` parts of `total` in the shard are finished.
 using PartsProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Throws InputError where the folder holds other things and no study: to be asked before a study
-/// is planned, which may take long.
+/// Throws InputError if the folder holds other files and no study. Call it before a study is
+/// planned, which may take long.
 void refuse_other_things(const std::filesystem::path& folder);
 
 /// Makes the folder the study's: writes its study.json. A folder with other parts of the same study
-/// (the same kind and `about`) becomes the requested study and keeps its finished parts; where it
-/// is finished and has all of them, it stays as it is. Throws InputError where the folder holds
-/// another study, or other things and no study, or cannot be written.
+/// (the same kind and `about`) becomes the requested study and keeps its finished parts; if it is
+/// finished and has all of them, it is not changed. Throws InputError if the folder holds another
+/// study, or other files and no study, or cannot be written.
 void claim_folder(const std::filesystem::path& folder, const Study& study);
 
-/// Claims the folder, computes the parts of a shard that are not yet in the folder, on `threads`
-/// threads, and writes each, whole, as soon as it is finished. Throws as claim_folder, Cancelled
-/// where `stop` returns true (finished parts stay), and whatever a part throws.
+/// Claims the folder, computes the parts of a shard that are not yet in it, on `threads` threads,
+/// and writes each part, whole, as soon as it is finished. Throws as claim_folder does, Cancelled
+/// if `stop` returns true (finished parts stay), and whatever a part throws.
 void compute_parts(const std::filesystem::path& folder, const Study& study, Shard shard,
                    unsigned threads, const Stop& stop, const PartsProgress& progress = {});
 
@@ -77,10 +77,10 @@ void compute_parts(const std::filesystem::path& folder, const Study& study, Shar
 /// Cancelled, and whatever a part throws.
 StudyFolder compute_at_once(const Study& study, unsigned threads, const Stop& stop);
 
-/// Reads a folder. Throws InputError where it holds no study, or a file that is not the study's.
+/// Reads a folder. Throws InputError if it holds no study, or a file that is not the study's.
 StudyFolder read_study(const std::filesystem::path& folder);
 
-/// 64-bit FNV-1a of the text in 16 hexadecimal digits: only to tell inputs apart.
+/// 64-bit FNV-1a of the text in 16 hexadecimal digits: only to distinguish inputs.
 std::string fingerprint(std::string_view text);
 
 }  // namespace sonde

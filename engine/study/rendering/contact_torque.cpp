@@ -8,8 +8,8 @@
 namespace sonde {
 namespace {
 
-/// Weight of an arm of the probe's radius beside the translation; its square is what turning
-/// counts.
+/// Weight of an arm of the probe's radius relative to the translation; turns are weighted by its
+/// square.
 constexpr double share = 0.01;
 
 Vec3 arm_moment(const Contact& contact, const Vec3& com) {

@@ -5,8 +5,8 @@
 
 namespace sonde {
 
-/// Where a rendering was not continuous. Let s be the distance √σ that the device moved in a tick,
-/// k the stiffness and R the probe's radius:
+/// The discontinuities of a rendering. Let s be the distance √σ that the device moved in a tick, k
+/// the stiffness and R the probe's radius:
 ///
 /// - A *jump* is reported by the engine: the depth fell by more than s, so the contact moved to
 ///   another place.
@@ -23,14 +23,14 @@ struct Discontinuities {
   int force_steps = 0;
   int torque_steps = 0;
   int pop_throughs = 0;
-  double largest_force_step = 0;   ///< N from one tick to the next, whether or not it counts
+  double largest_force_step = 0;   ///< N from one tick to the next, whether it counts or not
   double largest_torque_step = 0;  ///< N·m
 };
 
-/// k in N/m, radius in m. Damping counts as well: where there is some, it makes steps of its own.
+/// k in N/m, radius in m. With damping, changes of velocity count as steps too.
 Discontinuities discontinuities(const Rendering& rendering, double k, double radius);
 
-/// The tick was one at which the probe popped through, seen from the one before.
+/// Whether the probe popped through between two successive ticks.
 bool popped_through(const RenderedTick& before, const RenderedTick& now, double radius);
 
 }  // namespace sonde

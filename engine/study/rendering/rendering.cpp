@@ -33,7 +33,7 @@ RenderedTick tick_of(const HapticLoop& loop, double t, double moved) {
   return out;
 }
 
-/// Numbers of a tick in the order of its row.
+/// The numbers of a tick in the order of its row.
 constexpr std::size_t width = 20;
 using Row = std::array<double, width>;
 
@@ -97,7 +97,7 @@ Rendering render(const RenderSetup& setup, Method method, std::span<const TimedP
   const double k = stiffness_of(coupling);
   Rendering out;
   out.reserve(path.size());
-  bool started = false;  // a search that failed leaves nothing to follow: search again
+  bool started = false;  // after a failed search there is no pose to follow: search again
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (stop && stop()) throw Cancelled();
     if (!started) loop.reset(path[i].pose, setup.search);
@@ -117,7 +117,7 @@ Rendering render(const RenderSetup& setup, Method method, std::span<const TimedP
 std::string to_json(const Rendering& rendering) {
   Json ticks = Json::array();
   for (const RenderedTick& tick : rendering) ticks.push_back(row_of(tick));
-  // One tick a line, for whoever looks into the file.
+  // One tick per line, for people who read the file.
   std::string text = "{\"columns\":" + Json(names).dump() + ",\"ticks\":[";
   const char* separator = "\n";
   for (const Json& tick : ticks) {

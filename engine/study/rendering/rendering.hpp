@@ -32,22 +32,22 @@ using Rendering = std::vector<RenderedTick>;
 /// The input of a rendering.
 struct RenderSetup {
   Pair pair;
-  Coupling coupling = {};     ///< its limits do not act: they would hide what is compared
-  Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
-  StaticOptions search = {};  ///< of the first pose, where it overlaps
+  Coupling coupling = {};     ///< its limits are not applied: they would hide differences
+  Budget budget = {};         ///< of each tick; counted work, otherwise the bits are not the same
+  StaticOptions search = {};  ///< for the first pose, if it overlaps
 };
 
 /// The stiffness against translation of a coupling, N/m: k, or k_t in the classic mode.
 double stiffness_of(const Coupling& coupling);
 
 /// Runs the haptic loop over the path. PD_t gets the torque of its clustered contacts
-/// (ContactTorque), times the stiffness against translation, because its motion does not turn.
-/// Throws Cancelled where `stop` returns true.
+/// (ContactTorque), times the stiffness against translation, because its motion has no turn. Throws
+/// Cancelled if `stop` returns true.
 Rendering render(const RenderSetup& setup, Method method, std::span<const TimedPose> path,
                  const Stop& stop);
 
-/// A rendering as JSON text, and back with the same bits. Throws InputError, naming `source`, where
-/// the text is none.
+/// A rendering as JSON text, and back with the same bits. Throws InputError, naming `source`, if
+/// the text is not a rendering.
 std::string to_json(const Rendering& rendering);
 Rendering rendering_of(const std::string& json, const std::string& source);
 

@@ -20,7 +20,8 @@ std::size_t piece_length(std::size_t samples, double rate_hz) {
   return std::min(length, samples);
 }
 
-/// The beginnings of the pieces: half a length apart, the last one at the end.
+/// The start indices of the pieces: half a length apart, the last one so that it ends with the
+/// signal.
 std::vector<std::size_t> beginnings(std::size_t samples, std::size_t length) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i + length < samples; i += length / 2) out.push_back(i);
@@ -70,7 +71,7 @@ Spectrum spectrum(std::span<const Vec3> x, double rate_hz) {
   for (const double w : window) window_power += w * w;
   const double n = static_cast<double>(length);
   for (std::size_t k = 0; k < out.power.size(); ++k) {
-    const bool half_the_rate = 2 * (k + 1) == length;  // it has no mirror image
+    const bool half_the_rate = 2 * (k + 1) == length;  // the Nyquist frequency has no mirror image
     out.power[k] *=
         (half_the_rate ? 1 : 2) / (n * window_power * static_cast<double>(begin.size()));
     out.frequency.push_back(static_cast<double>(k + 1) * rate_hz / n);

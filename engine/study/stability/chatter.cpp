@@ -19,21 +19,21 @@ using Complex = std::complex<double>;
 using Line = std::array<std::vector<double>, 3>;  // three coordinates over time
 using Lines = std::array<std::vector<Complex>, 3>;
 
-constexpr double sureness = 1.5;  // of a profile's mass, either way
+constexpr double sureness = 1.5;  // factor on a profile's mass, either way
 constexpr FeltHandle::Range any_mass{0.02, 2}, any_inertia{5e-6, 5e-3};
 constexpr std::size_t fewest_ticks = 64;
 constexpr std::size_t half_peak = 2;  // bins: a Hann window's main lobe
-constexpr double coherent = 0.5;      // of handle and force
-constexpr double fed = 0.02;          // of |D|: below that the motors do no work to speak of
-constexpr double lasts = 0.6;         // of the largest part: a time constant of 0.4 s or more
+constexpr double coherent = 0.5;      // least coherence of handle and force
+constexpr double fed = 0.02;          // share of |D|: below it the motors do no significant work
+constexpr double lasts = 0.6;         // share of the largest part: a time constant of 0.4 s or more
 constexpr std::size_t parts = 5;      // each a third of the window, half of it new
 
 double hann(std::size_t i, std::size_t n) {
   return 1 - elementary::cos(2 * std::numbers::pi * double(i) / double(n));
 }
 
-/// Second differences, of which a hand's slow motion leaves little to leak into what is fast. Force
-/// and place alike, so that their ratio stays.
+/// Second differences, which suppress a hand's slow motion before it leaks into high frequencies.
+/// Applied to force and position alike, so that their ratio stays.
 Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 FeltTick::*of) {
   Line out;
   for (Eigen::Index c = 0; c < 3; ++c)
@@ -45,7 +45,7 @@ Line differences(std::span<const FeltTick> ticks, Eigen::Index row, const Vec6 F
 
 double square(double x) { return x * x; }
 
-/// What second differences make of a swing of amplitude 1.
+/// The factor of second differences on an oscillation of amplitude 1.
 double gain(double omega, double T) { return 2 - 2 * elementary::cos(omega * T); }
 
 Lines spectra(const Line& signal) {
@@ -58,7 +58,7 @@ Lines spectra(const Line& signal) {
   return out;
 }
 
-/// Amplitude of what swings at omega in a part of the signal, second differences undone.
+/// The amplitude at omega in a part of the signal, with the effect of second differences removed.
 double amplitude(const Line& signal, std::size_t from, std::size_t count, double omega, double T) {
   double sum = 0;
   for (const std::vector<double>& x : signal) {
@@ -70,13 +70,14 @@ double amplitude(const Line& signal, std::size_t from, std::size_t count, double
   return 2 * std::sqrt(sum) / double(count) / gain(omega, T);
 }
 
-/// What force and place share about the frequency at which the force swings most.
+/// Cross spectrum of force and position about the frequency of the largest oscillation of the
+/// force.
 struct Swing {
   double omega = 0;               // rad/s
   double places = 0, forces = 0;  // power
   Complex both = 0;
   double coherence() const { return std::norm(both) / (places * forces); }
-  /// Force over place, as it acts.
+  /// The dynamic stiffness, force over position, corrected for the lag.
   Complex stiffness(double lag) const {
     return both / places * elementary::polar(1.0, -omega * lag);
   }
@@ -97,7 +98,7 @@ Swing largest_swing(const Line& places, const Line& forces, double T) {
   std::size_t peak = first;
   for (std::size_t m = first; m <= last; ++m)
     if (own(m) > own(peak)) peak = m;
-  if (own(peak - 1) > own(peak)) return out;  // the flank of what is slower
+  if (own(peak - 1) > own(peak)) return out;  // the flank of a slower oscillation
   double weighted = 0, weights = 0;
   for (std::size_t m = peak - half_peak; m <= std::min(peak + half_peak, n / 2); ++m) {
     out.places += power(x, m);
@@ -110,7 +111,7 @@ Swing largest_swing(const Line& places, const Line& forces, double T) {
   return out;
 }
 
-/// Whether a handle of this inertia swings so by this force and a hand that only yields.
+/// Whether a handle of this inertia oscillates like this under this force and a passive hand.
 bool by_the_loop(const Swing& swing, const FeltHandle::Range& inertia, double lag) {
   if (!(swing.places > 0 && swing.forces > 0) || swing.coherence() < coherent) return false;
   const Complex D = swing.stiffness(lag);
@@ -120,7 +121,7 @@ bool by_the_loop(const Swing& swing, const FeltHandle::Range& inertia, double la
          inertia.least * square + D.real() <= elementary::size(D);
 }
 
-/// The smallest amplitude over the parts; 0 where it dies down.
+/// The smallest amplitude over the parts; 0 if the oscillation decays.
 double lasting_amplitude(const Line& forces, double omega, double T) {
   const std::size_t count = forces[0].size() / 3;
   double least = 0, most = 0, last = 0;
@@ -132,7 +133,7 @@ double lasting_amplitude(const Line& forces, double omega, double T) {
   return last >= lasts * most ? least : 0;
 }
 
-/// Of three translations or three rotations; `arm` turns rotations into translations.
+/// For three translations or three rotations; `arm` (m) converts rotations to translations.
 Chatter chatter_of(std::span<const FeltTick> ticks, Eigen::Index row, double T,
                    const FeltHandle::Range& inertia, double lag, double arm) {
   const Line places = differences(ticks, row, &FeltTick::place);

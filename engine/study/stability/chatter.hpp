@@ -9,42 +9,44 @@
 
 namespace sonde {
 
-/// What buzzes lies between these, Hz: no hand moves so fast by itself, and skin feels it best.
+/// The range of frequencies of a buzz, Hz: no hand moves this fast by itself, and skin is most
+/// sensitive to it.
 constexpr double slowest_chatter = 20;
 constexpr double fastest_chatter = 500;
-/// So much of the end of what is given decides, s: six swings of the slowest.
+/// s: length of the window at the end of the data that decides: six periods of the slowest buzz.
 constexpr double chatter_window = 0.3;
-/// m/s², root mean square: what the most sensitive feel of a handle that vibrates, 0.01 µm at 200
-/// Hz (Brisben, Hsiao and Johnson, 1999); most people, and other frequencies, take more.
+/// m/s², root mean square: threshold of the most sensitive people for a vibrating handle, 0.01 µm
+/// at 200 Hz (Brisben, Hsiao and Johnson, 1999); most people, and other frequencies, need more.
 constexpr double felt_acceleration = 0.01;
 
-/// One tick: where the handle was, and what the motors gave it.
+/// One tick: the position of the handle, and the output of the motors.
 struct FeltTick {
   Vec6
       place;  ///< of the probe's centre of mass, m, and a rotation vector, rad, from any fixed pose
   Vec6 wrench;  ///< N, N·m, on the hand
 };
 
-/// The handle as the force meets it, at the probe.
+/// The handle that the force acts on, at the probe.
 struct FeltHandle {
   struct Range {
     double least = 0, most = 0;
   };
   Range mass;      ///< kg
   Range inertia;   ///< kg·m²
-  double lag = 0;  ///< s from a tick's place to the middle of the time that its wrench acts
+  double lag = 0;  ///< s from a tick's position sample to the middle of the interval in which its
+                   ///< wrench acts
 };
 
-/// A mass that is known, of which profiles are sure to a half at best.
+/// For a known mass, whose value in profiles is certain only to within a half.
 FeltHandle felt_handle(double mass, double inertia, double lag);
-/// As a device tells it; of one that does not, from 20 g to 2 kg and from 5 to 5000 kg·mm².
+/// As reported by a device; if it reports none, from 20 g to 2 kg and from 5 to 5000 kg·mm².
 FeltHandle felt_handle(const DeviceTraits& device, double sample_time);
 
-/// Of a study: the true state of the handle after a tick, and what the motors gave during it.
+/// In a study: the true state of the handle after a tick, and the output of the motors during it.
 FeltTick felt_tick(const HandleState& state, const Wrench& motors, const Pose& from);
 FeltHandle felt_handle(const ClosedLoopSetup& setup);
 
-/// An oscillation that the loop makes.
+/// An oscillation caused by the loop.
 struct Chatter {
   double force = 0;      ///< N, amplitude throughout the window; of torques, over `length`. 0: none
   double frequency = 0;  ///< Hz
@@ -52,20 +54,20 @@ struct Chatter {
   bool buzzes() const { return acceleration >= felt_acceleration; }
 };
 
-/// Whether the loop makes the handle swing, told apart from what a hand or a mouse does. Both move
-/// the probe, and the force follows; only in a loop does the force move the handle. So of what
-/// swings most between 20 and 500 Hz, the handle must obey Newton's law with a hand that only
-/// yields,
+/// Detects whether the loop makes the handle oscillate, as opposed to a hand or a mouse. Both move
+/// the probe, and the force follows; only in a loop does the force move the handle. So for the
+/// largest oscillation between 20 and 500 Hz, the handle must obey Newton's law with a passive
+/// hand,
 ///
 ///     F = (k_h + jωb − mω²) x,   0 ≤ k_h ≤ |F|/|x|,   b > 0,
 ///
-/// with F the motors' own force and m the handle's mass: then nobody else need push, and the motors
-/// feed the swing. What a hand, a mouse or a path makes of the same size and frequency needs
-/// another mass. Besides, force and handle are coherent, and the swing is there from the first to
-/// the last of five parts of the window and does not die down: a knock, a step, a contact that
-/// comes or goes rings and is over. Translation and rotation are looked at each by itself; the
-/// result is the one that is felt more. The steady force does not count. Nothing where there are
-/// too few ticks. Allocates.
+/// with F the motors' force and m the handle's mass: then nobody else needs to push, and the motors
+/// feed the oscillation. The same motion made by a hand, a mouse or a path would need another mass.
+/// In addition, force and handle must be coherent, and the oscillation must be present in all of
+/// five parts of the window and not decay: the vibration after a knock, a step, or a contact that
+/// begins or ends is soon over. Translation and rotation are examined separately; the result is the
+/// one that is felt more. The steady force does not count. Returns no oscillation if there are too
+/// few ticks. Allocates.
 Chatter chatter(std::span<const FeltTick> ticks, double sample_time, const FeltHandle& handle,
                 double length);
 

@@ -19,23 +19,25 @@ struct ClosedLoopSetup {
   Budget budget = {};         ///< of each tick; counted work, or the bits are not the same
 };
 
-/// A simulated device with a hand on it, and the haptic loop on two real bodies: the object that
-/// `sonde tune` studies. The handle's origin is the probe's centre of mass, so that the loop's
-/// torque is about it; scene and device have the same scale. No thread and no clock: same input,
-/// same bits.
+/// A simulated device with a hand on it, and the haptic loop on two real bodies: the system that
+/// `sonde tune` studies. The handle's origin is the probe's centre of mass, so the loop's torque is
+/// about it; scene and device have the same scale. No thread and no clock: same input, same bits.
 class ClosedLoop {
  public:
-  /// Throws std::invalid_argument as SimulatedDevice. Allocates.
+  /// Throws std::invalid_argument as SimulatedDevice does. Allocates.
   explicit ClosedLoop(const ClosedLoopSetup& setup);
 
   /// At rest at X_FM, the hand with it. The loop follows from there; where the probe overlaps, from
-  /// what a static search finds. Allocates.
+  /// Starts at rest at X_FM, with the hand there. The loop follows from there; if the probe
+  /// overlaps, from the result of a static search. Allocates.
   void reset(const Pose& X_FM, const StaticOptions& options = {});
 
   /// Runs one sample: the pose from the encoders, the tick, the wrench to the motors, and the
-  /// handle until the next sample. X_FH is the hand's target for the probe's mesh frame by then;
-  /// `push` is the hand's wrench beside its spring, about the centre of mass, as it is where the
-  /// handle is not turned from that target (push_as_turned). No allocation, lock, log, throw.
+  /// Runs one sample: the pose from the encoders, the tick, the wrench to the motors, and the
+  /// handle until the next sample. X_FH is the hand's target for the probe's mesh frame at that
+  /// time; `push` is the hand's wrench in addition to its spring, about the centre of mass, as it
+  /// acts if the handle is not turned from that target (push_as_turned). No allocation, lock, log,
+  /// throw.
   void step(const Pose& X_FH, const Wrench& push = {}) noexcept;
 
   /// The true pose of the mesh frame, not the encoders' reading.
@@ -52,9 +54,10 @@ class ClosedLoop {
 };
 
 /// A push whose torque conserves energy: that of the potential −τ·φ, with φ the rotation vector
-/// from the hand's target to the handle, as a spring has it. (A torque that keeps its direction
-/// while the handle turns has no potential. It gives ½ τ·∮φ×dφ to whatever whirls about it, without
-/// end.) Beyond 3 rad, where φ soon ends, it keeps its direction.
+/// A push whose torque conserves energy: that of the potential −τ·φ, with φ the rotation vector
+/// from the hand's target to the handle, as for a spring. (A torque that keeps its direction while
+/// the handle turns has no potential. It gives ½ τ·∮φ×dφ to a handle that whirls about it, without
+/// end.) Beyond 3 rad, near the limit of φ, it keeps its direction.
 Wrench push_as_turned(const Wrench& push, const Vec3& phi);
 
 /// Hooke's law at a separation: the spring's part of the coupling, before limits and without
@@ -63,8 +66,9 @@ Wrench spring_wrench(const MassProperties& mass, const Separation& separation,
                      const Coupling& coupling);
 
 /// What a coupling commands, before limits: Hooke's law and its damper on the rate of the
-/// separation. `before` is the separation a sample_time (s) earlier: none, out of contact or where
-/// this one jumped, there is no rate.
+/// The wrench that a coupling commands, before limits: Hooke's law and its damper on the rate of
+/// the separation. `before` is the separation a sample_time (s) earlier; if there is none, as out
+/// of contact or after a jump, the rate is zero.
 Wrench commanded_wrench(const MassProperties& mass, const Separation& separation,
                         const std::optional<SeparationMotion>& before, double sample_time,
                         const Coupling& coupling);

@@ -14,11 +14,11 @@
 namespace sonde {
 namespace {
 
-/// Steps of a walk, and of the differences that stiffness is measured by, of the probe's radius and
-/// of the depth.
+/// Steps of a walk, as a share of the probe's radius, and of the differences that measure
+/// stiffness, as a share of the depth.
 constexpr double walk_step = 0.02;
 constexpr double difference_step = 0.03;
-/// Ticks within a walk are bounded: where surfaces lie along each other they could take seconds.
+/// Ticks within a walk are limited: where surfaces lie on each other they could take seconds.
 constexpr Budget walk_budget{.steps = 60};
 
 struct Box {
@@ -52,7 +52,7 @@ Quat near_rotation(Random& random, const Quat& q) {
   return rotation_about(direction(random), angle) * q;
 }
 
-/// Situations as they come in, sorted out at the end.
+/// Collects situations as they are found, and sorts them at the end.
 class Collection {
  public:
   Collection(const Pair& pair, const SituationOptions& options) : pair_(pair), options_(options) {}
@@ -95,7 +95,7 @@ class Collection {
   std::vector<Found> found_;
 };
 
-/// A straight way of the probe's centre of mass.
+/// A straight path of the probe's centre of mass.
 struct Walk {
   Quat q;
   Vec3 from, to;
@@ -110,7 +110,7 @@ Walk random_walk(Random& random, const Body& probe, const Body& fixed, const Box
   return {q.normalized(), to + away * direction(random), to};
 }
 
-/// Follows a walk until the probe is deep enough. No value where it never is.
+/// Follows a walk until the probe is deep enough. No value if it never is.
 std::optional<Separation> arrive(CoherentSolver& solver, const Body& probe, const Walk& walk,
                                  double depth) {
   const auto pose = [&](double s) {

@@ -12,7 +12,7 @@
 
 namespace sonde {
 
-/// The kinds of contact that hold a probe, by their clusters (contact_clusters.hpp) and rows.
+/// The kinds of contact that hold a probe, by clusters (contact_clusters.hpp) and rows.
 enum class ContactKind {
   flat,        ///< one cluster of one row: a point on a surface
   edge,        ///< one cluster of two rows: along a line
@@ -24,13 +24,13 @@ constexpr ContactKind all_contact_kinds[] = {ContactKind::flat, ContactKind::edg
                                              ContactKind::conforming, ContactKind::corner,
                                              ContactKind::jammed};
 const char* name_of(ContactKind kind);
-/// Of a penetrating separation; its contacts must not be empty.
+/// The kind of a penetrating separation; its contacts must not be empty.
 ContactKind contact_kind(const Separation& separation);
 
-/// A contact to study the coupling in.
+/// A contact in which the coupling is studied.
 struct ContactSituation {
   ContactKind kind = ContactKind::flat;
-  Separation separation;    ///< as it was found, by following the probe from outside
+  Separation separation;    ///< as found by following the probe from outside
   FeltStiffness stiffness;  ///< there
 };
 
@@ -38,17 +38,18 @@ struct SituationOptions {
   Method method = Method::pdg;
   std::uint64_t seed = 1;
   int walks = 160;      ///< of the probe into the fixed body
-  double depth = 0.02;  ///< at which a walk has arrived, of the probe's radius
-  /// Orders situations of one kind: the largest is the hardest. Called with its felt stiffness.
+  double depth = 0.02;  ///< of the probe's radius: depth at which a walk has arrived
+  /// Orders situations of one kind: the largest value is the hardest. Called with the felt
+  /// stiffness.
   std::function<double(const FeltStiffness&)> hardness = {};
-  /// Gets the fraction of the search that is done, 0 to 1, now and then.
+  /// Called from time to time with the fraction of the search that is done, 0 to 1.
   std::function<void(double)> progress = {};
 };
 
 /// Contacts of the two bodies, at most `most` of each kind, in the order of the kinds and the
-/// hardest first. Walks find them: the probe comes from outside in a straight line, half of the
-/// time at a random rotation and else near X_FM, towards a random point of the fixed body's box,
-/// until it has the wanted depth. Empty where no walk meets a contact. Throws Cancelled.
+/// hardest first. They are found by walks: the probe comes from outside in a straight line, half of
+/// the times at a random rotation and otherwise near X_FM, towards a random point of the fixed
+/// body's box, until it has the wanted depth. Empty if no walk meets a contact. Throws Cancelled.
 std::vector<ContactSituation> find_situations(const Pair& pair, const Pose& X_FM, int most,
                                               const SituationOptions& options, const Stop& stop);
 

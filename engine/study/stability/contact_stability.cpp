@@ -21,14 +21,14 @@ using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 constexpr double slowest_buzz = 5;  // Hz
 
-/// What the motors render of it.
+/// The part of the wrench that the device's motors can render.
 Mat6 rendered(const SimulatedDeviceParameters& device, Mat6 felt) {
   if (!(device.translation.limit > 0)) felt.topRows<3>().setZero();
   if (!(device.rotation.limit > 0)) felt.bottomRows<3>().setZero();
   return felt;
 }
 
-/// The off-diagonal blocks as the mean of both, where they are known to be each other's transpose.
+/// Replaces the off-diagonal blocks by their mean, if they are known to be each other's transpose.
 Mat6 as_gradient(Mat6 felt) {
   const Mat3 mean = (felt.topRightCorner<3, 3>() + felt.bottomLeftCorner<3, 3>().transpose()) / 2;
   felt.topRightCorner<3, 3>() = mean;
@@ -45,8 +45,8 @@ SampledContact rendered(SampledContact contact) {
   return contact;
 }
 
-/// The handle and the hand over a time under a constant force, along each axis: new x and v from
-/// the old and the force.
+/// The motion of the handle and the hand over a time under a constant force, along each axis: new x
+/// and v from the old and the force.
 struct Coast {
   Vec6 x_x, x_v, x_f, v_x, v_v, v_f;
 };
@@ -70,7 +70,7 @@ Coast coast(const SimulatedDeviceParameters& device, double time) {
   return {both(0, 0), both(0, 1), both(0, 2), both(1, 0), both(1, 1), both(1, 2)};
 }
 
-/// One sample of the loop at a factor on K, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
+/// One sample of the loop, with K times a factor, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...).
 class Loop {
  public:
   explicit Loop(const SampledContact& contact) : contact_(rendered(contact)) {
@@ -83,7 +83,7 @@ class Loop {
     newer_ = coast(contact.device, (1 - rest) * contact.sample_time);
   }
 
-  /// Of the oscillations of at least `slowest` Hz.
+  /// The spectral radius for oscillations of at least `slowest` Hz.
   double radius(double factor, double slowest = 0) const {
     const Eigen::EigenSolver<MatrixXd> solver(transition(factor), false);
     const double least = 2 * std::numbers::pi * slowest * contact_.sample_time;
@@ -94,8 +94,8 @@ class Loop {
         largest = std::max(largest, elementary::size(value));
     return largest;
   }
-  /// Without damping a direction in which nothing resists has 1 for an eigenvalue twice, which
-  /// rounding splits by its square root.
+  /// Without damping, a direction without resistance has the double eigenvalue 1, which rounding
+  /// splits by its square root.
   bool stable(double factor, double slowest) const { return radius(factor, slowest) <= 1 + 1e-7; }
 
  private:
@@ -137,7 +137,7 @@ class Loop {
   Coast older_, newer_;
 };
 
-/// The largest factor at which `holds`, to 1e-4 of itself, looked for from the lowest upwards.
+/// The largest factor at which `holds`, to 1e-4 of itself, searched from the lowest upwards.
 template <class Holds>
 double largest_factor(const Holds& holds) {
   constexpr double lowest = 1e-9, highest = 1e12;
@@ -155,10 +155,10 @@ double largest_factor(const Holds& holds) {
   return low;
 }
 
-/// D − |B| ⪰ (T/2 + t_d) K, by the symmetric parts.
+/// The condition D − |B| ⪰ (T/2 + t_d) K, by the symmetric parts.
 double largest_dissipated_factor(const SampledContact& contact) {
   const SimulatedDeviceParameters& device = contact.device;
-  // In units in which the device's damping is 1, every direction counts the same.
+  // In units in which the device's damping is 1, so that every direction has equal weight.
   const auto per_root = [](double x) { return x > 0 ? 1 / std::sqrt(x) : 1e9; };
   Vec6 scale;
   scale << Vec3::Constant(per_root(device.translation.damping)),
@@ -183,10 +183,10 @@ double lever_of(const Mat6& K) {
 }
 
 /// Differences of a solver's answers are symmetric to some thousandths: a lever below this share of
-/// the handle's radius of gyration is none.
+/// the handle's radius of gyration counts as none.
 constexpr double no_lever = 0.01;
 
-/// Of a contact as rendered.
+/// Whether the rendered contact conserves energy.
 bool conserves(const SampledContact& contact) {
   const SimulatedDeviceParameters& device = contact.device;
   const double radius = std::sqrt(device.rotation.inertia / device.translation.inertia);

@@ -16,7 +16,7 @@
 namespace sonde {
 namespace {
 
-/// The device pose moved by a small motion about its centre of mass.
+/// The device pose after a small motion about its centre of mass.
 Pose moved(const MassProperties& mass, const Pose& X_FO, const Vec6& motion) {
   const Vec3 turn = motion.tail<3>();
   const Quat q = rotation_by(turn);
@@ -29,7 +29,7 @@ struct Springs {
   Vec6 object, classic;  ///< at unit gains
 };
 
-/// The answers from Q to O and on to a pose beside it.
+/// The solver's answers from Q to O and on to a neighbouring pose.
 std::optional<Springs> springs(CoherentSolver& solver, const MassProperties& mass, const Pose& X_FQ,
                                const Pose& X_FO, const Pose& beside) {
   solver.reset(X_FQ);
@@ -46,7 +46,7 @@ std::optional<Springs> springs(CoherentSolver& solver, const MassProperties& mas
   return out;
 }
 
-/// The change of the rotation vector θ of a rotation, as that is turned a little from the left.
+/// The derivative of the rotation vector θ of a rotation, for a small turn from the left.
 Mat3 by_left_turn(const Vec3& theta) {
   const double angle = theta.norm();
   const Mat3 cross = cross_matrix(theta);
@@ -55,7 +55,7 @@ Mat3 by_left_turn(const Vec3& theta) {
   return Mat3::Identity() - 0.5 * cross + second * cross * cross;
 }
 
-/// In closed form. No value where the answer fails, or its derivative has more than one side.
+/// In closed form. No value if the answer fails, or if its derivative has more than one side.
 std::optional<FeltStiffness> in_closed_form(CoherentSolver& solver, const Pair& pair,
                                             const Pose& X_FO, const Pose& X_FQ) {
   solver.reset(X_FQ);
@@ -74,13 +74,13 @@ std::optional<FeltStiffness> in_closed_form(CoherentSolver& solver, const Pair& 
   return out;
 }
 
-/// Î about the axes of the fixed frame.
+/// Î in the axes of the fixed frame.
 Mat3 inertia_in_F(const MassProperties& mass, const Pose& X_FO) {
   const Mat3 R_FP = X_FO.q.toRotationMatrix() * mass.R_MP;
   return R_FP * mass.inertia.asDiagonal() * R_FP.transpose();
 }
 
-/// max xᵀ A x / xᵀ B x, A symmetrised, over the range of B.
+/// max xᵀ A x / xᵀ B x, with A symmetrised, over the range of B.
 double largest_ratio(const Mat3& A, const Mat3& B) {
   const Eigen::SelfAdjointEigenSolver<Mat3> of_B(B);
   const double least = 1e-9 * of_B.eigenvalues().maxCoeff();
@@ -113,7 +113,8 @@ Mat6 FeltStiffness::damping(const Coupling& c) const {
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
                                             const Pose& X_FQ, double step) {
   const MassProperties& mass = pair.probe().mass;
-  // A turn about a thin axis moves little: it is measured by the motion of the whole probe.
+  // A turn about a thin axis moves little, so the step is measured by the motion of the whole
+  // probe.
   const double radius = std::max(std::sqrt(mass.inertia.maxCoeff()), 1e-3 * mass.radius);
   CoherentSolver solver(pair, method);
   if (method == Method::pdg)

@@ -19,24 +19,25 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 struct FeltStiffness {
   /// Object norm: −∂(F, τ)/∂(δx, δφ) at k = 1.
   Mat6 object = Mat6::Zero();
-  /// Classic: the same of the displacement t (upper rows) and of the rotation vector θ (lower).
+  /// Classic: the same for the displacement t (upper rows) and the rotation vector θ (lower rows).
   Mat6 classic = Mat6::Zero();
 
   Mat6 stiffness(const Coupling& coupling) const;
-  /// What multiplies the velocity of the device: zero for the object norm.
+  /// The factor of the device's velocity: zero for the object norm.
   Mat6 damping(const Coupling& coupling) const;
 };
 
-/// In closed form (wrench_derivative.hpp) where that holds on all sides; else, and for translations
-/// only, by central differences of the solver's own answers: from Q, a free pose, to O and to
-/// either side of it, `step` (m, in the object norm) away. No value where an answer fails, is free
-/// of contact or jumps on the way.
+/// In closed form (wrench_derivative.hpp) if that holds on all sides; otherwise, and for
+/// translations only, by central differences of the solver's own answers: from Q, a free pose, to O
+/// and to both sides of it, at the distance `step` (m, in the object norm). No value if an answer
+/// fails, has no contact, or jumps on the way.
 std::optional<FeltStiffness> felt_stiffness(const Pair& pair, Method method, const Pose& X_FO,
                                             const Pose& X_FQ, double step);
 
 /// The felt stiffness relative to the nominal one, for any k. In translation: the largest
 /// resistance to a displacement in one direction, over k. In rotation: the largest resistance to a
-/// turn, over kÎ about the same axis. (Where Î is zero a turn moves nothing and is left out.)
+/// turn, over kÎ about the same axis. (Axes with Î = 0, about which a turn moves no mass, are left
+/// out.)
 struct StiffnessRatio {
   double translation = 0;
   double rotation = 0;

@@ -19,7 +19,7 @@ double rise(double t, double from, double to) {
   return std::clamp((t - from) / (to - from), 0., 1.);
 }
 
-/// The share of the push.
+/// The share of the push at a time.
 double push_at(HandCourse course, double t) {
   switch (course) {
     case HandCourse::step:

@@ -14,7 +14,7 @@
 namespace sonde {
 namespace {
 
-/// In whole ticks, so that no rounding of times decides where a window ends.
+/// In whole ticks, so that rounding of times does not decide where a window ends.
 struct Timetable {
   std::int64_t rise, knock_begin, knock_end, first, second, end;
 
@@ -40,7 +40,7 @@ Wrench push_at(std::int64_t tick, const Press& press, const Timetable& times) {
   return {by * press.push.force + jolt.force, by * press.push.torque + jolt.torque};
 }
 
-/// Root mean square of a difference over that of what it is measured against.
+/// Root mean square of a difference over that of the reference.
 struct Error {
   double difference = 0, reference = 0;
   void add(const Vec3& is, const Vec3& should) {
@@ -50,7 +50,7 @@ struct Error {
   double value() const { return reference > 0 ? std::sqrt(difference / reference) : 0; }
 };
 
-/// Gathers what happens, tick by tick.
+/// Collects the results, tick by tick.
 class Observer {
  public:
   Observer(const ClosedLoop& loop, const Timetable& times) : loop_(loop), times_(times) {
@@ -119,7 +119,8 @@ class Observer {
                     const Wrench& motors) {
     const HandleState& now = loop_.device().state();
     energy_[tick < times_.second ? 0 : 1] += kinetic_energy(loop_.setup().device, now);
-    // The motors' force is constant over most of a tick: the trapezoid of velocities is its work.
+    // The motors' force is constant over most of a tick, so the trapezoidal rule on velocities
+    // gives its work.
     out_.work += loop_.setup().sample_time / 2 *
                  (motors.force.dot(before.velocity + now.velocity) +
                   motors.torque.dot(before.spin + now.spin));

@@ -8,29 +8,30 @@
 namespace sonde {
 
 /// A hand presses the probe into a contact, holds it there, knocks once, and holds on. The
-/// behaviour of the loop over two windows of the same length afterwards decides the result.
+/// behaviour of the loop in two windows of the same length afterwards decides the result.
 struct Press {
-  Pose X_FM;                  ///< free: where it begins at rest, and where the hand's spring stays
+  Pose X_FM;                  ///< free: the start, at rest, and the target of the hand's spring
   Wrench push;                ///< of the hand, at the hold
-  double rise_time = 0.1;     ///< s, until the whole push is there
+  double rise_time = 0.1;     ///< s, until the whole push acts
   double settle_time = 0.1;   ///< s, after the rise and again after the knock
   double knock_time = 0.02;   ///< s, during which the hand pushes harder
-  double knock = 1;           ///< by so many times the push
-  Wrench jolt = {};           ///< and by this: what the push alone would not set swinging
+  double knock = 1;           ///< by this multiple of the push
+  Wrench jolt = {};           ///< added to the knock: excites what the push alone would not
   double window_time = 0.3;   ///< s, of each of the two windows
-  double decay = 0.95;        ///< the swing must fall to this share from window to window
+  double decay = 0.95;        ///< the oscillation must fall to this share from window to window
   double quiet_speed = 1e-3;  ///< m/s: what moves with less energy than the handle's mass at this
                               ///< speed stands still
 };
 
-/// The figures of a hold. "At the hold" is over the two windows.
+/// The results of a hold. "At the hold" is over the two windows.
 struct HoldReport {
-  /// Kinetic energy of the handle, mean of the second window over that of the first; 0 where it
-  /// stands still. At 1 or above what swings does not die down.
+  /// Kinetic energy of the handle, mean of the second window over that of the first; 0 if it stands
+  /// still. At 1 or above, the oscillation does not decay.
   double growth = 0;
   double kinetic = 0;  ///< J, its mean over the second window
   double work = 0;     ///< J, of the motors on the handle over both windows
-  /// N, amplitude of what the loop makes swing at the end of the hold, where it is felt; else 0
+  /// N, amplitude of an oscillation caused by the loop at the end of the hold, if it is felt;
+  /// otherwise 0
   double chatter = 0;
   double saturation = 0;    ///< share of the ticks at the hold at which the coupling's limits acted
   double force_error = 0;   ///< motors against the spring and damper commanded: rms difference over
@@ -41,10 +42,10 @@ struct HoldReport {
   double force = 0;         ///< N, mean size of the motors' force at the hold
   double torque = 0;        ///< N·m
   int jumps = 0;            ///< ticks that jumped to another place, as the engine reports it
-  int pop_throughs = 0;     ///< those at which the probe came out on another side (popped_through)
+  int pop_throughs = 0;     ///< jumps at which the probe came out on another side (popped_through)
   int failures = 0;         ///< ticks without an answer
-  bool stable = false;      ///< still, or swinging less and less; in contact; no failures
-  bool chattering = false;  ///< something that the loop makes swing is felt (Chatter::buzzes)
+  bool stable = false;      ///< still, or with a decaying oscillation; in contact; no failures
+  bool chattering = false;  ///< an oscillation caused by the loop is felt (Chatter::buzzes)
   bool saturated = false;   ///< saturation above saturation_limit
 };
 
@@ -52,13 +53,14 @@ constexpr double saturation_limit = 0.01;
 
 HoldReport press_and_hold(ClosedLoop& loop, const Press& press);
 
-/// The hand's wrench beside its spring at a tick, and the tick at which the first window begins.
+/// The hand's wrench in addition to its spring at a tick, and the tick at which the first window
+/// begins.
 Wrench push_at(const Press& press, double sample_time, std::int64_t tick);
 std::int64_t first_window_of(const Press& press, double sample_time);
-/// J: what moves with less stands still.
+/// J: a handle with less kinetic energy stands still.
 double quiet_energy(const Press& press, const SimulatedDeviceParameters& device);
 
-/// The ticks that a press takes.
+/// The number of ticks of a press.
 std::int64_t tick_count(const Press& press, double sample_time);
 
 }  // namespace sonde

@@ -11,10 +11,10 @@
 namespace sonde {
 namespace {
 
-/// Energies are compared over so many windows: 1.5 s.
+/// Energies are compared over this many windows: 1.5 s.
 constexpr std::size_t looked_back = 5;
 constexpr double falls_to = 0.9;
-constexpr double next_to_nothing = 0.01;  // of the quiet energy
+constexpr double next_to_nothing = 0.01;  // share of the quiet energy
 
 /// One window of the hold.
 class Window {

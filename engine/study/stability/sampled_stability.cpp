@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// Beyond it the matrix would be large and the answer nearly zero.
+/// With more, the matrix would be large and the answer nearly zero.
 constexpr double most_samples_late = 1000;
 
 /// The loop in units of the sample time, the inertia and any length: position, velocity T ẋ, force
@@ -51,7 +51,7 @@ struct UnitCoast {
 
 UnitCoast coast(double a, double h) {
   const double z = a * h;
-  // Where the closed form would lose digits to cancellation, its series does not.
+  // The series avoids the cancellation of the closed form.
   if (z < 0.01) {
     const double drift = h * (1 - z / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6)))));
     const double push = h * h / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6))));
@@ -61,8 +61,8 @@ UnitCoast coast(double a, double h) {
   return {elementary::exp(-z), drift, (h - drift) / a};
 }
 
-/// One sample of the loop, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...): as many forces as are
-/// still on their way.
+/// One sample of the loop, on (x_k, v_k, x_{k−1}, F_{k−1}, F_{k−2}, ...), with all forces that are
+/// still delayed.
 Eigen::MatrixXd transition(const ScaledLoop& loop, double stiffness) {
   const Eigen::Index forces = loop.samples_late + (loop.rest > 0 ? 1 : 0);
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(3 + forces, 3 + forces);
@@ -99,7 +99,7 @@ double radius(const ScaledLoop& loop, double stiffness) {
   return largest;
 }
 
-/// Rounding leaves this much on the eigenvalue of a free axis, which is 1.
+/// Rounding leaves this error of the eigenvalue of a free axis, which is 1.
 bool stable(const ScaledLoop& loop, double stiffness) {
   return radius(loop, stiffness) <= 1 + 1e-12;
 }
@@ -115,7 +115,7 @@ double spectral_radius(const SampledAxis& axis, double stiffness) {
 
 double largest_stable_stiffness(const SampledAxis& axis) {
   const ScaledLoop loop = scaled_loop_of(axis);
-  // Far below what any damping can hold: unstable there, unstable at once.
+  // Far below what any damping can stabilise: if it is unstable there, it is always unstable.
   double low = 1e-6 * std::min(1.0, loop.damping + loop.virtual_damping);
   if (low == 0 || !stable(loop, low)) return 0;
   double high = 2 * low;

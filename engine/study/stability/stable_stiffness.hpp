@@ -15,17 +15,18 @@ namespace sonde {
 struct StableStiffness {
   /// Largest stiffness against translation (stiffness_of; in the classic mode all gains of the
   /// springs grow together), N/m, at which the sampled loop is stable in every contact: by the
-  /// eigenvalues of the contact that is hardest (contact_stability.hpp). No value where the path
-  /// meets no contact that holds still, or where there is no end to it.
+  /// eigenvalues of the hardest contact (contact_stability.hpp). No value if the path meets no
+  /// contact that holds still, or if there is no limit.
   std::optional<double> stable;
-  /// The same of taking energy out of whatever holds the handle; 0 where at no stiffness: where
-  /// the wrench rendered is no gradient (cycle_lever), as of a force without its torque.
+  /// The same for passivity; 0 if no stiffness is passive: if the rendered wrench is no gradient
+  /// (cycle_lever), as for a force without its torque.
   std::optional<double> passive;
   std::optional<double> passive_in_translation;  ///< the same with the turn of the handle held
-  /// J for each m of way and rad of a turn's half range that a slow cycle can get at this coupling.
+  /// J per m of travel and rad of a turn's half range that a slow cycle can gain with this
+  /// coupling.
   double cycle_lever = 0;
-  /// The force, N, that the coupling renders at a tick of the path where it is as stiff as that
-  /// contact bears: at the same ticks for every method, some `limits_looked_at` of them.
+  /// The force, N, that the coupling renders at a tick of the path with the largest stiffness of
+  /// that contact: at the same ticks for every method, some `limits_looked_at` of them.
   struct ForceAtLimit {
     std::size_t tick = 0;
     double force = 0;
@@ -34,7 +35,7 @@ struct StableStiffness {
 };
 constexpr std::size_t limits_looked_at = 48;
 
-/// Computes it at some 200 contacts of the path. For PD_t only the translation counts, without the
+/// Computed at some 200 contacts of the path. For PD_t only the translation counts, without the
 /// torque of its contacts. Throws Cancelled.
 StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
                                  std::span<const TimedPose> path,
@@ -42,7 +43,7 @@ StableStiffness stable_stiffness(const RenderSetup& setup, Method method,
                                  const Stop& stop);
 
 std::string to_json(const StableStiffness& stiffness);
-/// Throws InputError, naming `source`, where the text is not one.
+/// Throws InputError, naming `source`, if the text is not of this kind.
 StableStiffness stable_stiffness_of(const std::string& json, const std::string& source);
 
 }  // namespace sonde

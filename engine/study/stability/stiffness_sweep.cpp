@@ -14,7 +14,8 @@ namespace {
 
 using Fits = std::function<bool(const HoldReport&)>;
 
-/// A swing that keeps this share of its energy from window to window may soon keep all of it.
+/// An oscillation that keeps this share of its energy from window to window may soon keep all of
+/// it.
 constexpr double slow_to_die = 0.1;
 
 double known_to(const SweepOptions& options) { return options.known_to.value_or(options.ratio); }
@@ -24,20 +25,22 @@ class Sweep {
   Sweep(const std::function<HoldReport(double)>& run, const SweepOptions& options, const Stop& stop)
       : run_(run), options_(options), stop_(stop) {}
 
-  /// Runs from `first`, or from below where that does not fit, to the first that does not fit.
+  /// Runs from `first`, or from below if that does not fit, to the first stiffness that does not
+  /// fit.
   void walk(double first, const Fits& fits) {
     double k = down_from(clamped(first), fits);
     while (fits(at(k)) && k < options_.high) k = clamped(k * step_after(at(k)));
   }
 
-  /// Halves until something fits; the range's low end where nothing does.
+  /// Halves until something fits; returns the low end of the range if nothing does.
   double down_from(double k, const Fits& fits) {
     while (!fits(at(k)) && k > options_.low) k = clamped(k / 2);
     return k;
   }
 
-  /// Between the first that is too soft to be faithful and the next with another fault something
-  /// good may lie: bisects there, until something is good or the two are as near as the ratio.
+  /// Between the first stiffness that is too soft to be faithful and the next one with another
+  /// fault there may be a good one: bisects there, until one is good or the two are within the
+  /// ratio.
   void look_above_too_soft(const Fits& good) {
     const auto unfaithful = [&](double k) { return fault_of(at(k)) == HoldFault::unfaithful; };
     double low = 0, high = 0;
@@ -52,7 +55,7 @@ class Sweep {
     }
   }
 
-  /// Bisects below the first that fails above `from`, until the limit is known closely enough.
+  /// Bisects below the first failure above `from`, until the limit is known closely enough.
   SweepLimit limit(const Fits& fits, double from) { return limit(fits, from, known_to(options_)); }
   SweepLimit limit(const Fits& fits, double from, double ratio) {
     for (;;) {
@@ -65,7 +68,7 @@ class Sweep {
     }
   }
 
-  /// The softest that fits; the range's low end where nothing does.
+  /// The softest that fits; the low end of the range if nothing does.
   double softest(const Fits& fits) const {
     for (const auto& [stiffness, report] : done_)
       if (fits(report)) return stiffness;
@@ -109,7 +112,7 @@ class Sweep {
   std::map<double, HoldReport> done_;
 };
 
-/// One axis is judged by its own error.
+/// A single axis is judged by its own error.
 double error_of(const HoldReport& report, GainAxis axis) {
   switch (axis) {
     case GainAxis::rotation:
@@ -163,9 +166,9 @@ StiffnessSweep sweep_stiffness(const std::function<HoldReport(double)>& run,
   if (!sweep.any(good)) sweep.look_above_too_soft(good);
   if (!sweep.any(good)) sweep.down_from(sweep.softest_done(), good);
   StiffnessSweep out;
-  // Nothing is recommended of a sweep without anything good: its map need not be fine.
+  // Nothing is recommended from a sweep without a good stiffness, so its map may be coarse.
   const double finest = sweep.any(good) ? known_to(options) : std::max(known_to(options), 1.1);
-  for (std::size_t before = 0; before != sweep.size();) {  // what one bisects may move the other
+  for (std::size_t before = 0; before != sweep.size();) {  // bisecting one limit may move the other
     before = sweep.size();
     out.stable = sweep.limit(stable, options.low, finest);
     out.good = sweep.limit(good, sweep.softest(good));

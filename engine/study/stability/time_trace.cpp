@@ -69,7 +69,8 @@ TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place) {
     const Separation& s = loop.haptic_loop().separation();
     const Wrench& motors = loop.device().motors();
     const HandleState& now = loop.device().state();
-    // The motors' force is constant over most of a tick: the trapezoid of velocities is its work.
+    // The motors' force is constant over most of a tick, so the trapezoidal rule on velocities
+    // gives its work.
     out.figures.energy += setup.sample_time / 2 *
                           (motors.force.dot(before.velocity + now.velocity) +
                            motors.torque.dot(before.spin + now.spin));

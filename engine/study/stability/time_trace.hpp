@@ -17,15 +17,15 @@ struct TraceSample {
   double depth = 0;  ///< m; 0 out of contact
 };
 
-/// The figures of a trace.
+/// The results of a trace.
 struct TraceFigures {
   double force = 0;  ///< N, mean |F| over the last tenth of a second
-  /// s from where the hand is steady until |F| stays within 5 % of `force`. None where it does not
-  /// come to that before that tenth, or where no force is left.
+  /// s from where the hand is steady until |F| stays within 5 % of `force`. None if it does not
+  /// reach that before the last tenth of a second, or if no force is left.
   std::optional<double> settling_time;
-  double overshoot = 0;  ///< the largest |F| from where the hand is steady, over `force`, less 1
-  double energy = 0;     ///< J, net work of the motors on the handle; below 0: the hand gave it
-  double chatter = 0;    ///< N, as HoldReport has it, at the end
+  double overshoot = 0;  ///< largest |F| from where the hand is steady, over `force`, minus 1
+  double energy = 0;     ///< J, net work of the motors on the handle; negative: done by the hand
+  double chatter = 0;    ///< N, as HoldReport::chatter, at the end
   int jumps = 0;         ///< ticks that jumped to another place, as the engine reports it
   int failures = 0;      ///< ticks without an answer
 };
@@ -38,8 +38,7 @@ struct TimeTrace {
 /// Runs the loop through a course, from rest. Same input, same bits.
 TimeTrace trace(ClosedLoop& loop, HandCourse course, const CoursePlace& place);
 
-/// s until values `dt` apart stay within `band` (a share) of `last`; none where the final ones do
-/// not.
+/// s until values `dt` apart stay within `band` (a share) of `last`; none if the final ones do not.
 std::optional<double> settling_time(std::span<const double> values, double dt, double last,
                                     double band);
 

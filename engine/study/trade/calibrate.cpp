@@ -39,16 +39,16 @@ StaticOptions options(Method method, std::uint64_t seed, double time_us) {
   return out;
 }
 
-/// Of a depth over the least known one, which is 0 where the two bodies touch.
+/// The excess of a depth over the least known one, which is 0 if the two bodies touch.
 double excess(double depth, double least) { return depth == least ? 0 : depth / least - 1; }
 
-/// A reference that failed vouches for nothing, not even for an answer that fails as it does.
+/// A failed reference confirms nothing, not even an answer that fails too.
 double tick_error(double got, double wanted, double deepest) {
   if (!std::isfinite(got) || !std::isfinite(wanted)) return infinity;
   return got == wanted ? 0 : std::abs(got - wanted) / deepest;
 }
 
-/// In their order, with as many digits as they are worth, and of thousands every so many.
+/// Sorted, with the digits that are significant; of thousands only every n-th is kept.
 std::vector<double> kept(std::vector<double> errors) {
   for (double& error : errors)
     if (std::isfinite(error)) error = parse_number(number_text(std::max(error, 0.0), 3)).value();
@@ -74,12 +74,12 @@ std::vector<double> least_depths(const TradeSetup& setup, Method method, const S
   return out;
 }
 
-/// The depth at each pose of the path with one limit of time, m.
+/// The depth at each pose of the path with one time limit, m.
 std::vector<double> follow(const Pair& pair, Method method, std::span<const TimedPose> path,
                            std::uint64_t seed, double time_us, const Stop& stop) {
   std::vector<double> out;
   CoherentSolver solver(pair, method);
-  bool started = false;  // a search that failed leaves nothing to follow: search again
+  bool started = false;  // after a failed search there is no pose to follow: search again
   for (const TimedPose& at : path) {
     check(stop);
     if (!started) solver.reset(at.pose, options(method, seed, 0));

@@ -12,21 +12,20 @@
 
 namespace sonde {
 
-/// Measures the error of searches with limits of wall-clock time from 0.5 to 64 ms and with none,
-/// at poses where the two overlap. `references` are the depths to compare with, m; where a search
-/// finds less, its depth becomes the reference. One thread; no two runs measure the same. Throws
-/// Cancelled.
+/// Measures the error of searches with wall-clock limits from 0.5 to 64 ms and with none, at poses
+/// where the two overlap. `references` are the depths to compare with, m; if a search finds less,
+/// its depth becomes the reference. One thread; two runs never measure the same. Throws Cancelled.
 CalibrationSeries calibrate_searches(const Pair& pair, const std::string& name, Method method,
                                      std::span<const Pose> poses, std::vector<double> references,
                                      std::uint64_t seed, const Stop& stop);
 
-/// The same for the ticks along a path, from 0.05 to 1.6 ms and none.
+/// The same for the ticks along a path, with limits from 0.05 to 1.6 ms and none.
 CalibrationSeries calibrate_ticks(const Pair& pair, const std::string& name, Method method,
                                   std::span<const TimedPose> path, std::uint64_t seed,
                                   const Stop& stop);
 
-/// Both, with both methods, on the input of a study of the trade. The reference of a pose is the
-/// least of three searches without a limit. The path may be empty.
+/// Both, with both methods, for the input of a trade study. The reference of a pose is the least of
+/// three searches without a limit. The path may be empty.
 Calibration calibrate(const TradeSetup& setup, const Stop& stop);
 
 }  // namespace sonde

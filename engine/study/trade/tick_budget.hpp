@@ -7,8 +7,8 @@
 
 namespace sonde {
 
-/// The budget of a tick that the servo's settings ask for: the one given, or where they name an
-/// accuracy, the least time from which that is expected (none where no time suffices).
+/// The tick budget of the servo's settings: the given one or, if they specify an accuracy, the
+/// least time from which that is expected (none if no time suffices).
 Budget tick_budget(const ServoSettings& servo, const Pair& pair, Method method,
                    const Calibration& calibration);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The reference: so many searches that do not stop before so many starts.
+/// The reference: this many searches with at least this many starts.
 constexpr int long_searches = 4;
 constexpr int long_starts = 512;
 
@@ -132,7 +132,7 @@ TradePath follow(const TradeSetup& setup, const TradeSetting& setting, const Sto
   CoherentSolver solver(setup.pair, setting.method);
   StaticOptions search;
   search.seed = setup.seed;
-  bool started = false;  // a search that failed leaves nothing to follow: search again
+  bool started = false;  // after a failed search there is no pose to follow: search again
   for (const TimedPose& at : setup.path) {
     if (stop()) throw Cancelled();
     if (!started) solver.reset(at.pose, search);
@@ -168,7 +168,7 @@ std::string part_name(const TradeSetting& setting) {
 }  // namespace
 
 Study trade_study(const TradeSetup& setup) {
-  // What the parts share, and may read from any thread.
+  // Data that the parts share and may read from any thread.
   const auto shared = std::make_shared<const TradeSetup>(setup);
   Study study{"trade", about(setup).dump(), {}};
   for (const TradeSetting& setting : path_settings(setup))

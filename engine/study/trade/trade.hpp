@@ -19,16 +19,16 @@ struct TradeSetup {
   std::vector<TimedPose> path = {};  ///< followed tick by tick; may be empty
   std::string scene = {};            ///< its name, for titles
   std::uint64_t seed = 1;
-  /// Of the searches with budgets. Those that give the reference have the search's own.
+  /// For the searches with budgets. The searches for the reference use the default tuning.
   SearchTuning tuning = {};
   std::string inputs = "{}";  ///< JSON object that identifies the input files and the program
 };
 
-/// The study. Each pose is a part: several long searches with seeds of their own, which give the
+/// The study. Each pose is a part: several long searches with their own seeds, which give the
 /// reference, then the static search of both methods and the lower bound, each with budgets from
-/// small to none. Each method and budget of a tick is a part that follows the path. One part has
-/// the answers for bodies that are tiny, huge or far away. All budgets are counted work, so only
-/// the times differ from run to run. A part runs on one thread.
+/// small to none. Each method and tick budget is a part that follows the path. One part has the
+/// answers for bodies that are tiny, huge or far away. All budgets are counted work, so only the
+/// times differ from run to run. A part runs on one thread.
 Study trade_study(const TradeSetup& setup);
 
 }  // namespace sonde

@@ -18,7 +18,7 @@ using Figure = double TradeFigures::*;
 constexpr std::size_t pdg_color = 0, pdt_color = 1, reference_color = 7;
 std::size_t color_of(Method method) { return method == Method::pdg ? pdg_color : pdt_color; }
 
-/// An axis of logarithms has no 0: what is less is drawn here, %.
+/// A logarithmic axis has no 0: smaller values are drawn here, %.
 constexpr double least_percent = 1e-3;
 double percent(double share) { return std::max(100 * share, least_percent); }
 
@@ -30,7 +30,7 @@ ChartSeries series(const std::string& name, std::size_t color,
   return out;
 }
 
-/// A line with a dot at each point: solid for what is typical, dashed for what is bad.
+/// A line with a dot at each point: solid for typical values, dashed for bad ones.
 void add_line(ChartPanel& panel, const ChartSeries& line) {
   ChartSeries dots = line;
   dots.name.clear();
@@ -54,7 +54,7 @@ void add_errors(ChartPanel& panel, const Figures& figures, Method method, Figure
   add_line(panel, p90);
 }
 
-/// How well the reference repeats: below, an error means nothing.
+/// The repeatability of the reference: an error below it is meaningless.
 void add_repeatability(ChartPanel& panel, const TradeResults& results) {
   const double p90 = trade_reference(results, Method::pdg).p90;
   ChartSeries line = series("reference repeats (90th p.)", reference_color);
@@ -67,7 +67,7 @@ void add_repeatability(ChartPanel& panel, const TradeResults& results) {
   panel.series.push_back(line);
 }
 
-/// From one power of ten to another, so that there are numbers on the axis.
+/// Extends an axis to whole powers of ten, so that it has numbers.
 void whole_decades(ChartAxis& axis, const std::vector<ChartSeries>& all) {
   double least = INFINITY, largest = 0;
   for (const ChartSeries& each : all)
@@ -80,7 +80,7 @@ void whole_decades(ChartAxis& axis, const std::vector<ChartSeries>& all) {
   axis.to = elementary::pow(10, std::ceil(elementary::log10(largest)));
 }
 
-/// Two dots for each: what is typical, and what is bad.
+/// Two dots for each series: the typical value and a bad one.
 void add_others(ChartPanel& panel, const std::vector<TradeSeries>& others) {
   std::size_t color = pdt_color + 1;
   for (const TradeSeries& other : others) {
@@ -107,7 +107,7 @@ ChartPanel error_panel(const std::string& title, const Figures& all, TradeKind k
   return out;
 }
 
-/// Something of a tick against its budget.
+/// A figure of ticks against their budget.
 void add_by_budget(ChartPanel& panel, const Figures& figures, const std::string& name,
                    std::size_t color, Figure value, ChartSeries::Form form) {
   ChartSeries line = series(name, color, form);

@@ -11,7 +11,7 @@ namespace sonde {
 
 /// SVG: the error of searches, bounds and ticks against their time, median and 90th percentile,
 /// with the repeatability of the reference; and the time of a tick against its budget. `all` are
-/// the figures of the results, `others` what other programs answer at the poses.
+/// the figures of the results, `others` the answers of other programs at the poses.
 std::string trade_picture(const TradeResults& results, const std::vector<TradeFigures>& all,
                           const std::vector<TradeSeries>& others = {});
 

@@ -12,11 +12,11 @@
 namespace sonde {
 namespace {
 
-/// Where both meshes lie, and how large they are.
+/// The position and scale of both meshes.
 struct World {
   const char* name;
   double scale;
-  double away;  ///< of the probe's radius, before scaling
+  double away;  ///< in radii of the probe, before scaling
 };
 constexpr World as_given{"as given", 1, 0};
 constexpr World extremes[] = {{"tiny", 0x1p-20, 0}, {"huge", 0x1p20, 0}, {"far", 1, 1e4}};
@@ -40,8 +40,8 @@ std::shared_ptr<const Body> moved(const Body& body, double scale, const Vec3& sh
                    body.name);
 }
 
-/// The two bodies in a world, and what is found of them there. All lengths are those of the world
-/// as given.
+/// The two bodies in a world, and the answers there. All lengths are converted to those of the
+/// given world.
 class Measurement {
  public:
   Measurement(const Pair& pair, const World& world)
@@ -68,7 +68,7 @@ class Measurement {
   Pair pair_;
 };
 
-/// Of every pose and all that is asked, one after the other.
+/// The answers for every pose and query, in sequence.
 std::vector<double> depths(const Pair& pair, const World& world, std::span<const Pose> poses,
                            std::uint64_t seed, const Stop& stop) {
   std::vector<double> out;
@@ -79,7 +79,7 @@ std::vector<double> depths(const Pair& pair, const World& world, std::span<const
         if (stop()) throw Cancelled();
         out.push_back(there.depth(poses[i], asked, seed + i));
       }
-  } catch (const InputError&) {  // the mesh is no body there
+  } catch (const InputError&) {  // the mesh is not a valid body there
     out.assign(std::size(all_asked) * poses.size(), no_number);
   }
   return out;
@@ -89,7 +89,7 @@ std::vector<double> depths(const Pair& pair, const World& world, std::span<const
 
 std::vector<TradeExtreme> measure_extremes(const Pair& pair, std::span<const Pose> poses,
                                            std::uint64_t seed, const Stop& stop) {
-  // Also as given from a body made anew: its triangles are in another order.
+  // The given world also uses a newly built body, whose triangles are in another order.
   const std::vector<double> given = depths(pair, as_given, poses, seed, stop);
   std::vector<TradeExtreme> out;
   for (const World& world : extremes) {

@@ -11,7 +11,7 @@
 
 namespace sonde {
 
-/// How the answers change where the same two bodies are 2^-20 or 2^20 times as large, or where both
+/// How the answers change if the same two bodies are 2^-20 or 2^20 times as large, or if both
 /// meshes lie 10⁴ radii of the probe away from their origins. Nothing should change except by
 /// rounding. At each pose, runs the static search of both methods and the lower bound, without a
 /// budget and with one seed. Throws Cancelled.

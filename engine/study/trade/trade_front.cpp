@@ -19,7 +19,7 @@ TradePose scaled(TradePose pose, double by) {
   return pose;
 }
 
-/// Of the path of that method without a budget; 0 where there is none.
+/// The largest depth of the path with that method and no budget; 0 if there is none.
 double deepest(const TradeResults& pair, Method method) {
   double out = 0;
   for (const TradePath& path : pair.paths)
@@ -53,7 +53,7 @@ void add_extremes(TradeResults& all, const TradeResults& pair) {
   }
 }
 
-/// A name as a field of CSV: without what ends one.
+/// A name as a CSV field, without separators.
 std::string field(std::string name) {
   std::ranges::replace_if(
       name, [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; }, ' ');

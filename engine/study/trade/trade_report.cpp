@@ -16,7 +16,7 @@ using Figure = double TradeFigures::*;
 
 constexpr TradeKind kinds[] = {TradeKind::search, TradeKind::bound, TradeKind::tick};
 
-/// What is not known is left empty.
+/// Unknown values are left empty.
 std::string text_of(double value, int digits = 17) {
   return std::isfinite(value) ? number_text(value, digits) : std::string();
 }
@@ -71,7 +71,7 @@ struct Column {
   const char* unit;
   const char* doc;
   Figure figure;
-  bool of_ticks = false;  ///< says nothing of a few poses
+  bool of_ticks = false;  ///< not meaningful for a few poses
 };
 constexpr Column columns[] = {
     {"median_error", "", "median error, %", &TradeFigures::median},
@@ -151,7 +151,7 @@ std::string md_table(const Figures& figures, bool of_ticks) {
     std::vector<std::string> fields = {
         f.setting.budget > 0 ? std::to_string(f.setting.budget) : "none", std::to_string(f.count),
         std::to_string(f.failed)};
-    for (const Column& column : shown)  // a time as it is, a share in per cent
+    for (const Column& column : shown)  // a time is shown as it is, a share in per cent
       fields.push_back(text_of((*column.unit != 0 ? 1 : 100) * (f.*column.figure), 3));
     out += md_line(fields);
   }

@@ -8,7 +8,7 @@
 
 namespace sonde {
 
-/// What a study of the trade is shown as:
+/// The files of a trade study:
 ///
 ///     trade.svg      error against time of each kind; times of ticks by budget
 ///     trade.csv      each pose with each setting
@@ -16,10 +16,10 @@ namespace sonde {
 ///     poses.csv      the poses, as sonde query reads them
 ///     summary.json, summary.csv, summary.md    each setting over all poses, or over the path
 ///
-/// The same results give the same bytes; of two runs, all but the times are the same.
+/// The same results give the same bytes; two runs differ only in the times.
 std::vector<StudyFile> trade_files(const TradeResults& results);
 
-/// The same from a complete folder of the study; errors as read_trade.
+/// The same from a complete folder of the study; errors as for read_trade.
 std::vector<StudyFile> trade_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the probe's radius: what is not deeper has no error worth a name (see allowed_clearance).
+/// Share of the probe's radius: smaller depths have no meaningful error (see allowed_clearance).
 constexpr double least_depth = 1e-6;
 
 // ---- the parts as JSON ----
@@ -76,7 +76,7 @@ TradeExtreme extreme_of(const Json& json) {
           numbers(json.at("change"))};
 }
 
-// ---- what they come to ----
+// ---- the figures ----
 
 /// The errors and times of one setting.
 struct Samples {

@@ -16,7 +16,7 @@ AssumedEnd end_of(const TuningResults& results, GainAxis axis, const std::string
   return out;
 }
 
-/// Both ends of the values that a study varies, least first.
+/// The least and the largest multiple of each value that a study varies.
 std::map<std::string, std::pair<double, double>> varied_times(const TuningResults& results,
                                                               GainAxis axis) {
   std::map<std::string, std::pair<double, double>> out;

@@ -9,26 +9,26 @@
 
 namespace sonde {
 
-/// The recommendation at one end of what an assumed value may be.
+/// The recommendation at one end of the range of an uncertain value.
 struct AssumedEnd {
   double value = 0;
   AxisGains gains;
 };
-/// A value of the profile that is not sure: an assumed one from half to twice what it says, a
+/// An uncertain value of the profile: an assumed one is varied from half to twice its value, a
 /// measured one over its interval.
 struct AssumedInterval {
   std::string key;
   AssumedEnd low, high;
 };
 
-/// The boundary that counts: at harder knocks or, unless it is trusted, without friction, where
-/// that is lower. Infinite where nothing was unstable.
+/// The least stability limit: at harder knocks or, unless friction is trusted, without friction, if
+/// that is lower. Infinite if nothing was unstable.
 double boundary_that_counts(const TuningResults& results, const AxisGains& gains);
-/// The same in one situation, hand and damping.
+/// The same in one situation, with one hand and damping.
 double boundary_that_counts(const TuningResults& results, const TuningColumn& column);
 
-/// Of each value that the study varied, in the one situation where it did: the one at whose
-/// worse end the boundary that counts is least comes first.
+/// For each value that the study varied, in the one situation where it did; first the value at
+/// whose worse end the stability limit is least.
 std::vector<AssumedInterval> assumed_intervals(const TuningResults& results, GainAxis axis);
 
 }  // namespace sonde

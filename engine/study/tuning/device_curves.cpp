@@ -93,7 +93,7 @@ ChartAxis log_axis(const std::string& label) {
   return axis;
 }
 
-/// On logarithmic axes what is zero is not there.
+/// Logarithmic axes cannot show zero.
 template <class Point, class Of>
 ChartSeries series_of(const char* name, const std::vector<Point>& all, double Point::*x,
                       const Of& y) {
@@ -125,7 +125,7 @@ void add_z_width(const Kind& kind, Files& out) {
                                    [](const ZWidthPoint& p) { return p.stable; }));
   panel.series.push_back(series_of("classic, passive", points_of, &ZWidthPoint::damping,
                                    [](const ZWidthPoint& p) { return p.passive; }));
-  // The object norm has no damping: one stiffness over the whole width.
+  // The object norm has no damping, so its stiffness is one level over the whole width.
   const auto level = [&](const char* name, double stiffness) {
     if (!(stiffness > 0) || !(kind.most_damping > 0)) return;
     panel.series.push_back({name,
@@ -190,13 +190,13 @@ void add_impedance(const Kind& kind, double stiffness, double damping, Files& ou
   out.chart.panels.push_back(panel);
 }
 
-/// In the light hand; for a rotation the same times inertia over mass.
+/// The light hand; for a rotation its values times inertia / mass.
 AxisHand light_hand(const Kind& kind, double mass) {
   const double per = kind.axis.inertia / mass;
   return {hand_grips[0].stiffness * per, hand_grips[0].damping * per};
 }
 
-/// Up to twice what is recommended: rate-hardness and rise time, at the recommended damping.
+/// Rate-hardness and rise time, up to twice the recommended stiffness, at the recommended damping.
 void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, double damping,
                   Files& out) {
   SampledAxis axis = kind.axis;
@@ -218,7 +218,7 @@ void add_hardness(const Kind& kind, const AxisHand& hand, double stiffness, doub
     series.x.push_back(x);
     series.y.push_back(y);
   };
-  // The chart's axis is a logarithm; where nothing is rendered within 10 ms it is 0.
+  // The chart's axis is logarithmic; the hardness is 0 if nothing is rendered within 10 ms.
   const auto add_rise = [&](ChartSeries& series, double k, double time) {
     if (std::isfinite(time)) add(series, k, time);
   };
@@ -283,7 +283,7 @@ std::vector<LimitAt> limits_by_rate(const SampledAxis& axis) {
 }
 
 std::vector<LimitAt> limits_by_hand_damping(const SampledAxis& axis) {
-  // In proportion for rotations: of 0.3 kg, as hands are of handles.
+  // Scaled for rotations, with a mass of 0.3 kg, the same for hands as for handles.
   const double per = axis.inertia / 0.3;
   return limits_over(evenly_by_ratio(0.1 * std::min(1.0, per), 20 * std::min(1.0, per)),
                      [&](double damping) {
@@ -319,7 +319,8 @@ std::vector<StudyFile> device_curve_files(const TuningResults& results) {
     const bool turns = kind.step == std::string("rad");
     add_z_width(kind, width);
     add_limits(kind, limits);
-    if (turns && object) continue;  // what is felt there depends on the probe, not on k alone
+    if (turns && object)
+      continue;  // the felt rotational stiffness depends on the probe, not only on k
     const double stiffness = turns ? gains.k_r : object ? gains.k : gains.k_t;
     const double damping = object ? 0 : turns ? gains.b_r : gains.b_t;
     if (!has_recommendation(results) || !(stiffness > 0)) continue;

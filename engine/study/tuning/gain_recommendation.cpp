@@ -27,20 +27,20 @@ const TuningColumn* column_at(const TuningLine& line, double damping) {
   return found == line.columns.end() ? nullptr : &*found;
 }
 
-/// The largest stiffness whose force changes, at one step of the encoder, by no more than friction
-/// takes out (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of what the device gives
-/// where it has less friction than that. The damping's own step counts too.
+/// The largest stiffness for which one step of the encoder changes the force by no more than
+/// friction dissipates (K ≤ 2 f_c/Δ: Abbott and Okamura, 2005), or by a hundredth of the device's
+/// force if it has less friction than that. The damping's own step counts too.
 double resolved_stiffness(double friction, double most, double step, double damping,
                           double sample_time) {
   if (step == 0) return infinity;
   return std::max(0.0, std::max(2 * friction, 0.01 * most) / step - damping / sample_time);
 }
 
-/// What the profile says, not the runs.
+/// Adds the limits that follow from the profile, not from the runs.
 void add_profile_limits(const TuningResults& results, const Lines& lines, const Profile& device,
                         GainAxis axis, double damping, std::vector<GainLimit>& limits) {
   const double T = results.sample_time;
-  // As the felt stiffness was measured, whatever value is varied here.
+  // With the ratio at which the felt stiffness was measured, whatever value is varied here.
   const double per = results.device.at("inertia") / results.device.at("mass");
   const bool joint = is_joint(axis);
   Coupling at;
@@ -83,8 +83,8 @@ void add_measured_limits(const TuningLine& line, const TuningColumn& column,
     add(name_of(column.good.fault), column.good.stiffness);
 }
 
-/// The conditions beside the hold as it is: without friction, unless that is trusted, and at harder
-/// knocks.
+/// Adds the conditions beyond the normal hold: without friction, unless that is trusted, and at
+/// harder knocks.
 void add_hard_conditions(const TuningLine& line, const TuningColumn& column, bool trusts_friction,
                          std::vector<GainLimit>& limits) {
   const auto add = [&](const char* reason, const std::optional<SweepLimit>& limit) {
@@ -92,12 +92,12 @@ void add_hard_conditions(const TuningLine& line, const TuningColumn& column, boo
       limits.push_back({reason, limit->stiffness / stability_margin, line.kind, line.hand});
   };
   if (!trusts_friction) add("friction", column.without_friction);
-  // Where they change nothing, stability is the reason.
+  // If the knocks change nothing, stability is the reason.
   if (column.harder_knocks && column.harder_knocks->stiffness < column.stable.stiffness)
     add("knocks", column.harder_knocks);
 }
 
-/// True where it did.
+/// Lowers the boundary to a limit. Returns whether it did.
 bool lower(double& boundary, const std::optional<SweepLimit>& limit) {
   if (!limit || limit->fault == HoldFault::none || limit->stiffness >= boundary) return false;
   boundary = limit->stiffness;
@@ -113,7 +113,7 @@ void add_long_hold(const TuningLine& line, const TuningColumn& column, AxisGains
   if (column.long_hold->swings_at_harder_knocks) add("knocks", out.swings_at_harder_knocks);
 }
 
-/// The least of each reason, lowest first.
+/// The least limit for each reason, lowest first.
 std::vector<GainLimit> least_of_each(std::vector<GainLimit> limits) {
   std::ranges::stable_sort(limits, {}, &GainLimit::stiffness);
   std::vector<GainLimit> out;
@@ -165,8 +165,8 @@ AxisGains gains_at(const TuningResults& results, const Lines& lines, const Profi
   return out;
 }
 
-/// The damping that allows the largest stiffness; of equal ones the least. Every line of an axis is
-/// swept at the same dampings.
+/// The damping that allows the largest stiffness; among equal ones the least. Every line of an axis
+/// is swept at the same dampings.
 std::optional<AxisGains> best(const TuningResults& results, const Lines& lines,
                               const Profile& device, GainAxis axis) {
   std::optional<AxisGains> out;
@@ -178,14 +178,14 @@ std::optional<AxisGains> best(const TuningResults& results, const Lines& lines,
   return out;
 }
 
-/// A line of those that vary an assumed value; all are of one situation, hand and damping.
+/// A line that varies an assumed value; all of them have the same situation, hand and damping.
 const TuningLine* varied(const TuningResults& results, GainAxis axis) {
   for (const TuningLine& line : results.lines)
     if (line.axis == axis && !line.assumed.empty()) return &line;
   return nullptr;
 }
 
-/// To the rung of the ladder that the limits allow.
+/// Reduces the gains to the rung of the ladder that the limits allow.
 AxisGains on_ladder(AxisGains gains, const RestLadder& ladder) {
   gains.tried = true;
   const Rung* held = ladder.held(gains.stiffness);

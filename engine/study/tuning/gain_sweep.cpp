@@ -18,10 +18,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr double jolt_share = 0.25;  // of the largest torque
 
-/// No sweep goes further below the limit of theory than by this: what holds only there is of no
-/// use, and a probe that sinks in so deep takes most of a study's time. In 1498 sweeps of bundled
-/// scenes that went eight times as far, nothing good began below a sixteenth of the limit. Lost: a
-/// limit that is lower counts as 0.
+/// Factor below the theoretical limit beyond which no sweep goes: gains that hold only there are of
+/// no use, and a probe that sinks in so deep takes most of a study's time. In 1498 sweeps of
+/// bundled scenes that went eight times as far, nothing good began below a sixteenth of the limit.
+/// The cost: a lower limit counts as 0.
 constexpr double useful_range = 32;
 
 /// The range of an axis in its own unit.
@@ -103,7 +103,7 @@ Press press_of(const TuningSetup& setup, GainAxis axis, double knock) {
   return press;
 }
 
-/// One hold of a sweep, at a knock of so many times the usual.
+/// One hold of a sweep, with a knock of this multiple of the usual strength.
 HoldReport hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping,
                 double knock = 1) {
   ClosedLoop closed = closed_loop(setup, axis, stiffness, damping);
@@ -120,9 +120,9 @@ TuningSetup without_friction(TuningSetup setup) {
   return setup;
 }
 
-/// Theory ignores friction: the walk to the limit begins close below it. Where a probe without
-/// friction holds still at no stiffness, theory alone has a limit. There it slides away to where it
-/// rests, or swings on wherever it is.
+/// Theory ignores friction, so the walk to the limit begins slightly below the theoretical limit.
+/// If a probe without friction holds still at no stiffness, only theory gives a limit: the probe
+/// slides away to a place of rest, or keeps oscillating everywhere.
 void add_without_friction(Json& json, const TuningSetup& setup, SweepOptions options,
                           double damping, const TheoryLimits& theory, const Stop& stop) {
   const TuningSetup smooth = without_friction(setup);
@@ -136,12 +136,12 @@ void add_without_friction(Json& json, const TuningSetup& setup, SweepOptions opt
   json["without_friction_by_theory"] = by_theory;
 }
 
-/// At the hardest of the knocks that does not come to rest. `stable` is the limit at the usual one.
+/// With the hardest knock that does not come to rest. `stable` is the limit with the usual knock.
 SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, double damping,
                             const SweepLimit& stable, const Stop& stop) {
   const auto run = [&](double stiffness) {
     HoldReport slowest;
-    // The hardest first: where it fails the others need not be known.
+    // The hardest first: if it fails, the others are not needed.
     for (auto knock = std::rbegin(harder_knocks); knock != std::rend(harder_knocks); ++knock) {
       const HoldReport report = hold(setup, options.axis, stiffness, damping, *knock);
       if (!comes_to_rest(report)) return report;
@@ -149,14 +149,14 @@ SweepLimit at_harder_knocks(const TuningSetup& setup, SweepOptions options, doub
     }
     return slowest;
   };
-  // A usual knock has its fault there: nothing above counts.
+  // The usual knock fails there, so nothing above counts.
   if (stable.stiffness == 0 || comes_to_rest(run(stable.stiffness))) return stable;
   options.high = stable.stiffness;
   options.start = std::min(options.start, options.high);
   return search_limit(run, comes_to_rest, options, stop);
 }
 
-/// What holds of seconds show.
+/// The results of holds of seconds.
 Json long_hold(const TuningSetup& setup, GainAxis axis, double stiffness, double damping) {
   const auto swings_on = [&](const TuningSetup& held, double knock) {
     return !hold_until_rest(held, axis, stiffness, damping, knock).at_rest;
@@ -185,7 +185,7 @@ Json column(const TuningSetup& setup, GainAxis axis, double share, const SweepEx
   const auto run = [&](double stiffness) { return hold(setup, axis, stiffness, damping); };
   const StiffnessSweep sweep = sweep_stiffness(run, options, stop);
   Json out = json_of(damping, theory, sweep, axis);
-  // Nothing to recommend, so nothing to cap.
+  // Without a recommendation there is nothing to limit.
   if (sweep.good.stiffness == 0 && (!extent.in_full || !in_full)) return out;
   if (extent.without_friction) add_without_friction(out, setup, options, damping, theory, stop);
   if (extent.harder_knocks)
@@ -268,7 +268,7 @@ double most_damping(const TuningSetup& setup, GainAxis axis) {
 
 std::vector<double> damping_shares(const TuningSetup& setup, GainAxis axis) {
   constexpr double step = 4;
-  constexpr double light_hand = 200;  // N/m: a softer spring than the hand's own is of no use
+  constexpr double light_hand = 200;  // N/m: a spring softer than the hand's own is of no use
   const double most = most_damping(setup, axis);
   if (most == 0) return {0};
   const SimulatedDeviceParameters& device = setup.loop.device;

@@ -18,15 +18,16 @@ constexpr double fine_step = 1.15;
 // A first look knows its limits to a ratio of 1.3; its own result is a rung.
 constexpr double above_first_look = fine_step * fine_step;
 constexpr double coarse_step = 1.3;
-constexpr double looked_below = 0.9;  // of the first look: what parts still to come may lower it to
+constexpr double looked_below =
+    0.9;  // of the first look: parts still to come may lower it this far
 constexpr double lowest = 1.0 / 8;
 
-/// What the probe meets in a hold.
+/// The conditions of a hold.
 struct Condition {
   double friction, knock;
 };
 
-/// The hardest first: a rung that fails is soon done with.
+/// The hardest first, so that a failing rung ends early.
 std::vector<Condition> conditions(const TuningPlan& plan) {
   const DeviceProfile& device = plan.request.device;
   const bool rubs = device.friction.value > 0 || device.rotational_friction.value > 0;
@@ -50,7 +51,7 @@ double damping_of(const TuningPlan& plan) {
   return plan.damping_share * most_damping(setup, plan.axis);
 }
 
-/// Fills in the first swing, if any.
+/// Records the first swing, if any.
 class Climb {
  public:
   Climb(const TuningPlan& plan, const Stop& stop)

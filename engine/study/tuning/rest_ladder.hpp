@@ -14,45 +14,46 @@ struct Swing {
   std::string kind, hand;
   double friction = 1;       ///< times the profile's
   double knock = 1;          ///< times the usual
-  double amplitude = 0;      ///< m, as RestReport::swing; a probe without an answer has none
+  double amplitude = 0;      ///< m, as RestReport::swing; 0 if the solver gave no answer
   double frequency = 0;      ///< Hz
   double theory_stable = 0;  ///< N/m, of the contact in that hand
 };
 
-/// One stiffness at which all that a recommendation promises was tried.
+/// One stiffness at which everything that a recommendation promises was tested.
 struct Rung {
   double stiffness = 0;        ///< N/m
-  std::optional<Swing> swing;  ///< the first that did not come to rest; none: all did
+  std::optional<Swing> swing;  ///< the first hold that did not come to rest; none: all did
   double longest = 0;          ///< s, until the slowest did
 };
 
-/// Gains tried for what they are recommended for, from above the first look's result downwards:
-/// every contact, held by the study's hands and by a limp one, with the profile's friction and
-/// (unless that is trusted) without any, after knocks of 1, 2 and 4 times the usual strength.
+/// Tests of the gains under all conditions that a recommendation covers, from above the first
+/// look's result downwards: every contact, held by the study's hands and by a limp one, with the
+/// profile's friction and (unless that is trusted) without any, after knocks of 1, 2 and 4 times
+/// the usual strength.
 struct RestLadder {
   GainAxis axis = GainAxis::object;
   double damping = 0;
   std::vector<Rung> rungs;  ///< the stiffest first
 
-  /// The stiffest rung not above that all came to rest on; null where there is none.
+  /// The stiffest rung, not above `stiffness`, at which all came to rest; null if there is none.
   const Rung* held(double stiffness) const;
-  /// The softest rung above `over`, and not above `stiffness`, that some swing went on at.
+  /// The softest rung above `over`, and not above `stiffness`, at which some hold kept oscillating.
   const Rung* failed(double over, double stiffness) const;
 };
 
-/// A hand that hardly holds: two finger tips.
+/// A hand that barely holds: two finger tips.
 constexpr HandGrip limp_hand{"limp", 50, 0.2};
 
-/// A situation of the plan in such a hand: one softer than the light hand pushes as much less, by
-/// the same way of its spring.
+/// A situation of the plan in such a hand. A hand softer than the light one pushes proportionally
+/// less, with the same travel of its spring.
 TuningSetup ladder_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& hand);
 
-/// Climbs down until something holds, and a little further; to 1/8 of the first look at the least.
-/// Throws Cancelled.
+/// Climbs down until everything comes to rest, and a little further; at most to 1/8 of the first
+/// look. Throws Cancelled.
 RestLadder climb_down(const TuningPlan& plan, const Stop& stop);
 
 std::string to_json(const RestLadder& ladder);
-/// Throws what the parser throws where it is none.
+/// Throws the parser's exceptions if the text is not a ladder.
 RestLadder rest_ladder_of(const std::string& json);
 
 }  // namespace sonde

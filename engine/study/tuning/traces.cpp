@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double stiffness_shares[] = {0.25, 0.5, 1, 1.5};  // of what theory allows
+constexpr double stiffness_shares[] = {0.25, 0.5, 1, 1.5};  // of the theoretical limit
 constexpr double damping_of_largest[] = {0, 0.25, 1};
 
-/// To three digits, which a person can read.
+/// Rounded to three digits, for readability.
 double rounded(double value) {
   const double digits = elementary::pow(10, 2 - std::floor(elementary::log10(value)));
   return std::round(value * digits) / digits;

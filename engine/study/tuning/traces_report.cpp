@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double newton_metres_to_milli = 1e3, metres_to_milli = 1e3;
 
-/// One part as read.
+/// The result of one part.
 struct Trace {
   std::string course;
   double stiffness = 0, damping = 0;
@@ -92,7 +92,7 @@ std::string figures_text(double value) {
 
 bool buzzes(const Trace& t) { return t.chatter > 0; }
 
-/// What the figures say, in short.
+/// A short text for the figures.
 std::string note(const Trace& t) {
   if (t.failures > 0) return std::to_string(t.failures) + " ticks without an answer";
   if (!(t.force > 0)) return "out of contact";
@@ -140,8 +140,8 @@ SmallMultiples empty_picture(const Json& about, const std::vector<double>& stiff
   return out;
 }
 
-/// Parts come by course, then by stiffness, then by damping. A picture has a row for each
-/// stiffness and a column for each damping, of some of the courses side by side.
+/// Parts are ordered by course, then by stiffness, then by damping. A picture has a row for each
+/// stiffness and a column for each damping, with some of the courses side by side.
 StudyFile picture(const std::string& file, const Json& about, const std::vector<Trace>& traces,
                   std::span<const HandCourse> courses) {
   const auto stiffness = about.at("stiffness").get<std::vector<double>>();

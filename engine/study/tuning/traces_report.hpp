@@ -8,10 +8,10 @@
 
 namespace sonde {
 
-/// The final files of `sonde traces`, from its parts alone: `traces.csv`, `summary.csv`,
+/// The final files of `sonde traces`, from its parts only: `traces.csv`, `summary.csv`,
 /// `summary.md`, and pictures: `traces.svg`, with a row for each stiffness and a column for each
-/// course and damping; where there are several dampings also a picture for each course alone,
-/// `traces-COURSE.svg`. Errors as tuning_files.
+/// course and damping; with several dampings also a picture for each course, `traces-COURSE.svg`.
+/// Errors as for tuning_files.
 std::vector<StudyFile> traces_files(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

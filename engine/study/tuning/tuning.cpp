@@ -18,14 +18,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// So many situations of a kind are tried until one holds still when it is pressed.
+/// Number of situations of a kind that are tried until one holds still under pressure.
 constexpr int tried_of_kind = 6;
 
 double inertia_per_mass(const DeviceProfile& device) {
   return device.inertia.value / device.mass.value;
 }
 
-/// The gains at which theory compares contacts: those of one N/m.
+/// The gains at which theory compares contacts: one N/m.
 Coupling unit_gains(const TuningRequest& request) {
   Coupling c = request.coupling;
   c.k = c.k_t = 1;
@@ -34,7 +34,7 @@ Coupling unit_gains(const TuningRequest& request) {
   return c;
 }
 
-/// Translational and rotational blocks alone: what the driver's limits are compared with.
+/// The translational or the rotational block alone, for comparison with the driver's limits.
 double largest_block(const Mat6& stiffness, Eigen::Index first) {
   const Mat3 block = stiffness.block<3, 3>(first, first);
   return Eigen::SelfAdjointEigenSolver<Mat3>((block + block.transpose()) / 2)
@@ -52,8 +52,8 @@ SimulatedDeviceParameters held_by(const DeviceProfile& device, const HandGrip& g
   return p;
 }
 
-/// The push of the hand: against the contact's own wrench, a quarter of what the device gives and
-/// half of its torque.
+/// The push of the hand: opposite to the contact's own wrench, with a quarter of the device's force
+/// and half of its torque.
 Wrench push_into(const TuningRequest& request, const Separation& s) {
   const Wrench spring = spring_wrench(request.pair.probe().mass, s, unit_gains(request));
   const double force = spring.force.norm(), torque = spring.torque.norm();
@@ -62,7 +62,7 @@ Wrench push_into(const TuningRequest& request, const Separation& s) {
   if (torque > 0 && request.device.max_torque.value > 0)
     scale = std::min(scale, 0.5 * request.device.max_torque.value / torque);
   if (!std::isfinite(scale)) return {};
-  // Where no motors resist a turn, a torque of the hand would only spin the handle.
+  // If no motors resist a turn, a torque of the hand would only spin the handle.
   const bool turns = request.device.max_torque.value > 0;
   return {-scale * spring.force, turns ? Vec3(-scale * spring.torque) : Vec3::Zero()};
 }
@@ -83,29 +83,29 @@ TuningSetup setup_of(const TuningRequest& request, const DeviceProfile& device,
                            .sample_time = request.sample_time,
                            .budget = request.budget},
                   .situation = situation};
-  // Hands are those of the profile as it is, whatever is assumed of the device.
+  // Hands are those of the profile as it is, whatever is assumed about the device.
   const SimulatedDeviceParameters hand = held_by(request.device, grip);
   out.loop.device.rotation.hand_stiffness = hand.rotation.hand_stiffness;
   out.loop.device.rotation.hand_damping = hand.rotation.hand_damping;
   out.loop.coupling.max_force = std::min(request.coupling.max_force, device.max_force.value);
   if (device.max_torque.value > 0)
     out.loop.coupling.max_torque = std::min(request.coupling.max_torque, device.max_torque.value);
-  else  // what the device has no motors for is not missed
+  else  // torque for which the device has no motors is not limited
     out.loop.coupling.max_torque = INFINITY;
   out.low = request.low;
   out.high = request.high;
   out.ratio = request.ratio;
   out.rotation_per_translation = inertia_per_mass(request.device);
   out.joint = joint;
-  // At the profile's own dampings, whatever is assumed: like is compared with like.
+  // With the profile's own dampings, whatever is assumed, so that results are comparable.
   out.most_damping = request.device.max_damping.value;
   out.most_rotational_damping = request.device.max_rotational_damping.value;
   set_base_gains(out);
   return out;
 }
 
-/// Why a light hand that presses the probe into the contact, at half of the stiffness that theory
-/// allows, cannot hold it there; empty where it can.
+/// The reason why a light hand that presses the probe into the contact, at half of the theoretical
+/// stiffness limit, cannot hold it there; empty if it can.
 std::string why_not_held(const TuningRequest& request, const TuningSituation& situation) {
   ClosedLoop loop(setup_of(request, request.device, situation, hand_grips[0]).loop);
   const HoldReport report = press_and_hold(loop, press_of(situation));
@@ -137,8 +137,8 @@ TuningContacts choose(const TuningRequest& request, const std::vector<ContactSit
   return out;
 }
 
-/// The least stiffness, over the contacts in a light hand, up to which theory has one axis stable
-/// or the driver goes. No damping; the other axis at half of what theory allows.
+/// The least stiffness limit of one axis over the contacts in a light hand: that of theory or of
+/// the driver. Without damping; the other axis at half of its theoretical limit.
 double allowed_alone(const TuningRequest& request, const std::vector<TuningSituation>& situations,
                      GainAxis axis) {
   const bool turns = axis == GainAxis::rotation;
@@ -154,7 +154,7 @@ double allowed_alone(const TuningRequest& request, const std::vector<TuningSitua
   return least;
 }
 
-/// In the ratio of what each is allowed alone, and of the driver's largest dampings; none where the
+/// In the ratio of the limits of each axis alone, and of the driver's largest dampings; none if the
 /// gains are not swept together.
 JointGains joint_gains(const TuningRequest& request,
                        const std::vector<TuningSituation>& situations) {

@@ -13,36 +13,36 @@
 
 namespace sonde {
 
-/// What a servo's tick may take, as counted work: a study may not depend on a clock. A µs is 100
-/// units of Effort. What takes a tick longer than the servo gives it does not come in time, and is
-/// not studied: it ends early, with a separation that is larger than it need be. Without a limit of
-/// time, or where the servo goes by an accuracy, it is what a tick after a jump may take, some 30
-/// ms: where a loop that is wild throws the probe about, one tick could otherwise take many
-/// seconds. Steps: 60 where the servo has no limit.
+/// The budget of a servo's tick as counted work, since a study must not depend on a clock. A µs is
+/// 100 units of Effort. A tick that takes longer than the servo's limit would come too late, and is
+/// not studied: it ends early, with a separation larger than necessary. If the servo has no time
+/// limit, or uses an accuracy, the budget is that of a tick after a jump, some 30 ms: otherwise one
+/// tick of an unstable loop that throws the probe about could take many seconds. Steps: 60 if the
+/// servo has no limit.
 Budget counted_budget(const ServoSettings& servo);
 
 /// The input of a study of a coupling's gains.
 struct TuningRequest {
   Pair pair;
-  Pose X_FM = {};          ///< of the scene: contacts are looked for near this turn of the probe
-  Coupling coupling = {};  ///< of the scene: which mode to study, and its limits
+  Pose X_FM = {};          ///< from the scene: contacts are searched for near this rotation
+  Coupling coupling = {};  ///< from the scene: the mode to study, and its limits
   Method method = Method::pdg;
   double sample_time = 1e-3;                        ///< s
   Budget budget = counted_budget(ServoSettings{});  ///< of a tick
   DeviceProfile device = {};
-  std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are looked for
+  std::vector<TimedPose> path = {};  ///< contacts are taken from it; empty: they are searched for
   std::uint64_t seed = 1;
-  double ratio = 1.02;         ///< to which limits are known
+  double ratio = 1.02;         ///< accuracy of the limits
   double low = 1, high = 1e5;  ///< range of the stiffness studied, N/m; of a rotational one the
                                ///< same times inertia over mass of the device
   /// Recommends gains that are stable only thanks to the profile's friction.
   bool trusts_friction = false;
-  /// Recommends gains at which the handle may buzz once the hand lets go of it.
+  /// Recommends gains at which the handle may buzz when the hand releases it.
   bool always_held = false;
-  std::string inputs = "{}";  ///< JSON that tells the files apart: names, fingerprints
+  std::string inputs = "{}";  ///< JSON that identifies the files: names, fingerprints
 };
 
-/// How a hand holds the device: a spring and a damper; for rotations, the same times inertia over
+/// The grip of a hand on the device: a spring and a damper; for rotations, the same times inertia /
 /// mass.
 struct HandGrip {
   const char* name;
@@ -60,50 +60,53 @@ struct SkippedContact {
 };
 struct TuningContacts {
   std::vector<TuningSituation> situations;
-  std::vector<SkippedContact> skipped;  ///< harder ones than those studied, and kinds without any
+  std::vector<SkippedContact>
+      skipped;  ///< harder ones than those studied, and kinds without a contact
 };
 
-/// The contacts to study: of each kind the hardest in which a light hand can hold the probe still.
-/// Takes seconds; `progress` gets the fraction done, 0 to 1. Throws InputError where there is none,
+/// The contacts to study: the hardest of each kind in which a light hand can hold the probe still.
+/// Takes seconds; `progress` gets the fraction done, 0 to 1. Throws InputError if there is none,
 /// Cancelled.
 TuningContacts tuning_contacts(const TuningRequest& request, const Stop& stop,
                                const std::function<void(double)>& progress = {});
 
-/// A situation with a hand and the request's device, at gains well within what theory allows.
+/// A situation with a hand and the request's device, with gains well within the theoretical limit.
 TuningSetup tuning_setup(const TuningRequest& request, const TuningSituation& situation,
                          const HandGrip& grip);
 
-/// What the studies of gains begin with.
+/// The starting point of the gain studies.
 struct TuningPlan {
   TuningRequest request;
   TuningContacts contacts;
-  JointGains joint = {};  ///< where all gains of the classic coupling are changed together
-  GainAxis axis = GainAxis::object;  ///< what is recommended: of main_axes, what allows most
-  /// Of the largest damping: what is searched in full, where assumed values are varied, and where
-  /// the first look is taken.
+  JointGains joint = {};  ///< if all gains of the classic coupling are changed together
+  GainAxis axis =
+      GainAxis::object;  ///< the recommended axis: the one of main_axes that allows most
+  /// Share of the largest damping: searched in full, used where assumed values are varied, and for
+  /// the first look.
   double damping_share = 0;
-  /// A first result: what is recommended alone, coarsely, in each situation in a light hand, at the
-  /// one damping.
+  /// A first, coarse result: only the recommended axis, in each situation in a light hand, at that
+  /// damping.
   StudyFolder first_look = {};
-  /// What it recommends, N/m; 0: nothing. There the study holds the probe for seconds (LongHold).
+  /// Its recommendation, N/m; 0: none. At this stiffness the study holds the probe for seconds
+  /// (LongHold).
   double held_stiffness = 0;
 };
-/// Looks for the situations. Errors as tuning_contacts.
+/// Searches for the situations. Errors as for tuning_contacts.
 TuningPlan tuning_plan(const TuningRequest& request, const Stop& stop,
                        const std::function<void(double)>& progress = {});
-/// What a study of these gains sweeps, main_axes first.
+/// The axes that a study of these gains sweeps, main_axes first.
 std::vector<GainAxis> axes_of(const TuningRequest& request);
 /// The gains that may be recommended: of the object norm, of the classic coupling together (with
-/// both dampers, and with each by itself), or of its translation where the device has no torque.
+/// both dampers, and with each alone), or of its translation if the device has no torque.
 std::vector<GainAxis> main_axes(const TuningRequest& request);
 GainAxis main_axis(const TuningRequest& request);  ///< the first of them
-/// The situation whose stiffness theory limits most.
+/// The situation with the lowest theoretical limit.
 std::size_t hardest(const TuningPlan& plan);
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip);
-/// The same on another device than the plan's; hand, range and push stay those of the plan.
+/// The same with another device than the plan's; hand, range and push stay those of the plan.
 TuningSetup tuning_setup(const TuningPlan& plan, std::size_t situation, const HandGrip& grip,
                          const DeviceProfile& device);
-/// All that a study of this plan depends on, as JSON (Study::about).
+/// Everything that a study of this plan depends on, as JSON (Study::about).
 std::string tuning_facts(const TuningPlan& plan);
 
 }  // namespace sonde

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Its name, not its path: a shard may run elsewhere.
+/// The file's name, not its path, since a shard may run elsewhere.
 Json about(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = std::size_t{4} << 30;
   return {{"file", file.filename().string()},
@@ -29,7 +29,7 @@ std::string tuning_inputs(const std::string& version, const TuningFiles& files, 
            {"fixed_solid", fixed.solid},
            {"probe_radius", probe.mass.radius},
            {"fixed_radius", fixed.mass.radius}};
-  // Of several parts, the file is but the first's.
+  // For several parts, the file is only that of the first.
   for (const BodyPart& part : fixed.parts)
     out["fixed_parts"].push_back(
         {part.name, part.body->mass.measure, part.X_BP.p.x(), part.X_BP.p.y(), part.X_BP.p.z()});

@@ -15,8 +15,8 @@ struct TuningFiles {
 };
 
 /// TuningRequest::inputs: JSON that identifies files and programs. Two callers that request the
-/// same study give the same text, so that one continues what the other began; the request holds
-/// everything else that a study depends on. Throws InputError where a file cannot be read.
+/// same study must give the same text, so that one continues the other's work; the request holds
+/// everything else that a study depends on. Throws InputError if a file cannot be read.
 std::string tuning_inputs(const std::string& version, const TuningFiles& files, const Body& probe,
                           const Body& fixed);
 

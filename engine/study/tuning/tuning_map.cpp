@@ -20,13 +20,13 @@ const std::vector<ChartCellKind> class_colors{{"unstable", "#d7301f"},   {"satur
                                               {"chattering", "#fee391"}, {"stable", "#c7e9c0"},
                                               {"passive", "#74c476"},    {"not run", "#ffffff"}};
 
-/// Infinite where nothing was searched for, or found.
+/// The stiffness of a limit; infinite if none was searched for, or found.
 double end_of(const std::optional<SweepLimit>& limit) {
   return limit && limit->fault != HoldFault::none ? limit->stiffness
                                                   : std::numeric_limits<double>::infinity();
 }
 
-/// A stretch of the stiffness that one run stands for: to halfway, in ratio, to its neighbours.
+/// The range of stiffness that one run represents: half-way, in ratio, to its neighbours.
 struct Stretch {
   double from, to;
   MapClass map_class;
@@ -48,7 +48,8 @@ std::vector<Stretch> stretches(const TuningColumn& column) {
     const double to = i + 1 == runs.size() ? own : std::sqrt(runs[i + 1].stiffness * own);
     const MapClass map_class = class_of(runs[i], column.theory_passive);
     const double passive = column.theory_passive;
-    if (map_class >= MapClass::stable && from < passive && passive < to) {  // theory knows it finer
+    if (map_class >= MapClass::stable && from < passive &&
+        passive < to) {  // theory gives a finer boundary
       add(out, {from, passive, MapClass::passive});
       add(out, {passive, to, MapClass::stable});
     } else {
@@ -81,14 +82,14 @@ std::string stiffness_label(GainAxis axis) {
 ChartSeries step(const std::string& name, std::size_t color, ChartSeries::Form form) {
   return {name, {}, {}, form, color};
 }
-/// An upright stroke of a line that is broken between rows.
+/// A vertical stroke of a line that is interrupted between rows.
 void stroke(ChartSeries& series, double x, double y_from, double y_to) {
   const double gap = std::numeric_limits<double>::quiet_NaN();
   series.x.insert(series.x.end(), {x, x, gap});
   series.y.insert(series.y.end(), {y_from, y_to, gap});
 }
 
-/// What a reader must not overlook: theory has no friction.
+/// An important remark: theory has no friction.
 std::string remark(const AxisGains& gains) {
   if (gains.stiffness <= gains.theory) return {};
   return "; the recommendation is above the limit in theory, which has no friction";
@@ -106,7 +107,7 @@ void add_recommended(ChartPanel& panel, const TuningResults& results, GainAxis a
                           0});
 }
 
-/// Rows: situation by situation, hand by hand.
+/// Rows: by situation, then by hand.
 ChartPanel object_panel(const TuningResults& results) {
   const auto lines = nominal_lines(results, GainAxis::object);
   ChartPanel panel;
@@ -135,7 +136,7 @@ ChartPanel object_panel(const TuningResults& results) {
   return panel;
 }
 
-/// The edges between neighbouring dampings, and the outer ones: halfway on an even scale.
+/// The edges between neighbouring dampings, and the outer ones: half-way on a linear scale.
 std::vector<double> damping_edges(const std::vector<double>& values) {
   std::vector<double> out{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i) out.push_back((values[i - 1] + values[i]) / 2);
@@ -143,7 +144,7 @@ std::vector<double> damping_edges(const std::vector<double>& values) {
   return out;
 }
 
-/// The same of stiffnesses: halfway on a logarithmic scale.
+/// The same for stiffnesses: half-way on a logarithmic scale.
 std::vector<double> stiffness_edges(const std::vector<double>& values) {
   std::vector<double> out{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -204,7 +205,7 @@ std::string title_of(const TuningResults& results, GainAxis axis) {
          " m² b_t";
 }
 
-/// Stiffness by damping, the worst of all situations.
+/// Stiffness against damping, the worst of all situations.
 ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
   const auto lines = nominal_lines(results, axis);
   const bool turns = axis == GainAxis::rotation;
@@ -234,11 +235,11 @@ ChartPanel classic_panel(const TuningResults& results, GainAxis axis) {
     add(measured, least([](const TuningColumn& c) { return c.stable.stiffness; }));
     add(theory, least([](const TuningColumn& c) { return c.theory_stable; }));
     add(passive, least([](const TuningColumn& c) { return c.theory_passive; }));
-    // Searched for in some contacts alone, the least of them would say too much.
+    // If it was searched for in only some contacts, their minimum would be misleading.
     if (std::ranges::all_of(columns, [](const TuningColumn* c) { return !!c->without_friction; }))
       add(frictionless, least([](const TuningColumn& c) { return end_of(c.without_friction); }));
   }
-  frictionless.form = ChartSeries::Form::points;  // few dampings have one
+  frictionless.form = ChartSeries::Form::points;  // only few dampings have one
   panel.series = {measured, theory, passive};
   if (!frictionless.x.empty()) panel.series.push_back(frictionless);
   const Coupling gains = recommended_coupling(results);

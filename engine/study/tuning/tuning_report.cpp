@@ -36,7 +36,7 @@ Json json_of_swing(const Swing& swing) {
           {"frequency", number_or_null(swing.frequency)}};
 }
 
-/// Null where nothing was held for seconds.
+/// Null if nothing was held for seconds.
 Json json_of_swings(const AxisGains& gains, const std::vector<GainLimit>& places) {
   if (gains.held_at == 0 && !gains.tried) return nullptr;
   Json out = Json::array();
@@ -99,7 +99,7 @@ Json fidelity(const TuningResults& results, const AxisGains& gains) {
   return out;
 }
 
-/// The recommendation at half and twice each assumed value, in the one situation that is.
+/// The recommendation at half and twice each assumed value, in the one situation that is varied.
 Json assumed_values(const TuningResults& results, GainAxis axis) {
   std::vector<std::pair<std::string, double>> seen;
   Json out = Json::array();
@@ -137,7 +137,7 @@ Json limiting_assumption(const TuningResults& results, GainAxis axis) {
   return {{"assumed", worst.key}, {"low", json_of(worst.low)}, {"high", json_of(worst.high)}};
 }
 
-/// Null where nothing is good.
+/// Null if nothing is good.
 void add_damping_ratios(Json& json, const TuningResults& results, const AxisGains& gains) {
   const DampingRatios ratios = damping_ratios(results, gains);
   const auto ratio = [](const std::optional<double>& value) {
@@ -148,7 +148,7 @@ void add_damping_ratios(Json& json, const TuningResults& results, const AxisGain
   if (is_joint(gains.axis)) json["rotational_damping_ratio"] = ratio(ratios.rotation);
 }
 
-/// What each damping allows: why the recommended one is.
+/// The result for each damping: the reason for the recommended one.
 Json dampings(const TuningResults& results, GainAxis axis) {
   Json out = Json::array();
   for (const AxisGains& gains : recommend_at_each_damping(results, axis)) {
@@ -161,7 +161,7 @@ Json dampings(const TuningResults& results, GainAxis axis) {
   return out;
 }
 
-/// How the hand holds is an assumption too: what each would allow by itself.
+/// The grip of the hand is an assumption too: the result for each hand alone.
 Json hands(const TuningResults& results, const AxisGains& gains) {
   Json out = Json::array();
   for (const auto& [hand, alone] : recommend_by_hand(results, gains.axis, gains.damping))
@@ -205,7 +205,7 @@ Json json_of(const TuningResults& results, GainAxis axis) {
   return out;
 }
 
-/// Measured values whose interval is too narrow for the search to tell its ends apart.
+/// Measured values whose interval is too narrow for the search to distinguish its ends.
 Json closely_measured(const TuningResults& results, const Json& about) {
   Json out = Json::array();
   if (!about.contains("device")) return out;

@@ -9,9 +9,9 @@
 namespace sonde {
 
 /// The final files of `sonde tune`: `map.csv`, `map.svg`, `coupling.json`, which a scene can
-/// include (not where no stiffness is good), and `recommendation.json`, which gives the reasons.
-/// Depends on the study's folder alone, so the bits are the same wherever its parts were computed.
-/// Throws InputError where a part is missing or was not written by a study; `folder` is for the
+/// include (absent if no stiffness is good), and `recommendation.json`, which gives the reasons.
+/// Depends only on the study's folder, so the bits are the same wherever its parts were computed.
+/// Throws InputError if a part is missing or was not written by a study; `folder` is for the
 /// message.
 std::vector<StudyFile> tuning_files(const std::string& folder, const StudyFolder& study);
 

@@ -12,7 +12,7 @@
 namespace sonde {
 namespace {
 
-/// Of the device's profile, what the recommendation goes by.
+/// The values of the device's profile on which the recommendation depends.
 constexpr const char* profile_values[] = {"mass",
                                           "inertia",
                                           "max_force",
@@ -26,7 +26,7 @@ constexpr const char* profile_values[] = {"mass",
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no infinity: what has no end is null.
+/// JSON has no infinity: null stands for no limit.
 double number(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
@@ -115,8 +115,8 @@ TuningLine line_of(const Json& json) {
   return line;
 }
 
-/// Lines of one axis are compared damping by damping: none may lack one of another's. Those that
-/// vary an assumed value are at some of the dampings of the others.
+/// Lines of one axis are compared at each damping: none may lack a damping of another. Those that
+/// vary an assumed value have some of the dampings of the others.
 void check_dampings(const std::vector<TuningLine>& lines) {
   for (const TuningLine& line : lines)
     for (const TuningColumn& column : line.columns)
@@ -127,7 +127,7 @@ void check_dampings(const std::vector<TuningLine>& lines) {
           throw std::out_of_range("damping");
 }
 
-/// The limit without friction of the profile as it is, also for the lines that vary a friction.
+/// Copies the limit without friction of the unchanged profile to the lines that vary a friction.
 void share_frictionless(std::vector<TuningLine>& lines) {
   for (TuningLine& line : lines)
     for (TuningColumn& column : line.columns) {
@@ -194,7 +194,7 @@ TuningResults read_tuning(const std::string& folder, const StudyFolder& study) {
       check_dampings(out.lines);
     }
     share_frictionless(out.lines);
-  } catch (const std::exception& error) {  // what the parser, the names and the optional throw
+  } catch (const std::exception& error) {  // exceptions of the parser, the names and the optional
     throw InputError::in(folder, reading + " is not what a study writes: " + error.what());
   }
   return out;

@@ -14,32 +14,32 @@
 
 namespace sonde {
 
-/// Whether the probe swings on over seconds at this stiffness, N/m | N·m/rad.
+/// Whether the probe keeps oscillating for seconds at this stiffness, N/m | N·m/rad.
 struct LongHold {
   double stiffness = 0;
   bool swings_without_friction = false;  ///< after the usual knock
   bool swings_at_harder_knocks = false;  ///< after the hardest, with the profile's friction
 };
 
-/// A sweep of the stiffness at one damping, as a part of the study holds it.
+/// A sweep of the stiffness at one damping, as stored in a part of the study.
 struct TuningColumn {
   double damping = 0;
-  double theory_stable = 0;  ///< infinite where theory sees no end
+  double theory_stable = 0;  ///< infinite if theory has no limit
   double theory_passive = 0;
-  /// As TheoryLimits; infinite where a study did not say.
+  /// As in TheoryLimits; infinite if a study did not report it.
   double theory_released = infinity, theory_passive_in_translation = infinity;
   double cycle_lever = 0;  ///< as TheoryLimits
   SweepLimit stable, good;
-  /// The limits of stability on a device without friction, and at harder_knocks; no value where a
-  /// study did not search for them.
+  /// The stability limits on a device without friction, and at harder_knocks; no value if a study
+  /// did not search for them.
   std::optional<SweepLimit> without_friction, harder_knocks;
-  /// No stiffness held without friction: theory's limit stands for the measured one.
+  /// No stiffness held without friction: the theoretical limit replaces the measured one.
   bool without_friction_by_theory = false;
-  std::optional<LongHold> long_hold;  ///< no value where it was not made
+  std::optional<LongHold> long_hold;  ///< no value if it was not made
   std::vector<SweepPoint> runs;
 };
 
-/// A finished part: one situation, hand and axis, and the assumed value that it varies.
+/// A finished part: one situation, hand and axis, with the assumed value that it varies.
 struct TuningLine {
   std::size_t situation = 0;
   std::string kind;
@@ -59,28 +59,28 @@ struct TuningResults {
   double sample_time = 1e-3;
   double max_force = 0, max_torque = 0;  ///< of the coupling, N and N·m
   bool trusts_friction = false;          ///< as TuningRequest
-  JointGains joint;                      ///< where all gains were swept together
-  /// Largest stiffness felt in each situation at gains of 1 N/m (and inertia/mass of that, N·m/rad,
-  /// where rotations have their own).
+  JointGains joint;                      ///< if all gains were swept together
+  /// Largest felt stiffness in each situation at gains of 1 N/m (and inertia/mass times that,
+  /// N·m/rad, if rotations have their own).
   struct Felt {
     double translation = 0, rotation = 0;
   };
   std::vector<Felt> felt;
   bool always_held = false;          ///< as TuningRequest
   std::optional<RestLadder> ladder;  ///< none: it was not climbed, or not yet
-  std::vector<TuningLine> lines;     ///< those of the profile as it is come first
+  std::vector<TuningLine> lines;     ///< those of the unchanged profile come first
 };
 
 bool has_friction(const TuningResults& results);
 
-/// Keys of the profile. Without friction it does not matter what it was.
+/// Keys of the profile that have no effect without friction.
 bool is_friction(const std::string& key);
 
 /// The name of the part that holds the ladder.
 constexpr const char* ladder_part = "rest";
 
-/// Reads a complete study of kind "tune". Throws InputError where a part is missing or was not
-/// written by a study; `folder` is for the message.
+/// Reads a complete study of kind "tune". Throws InputError if a part is missing or was not written
+/// by a study; `folder` is for the message.
 TuningResults read_tuning(const std::string& folder, const StudyFolder& study);
 
 }  // namespace sonde

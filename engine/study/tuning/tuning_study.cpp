@@ -18,15 +18,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A part of the study, as its file names it.
+/// A part of the study, as identified by its file name.
 struct PartOf {
   std::size_t situation;
   const HandGrip* grip;
   GainAxis axis;
   std::vector<double> shares;     ///< of the largest damping
-  const char* assumed = nullptr;  ///< a key of the profile that is not as it says
+  const char* assumed = nullptr;  ///< a key of the profile whose value is varied
   double times = 1;
-  const char* end = "";  ///< of that: how a file's name has it
+  const char* end = "";  ///< the varied end in the file's name
   bool first_look = false;
 };
 
@@ -45,16 +45,16 @@ DeviceProfile changed(DeviceProfile device, const PartOf& part) {
 }
 
 double coarser(double ratio, int times) { return std::min(2.0, elementary::pow(ratio, times)); }
-/// To which limits are known where a value of the profile is varied: its ends are known no better.
+/// Accuracy of the limits where a value of the profile is varied: its ends are no more accurate.
 double varied_ratio(double ratio) { return coarser(ratio, 2); }
 
-/// Where a value of the profile may be instead, as multiples of it.
+/// An end of the range of a profile value, as a multiple of it.
 struct VariedEnd {
   double times;
   const char* name;
 };
-/// An assumed value may be half or twice what it says, a measured one where its interval ends. None
-/// where that is nearer than `resolved`: the searches would not tell the ends apart.
+/// An assumed value is varied to half and twice its value, a measured one to the ends of its
+/// interval. None if these are nearer than `resolved`: the searches would not distinguish them.
 std::vector<VariedEnd> varied_ends(const ProfileValue& value, double resolved) {
   if (value.value == 0) return {};
   if (value.assumed) return {{0.5, ".half"}, {2, ".twice"}};
@@ -79,13 +79,13 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
             const bool nominal = part.assumed == nullptr;
             TuningSetup setup = tuning_setup(*plan, part.situation, *part.grip, device);
             if (part.first_look) setup.ratio = std::max(setup.ratio, first_look_ratio);
-            // What an axis could do alone, or with another damper, is for the map, and nothing is
-            // recommended by it.
+            // The results of an axis alone, or with another damper, are only for the map, and
+            // nothing is recommended from them.
             const bool alone = is_alone(*plan, part.axis);
             const bool aside = !part.first_look && part.axis != plan->axis;
             if (aside) setup.ratio = coarser(setup.ratio, 16);
             if (!nominal) setup.ratio = varied_ratio(setup.ratio);
-            // Parts that vary a friction go by the limit without any of the profile as it is.
+            // Parts that vary a friction use the frictionless limit of the unchanged profile.
             const bool varies_friction = !nominal && is_friction(part.assumed);
             const bool rubs = !alone && has_friction(device);
             const bool in_full = nominal && !aside && !part.first_look;
@@ -109,18 +109,19 @@ StudyPart study_part(const std::shared_ptr<const TuningPlan>& plan, const PartOf
 
 std::vector<PartOf> parts_of(const TuningPlan& plan) {
   std::vector<PartOf> parts;
-  // What is recommended comes first.
+  // The recommended axis comes first.
   std::vector<GainAxis> axes = axes_of(plan.request);
   std::rotate(axes.begin(), std::ranges::find(axes, plan.axis), axes.end());
   for (const GainAxis axis : axes)
     for (std::size_t i = 0; i < plan.contacts.situations.size(); ++i)
       for (const HandGrip& grip : hand_grips) {
-        if (axis != plan.axis && &grip != &hand_grips[0]) continue;  // the firm hand goes further
+        if (axis != plan.axis && &grip != &hand_grips[0])
+          continue;  // the firm hand has higher limits
         std::vector<double> shares = damping_shares(tuning_setup(plan, i, grip), axis);
         if (is_alone(plan, axis) && shares.size() > 1) shares = {0, 1};
         parts.push_back({i, &grip, axis, shares});
       }
-  // What is recommended is varied, not what each axis could do alone.
+  // The recommended axis is varied, not each axis alone.
   const std::size_t where = hardest(plan);
   for (const ProfileKey& key : profile_keys())
     for (const VariedEnd& end :
@@ -130,7 +131,7 @@ std::vector<PartOf> parts_of(const TuningPlan& plan) {
   return parts;
 }
 
-/// Coarse, in a light hand.
+/// A coarse part in a light hand.
 PartOf first_look_at(std::size_t situation, GainAxis axis, double share) {
   PartOf part{situation, &hand_grips[0], axis, {share}};
   part.first_look = true;
@@ -151,9 +152,9 @@ struct Look {
   double allowed = 0;  ///< N/m
 };
 
-/// Looks at the hardest situation at each damping: that which allows most comes first, of equal
-/// ones the least, and both dampers before each by itself. Theory alone would take dampings at
-/// which the real loop chatters.
+/// Looks at the hardest situation at each damping. The one that allows most comes first, among
+/// equal ones the least damping, and both dampers before each alone. Theory alone would choose
+/// dampings at which the real loop chatters.
 std::vector<Look> looks_at_hardest(const std::shared_ptr<const TuningPlan>& plan, unsigned threads,
                                    const Stop& stop) {
   const std::size_t where = hardest(*plan);
@@ -172,7 +173,7 @@ std::vector<Look> looks_at_hardest(const std::shared_ptr<const TuningPlan>& plan
   return looks;
 }
 
-/// The one at the hardest situation, and the same of the others at its damping.
+/// The look at the hardest situation, and those at the other situations at its damping.
 StudyFolder first_look(const std::shared_ptr<const TuningPlan>& plan, const Look& at_hardest,
                        unsigned threads, const Stop& stop) {
   std::vector<PartOf> others;
@@ -198,7 +199,8 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
   const auto plan = std::make_shared<TuningPlan>(tuning_plan(request, stop, part(0, 0.5)));
   const std::vector<Look> looks = looks_at_hardest(plan, threads, stop);
   part(0.5, 1)(0.5);
-  // What is best in the hardest contact may be good in no other; and no other allows more there.
+  // The best gains in the hardest contact may fail in another, and no other contact allows more
+  // there.
   for (const Look& look : looks) {
     if (&look != &looks.front() && look.allowed <= plan->held_stiffness) break;
     StudyFolder all = first_look(plan, look, threads, stop);
@@ -214,7 +216,7 @@ std::shared_ptr<const TuningPlan> study_plan(const TuningRequest& request, unsig
 
 Study plan_tuning(const std::shared_ptr<const TuningPlan>& plan) {
   Study study = study_of(plan, parts_of(*plan));
-  // The longest of all, so it begins first.
+  // The longest part, so it begins first.
   if (plan->held_stiffness > 0)
     study.parts.insert(study.parts.begin(), {ladder_part, [plan](const Stop& stop) {
                                                return to_json(climb_down(*plan, stop));

@@ -16,12 +16,12 @@
 namespace sonde {
 namespace {
 
-/// Three digits, or all before the point.
+/// Three digits, or all before the decimal point.
 std::string short_text(double value) {
   return value >= 1000 && value < 1e9 ? number_text(std::round(value)) : number_text(value, 3);
 }
 
-/// In words where the name of a reason is not one.
+/// Words for a reason whose name is not self-explanatory.
 std::string words_of(const std::string& reason) {
   constexpr std::pair<std::string_view, const char*> words[] = {
       {"friction", "stability without friction"},
@@ -67,7 +67,7 @@ std::string gains_text(const AxisGains& gains, const JointGains& joint) {
   return out;
 }
 
-/// Empty where nothing is recommended.
+/// Empty if nothing is recommended.
 std::string damping_ratio_text(const TuningResults& results, const AxisGains& gains) {
   const DampingRatios ratio = damping_ratios(results, gains);
   std::string out;
@@ -81,7 +81,7 @@ std::string damping_ratio_text(const TuningResults& results, const AxisGains& ga
              : "damping ratio of the handle on these springs, its own damping included: " + out;
 }
 
-/// Of translation, on the device alone. Empty where nothing is recommended.
+/// For translation, on the device alone. Empty if nothing is recommended.
 std::string hardness_text(const TuningResults& results, const AxisGains& gains) {
   const auto& device = results.device;
   const bool known = device.contains("damping") && device.contains("delay");
@@ -100,7 +100,7 @@ std::string hardness_text(const TuningResults& results, const AxisGains& gains) 
          " (10 to 90 %, light hand)";
 }
 
-/// Empty where the gains cannot be damped, or are.
+/// Empty if the gains have damping, or cannot have any.
 std::string why_no_damping(const TuningResults& results, const AxisGains& best) {
   const auto next = best_damped(results, best);
   if (best.damping > 0 || best.stiffness <= 0 || !next) return {};
@@ -137,7 +137,7 @@ std::string swing_text(const Swing& swing) {
          short_text(swing.frequency) + " Hz, " + place;
 }
 
-/// What would help, where nothing comes to rest.
+/// What would help, if nothing comes to rest.
 std::string what_would_help(const TuningResults& results, const Swing& swing) {
   std::string out;
   const auto add = [&](const std::string& each) { out += (out.empty() ? "" : "; ") + each; };
@@ -150,7 +150,7 @@ std::string what_would_help(const TuningResults& results, const Swing& swing) {
   return "what would help: " + out;
 }
 
-/// Of the ladder.
+/// The results of the ladder.
 std::vector<std::string> rest_words(const TuningResults& results, const AxisGains& gains) {
   std::vector<std::string> out;
   if (gains.stiffness > 0) {
@@ -182,7 +182,7 @@ std::string let_go_text(const TuningResults& results, const AxisGains& gains) {
          (results.always_held ? "; a hand that always holds was asked for" : "");
 }
 
-/// Where the wrench is no gradient. A cycle of 1 mm and 0.1 rad, each from end to end.
+/// If the wrench is no gradient: for a cycle of 1 mm and 0.1 rad, each from end to end.
 std::string passivity_text(const TuningResults& results, const AxisGains& gains) {
   if (!(gains.stiffness > 0) || gains.passive > 0 || !(gains.cycle_lever > 0)) return {};
   const double energy = gains.stiffness * gains.cycle_lever * 0.05 * 2e-3;
@@ -198,7 +198,7 @@ std::string passivity_text(const TuningResults& results, const AxisGains& gains)
   return out;
 }
 
-/// Of what was held for seconds.
+/// The results of the holds of seconds.
 std::vector<std::string> lasting_swings(const TuningResults& results, const AxisGains& gains) {
   if (gains.tried) return rest_words(results, gains);
   if (gains.stiffness <= 0) return {};
@@ -240,7 +240,7 @@ std::string limiting_assumption_text(const TuningResults& results, GainAxis axis
          " limits most: " + end(worst.low) + ", " + end(worst.high);
 }
 
-/// Empty where only one hand was studied.
+/// Empty if only one hand was studied.
 std::string hands_text(const TuningResults& results, const AxisGains& gains) {
   const auto by_hand = recommend_by_hand(results, gains.axis, gains.damping);
   if (by_hand.size() < 2) return {};

@@ -10,16 +10,16 @@
 
 namespace sonde {
 
-/// What the finished parts say of one axis; no value where they have no sweep of it on the profile
-/// as it is. A part that is still to come can only lower what they allow. Errors as read_tuning.
+/// The results of the finished parts for one axis; no value if they have no sweep of it with the
+/// unchanged profile. Parts still to come can only lower the limits. Errors as for read_tuning.
 std::optional<TuningResults> tuning_so_far(const std::string& folder, const StudyFolder& study,
                                            GainAxis axis);
 
-/// The recommended gains and what limits them, for a terminal: "k 344 N/m, limited by friction
-/// (flat contact, light hand)"; or that no stiffness is good, and why.
+/// The recommended gains and their limit, for a terminal: "k 344 N/m, limited by friction (flat
+/// contact, light hand)"; or that no stiffness is good, and why.
 std::string gains_in_words(const TuningResults& results);
 
-/// The same as a sentence; and where they apply, that the gains rely on friction, why no virtual
+/// The same as a sentence; and, where they apply: that the gains rely on friction, why no virtual
 /// damping is best, that theory has a lower limit, and which assumption limits, with the
 /// recommendation at both ends.
 std::vector<std::string> recommendation_in_words(const TuningResults& results);

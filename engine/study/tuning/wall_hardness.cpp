@@ -13,13 +13,13 @@ namespace {
 constexpr double felt_first = 0.01;  // s
 constexpr int parts_of_sample = 50;  // errors of a second-order step are then far below 1e-3
 
-/// The handle against the wall, x > 0 inside, in parts of a sample.
+/// The handle against the wall, x > 0 inside, in sub-steps of a sample.
 class Handle {
  public:
   Handle(const SampledAxis& axis, double stiffness, const AxisHand& hand, double speed)
       : axis_(axis), stiffness_(stiffness), hand_(hand), v_(speed) {}
 
-  /// To the next part of a sample; the target is where the hand wants the handle.
+  /// Advances by a sub-step; the target is that of the hand's spring.
   void step(double target) {
     if (part_ == 0) sample();
     const double h = axis_.sample_time / parts_of_sample;
@@ -72,9 +72,9 @@ double rate_hardness(const SampledAxis& axis, double stiffness) {
 }
 
 double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand) {
-  // Both springs share the way.
+  // The two springs are in series.
   const double final = stiffness * hand.stiffness / (stiffness + hand.stiffness);
-  const double longest = 10;  // s: far longer than any handle that a hand holds
+  const double longest = 10;  // s: far longer than any handle in a hand takes
   Handle handle(axis, stiffness, hand, 0);
   double tenth = 0;
   while (handle.time() < longest) {

@@ -5,10 +5,10 @@
 
 namespace sonde {
 
-/// How hard a wall feels that a handle runs into with no hand on it: the mean rate at which the
-/// force on the handle grows over the first 10 ms, over the speed at the surface (rate-hardness:
-/// Lawrence and others, 2000), N/m | N·m/rad. The surface is met just after a sample. An ideal
-/// spring that nothing slows has its own stiffness.
+/// The hardness of a wall that a handle without a hand runs into: the mean rate at which the force
+/// on the handle grows over the first 10 ms, over the speed at the surface (rate-hardness: Lawrence
+/// and others, 2000), N/m | N·m/rad. The surface is met just after a sample. For an ideal spring
+/// without other forces it is the spring's stiffness.
 double rate_hardness(const SampledAxis& axis, double stiffness);
 
 /// A spring and damper that holds the handle.
@@ -17,9 +17,9 @@ struct AxisHand {
   double damping = 0;    ///< N·s/m | N·m·s/rad
 };
 
-/// The time in which the wall's force first rises from a tenth to nine tenths of what it comes to,
-/// s, where a hand that held the handle at the surface pushes from one moment to the next. The size
-/// of the push does not count. Infinite where it does not come to that within 10 s.
+/// The time in which the wall's force first rises from a tenth to nine tenths of its final value,
+/// s, after a sudden push of a hand that held the handle at the surface. The size of the push does
+/// not matter. Infinite if it does not reach that within 10 s.
 double rise_time(const SampledAxis& axis, double stiffness, const AxisHand& hand);
 
 }  // namespace sonde
