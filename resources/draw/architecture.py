@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """architecture.py SOURCE FILE: draws the folders of the engine and the window, each above all that
-it sees, from the sonde_layer() lines of their CMakeLists.txt."""
+it sees, from the sonde_layer() lines of their CMakeLists.txt; the studies apart."""
 import re
 import sys
 from pathlib import Path
 
 WIDTH, HEIGHT, GAP = 150, 26, 8
-COLOURS = {"engine": "#dce9f7", "ui": "#f8e6dc"}
+COLOURS = {"engine": "#dce9f7", "ui": "#f8e6dc", "study": "#e3f1dc"}
 
 
 def layers(text):
     """Folders and what each sees, in the order of their declaration."""
     found = {}
     for arguments in re.findall(r"^ *sonde_layer\(([^)]*)\)", text, re.MULTILINE):
-        words = arguments.split()
+        words = arguments.replace('"', "").replace("${SONDE_PLATFORM}", "linux").split()
         sees, keyword = [], None
         for word in words[1:]:
             if word in ("SEES", "LIBRARIES", "CGAL"):
@@ -29,7 +29,7 @@ def rows_of(folders):
     """Folders by their height: one more than that of the highest that they see."""
     height = {}
     for name, sees in folders.items():
-        height[name] = 1 + max((height[other] for other in sees), default=-1)
+        height[name] = 1 + max((height[other] for other in sees if other in height), default=-1)
     rows = [[] for _ in range(1 + max(height.values()))]
     for name, level in height.items():
         rows[level].append(name)
@@ -56,8 +56,12 @@ def block(rows, top, y, full):
 
 
 def draw(source):
-    read = {top: rows_of(layers((source / top / "CMakeLists.txt").read_text("utf-8")))
-            for top in ("ui", "engine")}
+    ui, both = (layers((source / top / "CMakeLists.txt").read_text("utf-8"))
+                for top in ("ui", "engine"))
+    # The studies are a library of their own.
+    study = {name: sees for name, sees in both.items() if name.startswith("study/")}
+    engine = {name: sees for name, sees in both.items() if name not in study}
+    read = {"ui": rows_of(ui), "study": rows_of(study), "engine": rows_of(engine)}
     most = max(len(row) for rows in read.values() for row in rows)
     full = WIDTH * most + GAP * (most - 1)
     y = 10
@@ -65,7 +69,7 @@ def draw(source):
     body += box(80, y, full // 2 - GAP, "sonde-view", "#e7e7e7")
     body += box(80 + full // 2, y, full - full // 2, "sonde", "#e7e7e7")
     y += HEIGHT + 3 * GAP
-    for top in ("ui", "engine"):
+    for top in read:
         part, y = block(read[top], top, y, full)
         body += part
         y += 2 * GAP
