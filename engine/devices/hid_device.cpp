@@ -22,7 +22,7 @@
 namespace sonde {
 namespace {
 
-/// Of hidapi's state for the whole program, which listing and opening write.
+/// Protects hidapi's global state, which listing and opening write.
 std::mutex& hidapi_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -44,7 +44,7 @@ void append_utf8(std::string& text, char32_t c) {
   byte(0x80 | (c & 0x3F));
 }
 
-/// Control characters are left out: a device's name goes to a terminal.
+/// Leaves out control characters, since a device's name is printed on a terminal.
 std::string utf8(const wchar_t* wide) {
   std::string text;
   for (; wide && *wide != 0; ++wide)
@@ -53,7 +53,7 @@ std::string utf8(const wchar_t* wide) {
   return text;
 }
 
-/// The folder of the HID device that has this node.
+/// The folder of the HID device with this node.
 std::filesystem::path device_folder(const std::string& path) {
   return "/sys/class/hidraw/" + std::filesystem::path(path).filename().string() + "/device";
 }
@@ -78,7 +78,7 @@ HidInfo info_of(const hid_device_info& found) {
           .port = port_of(found.path)};
 }
 
-/// Closes with the object.
+/// A file descriptor that closes with the object.
 struct Descriptor {
   explicit Descriptor(int number) : number(number) {}
   ~Descriptor() {
@@ -89,8 +89,8 @@ struct Descriptor {
   const int number;
 };
 
-/// What hidapi is going to do, done first: it says no errno, and hidapi 0.13.1 writes into freed
-/// memory where the descriptor's size cannot be asked.
+/// Does in advance what hidapi will do: hidapi reports no errno, and hidapi 0.13.1 writes into
+/// freed memory if the descriptor's size cannot be read.
 void check_opens(const std::string& path) {
   const Descriptor node(::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (node.number < 0) throw InputError::in(path, open_failure(errno));
@@ -118,7 +118,7 @@ std::vector<HidInfo> list_hid() {
       hid_enumerate(0, 0), [](hid_device_info* list) { hid_free_enumeration(list); });
   for (const hid_device_info* found = first.get(); found; found = found->next) {
     if (!found->path) continue;
-    // An interface with several top-level collections comes once for each.
+    // An interface with several top-level collections is listed once for each.
     auto known =
         std::ranges::find_if(all, [&](const HidInfo& info) { return info.path == found->path; });
     if (known == all.end()) known = all.insert(known, info_of(*found));

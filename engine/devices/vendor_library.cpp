@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Word length and processor of an ELF file, as its head says.
+/// Word length and processor of an ELF file, from its header.
 struct Architecture {
   unsigned char bits = ELFCLASSNONE;
   std::uint16_t machine = EM_NONE;
@@ -62,8 +62,8 @@ void check_architecture(const fs::path& file) {
                                             "); this program needs " + words(*ours));
 }
 
-/// The loader maps what the head promises: beyond the end of a file that is cut off it dies of a
-/// bus error. For the program's own processor alone.
+/// The loader maps what the header promises: for a truncated file it would die of a bus error. Only
+/// for files for the program's own processor.
 void check_whole(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   ElfW(Ehdr) head{};
@@ -99,7 +99,7 @@ std::span<const char* const> system_library_folders() {
 }
 
 fs::path find_vendor_library(const VendorLibraryName& name, std::span<const char* const> folders) {
-  // An empty value is as none: that is how a shell clears it for one command.
+  // An empty value counts as none, since a shell clears a variable for one command in this way.
   if (const char* asked = std::getenv(name.variable); asked && *asked) {
     const std::string value = asked;
     if (!fs::path(value).is_absolute())
