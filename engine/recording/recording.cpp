@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that stays readable while it is held, whatever happens to its name.
+/// A file that stays readable while it is open, whatever happens to its name.
 class OpenFile {
  public:
   explicit OpenFile(const fs::path& file)
@@ -36,7 +36,7 @@ class OpenFile {
 
   std::uint64_t size() const { return size_; }
   const fs::path& path() const { return file_; }
-  /// As much of it as there is.
+  /// Reads up to `most` bytes, fewer at the end of the file.
   std::string read(std::uint64_t offset, std::size_t most) const {
     std::string bytes(static_cast<std::size_t>(
                           std::min<std::uint64_t>(most, size_ > offset ? size_ - offset : 0)),
@@ -62,7 +62,7 @@ class OpenFile {
   std::uint64_t size_ = 0;
 };
 
-/// The bytes of the header, or what there is of them.
+/// The bytes of the header, or as many as there are.
 std::string header_bytes_of(const OpenFile& file) {
   constexpr std::size_t fixed_size = 20, most = 1u << 24;
   std::string bytes = file.read(0, fixed_size);
@@ -73,13 +73,14 @@ std::string header_bytes_of(const OpenFile& file) {
   return bytes;
 }
 
-/// Reads the blocks from `offset` on. Why there are no more; empty at the end of a whole one.
+/// Reads the blocks from `offset` on. It records why there are no more; empty at the end of a whole
+/// recording.
 class BlockReader {
  public:
   BlockReader(Recording& into, std::shared_ptr<const OpenFile> file)
       : into_(into), file_(std::move(file)) {}
 
-  /// False where there is no more, with the reason in `cut`.
+  /// Returns false if there is no more, with the reason in `cut`.
   bool next() {
     try {
       return read_one();

@@ -23,7 +23,7 @@ std::string system_reason(int error) {
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header)
     : file_(file) {
-  descriptor_ = create_anew(file);  // the ticks to come may be those of the recording it replaces
+  descriptor_ = create_anew(file);  // the new ticks may be those of the recording that it replaces
   thread_ = std::thread([this, header] { run(header); });
 }
 
@@ -55,7 +55,7 @@ std::optional<std::string> RecordingWriter::failure() const {
   return failure_;
 }
 
-/// None: all is written.
+/// The next block to write. None: all is written.
 std::optional<BlockBytes> RecordingWriter::next() {
   std::unique_lock lock(mutex_);
   news_.wait(lock, [this] { return finishing_ || !waiting_.empty(); });
@@ -85,11 +85,11 @@ void RecordingWriter::run(const RecordingHeader& header) {
   closed_.store(true, std::memory_order_release);
 }
 
-/// Whole or not at all.
+/// Writes all bytes or nothing.
 void RecordingWriter::write(const std::string& bytes) {
   if (!write_all(descriptor_, bytes)) {
     const int error = errno;
-    // What is left of a block is cut off; a file that cannot be cut can be read all the same.
+    // The rest of a block is cut off; a file that cannot be cut is still readable.
     [[maybe_unused]] const int cut =
         ::ftruncate(descriptor_, static_cast<off_t>(bytes_.load(std::memory_order_relaxed)));
     throw InputError::in(file_.string(), system_reason(error));
