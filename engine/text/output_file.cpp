@@ -26,7 +26,7 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The file that a symbolic link stands for: the link itself is to stay.
+/// The target of a symbolic link, since the link itself must stay.
 fs::path behind_links(const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -47,7 +47,7 @@ void write_special(const fs::path& file, std::string_view text) {
   if (error != 0) fail(file, error);
 }
 
-/// A name beside the target that no other process or thread of this one uses.
+/// A name next to the target that no other process and no other thread uses.
 fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   std::string name = ".";
@@ -56,11 +56,11 @@ fs::path temporary_name(const fs::path& target) {
   return folder_of(target) / name;
 }
 
-/// Writes a new file down to the disk. An errno, 0 where all went well.
+/// Writes a new file and syncs it to disk. Returns an errno; 0 on success.
 int write_new(const fs::path& file, std::string_view text) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return errno;
-  // Without the sync a crash of the machine could leave the new name on an empty file.
+  // Without the sync, a crash of the machine could leave an empty file under the new name.
   int error = write_all(descriptor, text) && ::fsync(descriptor) == 0 ? 0 : errno;
   if (::close(descriptor) != 0 && error == 0) error = errno;
   return error;
@@ -83,7 +83,7 @@ void check_writable(const fs::path& file) {
   if (is_special(file)) return;
   const fs::path target = behind_links(file);
   if (::access(folder_of(target).c_str(), W_OK | X_OK) != 0) fail(file, errno);
-  // A file that may not be written stays, although its folder would allow to replace it.
+  // A write-protected file is kept, even if its folder would permit replacing it.
   if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) fail(file, errno);
 }
 
