@@ -77,7 +77,7 @@ struct Turned {
 
 constexpr double largest_angle = 0x1p20;
 
-/// The whole number nearest to |x| < 2^51.
+/// The integer nearest to x, for |x| < 2^51.
 double nearest(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
 /// Subtracts n·(parts[0] + parts[1] + ...) from x. The products of all parts but the last are

@@ -124,7 +124,7 @@ struct SearchTuning {
   double known_within = 0.1;
 
   // Random starts
-  /// Number of starts after the sketches have given what they can. On depths.csv, 16, 32, 64 and
+  /// Maximum number of random starts after the starts on sketches. On depths.csv, 16, 32, 64 and
   /// 160 of them leave the same poses of three seeds over 1 % too deep; with the bodies moved, 32
   /// lose two poses more than 64, one by 22 %. Without sketches, StaticOptions::starts is the
   /// limit. If overlaps are pushed apart instead: with 32, 64 and 128 of them 348, 359 and 368 of
