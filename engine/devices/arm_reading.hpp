@@ -41,8 +41,8 @@ inline constexpr const char* no_rotation = "its rotation matrix is none, or not 
 struct ArmIdentity {
   std::string name, serial;
   DeviceCapabilities capabilities;
-  Vec3 farthest =
-      Vec3::Constant(0.5);  ///< m: a handle further from the base's origin is implausible
+  /// m: a handle further from the base's origin is implausible.
+  Vec3 farthest = Vec3::Constant(0.5);
 };
 
 }  // namespace sonde

@@ -17,8 +17,8 @@
 /// returns. Results: 0 done, below 0 failed, above 0 done with a remark [P].
 namespace sonde::dhd {
 
-inline constexpr int timeguard =
-    1;  ///< called again too early: the last pose is returned again [P]
+/// Called again too early: the last pose is returned again [P].
+inline constexpr int timeguard = 1;
 
 // Indices of the words that dhdGetStatus writes [P]; the second source of the names and numbers is
 // the status class of a ROS driver, which lists them in this order.

@@ -63,8 +63,8 @@ class DhdArm {
   bool wrist_ = false;
   ArmIdentity identity_;
   DeviceClock::time_point next_{};
-  DeviceClock::time_point
-      force_again_{};  ///< earliest time, after the controller switched the force off
+  /// Earliest time, after the controller switched the force off.
+  DeviceClock::time_point force_again_{};
   bool force_enabled_ = false;
   int until_status_ = 0;  ///< readings
 };

@@ -80,8 +80,8 @@ Heard ForceDevice::accept(std::span<const std::uint8_t> bytes, DeviceClock::time
 }
 
 Heard ForceDevice::accept(PoseReport report, DeviceClock::time_point now, DeviceSample& sample) {
-  if (last_ && report.sequence == last_->sequence)
-    return Heard::nothing;  // persistent repetition counts as silence
+  // Persistent repetition counts as silence.
+  if (last_ && report.sequence == last_->sequence) return Heard::nothing;
   if (report.fault) return refuse("it reports a fault of its own", sample);
   if (!report.valid) return refuse("it does not know its pose yet", sample);
   if (const std::string reason = implausible(report); !reason.empty())

@@ -20,8 +20,8 @@ struct HidUsage {
 struct HidField {
   HidUsage usage{};            ///< for an array: the usage of its logical minimum
   std::uint8_t report_id = 0;  ///< 0 if the device does not number its reports
-  std::uint32_t bit =
-      0;  ///< of its lowest bit, counted from the report's first byte (its id, if any)
+  /// Position of its lowest bit, counted from the report's first byte (its id, if any).
+  std::uint32_t bit = 0;
   std::uint32_t bits = 0;        ///< 1 to 32
   std::int64_t logical_min = 0;  ///< range of its values, as the device states it
   std::int64_t logical_max = 0;

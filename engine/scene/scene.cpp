@@ -23,8 +23,8 @@ namespace {
 using Kind = JsonNode::Kind;
 using Keys = std::vector<std::string_view>;
 
-constexpr std::size_t most_scene_bytes =
-    1 << 22;  // for most_parts, in the form that the window writes
+// For most_parts, in the form that the window writes.
+constexpr std::size_t most_scene_bytes = 1 << 22;
 
 struct Unit {
   std::string_view name;
